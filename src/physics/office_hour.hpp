@@ -1,0 +1,27 @@
+/// Paper 1's sensitivity model: heating plus cooling energy of ONE hour of a box-shaped office,
+/// from 19 numbers (its Table 2).
+///
+/// The geometry follows from gross floor area, length, width and storey height; the irradiance
+/// on the four facades and the roof from DNI, DHI, the day, the hour and the site (Guangzhou).
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace bemcal::physics {
+
+struct OfficeHourInput {
+    const char* name;
+    const char* unit;
+    double least, most;      ///< Table 2, its misprints mended
+    const char* sentence;
+};
+/// The 19 inputs in Table 2's order; GFA and theta_prev are numbers 1 and 14 there.
+std::span<const OfficeHourInput> office_hour_inputs();
+
+/// \param inputs  19 values in that order
+/// \return heating + cooling energy of the hour [kWh]; NaN where the box is impossible
+double office_hour_energy(std::span<const double> inputs);
+
+}  // namespace bemcal::physics

@@ -1,0 +1,32 @@
+/// Schedules: a number for every hour, from day types, calendar periods and holidays.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "physics/calendar.hpp"
+
+namespace bemcal::physics {
+
+using Day = std::array<double, 24>;  ///< value k holds from hour k to k + 1
+
+/// One value for each hour of the week, with calendar periods that replace it.
+struct Schedule {
+    std::string name;
+    std::array<Day, 7> week{};           ///< Monday first
+    Day holiday{};                       ///< on days in `holidays`
+    std::vector<DateRange> holidays;
+    struct Period {
+        DateRange dates;
+        std::array<Day, 7> week{};
+    };
+    std::vector<Period> periods;         ///< the last that contains the day wins
+    std::string summer_time = "none";    ///< "none", "eu" or "us": hours follow the wall clock
+};
+
+/// The schedule's value for every step of the axis.
+std::vector<double> values_of(const Schedule& schedule, const TimeAxis& axis,
+                              double utc_offset_h);
+
+}  // namespace bemcal::physics

@@ -1,0 +1,26 @@
+/// Screening: a Sobol sample over the uncertain parameters, the error of every point against
+/// every meter, and the points that meet ASHRAE Guideline 14.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "study/case.hpp"
+#include "study/stage.hpp"
+
+namespace bemcal::study {
+
+struct ScreeningOptions {
+    std::size_t n_points = 4096;
+    std::size_t points_per_item = 1024;
+    std::uint64_t seed = 0;
+    bool keep_points = true;         ///< store every point with its errors, not the best only
+    std::size_t n_best = 20;
+};
+
+/// Every point is simulated over every period of the case. The best is chosen by the sum over
+/// meters of the squared CV(RMSE) in the first period only; the others report.
+std::unique_ptr<Stage> make_screening(std::string name, const Case& building,
+                                      const ScreeningOptions& options);
+
+}  // namespace bemcal::study

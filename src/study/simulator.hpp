@@ -1,0 +1,30 @@
+/// Something that answers points with numbers: our model over a period, paper 1's single hour,
+/// later another program.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "study/case.hpp"
+
+namespace bemcal::study {
+
+struct Output {
+    std::string name, unit;
+};
+
+/// Const means shareable: `evaluate` is called by many threads at once.
+class Simulator {
+  public:
+    virtual ~Simulator() = default;
+    virtual const std::vector<physics::Parameter>& parameters() const = 0;
+    virtual const std::vector<Output>& outputs() const = 0;
+    /// \param points    [n x parameters]
+    /// \param answers   [n x outputs], NaN in the rows of failed points
+    /// \param failures  [n] reasons, empty = none
+    virtual void evaluate(const Matrix& points, Matrix& answers,
+                          std::vector<std::string>& failures) const = 0;
+};
+
+}  // namespace bemcal::study
