@@ -1,4 +1,5 @@
-/// One hour of ISO 13790:2008 Annex C: the plain version, written to be read beside the standard.
+/// One hour of ISO 13790:2008 Annex C: the plain version, written to be read beside the
+/// standard.
 ///
 /// Every fast version is tested against it. Leaves out what structure.hpp adds.
 #pragma once
@@ -8,12 +9,19 @@
 namespace bemcal::physics {
 
 struct NodeTemperatures {
-    double theta_m_t;   ///< mass, at the end of the step [degC]
-    double theta_m;     ///< mass, mean of the step (C.9)
-    double theta_s;     ///< surfaces (C.10)
-    double theta_air;   ///< air (C.11)
-    double theta_op;    ///< operative (C.12)
+    double theta_m_t;  ///< mass, at the end of the step [degC]
+    double theta_m;    ///< mass, mean of the step (C.9)
+    double theta_s;    ///< surfaces (C.10)
+    double theta_air;  ///< air (C.11)
+    double theta_op;   ///< operative (C.12)
 };
+
+/// Shares of a radiant gain that reach the surface and the mass node (C.2, C.3); by the
+/// standard's design they do not sum to 1.
+struct RadiantSplit {
+    double to_m, to_st;
+};
+RadiantSplit radiant_split(const Network& network);
 
 struct NodeGains {
     double phi_ia, phi_st, phi_m;  ///< to air, surface and mass node [W] (C.1 to C.3)
@@ -24,8 +32,8 @@ NodeGains split_gains(const Network& network, double phi_int, double phi_sol);
 /// \param phi_hc  power at the air node [W]; positive heats, negative cools
 /// \param dt      length of the step [s]; 3600 in the standard
 NodeTemperatures advance_hour(const Network& network, const HourDrive& drive,
-                              const NodeGains& gains, double theta_m_before, double phi_hc,
-                              double dt = 3600);
+                              const NodeGains& gains, double theta_m_before,
+                              double phi_hc, double dt = 3600);
 
 /// The power that meets the set-points within the limits: the five cases of C.4.2 [W].
 double power_for_set_point(const Network& network, const HourDrive& drive,
