@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# `cmake --install` puts the program, its jobs and its scripts under any prefix, and what is
+# installed works from any folder.
+set -euo pipefail
+prefix=$(mktemp -d)
+trap 'rm -rf "$prefix"' EXIT
+cmake --install "$BEMCAL_BUILD" --prefix "$prefix" >/dev/null
+fail() { echo "$*" >&2; exit 1; }
+
+cd /
+"$prefix/bin/bemcal-batch" --version | grep -qE '[0-9]+\.[0-9]+\.[0-9]+' || fail "no version printed"
+[[ -d $prefix/share/bemcal/jobs ]] || fail "no jobs were installed"
+for script in build check environment install-packages test; do
+  [[ ! -e $prefix/share/bemcal/scripts/$script ]] || fail "scripts/$script works on a checkout only"
+done
+shopt -s nullglob
+for job in "$prefix"/share/bemcal/jobs/*/quickstart*.toml "$prefix"/share/bemcal/jobs/quickstart*.toml; do
+  "$prefix/bin/bemcal-batch" check "$job" >/dev/null || fail "check of the installed $job failed"
+done
