@@ -1,0 +1,147 @@
+/// Meters sum over zones; the plant's efficiency stands between a zone's heat and a
+/// meter.
+#include "physics/meters.hpp"
+
+#include <array>
+#include <limits>
+
+namespace bemcal::physics {
+
+namespace {
+
+struct QuantityName {
+    const char* name;
+    const char* unit;
+    Carrier carrier;
+};
+
+constexpr QuantityName quantities[] = {{"air_temperature", "degC", Carrier::none},
+                                       {"heating", "kWh", Carrier::none},
+                                       {"cooling", "kWh", Carrier::none},
+                                       {"electricity", "kWh", Carrier::electricity},
+                                       {"gas", "kWh", Carrier::gas},
+                                       {"district", "kWh", Carrier::district}};
+
+const QuantityName& row_of(Quantity quantity) {
+    return quantities[static_cast<std::size_t>(quantity)];
+}
+
+/// The loads that a carrier's meter sees at a step [W].
+double loads_on(const Building& building, const Drive& drive, Carrier carrier, int step) {
+    double power = 0;
+    for (const Zone& zone : building.zones)
+        for (const Load& load : zone.loads)
+            if (load.carrier == carrier)
+                power += zone.floor_area * drive.at(load.density, step) /
+                         drive.at(load.efficiency, step);
+    return power;
+}
+
+/// What two steps of the same interval have in common.
+using Label = std::array<int, 4>;
+
+Label label_of(const CalendarStep& step, Interval interval) {
+    switch (interval) {
+        case Interval::hourly:
+            return {step.year, step.month, step.day, step.hour};
+        case Interval::daily:
+            return {step.year, step.month, step.day, 0};
+        case Interval::monthly:
+            return {step.year, step.month, 0, 0};
+        default:
+            return {step.year, 0, 0, 0};
+    }
+}
+
+double mean_air_temperature(const Building& building, const Trajectory& trajectory,
+                            std::size_t step) {
+    double sum = 0;
+    for (std::size_t zone = 0; zone < building.zones.size(); ++zone)
+        sum += building.zones[zone].floor_area * trajectory.zones[zone].theta_air[step];
+    return sum / building.floor_area();
+}
+
+/// Power on the meter at a step of the period [W].
+double power_on(const MeterForm& form, const Trajectory& trajectory, std::size_t step) {
+    double heating = 0, cooling = 0;
+    for (const ZoneTrajectory& zone : trajectory.zones) {
+        heating += zone.heating[step];
+        cooling += zone.cooling[step];
+    }
+    return form.per_heating * heating + form.per_cooling * cooling + form.source;
+}
+
+}  // namespace
+
+const char* name_of(Quantity quantity) {
+    return row_of(quantity).name;
+}
+const char* unit_of(Quantity quantity) {
+    return row_of(quantity).unit;
+}
+
+const char* name_of(Interval interval) {
+    constexpr const char* names[] = {"step", "hourly", "daily", "monthly", "annual"};
+    return names[static_cast<std::size_t>(interval)];
+}
+
+std::vector<int> interval_bounds(const TimeAxis& period, Interval interval) {
+    std::vector<int> bounds;
+    Label current{};
+    for (int step = 0; step < period.n_steps; ++step) {
+        const Label label = label_of(calendar_step(period.begin_of(step)), interval);
+        if (step == 0 || interval == Interval::step || label != current)
+            bounds.push_back(step);
+        current = label;
+    }
+    bounds.push_back(period.n_steps);
+    return bounds;
+}
+
+std::vector<double> predict(const Building& building, const Drive& drive,
+                            const Trajectory& trajectory, Quantity quantity) {
+    const std::size_t n = static_cast<std::size_t>(drive.n_steps() - drive.n_warm_up);
+    const double kWh_per_W = drive.axis.step_s / 3.6e6;
+    std::vector<double> shown(n);
+    for (std::size_t step = 0; step < n; ++step) {
+        if (quantity == Quantity::air_temperature) {
+            shown[step] = mean_air_temperature(building, trajectory, step);
+            continue;
+        }
+        const MeterForm form = meter_form(building, drive, quantity,
+                                          drive.n_warm_up + static_cast<int>(step));
+        shown[step] = power_on(form, trajectory, step) * kWh_per_W;
+    }
+    return shown;
+}
+
+std::vector<double> aggregate(const std::vector<double>& steps,
+                              const std::vector<int>& bounds, Quantity quantity) {
+    std::vector<double> intervals;
+    for (std::size_t k = 0; k + 1 < bounds.size(); ++k) {
+        double sum = 0;
+        for (int step = bounds[k]; step < bounds[k + 1]; ++step)
+            sum += steps[static_cast<std::size_t>(step)];
+        const bool is_mean = quantity == Quantity::air_temperature;
+        intervals.push_back(is_mean ? sum / (bounds[k + 1] - bounds[k]) : sum);
+    }
+    return intervals;
+}
+
+MeterForm meter_form(const Building& building, const Drive& drive, Quantity quantity,
+                     int step) {
+    if (quantity == Quantity::heating) return {1, 0, 0};
+    if (quantity == Quantity::cooling) return {0, 1, 0};
+    const Carrier carrier = row_of(quantity).carrier;
+    if (carrier == Carrier::none) return {};
+    const Plant& plant = building.plant;
+    MeterForm form;
+    if (plant.heating_carrier == carrier)
+        form.per_heating = 1 / drive.at(plant.heating_efficiency, step);
+    if (plant.cooling_carrier == carrier)
+        form.per_cooling = 1 / drive.at(plant.cooling_cop, step);
+    form.source = loads_on(building, drive, carrier, step);
+    return form;
+}
+
+}  // namespace bemcal::physics

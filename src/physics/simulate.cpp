@@ -1,0 +1,141 @@
+/// The loop over steps and zones. Zones see each other by their air temperatures of the
+/// step before, so their order does not matter.
+#include "physics/simulate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace bemcal::physics {
+
+namespace {
+
+/// The standard's hour: hour.hpp and nothing else.
+StepResult standard_step(const Network& network, const HourDrive& drive,
+                         const Control& control, const ZoneState& before, double dt) {
+    const NodeGains gains = split_gains(network, drive.phi_int, drive.phi_sol);
+    const double phi_hc =
+        power_for_set_point(network, drive, gains, control, before.theta_m, dt);
+    StepResult result;
+    result.theta = advance_hour(network, drive, gains, before.theta_m, phi_hc, dt);
+    result.after = before;
+    result.after.theta_m = result.theta.theta_m_t;
+    result.after.theta_air = result.theta.theta_air;
+    result.phi_heating = std::max(phi_hc, 0.0);
+    result.phi_cooling = std::max(-phi_hc, 0.0);
+    return result;
+}
+
+/// What ties a zone's air to another's [W/K].
+struct AirLink {
+    std::size_t zone;
+    double H;
+};
+
+/// A coupling's conductance acts on both of its zones, its air flow on the zone that it
+/// enters.
+std::vector<AirLink> air_links(const Building& building, const Drive& drive,
+                               std::size_t zone, int step) {
+    std::vector<AirLink> links;
+    for (const ZoneCoupling& coupling : building.zones[zone].couplings)
+        links.push_back({static_cast<std::size_t>(coupling.zone),
+                         drive.at(coupling.conductance, step) +
+                             rho_c_air * drive.at(coupling.air_flow, step) / 3600});
+    for (std::size_t other = 0; other < building.zones.size(); ++other)
+        for (const ZoneCoupling& coupling : building.zones[other].couplings)
+            if (static_cast<std::size_t>(coupling.zone) == zone)
+                links.push_back({other, drive.at(coupling.conductance, step)});
+    return links;
+}
+
+/// A link enters as a ventilation flow with the other zone's air as its supply.
+void add_link(const AirLink& link, double theta_other, Network& network,
+              HourDrive& hour) {
+    if (!(link.H >= 0)) throw std::domain_error("a coupling to another zone is negative");
+    const double H_ve = network.H_ve + link.H;
+    if (H_ve <= 0) return;
+    hour.theta_sup = (network.H_ve * hour.theta_sup + link.H * theta_other) / H_ve;
+    network.H_ve = H_ve;
+}
+
+class ZoneRun {
+  public:
+    ZoneRun(const Building& building, const Drive& drive, std::size_t zone,
+            double theta_start)
+        : building_(building), drive_(drive), index_(zone) {
+        state_.theta_m = state_.theta_m2 = state_.theta_air = theta_start;
+    }
+
+    double theta_air() const { return state_.theta_air; }
+
+    StepResult advance(int step, const std::vector<double>& theta_air) {
+        const Zone& zone = building_.zones[index_];
+        make_network(building_, zone, drive_, step, network_);
+        HourDrive hour = hour_drive(building_, zone, network_, drive_, step);
+        couple(step, theta_air, hour);
+        const auto one_step = zone.structure.any() ? advance_step : standard_step;
+        StepResult result = one_step(network_, hour, control_at(zone, drive_, step),
+                                     state_, drive_.axis.step_s);
+        check(zone, step, result);
+        state_ = result.after;
+        return result;
+    }
+
+  private:
+    void couple(int step, const std::vector<double>& theta_air, HourDrive& hour) {
+        const std::vector<AirLink> links = air_links(building_, drive_, index_, step);
+        if (links.empty()) return;
+        for (const AirLink& link : links)
+            add_link(link, theta_air[link.zone], network_, hour);
+        reject_ringing(building_.zones[index_], step, network_, drive_.axis.step_s);
+    }
+
+    static void check(const Zone& zone, int step, const StepResult& result) {
+        const double sum = result.theta.theta_air + result.theta.theta_m_t +
+                           result.phi_heating + result.phi_cooling;
+        if (!std::isfinite(sum))
+            throw std::domain_error(fmt::format(
+                "zone {}, step {}: temperature {} degC, heating {} W, cooling {} W: "
+                "not finite",
+                zone.name, step, result.theta.theta_air, result.phi_heating,
+                result.phi_cooling));
+    }
+
+    const Building& building_;
+    const Drive& drive_;
+    std::size_t index_;
+    ZoneState state_;
+    Network network_;
+};
+
+void record(const StepResult& result, ZoneTrajectory& zone) {
+    zone.theta_air.push_back(result.theta.theta_air);
+    zone.theta_op.push_back(result.theta.theta_op);
+    zone.theta_m.push_back(result.theta.theta_m_t);
+    zone.heating.push_back(result.phi_heating);
+    zone.cooling.push_back(result.phi_cooling);
+}
+
+}  // namespace
+
+Trajectory simulate(const Building& building, const Drive& drive, double theta_start) {
+    std::vector<ZoneRun> runs;
+    for (std::size_t zone = 0; zone < building.zones.size(); ++zone)
+        runs.emplace_back(building, drive, zone, theta_start);
+    Trajectory trajectory;
+    trajectory.zones.resize(runs.size());
+    std::vector<double> theta_air(runs.size(), theta_start);
+    for (int step = 0; step < drive.n_steps(); ++step) {
+        for (std::size_t zone = 0; zone < runs.size(); ++zone) {
+            const StepResult result = runs[zone].advance(step, theta_air);
+            if (step >= drive.n_warm_up) record(result, trajectory.zones[zone]);
+        }
+        for (std::size_t zone = 0; zone < runs.size(); ++zone)
+            theta_air[zone] = runs[zone].theta_air();
+    }
+    return trajectory;
+}
+
+}  // namespace bemcal::physics

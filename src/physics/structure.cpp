@@ -1,0 +1,75 @@
+/// The thermostat on top of the step's affine map: both of its powers are clamps of a
+/// line.
+#include "physics/structure.hpp"
+
+#include "physics/step_map.hpp"
+
+#include <algorithm>
+
+namespace bemcal::physics {
+
+namespace {
+
+TermValues terms_of(const HourDrive& drive, const NodeGains& gains,
+                    const ZoneState& before) {
+    return {{before.theta_m, before.theta_m2, before.theta_air, before.phi_emitter,
+             drive.theta_em, drive.theta_e, drive.theta_sup, gains.phi_ia, gains.phi_st,
+             gains.phi_m, 0, 0}};
+}
+
+/// power = limit clamp(1/2 + (theta_set - theta_air) / band, 0, 1), theta_air = free +
+/// slope power, solved for the power. For cooling every sign turns. Without a band it is
+/// the ideal thermostat; with a band and no limit, what holds theta_set + band / 2.
+/// \param missing  theta_set - free for heating, free - theta_set for cooling [K]
+double thermostat_power(double missing, double slope, double band, double limit) {
+    if (limit <= 0) return 0;
+    const double droop = band / limit;  // of the set-point per power [K/W]
+    return std::clamp((missing + 0.5 * band) / (slope + droop), 0.0, limit);
+}
+
+struct Powers {
+    double heating, cooling;
+};
+
+Powers control_powers(const Control& control, const StepMap& map, double theta_air_free,
+                      double band) {
+    if (control.imposed)
+        return {std::max(control.phi_imposed, 0.0), std::max(-control.phi_imposed, 0.0)};
+    return {thermostat_power(control.theta_H_set - theta_air_free,
+                             map.theta_air[Term::phi_h], band, control.phi_H_max),
+            thermostat_power(theta_air_free - control.theta_C_set,
+                             -map.theta_air[Term::phi_c], band, control.phi_C_max)};
+}
+
+NodeTemperatures temperatures(const StepMap& map, const TermValues& terms) {
+    NodeTemperatures theta;
+    theta.theta_m_t = map.theta_m_after.at(terms);
+    theta.theta_m = map.theta_m.at(terms);
+    theta.theta_s = map.theta_s.at(terms);
+    theta.theta_air = map.theta_air.at(terms);
+    theta.theta_op = 0.3 * theta.theta_air + 0.7 * theta.theta_s;
+    return theta;
+}
+
+}  // namespace
+
+StepResult advance_step(const Network& network, const HourDrive& drive,
+                        const Control& control, const ZoneState& before, double dt) {
+    const StepMap map = make_step_map(network, dt);
+    const NodeGains gains = split_gains(network, drive.phi_int, drive.phi_sol);
+    TermValues terms = terms_of(drive, gains, before);
+    const Powers powers =
+        control_powers(control, map, map.theta_air.at(terms), network.band);
+    terms[Term::phi_h] = powers.heating;
+    terms[Term::phi_c] = powers.cooling;
+
+    StepResult result;
+    result.theta = temperatures(map, terms);
+    result.after = {result.theta.theta_m_t, map.theta_m2_after.at(terms),
+                    result.theta.theta_air, map.phi_emitter_after.at(terms)};
+    result.phi_heating = powers.heating;
+    result.phi_cooling = powers.cooling;
+    return result;
+}
+
+}  // namespace bemcal::physics
