@@ -55,7 +55,7 @@ struct Surface {                ///< an opaque element
     double adjustment = 1;             ///< b_tr [-]
     bool in_sun = true;                ///< counts for solar gains and sky loss
     int plane = 0;                     ///< row of Building::planes (without a modifier)
-    Input shading;                     ///< F_sh,ob: share of the sun that arrives [-], 1 = all
+    Input shading{1, 0, -1};           ///< F_sh,ob: share of the sun that arrives [-], 1 = all
 };
 
 struct Window {
@@ -63,7 +63,7 @@ struct Window {
     int glazing = 0;
     double area = 0;                   ///< with frame [m2]
     int plane = 0;                     ///< row of Building::planes
-    Input shading;                     ///< F_sh,ob F_sh,gl: share of the sun that arrives [-]
+    Input shading{1, 0, -1};           ///< F_sh,ob F_sh,gl: share of the sun that arrives [-]
 };
 
 struct AirFlow {

@@ -1,41 +1,53 @@
 /// The numbers of a building that a job may vary, and where each enters.
 ///
-/// ONE table (`fields`) gives every numeric input of a building its name, unit, default, range
-/// and a sentence; the job's reader, `describe parameters` and `resolve` below all use it.
+/// ONE table (`fields`) gives every numeric input of a building its name, unit, default,
+/// range and a sentence; the job's reader, `describe parameters` and `resolve` below all
+/// use it.
 #pragma once
+
+#include "base/matrix.hpp"
+#include "physics/building.hpp"
 
 #include <span>
 #include <string>
 #include <vector>
 
-#include "base/matrix.hpp"
-#include "physics/building.hpp"
-
 namespace bemcal::physics {
 
-enum class Part { construction, glazing, boundary, zone, surface, window, flow, load, plant };
+enum class Part {
+    construction,
+    glazing,
+    boundary,
+    zone,
+    surface,
+    window,
+    flow,
+    load,
+    plant,
+    coupling  ///< of a zone; its name is the other zone's
+};
 const char* name_of(Part part);  ///< as in a job file: "constructions", "zones", ...
 
 /// Where a number lives in a part: exactly one of the two accessors is set.
 struct Field {
     Part part;
-    const char* key;        ///< as in the job file, e.g. "u_value"
+    const char* key;  ///< as in the job file, e.g. "u_value"
     const char* unit;
-    double fallback;        ///< default; NaN = required
-    double least, most;     ///< accepted range, for messages
+    double fallback;     ///< default; NaN = required
+    double least, most;  ///< accepted range, for messages
     const char* sentence;
-    Input* (*input)(void* part);       ///< an Input, else nullptr
-    double* (*constant)(void* part);   ///< a constant, else nullptr
+    Input* (*input)(void* part);      ///< an Input, else nullptr
+    double* (*constant)(void* part);  ///< a constant, else nullptr
 };
 std::span<const Field> fields();
 
 /// A place in a building that a parameter writes to.
 struct Target {
     Part part = Part::zone;
-    int index = 0;          ///< of the construction, glazing, boundary or zone
-    int inner = 0;          ///< of the surface, window, flow or load inside the zone
-    int field = 0;          ///< row of fields()
-    bool low = false;       ///< Input::low in place of Input::value
+    int index = 0;     ///< of the construction, glazing, boundary or zone
+    int inner = 0;     ///< of the surface, window, flow, load or coupling in the zone
+    int field = 0;     ///< row of fields()
+    bool low = false;  ///< Input::low in place of Input::value
 };
 
 /// How the parameter's value enters: it replaces the number, or multiplies or shifts what
@@ -45,21 +57,23 @@ enum class Effect { replace, factor, offset };
 struct Parameter {
     std::string name;
     std::string unit;
-    double least = 0, most = 1;      ///< range
+    double least = 0, most = 1;  ///< range
     Effect effect = Effect::replace;
-    std::vector<Target> targets;     ///< several = linked
-    double nominal = 0;              ///< value in the nominal building (1 for a factor)
+    std::vector<Target> targets;  ///< several = linked
+    double nominal = 0;           ///< value in the nominal building (1 for a factor)
 };
 
-/// Places named by a path: "zones.office.flows.infiltration.air_change", "constructions.*.u_value",
-/// "plant.cooling_cop", "zones.*.heating_set_point.low". Thermostat and structure fields belong
-/// to their zone. Throws std::invalid_argument that lists what would have matched.
+/// Places named by a path: "zones.office.flows.infiltration.air_change",
+/// "constructions.*.u_value", "plant.cooling_cop", "zones.*.heating_set_point.low".
+/// Thermostat and structure fields belong to their zone. Throws std::invalid_argument
+/// that lists what would have matched.
 std::vector<Target> resolve(const Building& building, const std::string& path);
 
 double& number_at(Building& building, const Target& target);
+double number_at(const Building& building, const Target& target);
 
-/// Writes a point into `building`, which must be a copy of `nominal` (its other numbers are
-/// left as they are).
+/// Writes a point into `building`, which must be a copy of `nominal` (its other numbers
+/// are left as they are).
 void apply(const Building& nominal, std::span<const Parameter> parameters,
            std::span<const double> point, Building& building);
 

@@ -1,0 +1,169 @@
+/// The table of a building's numbers: key, unit, default, range, sentence, and where it
+/// lies.
+#include "physics/parameters.hpp"
+
+#include <limits>
+
+namespace bemcal::physics {
+
+namespace {
+
+constexpr double required = std::numeric_limits<double>::quiet_NaN();
+
+template <class Owner, class Value>
+Owner owner_of(Value Owner::*);
+
+/// The member at the end of a chain of members, of a part behind a void pointer.
+template <auto first, auto... rest>
+auto* reach(void* part) {
+    using Owner = decltype(owner_of(first));
+    return &((static_cast<Owner*>(part)->*first).*....*rest);
+}
+
+/// Wraps a chain of members as the table's accessors.
+struct Access {
+    Input* (*input)(void* part) = nullptr;
+    double* (*constant)(void* part) = nullptr;
+};
+
+template <auto... members>
+constexpr Access input() {
+    return {[](void* part) -> Input* { return reach<members...>(part); }, nullptr};
+}
+
+template <auto... members>
+constexpr Access constant() {
+    return {nullptr, [](void* part) -> double* { return reach<members...>(part); }};
+}
+
+constexpr Field row(Part part, const char* key, const char* unit, double fallback,
+                    double least, double most, const char* sentence, Access access) {
+    return {part, key,      unit,         fallback,       least,
+            most, sentence, access.input, access.constant};
+}
+
+template <auto member>
+constexpr Access of_thermostat() {
+    return input<&Zone::thermostat, member>();
+}
+
+template <auto member>
+constexpr Access of_structure() {
+    return constant<&Zone::structure, member>();
+}
+
+// clang-format off
+constexpr Field table[] = {
+    row(Part::construction, "u_value", "W/(m2 K)", required, 0, 10,
+        "thermal transmittance, films included", input<&Construction::u_value>()),
+    row(Part::construction, "solar_absorptance", "-", 0.6, 0, 1,
+        "share of the sun that the outer face absorbs", constant<&Construction::solar_absorptance>()),
+    row(Part::construction, "emissivity", "-", 0.9, 0, 1,
+        "long-wave emissivity of the outer face", constant<&Construction::emissivity>()),
+    row(Part::construction, "external_resistance", "m2 K/W", 0.04, 0, 1,
+        "resistance of the outer film, R_se", constant<&Construction::external_resistance>()),
+
+    row(Part::glazing, "u_value", "W/(m2 K)", required, 0, 10,
+        "thermal transmittance of the window, frame included", input<&Glazing::u_value>()),
+    row(Part::glazing, "solar_transmittance", "-", required, 0, 1,
+        "total solar energy transmittance at normal incidence, g_n", input<&Glazing::solar_transmittance>()),
+    row(Part::glazing, "incidence_factor", "-", 0.9, 0, 1,
+        "correction of g_n for non-normal sun, F_w; 1 where an angle modifier is given", constant<&Glazing::incidence_factor>()),
+    row(Part::glazing, "frame_fraction", "-", 0.2, 0, 1,
+        "share of the window's area that is frame, F_F", constant<&Glazing::frame_fraction>()),
+    row(Part::glazing, "emissivity", "-", 0.9, 0, 1,
+        "long-wave emissivity of the outer face", constant<&Glazing::emissivity>()),
+    row(Part::glazing, "external_resistance", "m2 K/W", 0.04, 0, 1,
+        "resistance of the outer film, R_se", constant<&Glazing::external_resistance>()),
+
+    row(Part::boundary, "temperature", "degC", required, -60, 80,
+        "temperature behind the elements that name this boundary", input<&Boundary::temperature>()),
+
+    row(Part::zone, "floor_area", "m2", required, 0.1, 1e7,
+        "conditioned floor area, A_f", constant<&Zone::floor_area>()),
+    row(Part::zone, "volume", "m3", required, 0.1, 1e8,
+        "volume of air that an air change refers to", constant<&Zone::volume>()),
+    row(Part::zone, "heat_capacity", "J/(m2 K)", 165000, 1000, 2e6,
+        "internal heat capacity per floor area, C_m / A_f", constant<&Zone::heat_capacity>()),
+    row(Part::zone, "mass_area_ratio", "-", 2.5, 0.1, 10,
+        "effective mass area per floor area, A_m / A_f", constant<&Zone::mass_area_ratio>()),
+    row(Part::zone, "surface_area_ratio", "-", 4.5, 0.5, 20,
+        "area of all surfaces that face the zone per floor area, Lambda_at", constant<&Zone::surface_area_ratio>()),
+    row(Part::zone, "surface_film", "W/(m2 K)", 3.45, 0.1, 20,
+        "heat transfer between air and surface node, h_is", constant<&Zone::surface_film>()),
+    row(Part::zone, "mass_film", "W/(m2 K)", 9.1, 0.1, 50,
+        "heat transfer between mass and surface node, h_ms", constant<&Zone::mass_film>()),
+    row(Part::zone, "bridge_conductance", "W/K", 0, 0, 1e6,
+        "thermal bridges to outdoors", constant<&Zone::bridge_conductance>()),
+    row(Part::zone, "sky_temperature_difference", "K", 11, 0, 30,
+        "outdoor air minus apparent sky, Delta theta_er; 0 = no long-wave loss to the sky", constant<&Zone::sky_temperature_difference>()),
+    row(Part::zone, "heating_set_point", "degC", 20, -50, 100,
+        "air temperature below which heating works", of_thermostat<&Thermostat::heating_set_point>()),
+    row(Part::zone, "cooling_set_point", "degC", 26, -50, 100,
+        "air temperature above which cooling works", of_thermostat<&Thermostat::cooling_set_point>()),
+    row(Part::zone, "heating_capacity", "W/m2", unlimited, 0, unlimited,
+        "largest heating power per floor area; 0 = no heating", of_thermostat<&Thermostat::heating_capacity>()),
+    row(Part::zone, "cooling_capacity", "W/m2", unlimited, 0, unlimited,
+        "largest cooling power per floor area; 0 = no cooling", of_thermostat<&Thermostat::cooling_capacity>()),
+    row(Part::zone, "heating_available", "-", 1, 0, 1,
+        "share of the heating capacity that is there; 0 = off", of_thermostat<&Thermostat::heating_available>()),
+    row(Part::zone, "cooling_available", "-", 1, 0, 1,
+        "share of the cooling capacity that is there; 0 = off", of_thermostat<&Thermostat::cooling_available>()),
+    row(Part::zone, "imposed_power", "W/m2", 0, -10000, 10000,
+        "heating (negative: cooling) power per floor area, in place of a thermostat", of_thermostat<&Thermostat::imposed_power>()),
+    row(Part::zone, "air_capacity", "J/(m2 K)", 0, 0, 1e6,
+        "heat capacity of air and furniture at the air node per floor area", of_structure<&Structure::air_capacity>()),
+    row(Part::zone, "proportional_band", "K", 0, 0, 20,
+        "temperature span over which the thermostat goes from none to all of its capacity", of_structure<&Structure::proportional_band>()),
+    row(Part::zone, "emitter_time_constant", "s", 0, 0, 1e6,
+        "first-order lag between heating power and heat in the zone", of_structure<&Structure::emitter_time_constant>()),
+    row(Part::zone, "emitter_radiant_share", "-", 0, 0, 1,
+        "share of the heating that leaves the emitter as radiation", of_structure<&Structure::emitter_radiant_share>()),
+    row(Part::zone, "second_mass_conductance", "W/(m2 K)", 0, 0, 100,
+        "conductance between the mass and a second mass per floor area", of_structure<&Structure::second_mass_conductance>()),
+    row(Part::zone, "second_mass_capacity", "J/(m2 K)", 0, 0, 1e8,
+        "heat capacity of the second mass per floor area", of_structure<&Structure::second_mass_capacity>()),
+
+    row(Part::surface, "area", "m2", required, 0, 1e7,
+        "area without windows", constant<&Surface::area>()),
+    row(Part::surface, "adjustment", "-", 1, 0, 2,
+        "temperature adjustment factor, b_tr", constant<&Surface::adjustment>()),
+    row(Part::surface, "shading_factor", "-", 1, 0, 1,
+        "share of the sun that arrives, F_sh; 1 = unshaded", input<&Surface::shading>()),
+
+    row(Part::window, "area", "m2", required, 0, 1e7,
+        "area with frame", constant<&Window::area>()),
+    row(Part::window, "shading_factor", "-", 1, 0, 1,
+        "share of the sun that arrives, F_sh; 1 = unshaded", input<&Window::shading>()),
+
+    row(Part::flow, "air_change", "1/h", required, 0, 20,
+        "air changes per hour of the zone's volume", input<&AirFlow::air_change>()),
+    row(Part::flow, "heat_recovery", "-", 0, 0, 1,
+        "efficiency of heat recovery from the exhaust air", input<&AirFlow::heat_recovery>()),
+
+    row(Part::load, "density", "W/m2", required, 0, 10000,
+        "power per floor area", input<&Load::density>()),
+    row(Part::load, "heat_fraction", "-", 1, 0, 1,
+        "share of the power that heats the zone", constant<&Load::heat_fraction>()),
+    row(Part::load, "efficiency", "-", 1, 0.01, 20,
+        "power used per power metered", input<&Load::efficiency>()),
+
+    row(Part::plant, "heating_efficiency", "-", 0.9, 0.01, 20,
+        "heat delivered per energy metered; a COP where a heat pump heats", input<&Plant::heating_efficiency>()),
+    row(Part::plant, "cooling_cop", "-", 3, 0.01, 50,
+        "heat removed per energy metered", input<&Plant::cooling_cop>()),
+
+    row(Part::coupling, "conductance", "W/K", 0, 0, 1e6,
+        "conductance between the air of both zones", input<&ZoneCoupling::conductance>()),
+    row(Part::coupling, "air_flow", "m3/h", 0, 0, 1e7,
+        "air that enters from the other zone", input<&ZoneCoupling::air_flow>()),
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const Field> fields() {
+    return table;
+}
+
+}  // namespace bemcal::physics
