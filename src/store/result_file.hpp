@@ -1,38 +1,36 @@
-/// The result: one HDF5 file with netCDF-4's conventions, written under a temporary name and
-/// renamed when complete.
+/// The result: one HDF5 file with netCDF-4's conventions, written under a temporary name
+/// and renamed when complete.
 ///
-/// What depends on the run (times, ranks, host, dates) lies in /run; the result hash covers
-/// everything else. Reading is for `report`, `status` and the tests.
+/// What depends on the run (times, ranks, host, dates) lies in /run; the result hash
+/// covers everything else. Reading is for `report`, `status` and the tests.
 #pragma once
+
+#include "study/stage.hpp"
 
 #include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "study/stage.hpp"
-
 namespace bemcal::store {
 
 struct ResultFile {
-    std::map<std::string, std::string> attributes;   ///< of the root: job, seed, versions, ...
-    std::map<std::string, std::string> run;          ///< attributes of /run: outside the hash
-    std::vector<study::Dataset> datasets;            ///< each dimension has a coordinate or a size
+    std::map<std::string, std::string>
+        attributes;                          ///< of the root: job, seed, versions, ...
+    std::map<std::string, std::string> run;  ///< attributes of /run: outside the hash
+    std::vector<study::Dataset> datasets;  ///< each dimension has a coordinate or a size
     bool complete = false;
-    std::string hash;                                ///< filled by the reader and the writer
+    std::string hash;  ///< filled by the reader and the writer
 };
 
 /// The hash of all but /run: attributes by name, then datasets by path.
 std::string result_hash(const ResultFile& result);
 
-/// Throws UserError: exists already, folder not writable, disk full; never leaves a partial file
-/// under the final name. \return the hash
+/// Throws UserError: exists already, folder not writable, disk full; never leaves a
+/// partial file under the final name. \return the hash
 std::string write_result(const std::filesystem::path& file, const ResultFile& result);
 
 /// Throws UserError where the file is missing or not one of ours.
 ResultFile read_result(const std::filesystem::path& file);
-
-/// `describe results`: the layout table, as text.
-std::string describe_results();
 
 }  // namespace bemcal::store

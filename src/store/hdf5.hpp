@@ -1,0 +1,69 @@
+/// A thin layer over HDF5's C interface: files, text attributes, arrays of doubles and
+/// texts, and dimension scales as netCDF-4 wants them. hdf5.cpp is the only file that
+/// includes hdf5.h.
+///
+/// Strings are variable-length UTF-8 (fixed-length ones crash some netCDF readers), no
+/// object keeps time stamps, and HDF5's file locks are off: they fail on network file
+/// systems, and our files are written under a temporary name anyway. Leaves out: chunks,
+/// compression, other types.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace bemcal::store::hdf5 {
+
+/// What HDF5 says went wrong, innermost reason first.
+struct Error : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+using Shape = std::vector<std::size_t>;
+
+struct Array {
+    Shape shape;
+    std::vector<std::string>
+        dims;                    ///< names of the attached scales, "" where there is none
+    std::vector<double> values;  ///< row-major; empty where texts is used
+    std::vector<std::string> texts;
+};
+
+class File {
+  public:
+    static File create(const std::filesystem::path& path);  ///< overwrites
+    static File open(const std::filesystem::path& path);    ///< to read
+    ~File();
+    File(const File&) = delete;
+    File& operator=(const File&) = delete;
+    File(File&& other) noexcept;
+    void close();  ///< flushes; throws where the disk does not take it
+
+    /// Objects are named by their path from the root; missing groups on the way are made.
+    bool has(const std::string& path) const;
+    void make_group(const std::string& path);
+    void write_attribute(const std::string& object, const std::string& name,
+                         const std::string& text);
+    void write(const std::string& path, const Shape& shape,
+               std::span<const double> values);
+    void write(const std::string& path, const Shape& shape,
+               std::span<const std::string> texts);
+    void write_bare_dimension(const std::string& path, std::size_t size);  ///< no values
+    void make_scale(const std::string& path);
+    void attach_scale(const std::string& path, unsigned axis, const std::string& scale);
+
+    std::map<std::string, std::string> attributes(
+        const std::string& object) const;            ///< texts
+    std::vector<std::string> dataset_paths() const;  ///< sorted, without bare dimensions
+    Array read(const std::string& path) const;
+
+  private:
+    explicit File(std::int64_t id) : id_(id) {}
+    std::int64_t id_;
+};
+
+}  // namespace bemcal::store::hdf5

@@ -1,0 +1,37 @@
+/// What a result may hold: ONE table of dataset names, dimensions, units and meanings.
+///
+/// A dataset is known by the last part of its path. The writer takes `units` and
+/// `long_name` from here, `describe results` prints it, and a dataset that is not in it
+/// is a program error.
+#pragma once
+
+#include "study/stage.hpp"
+
+#include <span>
+#include <string>
+
+namespace bemcal::store {
+
+enum class Kind { number, text };
+
+struct LayoutRow {
+    const char* leaf;
+    const char* dims;  ///< names, separated by spaces; "" = a single value
+    Kind kind;
+    const char* unit;  ///< "" for texts
+    const char* meaning;
+};
+
+std::span<const LayoutRow> layout();
+
+/// The row of a dataset. Throws std::logic_error where its name is unknown, or its
+/// dimensions or kind are not those of the table.
+const LayoutRow& layout_of(const study::Dataset& dataset);
+
+std::string leaf_of(const std::string& path);   ///< "c" of "a/b/c"
+std::string group_of(const std::string& path);  ///< "a/b" of "a/b/c"; "" at the root
+
+/// The table as text, for `describe results`.
+std::string describe_results();
+
+}  // namespace bemcal::store

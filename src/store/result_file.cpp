@@ -1,0 +1,202 @@
+#include "store/result_file.hpp"
+
+#include "base/error.hpp"
+#include "base/hash.hpp"
+#include "store/hdf5.hpp"
+#include "store/layout.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <set>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace bemcal::store {
+namespace {
+
+constexpr const char* complete_mark = "COMPLETE";
+constexpr const char* hash_mark = "result_hash";
+constexpr const char* run_group = "run";
+
+using study::Dataset;
+
+std::vector<const Dataset*> by_path(const std::vector<Dataset>& datasets) {
+    std::vector<const Dataset*> sorted;
+    for (const Dataset& dataset : datasets) sorted.push_back(&dataset);
+    std::ranges::sort(sorted, {}, &Dataset::path);
+    return sorted;
+}
+
+void hash_dataset(Hasher& hasher, const Dataset& dataset) {
+    hasher.add(std::string_view(dataset.path));
+    for (std::size_t k = 0; k < dataset.dims.size(); ++k) {
+        hasher.add(std::string_view(dataset.dims[k]));
+        const std::uint64_t size = dataset.shape[k];
+        hasher.add(&size, sizeof size);
+    }
+    hasher.add(std::span<const double>(dataset.values));
+    for (const std::string& text : dataset.texts) hasher.add(std::string_view(text));
+}
+
+std::string join(const std::string& group, const std::string& leaf) {
+    return group.empty() ? leaf : group + "/" + leaf;
+}
+
+/// Where each dimension of the result lies. A dataset named as its only dimension is its
+/// coordinate; a dimension without one is made, without values, in the dataset's group.
+class Dimensions {
+  public:
+    explicit Dimensions(const std::vector<const Dataset*>& datasets) {
+        for (const Dataset* dataset : datasets)
+            if (is_coordinate(*dataset)) sizes_[dataset->path] = dataset->shape[0];
+    }
+
+    static bool is_coordinate(const Dataset& dataset) {
+        return dataset.dims.size() == 1 && dataset.dims[0] == leaf_of(dataset.path);
+    }
+
+    /// The scale of a dataset's axis: in its group or the nearest one above.
+    const std::string& scale_of(hdf5::File& file, const Dataset& dataset,
+                                std::size_t axis) {
+        const std::string& name = dataset.dims[axis];
+        std::string group = group_of(dataset.path);
+        for (;; group = group_of(group)) {
+            const auto found = sizes_.find(join(group, name));
+            if (found != sizes_.end() && found->second == dataset.shape[axis])
+                return found->first;
+            if (group.empty()) return make(file, dataset, axis);
+        }
+    }
+
+  private:
+    const std::string& make(hdf5::File& file, const Dataset& dataset, std::size_t axis) {
+        const std::string path = join(group_of(dataset.path), dataset.dims[axis]);
+        require(!sizes_.contains(path), "a group has one dimension with two sizes");
+        file.write_bare_dimension(path, dataset.shape[axis]);
+        return sizes_.emplace(path, dataset.shape[axis]).first->first;
+    }
+
+    std::map<std::string, std::size_t> sizes_;
+};
+
+void write_values(hdf5::File& file, const Dataset& dataset) {
+    const LayoutRow& row = layout_of(dataset);
+    if (row.kind == Kind::text)
+        file.write(dataset.path, dataset.shape,
+                   std::span<const std::string>(dataset.texts));
+    else
+        file.write(dataset.path, dataset.shape, std::span<const double>(dataset.values));
+    file.write_attribute(dataset.path, "units", row.unit);
+    file.write_attribute(dataset.path, "long_name", row.meaning);
+    if (Dimensions::is_coordinate(dataset)) file.make_scale(dataset.path);
+}
+
+void write_content(hdf5::File& file, const ResultFile& result) {
+    const auto datasets = by_path(result.datasets);
+    for (const Dataset* dataset : datasets) write_values(file, *dataset);
+    Dimensions dimensions(datasets);
+    for (const Dataset* dataset : datasets)
+        for (std::size_t axis = 0; axis < dataset->dims.size(); ++axis)
+            if (!Dimensions::is_coordinate(*dataset))
+                file.attach_scale(dataset->path, static_cast<unsigned>(axis),
+                                  dimensions.scale_of(file, *dataset, axis));
+    for (const auto& [name, text] : result.attributes)
+        file.write_attribute("/", name, text);
+    file.make_group(run_group);
+    for (const auto& [name, text] : result.run)
+        file.write_attribute(run_group, name, text);
+}
+
+void sync_path(const std::filesystem::path& path, int flags) {
+    const int file = ::open(path.c_str(), flags | O_CLOEXEC);
+    const bool failed = file < 0 || ::fsync(file) != 0;
+    const int error = errno;
+    if (file >= 0) ::close(file);
+    if (failed && error != EINVAL)
+        throw UserError(ExitCode::io, fmt::format("{}: cannot write to the disk: {}",
+                                                  path.string(), std::strerror(error)));
+}
+
+void write_and_sync(const std::filesystem::path& file, const ResultFile& result,
+                    const std::string& hash) {
+    hdf5::File out = hdf5::File::create(file);
+    write_content(out, result);
+    out.write_attribute("/", hash_mark, hash);
+    out.write_attribute("/", complete_mark, "yes");
+    out.close();
+    sync_path(file, O_RDONLY);
+}
+
+Dataset read_dataset(const hdf5::File& file, const std::string& path) {
+    hdf5::Array array = file.read(path);
+    return {path, std::move(array.dims), std::move(array.shape), std::move(array.values),
+            std::move(array.texts)};
+}
+
+std::string take(std::map<std::string, std::string>& attributes, const char* name) {
+    const auto node = attributes.extract(name);
+    return node ? node.mapped() : std::string();
+}
+
+ResultFile read_open(const hdf5::File& file) {
+    ResultFile result;
+    result.attributes = file.attributes("/");
+    result.complete = take(result.attributes, complete_mark) == "yes";
+    result.hash = take(result.attributes, hash_mark);
+    if (file.has(run_group)) result.run = file.attributes(run_group);
+    for (const std::string& path : file.dataset_paths())
+        if (!path.starts_with("run/"))
+            result.datasets.push_back(read_dataset(file, path));
+    return result;
+}
+
+}  // namespace
+
+std::string result_hash(const ResultFile& result) {
+    Hasher hasher;
+    for (const auto& [name, text] : result.attributes) {
+        hasher.add(std::string_view(name));
+        hasher.add(std::string_view(text));
+    }
+    for (const Dataset* dataset : by_path(result.datasets))
+        hash_dataset(hasher, *dataset);
+    return hasher.hex();
+}
+
+std::string write_result(const std::filesystem::path& file, const ResultFile& result) {
+    const std::filesystem::path temporary = file.string() + ".writing";
+    const std::string hash = result_hash(result);
+    try {
+        write_and_sync(temporary, result, hash);
+        std::filesystem::rename(temporary, file);
+    } catch (const std::runtime_error& error) {
+        std::error_code ignored;
+        std::filesystem::remove(temporary, ignored);
+        throw UserError(ExitCode::io, fmt::format("{}: cannot write the result: {}",
+                                                  file.string(), error.what()));
+    }
+    const auto folder = file.parent_path();
+    sync_path(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
+    return hash;
+}
+
+ResultFile read_result(const std::filesystem::path& file) {
+    if (!std::filesystem::exists(file))
+        throw UserError(ExitCode::no_input,
+                        fmt::format("{}: no such file", file.string()));
+    try {
+        ResultFile result = read_open(hdf5::File::open(file));
+        if (!result.attributes.contains("program"))
+            throw hdf5::Error("it is an HDF5 file, but bemcal-batch did not write it");
+        return result;
+    } catch (const hdf5::Error& error) {
+        throw UserError(ExitCode::data,
+                        fmt::format("{}: not a result of bemcal-batch: {}", file.string(),
+                                    error.what()));
+    }
+}
+
+}  // namespace bemcal::store

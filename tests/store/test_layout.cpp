@@ -1,0 +1,54 @@
+#include "store/layout.hpp"
+
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace bemcal::store {
+namespace {
+
+TEST(Layout, EveryNameStandsOnce) {
+    std::set<std::string> names;
+    for (const LayoutRow& row : layout())
+        EXPECT_TRUE(names.insert(row.leaf).second) << row.leaf;
+}
+
+TEST(Layout, EveryNumberHasAUnitAndEveryRowAMeaning) {
+    for (const LayoutRow& row : layout()) {
+        EXPECT_EQ(std::string(row.unit).empty(), row.kind == Kind::text) << row.leaf;
+        EXPECT_FALSE(std::string(row.meaning).empty()) << row.leaf;
+    }
+}
+
+TEST(Layout, NoRowHasADimensionTwiceSinceNetcdfReadersRefuseThat) {
+    for (const LayoutRow& row : layout()) {
+        std::istringstream dims(row.dims);
+        std::set<std::string> seen;
+        for (std::string dim; dims >> dim;)
+            EXPECT_TRUE(seen.insert(dim).second) << row.leaf;
+    }
+}
+
+TEST(Layout, FindsADatasetByTheLastPartOfItsPath) {
+    const LayoutRow& row = layout_of(
+        {"office/sensitivity/total_order", {"output", "parameter"}, {1, 1}, {0.5}, {}});
+    EXPECT_STREQ(row.unit, "1");
+}
+
+TEST(Layout, AnUnknownNameOrOtherDimensionsAreAProgramError) {
+    EXPECT_THROW(layout_of({"a/no_such_leaf", {}, {}, {1}, {}}), std::logic_error);
+    EXPECT_THROW(layout_of({"a/total_order", {"parameter"}, {1}, {1}, {}}),
+                 std::logic_error);
+    EXPECT_THROW(layout_of({"a/threshold", {}, {}, {}, {"text"}}), std::logic_error);
+}
+
+TEST(Layout, TheDescriptionNamesEveryRow) {
+    const std::string text = describe_results();
+    for (const LayoutRow& row : layout())
+        EXPECT_NE(text.find(row.leaf), std::string::npos);
+}
+
+}  // namespace
+}  // namespace bemcal::store

@@ -1,0 +1,171 @@
+#include "base/error.hpp"
+#include "store/result_file.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+
+namespace bemcal::store {
+namespace {
+
+ResultFile example() {
+    ResultFile result;
+    result.attributes = {{"program", "bemcal-batch"}, {"job_name", "b\xc3\xbcro"}};
+    result.run = {{"n_ranks", "2"}};
+    result.datasets = {
+        {"office/sa/output", {"output"}, {2}, {}, {"heating", "cooling"}},
+        {"office/sa/parameter", {"parameter"}, {3}, {}, {"a", "b", "c"}},
+        {"office/sa/total_order",
+         {"output", "parameter"},
+         {2, 3},
+         {1, 2, 3, 4, NAN, 6},
+         {}},
+        {"office/sa/sample_a",
+         {"base_point", "parameter"},
+         {4, 3},
+         std::vector<double>(12, 0.5),
+         {}},
+        {"office/sa/threshold", {}, {}, {0.05}, {}},
+        {"office/sa/failed_point", {"failure"}, {0}, {}, {}},
+        {"office/screen/candidate", {"candidate"}, {2}, {}, {"nominal", "best"}},
+        {"office/screen/training/gas/time", {"time"}, {3}, {0, 3600, 7200}, {}},
+        {"office/screen/training/gas/simulated",
+         {"candidate", "time"},
+         {2, 3},
+         {1, 2, 3, 4, 5, 6},
+         {}},
+    };
+    return result;
+}
+
+const study::Dataset& dataset(const ResultFile& result, const std::string& path) {
+    for (const auto& found : result.datasets)
+        if (found.path == path) return found;
+    throw std::out_of_range(path);
+}
+
+TEST(ResultFile, IsReadBackAsItWasWritten) {
+    const test::TemporaryFolder folder;
+    const ResultFile written = example();
+    const std::string hash = write_result(folder / "a.h5", written);
+    const ResultFile read = read_result(folder / "a.h5");
+    EXPECT_TRUE(read.complete);
+    EXPECT_EQ(read.hash, hash);
+    EXPECT_EQ(read.attributes, written.attributes);
+    EXPECT_EQ(read.run, written.run);
+    ASSERT_EQ(read.datasets.size(), written.datasets.size());
+    for (const auto& original : written.datasets) {
+        const auto& again = dataset(read, original.path);
+        EXPECT_EQ(again.dims, original.dims) << original.path;
+        EXPECT_EQ(again.shape, original.shape) << original.path;
+        EXPECT_EQ(again.texts, original.texts) << original.path;
+    }
+    EXPECT_EQ(result_hash(read), hash);
+}
+
+TEST(ResultFile, TheHashCoversEverythingButTheRun) {
+    const std::string hash = result_hash(example());
+    ResultFile other = example();
+    other.run["n_ranks"] = "16";
+    std::swap(other.datasets[0], other.datasets[3]);
+    EXPECT_EQ(result_hash(other), hash);
+    other.datasets[2].values[0] = std::nextafter(1.0, 2.0);
+    EXPECT_NE(result_hash(other), hash);
+    other = example();
+    other.attributes["job_name"] = "other";
+    EXPECT_NE(result_hash(other), hash);
+    other = example();
+    other.datasets[1].texts[0] = "z";
+    EXPECT_NE(result_hash(other), hash);
+}
+
+TEST(ResultFile, ADatasetOutsideTheLayoutIsAProgramError) {
+    const test::TemporaryFolder folder;
+    ResultFile result = example();
+    result.datasets.push_back({"office/unheard_of", {}, {}, {1}, {}});
+    EXPECT_THROW(write_result(folder / "a.h5", result), std::logic_error);
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.h5"));
+}
+
+TEST(ResultFile, NoFileOfThatNameAndOtherFilesAreUserErrors) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "text.h5") << "not HDF5";
+    std::ofstream(folder / "empty.h5");
+    for (const char* name : {"missing.h5", "text.h5", "empty.h5"})
+        EXPECT_THROW(read_result(folder / name), UserError) << name;
+}
+
+TEST(ResultFile, AFolderThatIsNotThereIsAUserError) {
+    const test::TemporaryFolder folder;
+    EXPECT_THROW(write_result(folder / "no" / "a.h5", example()), UserError);
+}
+
+TEST(ResultFile, AFullDiskLeavesNoFileAndTheOldOneWhole) {
+    const test::TemporaryFolder folder;
+    ::signal(SIGXFSZ, SIG_IGN);
+    const std::string hash = write_result(folder / "a.h5", example());
+    rlimit old{};
+    ::getrlimit(RLIMIT_FSIZE, &old);
+    ResultFile large = example();
+    large.datasets.push_back({"x/points",
+                              {"point", "parameter"},
+                              {1000, 10},
+                              std::vector<double>(10000, 1.0),
+                              {}});
+    for (const rlim_t limit : {100, 1000, 5000, 20000, 60000}) {
+        const rlimit small{limit, old.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &small);
+        EXPECT_THROW(write_result(folder / "a.h5", large), UserError) << limit;
+        ::setrlimit(RLIMIT_FSIZE, &old);
+        EXPECT_EQ(read_result(folder / "a.h5").hash, hash);
+        EXPECT_FALSE(std::filesystem::exists(folder / "a.h5.writing"));
+    }
+}
+
+/// Runs Python code on a written example; 77 = a package is missing.
+int run_python(const std::filesystem::path& file, const std::string& code) {
+    const std::string command = "/usr/bin/python3 -c '" + code + "' " + file.string();
+    return WEXITSTATUS(std::system(command.c_str()));
+}
+
+void expect_opened_by_xarray(const char* engine, const char* module) {
+    const test::TemporaryFolder folder;
+    write_result(folder / "a.h5", example());
+    const int code = run_python(folder / "a.h5", std::string(R"(
+import sys
+try:
+    import xarray, )") + module + R"(
+except ImportError:
+    sys.exit(77)
+def group(name):
+    return xarray.open_dataset(sys.argv[1], group=name, engine=")" +
+                                                     engine + R"(")
+sa = group("office/sa")
+assert sa.total_order.dims == ("output", "parameter"), sa
+assert float(sa.total_order.sel(output="heating", parameter="c")) == 3
+assert sa.total_order.attrs["units"] == "1" and sa.total_order.attrs["long_name"]
+assert sa.sample_a.dims == ("base_point", "parameter")
+assert float(sa.threshold) == 0.05
+gas = group("office/screen/training/gas")
+assert str(gas.time.values[1]).startswith("1970-01-01T01:00"), gas.time
+assert gas.simulated.dims == ("candidate", "time")
+assert group("").attrs["COMPLETE"] == "yes"
+)");
+    if (code == 77) GTEST_SKIP() << "no xarray with " << module;
+    EXPECT_EQ(code, 0);
+}
+
+TEST(ResultFile, XarrayOpensItThroughNetcdf4) {
+    expect_opened_by_xarray("netcdf4", "netCDF4");
+}
+TEST(ResultFile, XarrayOpensItThroughH5netcdf) {
+    expect_opened_by_xarray("h5netcdf", "h5netcdf");
+}
+
+}  // namespace
+}  // namespace bemcal::store
