@@ -1,0 +1,174 @@
+/// The table of a building's numbers, paths into it, and points written through it.
+#include "physics/parameters.hpp"
+#include "support/simple_building.hpp"
+
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace bemcal::physics {
+namespace {
+
+Building two_zones() {
+    Building building = test::simple_building();
+    building.zones.push_back(test::simple_zone("hall"));
+    building.boundaries.push_back({"ground", {10, 0, -1}});
+    building.zones[0].couplings = {{1, {5, 0, -1}, {}}};
+    return building;
+}
+
+Parameter parameter(const Building& building, const char* path,
+                    Effect effect = Effect::replace) {
+    Parameter p;
+    p.name = path;
+    p.effect = effect;
+    p.targets = resolve(building, path);
+    return p;
+}
+
+std::string refusal(const char* path) {
+    try {
+        resolve(two_zones(), path);
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "";
+}
+
+/// Every default of the table is the one that the struct has.
+TEST(Fields, StateTheDefaultsOfTheStructs) {
+    Building building = test::simple_building();
+    building.constructions[0] = {};
+    building.glazings[0] = {};
+    building.boundaries.push_back({});
+    Zone& zone = building.zones[0] = {};
+    zone.surfaces.resize(1);
+    zone.windows.resize(1);
+    zone.flows.resize(1);
+    zone.loads.resize(1);
+    zone.couplings.resize(1);
+    for (std::size_t k = 0; k < fields().size(); ++k) {
+        const Field& field = fields()[k];
+        Target target;
+        target.part = field.part;
+        target.field = static_cast<int>(k);
+        const double value = number_at(building, target);
+        if (std::isnan(field.fallback))
+            EXPECT_EQ(value, 0) << field.key;
+        else
+            EXPECT_EQ(value, field.fallback) << field.key;
+    }
+}
+
+TEST(Fields, AreCompleteAndOnlyOnce) {
+    std::set<std::string> seen;
+    for (const Field& field : fields()) {
+        const std::string path = std::string(name_of(field.part)) + "." + field.key;
+        EXPECT_TRUE(seen.insert(path).second) << path;
+        EXPECT_NE(field.input == nullptr, field.constant == nullptr) << path;
+        EXPECT_LT(field.least, field.most) << path;
+        EXPECT_GT(std::string(field.sentence).size(), 10u) << path;
+        if (!std::isnan(field.fallback)) {
+            EXPECT_GE(field.fallback, field.least) << path;
+            EXPECT_LE(field.fallback, field.most) << path;
+        }
+    }
+}
+
+/// Each row leads to a number of its own.
+TEST(Fields, LeadToDifferentNumbers) {
+    Building building = two_zones();
+    std::set<double*> places;
+    for (std::size_t k = 0; k < fields().size(); ++k) {
+        Target target;
+        target.part = fields()[k].part;
+        target.field = static_cast<int>(k);
+        EXPECT_TRUE(places.insert(&number_at(building, target)).second)
+            << fields()[k].key;
+    }
+}
+
+TEST(Resolve, FindsEveryKindOfPart) {
+    Building b = two_zones();
+    const auto at = [&b](const char* path) -> double& {
+        const std::vector<Target> targets = resolve(b, path);
+        EXPECT_EQ(targets.size(), 1u) << path;
+        return number_at(b, targets.at(0));
+    };
+    Zone& room = b.zones[0];
+    EXPECT_EQ(&at("constructions.wall.u_value"), &b.constructions[0].u_value.value);
+    EXPECT_EQ(&at("glazings.double.frame_fraction"), &b.glazings[0].frame_fraction);
+    EXPECT_EQ(&at("boundaries.ground.temperature"), &b.boundaries[0].temperature.value);
+    EXPECT_EQ(&at("zones.hall.floor_area"), &b.zones[1].floor_area);
+    EXPECT_EQ(&at("zones.room.heating_set_point"),
+              &room.thermostat.heating_set_point.value);
+    EXPECT_EQ(&at("zones.room.heating_set_point.low"),
+              &room.thermostat.heating_set_point.low);
+    EXPECT_EQ(&at("zones.room.air_capacity"), &room.structure.air_capacity);
+    EXPECT_EQ(&at("zones.room.surfaces.wall.area"), &room.surfaces[0].area);
+    EXPECT_EQ(&at("zones.room.windows.south.shading_factor"),
+              &room.windows[0].shading.value);
+    EXPECT_EQ(&at("zones.room.flows.infiltration.air_change"),
+              &room.flows[0].air_change.value);
+    EXPECT_EQ(&at("zones.room.loads.equipment.density"), &room.loads[0].density.value);
+    EXPECT_EQ(&at("zones.room.couplings.hall.conductance"),
+              &room.couplings[0].conductance.value);
+    EXPECT_EQ(&at("plant.cooling_cop"), &b.plant.cooling_cop.value);
+}
+
+TEST(Resolve, TakesAStarForEveryName) {
+    const Building b = two_zones();
+    EXPECT_EQ(resolve(b, "zones.*.volume").size(), 2u);
+    EXPECT_EQ(resolve(b, "zones.*.loads.*.density").size(), 2u);
+    EXPECT_EQ(resolve(b, "constructions.*.u_value.low").size(), 1u);
+    EXPECT_EQ(resolve(b, "zones.*.couplings.hall.air_flow").size(), 1u);
+}
+
+TEST(Resolve, SaysWhatWouldHaveMatched) {
+    EXPECT_EQ(refusal("zones.rom.volume"),
+              "zones.rom.volume: there is no \"rom\" after zones; expected hall, room");
+    EXPECT_NE(refusal("zone.room.volume").find("no \"zone\" at its start"),
+              std::string::npos);
+    EXPECT_NE(refusal("zone.room.volume").find("boundaries, constructions"),
+              std::string::npos);
+    EXPECT_NE(refusal("plant.cop").find("cooling_cop, heating_efficiency"),
+              std::string::npos);
+    EXPECT_NE(refusal("zones.room.loads.equipment").find("not complete"),
+              std::string::npos);
+    EXPECT_NE(refusal("zones.room.volume.high").find("nothing may follow"),
+              std::string::npos);
+    EXPECT_NE(refusal("zones.room.volume.low").find("no low"), std::string::npos);
+    EXPECT_NE(refusal(""), "");
+    EXPECT_NE(refusal("..."), "");
+}
+
+TEST(Apply, ReplacesMultipliesAndShifts) {
+    const Building nominal = two_zones();
+    const std::vector<Parameter> parameters = {
+        parameter(nominal, "constructions.wall.u_value", Effect::factor),
+        parameter(nominal, "zones.*.heating_set_point", Effect::offset),
+        parameter(nominal, "plant.cooling_cop")};
+    Building point = nominal;
+    for (int repeat = 0; repeat < 2; ++repeat) {  // twice gives the same as once
+        apply(nominal, parameters, std::vector<double>{1.5, -2, 4}, point);
+        EXPECT_DOUBLE_EQ(point.constructions[0].u_value.value, 0.6);
+        EXPECT_EQ(point.zones[0].thermostat.heating_set_point.value, 18);
+        EXPECT_EQ(point.zones[1].thermostat.heating_set_point.value, 18);
+        EXPECT_EQ(point.plant.cooling_cop.value, 4);
+    }
+    EXPECT_EQ(point.zones[0].volume, nominal.zones[0].volume);
+}
+
+TEST(Apply, ChangesTheLowOfAnInputAlone) {
+    const Building nominal = two_zones();
+    Building point = nominal;
+    apply(nominal, std::vector{parameter(nominal, "zones.room.heating_set_point.low")},
+          std::vector<double>{15}, point);
+    EXPECT_EQ(point.zones[0].thermostat.heating_set_point.low, 15);
+    EXPECT_EQ(point.zones[0].thermostat.heating_set_point.value, 20);
+}
+
+}  // namespace
+}  // namespace bemcal::physics
