@@ -1,10 +1,9 @@
-/// Irradiance on a plane: Perez 1990 anisotropic sky, ground reflection; decomposition of
-/// global irradiance; clear sky.
+/// Irradiance on a plane: Perez 1990 anisotropic sky, and ground reflection.
 #pragma once
 
-#include <vector>
-
 #include "physics/sun.hpp"
+
+#include <vector>
 
 namespace bemcal::physics {
 
@@ -15,37 +14,41 @@ struct PlaneIrradiance {
 
 enum class SkyModel { perez, isotropic };
 
-/// A plane that irradiance is asked for. The window's solar transmittance may depend on the
-/// angle of incidence of the beam: sum_k modifier[k] theta^k, theta in rad; 1 where empty.
+/// A plane that irradiance is asked for. The window's solar transmittance may depend on
+/// the angle of incidence of the beam: sum_k modifier[k] theta^k, theta in rad; 1 where
+/// empty.
 struct Plane {
-    double tilt = 0;                 ///< [rad]
-    double azimuth = 0;              ///< [rad], clockwise from north
-    std::vector<double> modifier;    ///< polynomial in the angle of incidence, beam only
+    double tilt = 0;               ///< [rad]
+    double azimuth = 0;            ///< [rad], clockwise from north
+    std::vector<double> modifier;  ///< polynomial in the angle of incidence, beam only
     bool operator==(const Plane&) const = default;
 };
 
-/// One instant. \param global  horizontal irradiance [W/m2] (for ground reflection)
-PlaneIrradiance irradiance_on(const Plane& plane, const SunPosition& sun, double direct_normal,
-                              double diffuse_horizontal, double global, double albedo,
+/// One instant. With the sun below the horizon there is no beam and the sky is isotropic.
+/// \param global  horizontal irradiance [W/m2] (for ground reflection)
+PlaneIrradiance irradiance_on(const Plane& plane, const SunPosition& sun,
+                              double direct_normal, double diffuse_horizontal,
+                              double global, double albedo,
                               SkyModel model = SkyModel::perez);
 
 /// Perez' diffuse irradiance from the sky on a plane [W/m2]; the 3-decimal coefficients.
 double perez_sky(double tilt, double cos_theta, double zenith, double direct_normal,
                  double diffuse_horizontal, double extraterrestrial, double air_mass);
 
-/// Relative air mass, Kasten and Young 1989. \param zenith [rad]
+/// Relative air mass, Kasten and Young 1989; its value at the horizon below it.
+/// \param zenith [rad]
 double air_mass(double zenith);
 
-/// Total irradiance on a plane for every step of the weather (sun at the middle of the step;
-/// steps with sunrise or sunset over their sunlit part) [W/m2].
+/// Total irradiance on a plane for every step of the weather [W/m2], the sun standing
+/// where `suns` say. Throws std::invalid_argument where direct, diffuse or global
+/// irradiance is not there (complete_irradiance makes it).
+/// \param suns  from step_suns for the weather's axis: the same for all planes
+std::vector<double> irradiance_series(const Weather& weather,
+                                      const std::vector<StepSun>& suns,
+                                      const Plane& plane,
+                                      SkyModel model = SkyModel::perez);
+/// The same with the sun at the middle of each step.
 std::vector<double> irradiance_series(const Weather& weather, const Plane& plane,
                                       SkyModel model = SkyModel::perez);
-
-/// Diffuse horizontal from global horizontal irradiance [W/m2].
-double diffuse_from_global(double global, const SunPosition& sun);
-
-/// Global horizontal irradiance under a clear sky, then under a cloud cover [W/m2].
-double clear_sky_global(double zenith, double extraterrestrial, double elevation);
-double cloudy_sky_global(double clear_sky, double cloud_cover);
 
 }  // namespace bemcal::physics

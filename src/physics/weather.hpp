@@ -1,41 +1,46 @@
 /// Weather as the model needs it: means over each step, in local standard time.
 #pragma once
 
-#include <vector>
-
 #include "physics/calendar.hpp"
+
+#include <vector>
 
 namespace bemcal::physics {
 
 struct Site {
-    double latitude = 0;        ///< [deg], north positive
-    double longitude = 0;       ///< [deg], east positive
-    double utc_offset_h = 0;    ///< local standard time minus UTC [h]
-    double elevation = 0;       ///< [m]
-    double albedo = 0.2;        ///< ground reflectance [-]
+    double latitude = 0;      ///< [deg], north positive
+    double longitude = 0;     ///< [deg], east positive
+    double utc_offset_h = 0;  ///< local standard time minus UTC [h]
+    double elevation = 0;     ///< [m]
+    double albedo = 0.2;      ///< ground reflectance [-]
 };
 
 /// All series have axis.n_steps values; an optional one may be empty. NaN = missing.
 struct Weather {
     Site site;
-    TimeAxis axis;                           ///< hourly
-    std::vector<double> theta_e;             ///< outdoor air temperature, mean of the step [degC]
+    TimeAxis axis;                ///< hourly
+    std::vector<double> theta_e;  ///< outdoor air temperature, mean of the step [degC]
     std::vector<double> direct_normal;       ///< [W/m2]
     std::vector<double> diffuse_horizontal;  ///< [W/m2]
     std::vector<double> global_horizontal;   ///< [W/m2]
     std::vector<double> wind_speed;          ///< [m/s], optional
     std::vector<double> relative_humidity;   ///< [%], optional
     std::vector<double> cloud_cover;         ///< [0..1], optional
-    std::vector<double> infrared;            ///< horizontal infrared from the sky [W/m2], optional
+    std::vector<double> infrared;  ///< horizontal infrared from the sky [W/m2], optional
 };
 
-/// Fills the direct and diffuse parts where they are missing: from global irradiance by a
-/// decomposition model, and where there is none, from clear-sky irradiance scaled by cloud
-/// cover. Throws std::invalid_argument where neither is possible, naming the first step.
+/// Steps with the sun up whose irradiance complete_irradiance cannot fill.
+std::vector<int> unknown_irradiance(const Weather& weather);
+
+/// Fills global, direct and diffuse irradiance where they are missing: two of them give
+/// the third, global alone is split by a decomposition model, and where there is nothing,
+/// clear-sky irradiance is scaled by cloud cover. With the sun down a missing value is 0.
+/// Throws std::invalid_argument where none of this is possible, naming the first step.
 void complete_irradiance(Weather& weather);
 
-/// Mean of each hour from values read at the hours' ends: (T[k-1] + T[k]) / 2; the first value
-/// stands alone. ISO 13790 leaves the choice open; for free-floating rooms it is the better one.
+/// Mean of each hour from values read at the hours' ends: (T[k-1] + T[k]) / 2; the first
+/// value stands alone. ISO 13790 leaves the choice open; for free-floating rooms it is
+/// the better one.
 std::vector<double> hour_means(const std::vector<double>& at_hour_end);
 
 }  // namespace bemcal::physics

@@ -1,0 +1,40 @@
+/// A day of the schedule is chosen by the date, then its hour by the clock.
+#include "physics/schedule.hpp"
+
+#include <algorithm>
+
+namespace bemcal::physics {
+namespace {
+
+bool any_contains(const std::vector<DateRange>& ranges, const CalendarStep& step) {
+    return std::any_of(ranges.begin(), ranges.end(),
+                       [&](const DateRange& range) { return range.contains(step); });
+}
+
+const Day& day_of(const Schedule& schedule, const CalendarStep& step) {
+    const auto weekday = static_cast<std::size_t>(step.weekday);
+    if (any_contains(schedule.holidays, step)) return schedule.holiday;
+    const auto period =
+        std::find_if(schedule.periods.rbegin(), schedule.periods.rend(),
+                     [&](const auto& p) { return p.dates.contains(step); });
+    return period == schedule.periods.rend() ? schedule.week[weekday]
+                                             : period->week[weekday];
+}
+
+}  // namespace
+
+std::vector<double> values_of(const Schedule& schedule, const TimeAxis& axis,
+                              double utc_offset_h) {
+    std::vector<double> values;
+    values.reserve(static_cast<std::size_t>(std::max(axis.n_steps, 0)));
+    for (int k = 0; k < axis.n_steps; ++k) {
+        const Seconds standard = axis.begin_of(k);
+        const bool summer = is_summer_time(standard, schedule.summer_time, utc_offset_h);
+        const CalendarStep step =
+            calendar_step(standard + std::chrono::hours(summer ? 1 : 0));
+        values.push_back(day_of(schedule, step)[static_cast<std::size_t>(step.hour)]);
+    }
+    return values;
+}
+
+}  // namespace bemcal::physics

@@ -1,0 +1,116 @@
+/// Completing what a weather file leaves out. All models are those of decomposition.hpp.
+#include "physics/weather.hpp"
+
+#include "physics/decomposition.hpp"
+#include "physics/sky.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace bemcal::physics {
+namespace {
+
+bool known(const std::vector<double>& series, std::size_t k) {
+    return k < series.size() && !std::isnan(series[k]);
+}
+
+bool can_complete(const Weather& weather, const StepSun& sun, std::size_t k) {
+    return sun.sunlit == 0 || known(weather.global_horizontal, k) ||
+           (known(weather.direct_normal, k) && known(weather.diffuse_horizontal, k)) ||
+           known(weather.cloud_cover, k);
+}
+
+std::vector<int> unknown_steps(const Weather& weather, const std::vector<StepSun>& suns) {
+    std::vector<int> steps;
+    for (std::size_t k = 0; k < suns.size(); ++k)
+        if (!can_complete(weather, suns[k], k)) steps.push_back(static_cast<int>(k));
+    return steps;
+}
+
+/// Global irradiance of a step from its cloud cover [W/m2].
+double global_from_clouds(const Site& site, const StepSun& sun, double cloud_cover) {
+    const double zenith = sun.position.zenith;
+    const double pressure =
+        std::pow(1 - 2.25577e-5 * site.elevation, 5.25588);  // of sea level's
+    return sun.sunlit * cloudy_sky_global(
+                            clear_sky_global(zenith, sun.position.extraterrestrial,
+                                             pressure * air_mass(zenith), site.elevation),
+                            cloud_cover);
+}
+
+void fill_global(Weather& weather, const std::vector<StepSun>& suns) {
+    for (std::size_t k = 0; k < suns.size(); ++k) {
+        double& global = weather.global_horizontal[k];
+        if (!std::isnan(global)) continue;
+        const double height = std::max(std::cos(suns[k].position.zenith), 0.0);
+        if (known(weather.direct_normal, k) && known(weather.diffuse_horizontal, k))
+            global = weather.direct_normal[k] * height + weather.diffuse_horizontal[k];
+        else if (suns[k].sunlit == 0)
+            global =
+                known(weather.diffuse_horizontal, k) ? weather.diffuse_horizontal[k] : 0;
+        else
+            global = global_from_clouds(weather.site, suns[k], weather.cloud_cover[k]);
+    }
+}
+
+/// The direct part that global irradiance leaves room for; low suns must not blow it up.
+double direct_from_global(double global, double diffuse, const StepSun& sun) {
+    constexpr double least_height = 0.0871557;  // cos 85 deg
+    const double height = std::max(std::cos(sun.position.zenith), least_height);
+    return std::clamp((global - diffuse) / height, 0.0,
+                      sun.sunlit * sun.position.extraterrestrial);
+}
+
+void fill_parts(Weather& weather, const StepSun& sun, double modelled_diffuse,
+                std::size_t k) {
+    const double global = weather.global_horizontal[k];
+    double& direct = weather.direct_normal[k];
+    double& diffuse = weather.diffuse_horizontal[k];
+    const double height = std::max(std::cos(sun.position.zenith), 0.0);
+    const bool diffuse_known = !std::isnan(diffuse);
+    if (std::isnan(direct))
+        direct =
+            direct_from_global(global, diffuse_known ? diffuse : modelled_diffuse, sun);
+    // So that the parts make up the whole, also where the direct part was limited.
+    if (!diffuse_known) diffuse = std::max(global - direct * height, 0.0);
+}
+
+}  // namespace
+
+std::vector<int> unknown_irradiance(const Weather& weather) {
+    return unknown_steps(weather,
+                         step_suns(weather.site, weather.axis, SunOfStep::sunlit_part));
+}
+
+void complete_irradiance(Weather& weather) {
+    const std::vector<StepSun> suns =
+        step_suns(weather.site, weather.axis, SunOfStep::sunlit_part);
+    const std::vector<int> unknown = unknown_steps(weather, suns);
+    if (!unknown.empty())
+        throw std::invalid_argument(
+            fmt::format("no irradiance at {}: expected global, or direct and diffuse "
+                        "irradiance, or cloud cover",
+                        format_time(weather.axis.begin_of(unknown.front()))));
+    for (auto* series : {&weather.global_horizontal, &weather.direct_normal,
+                         &weather.diffuse_horizontal})
+        series->resize(suns.size(), std::numeric_limits<double>::quiet_NaN());
+    fill_global(weather, suns);
+    const std::vector<double> modelled =
+        diffuse_from_global(weather.site, weather.axis, suns, weather.global_horizontal);
+    for (std::size_t k = 0; k < suns.size(); ++k)
+        fill_parts(weather, suns[k], modelled[k], k);
+}
+
+std::vector<double> hour_means(const std::vector<double>& at_hour_end) {
+    std::vector<double> means = at_hour_end;
+    for (std::size_t k = 1; k < means.size(); ++k)
+        means[k] = (at_hour_end[k - 1] + at_hour_end[k]) / 2;
+    return means;
+}
+
+}  // namespace bemcal::physics
