@@ -1,0 +1,14 @@
+# Sourced by tests: the shipped jobs, made small, in a folder of their own.
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+jobs=$folder/main/jobs
+mkdir -p "$folder/main"
+cp -r "$root/jobs" "$jobs"
+if [[ -d $root/../shared ]]; then ln -s "$(cd "$root/../shared" && pwd)" "$folder/shared"; fi
+find "$jobs" -name '*.toml' -exec sed -i -E 's/^( *n_base *=).*/\1 16/; s/^( *n_points *=).*/\1 64/;
+  s/^( *n_best *=).*/\1 5/; s/^( *n_bootstrap *=).*/\1 20/; s/^( *points_per_item *=).*/\1 16/' {} +
+
+. "$root/scripts/environment"
+fail() { echo "$*" >&2; exit 1; }
+hash_of() { "$BEMCAL_PROGRAM" status "$1" | grep -oE '\b[0-9a-f]{32}\b' | head -n 1; }
