@@ -43,7 +43,12 @@ struct Case {
     physics::SkyModel sky = physics::SkyModel::perez;
 };
 
-/// The drive of a period, and the readings that fall into it.
+/// The simulated steps of a period, without its warm-up.
+physics::TimeAxis axis_of(const Case& building, const Period& period);
+
+/// The drive of a period, and the readings that fall into it. A reading whose interval reaches
+/// beyond the period is missing. Throws std::invalid_argument where a meter is read at another
+/// step than the simulation's.
 physics::Drive drive_of(const Case& building, const Period& period);
 std::vector<physics::Readings> readings_of(const Case& building, const Period& period);
 

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "study/case.hpp"
@@ -26,5 +27,15 @@ class Simulator {
     virtual void evaluate(const Matrix& points, Matrix& answers,
                           std::vector<std::string>& failures) const = 0;
 };
+
+/// A case over a period: totals of the quantities over it [kWh], for a temperature its mean.
+std::shared_ptr<const Simulator> make_batch_simulator(const Case& building, const Period& period,
+                                                      std::vector<physics::Quantity> quantities);
+
+/// Paper 1's hour (physics/office_hour.hpp): its inputs less the fixed ones are the parameters,
+/// heating plus cooling energy is the output. Throws std::invalid_argument for a name that is
+/// not one of the 19.
+std::shared_ptr<const Simulator> make_office_hour_simulator(
+    std::vector<std::pair<std::string, double>> fixed);
 
 }  // namespace bemcal::study

@@ -1,0 +1,64 @@
+/// Cuts a case's weather, schedules and meters to a period.
+#include "study/case.hpp"
+
+#include <limits>
+#include <stdexcept>
+
+namespace bemcal::study {
+namespace {
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+/// Bounds of the intervals that lie whole within the period; a cut last one has no
+/// reading.
+std::vector<int> whole_intervals(physics::TimeAxis axis, physics::Interval interval) {
+    std::vector<int> bounds = physics::interval_bounds(axis, interval);
+    axis.n_steps += 1;
+    const bool last_is_whole =
+        physics::interval_bounds(axis, interval).size() > bounds.size();
+    if (!last_is_whole) bounds.pop_back();
+    return bounds;
+}
+
+double reading_at(const Meter& meter, physics::Seconds time) {
+    const int step = meter.axis.step_of(time);
+    if (step < 0 || step >= meter.axis.n_steps || meter.axis.begin_of(step) != time)
+        return missing;
+    return meter.values[static_cast<std::size_t>(step)];
+}
+
+/// A cut first interval needs no care: its reading stands before the period.
+physics::Readings readings_of(const Meter& meter, const physics::TimeAxis& axis) {
+    if (meter.interval == physics::Interval::step && meter.axis.step_s != axis.step_s)
+        throw std::invalid_argument("meter " + meter.name +
+                                    " is read at another step than the simulation's");
+    physics::Readings readings{meter.quantity, meter.interval, {}};
+    readings.values.assign(physics::interval_bounds(axis, meter.interval).size() - 1,
+                           missing);
+    const std::vector<int> bounds = whole_intervals(axis, meter.interval);
+    for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
+        readings.values[k] = reading_at(meter, axis.begin_of(bounds[k]));
+    return readings;
+}
+
+}  // namespace
+
+physics::TimeAxis axis_of(const Case& building, const Period& period) {
+    return {period.from, building.step_s,
+            static_cast<int>((period.to - period.from).count() / building.step_s)};
+}
+
+physics::Drive drive_of(const Case& building, const Period& period) {
+    return physics::make_drive(building.weather, building.building, building.profiles,
+                               period.from, period.to, building.step_s,
+                               building.warm_up_hours, building.sky);
+}
+
+std::vector<physics::Readings> readings_of(const Case& building, const Period& period) {
+    std::vector<physics::Readings> readings;
+    for (const Meter& meter : building.meters)
+        readings.push_back(readings_of(meter, axis_of(building, period)));
+    return readings;
+}
+
+}  // namespace bemcal::study

@@ -1,0 +1,73 @@
+#include "study/datasets.hpp"
+
+#include "base/error.hpp"
+
+namespace bemcal::study {
+
+void DatasetBuilder::array(const std::string& leaf, std::vector<std::string> dims,
+                           std::vector<std::size_t> shape, std::vector<double> values) {
+    std::size_t size = 1;
+    for (const std::size_t extent : shape) size *= extent;
+    require(size == values.size() && dims.size() == shape.size(),
+            "dataset of a wrong shape");
+    datasets_.push_back(
+        {stage_ + "/" + leaf, std::move(dims), std::move(shape), std::move(values), {}});
+}
+
+void DatasetBuilder::scalar(const std::string& leaf, double value) {
+    array(leaf, {}, {}, {value});
+}
+
+void DatasetBuilder::vector(const std::string& leaf, const std::string& dim,
+                            std::vector<double> values) {
+    const std::size_t size = values.size();
+    array(leaf, {dim}, {size}, std::move(values));
+}
+
+void DatasetBuilder::text(const std::string& leaf, const std::string& value) {
+    datasets_.push_back({stage_ + "/" + leaf, {}, {}, {}, {value}});
+}
+
+void DatasetBuilder::texts(const std::string& leaf, const std::string& dim,
+                           std::vector<std::string> values) {
+    const std::size_t size = values.size();
+    datasets_.push_back({stage_ + "/" + leaf, {dim}, {size}, {}, std::move(values)});
+}
+
+void DatasetBuilder::parameters(const std::vector<physics::Parameter>& parameters) {
+    std::vector<std::string> names, units;
+    std::vector<double> least, most;
+    for (const auto& parameter : parameters) {
+        names.push_back(parameter.name);
+        units.push_back(parameter.unit);
+        least.push_back(parameter.least);
+        most.push_back(parameter.most);
+    }
+    texts("parameter", "parameter", std::move(names));
+    texts("parameter_unit", "parameter", std::move(units));
+    vector("parameter_least", "parameter", std::move(least));
+    vector("parameter_most", "parameter", std::move(most));
+}
+
+void DatasetBuilder::times(const std::string& leaf,
+                           const std::vector<physics::Seconds>& begins) {
+    std::vector<double> seconds;
+    for (const auto begin : begins)
+        seconds.push_back(static_cast<double>(begin.time_since_epoch().count()));
+    vector(leaf, "time", std::move(seconds));
+}
+
+void DatasetBuilder::failures(const std::vector<Failure>& failures) {
+    scalar("n_failed", static_cast<double>(failures.size()));
+    if (failures.empty()) return;
+    std::vector<double> points;
+    std::vector<std::string> reasons;
+    for (const auto& failure : failures) {
+        points.push_back(static_cast<double>(failure.point));
+        reasons.push_back(failure.reason);
+    }
+    vector("failed_point", "failure", std::move(points));
+    texts("failed_reason", "failure", std::move(reasons));
+}
+
+}  // namespace bemcal::study

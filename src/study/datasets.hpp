@@ -1,0 +1,41 @@
+/// Builds the datasets of one stage; all paths begin with the stage's name.
+#pragma once
+
+#include "physics/calendar.hpp"
+#include "physics/parameters.hpp"
+#include "study/stage.hpp"
+
+#include <string>
+#include <vector>
+
+namespace bemcal::study {
+
+class DatasetBuilder {
+  public:
+    explicit DatasetBuilder(std::string stage) : stage_(std::move(stage)) {}
+
+    void scalar(const std::string& leaf, double value);
+    void text(const std::string& leaf, const std::string& value);
+    void texts(const std::string& leaf, const std::string& dim,
+               std::vector<std::string> values);
+    void vector(const std::string& leaf, const std::string& dim,
+                std::vector<double> values);
+    void array(const std::string& leaf, std::vector<std::string> dims,
+               std::vector<std::size_t> shape, std::vector<double> values);
+
+    /// Names, units and ranges.
+    void parameters(const std::vector<physics::Parameter>& parameters);
+    /// Begins of steps [s since 1970, local standard time].
+    void times(const std::string& leaf, const std::vector<physics::Seconds>& begins);
+    /// How many points failed, which and why; an item that failed as a whole counts for
+    /// all of its points.
+    void failures(const std::vector<Failure>& failures);
+
+    std::vector<Dataset> take() { return std::move(datasets_); }
+
+  private:
+    std::string stage_;
+    std::vector<Dataset> datasets_;
+};
+
+}  // namespace bemcal::study

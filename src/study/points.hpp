@@ -1,0 +1,18 @@
+/// From samples in the unit cube to points in the parameters' ranges.
+#pragma once
+
+#include "base/matrix.hpp"
+#include "physics/parameters.hpp"
+
+#include <span>
+#include <vector>
+
+namespace bemcal::study {
+
+/// \param unit  [n x parameters] in [0, 1)  \return [n x parameters] within least..most
+Matrix in_ranges(Matrix unit, std::span<const physics::Parameter> parameters);
+
+/// The nominal building's values. [parameters]
+std::vector<double> nominal_point(std::span<const physics::Parameter> parameters);
+
+}  // namespace bemcal::study
