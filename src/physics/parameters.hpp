@@ -64,16 +64,18 @@ struct Parameter {
 };
 
 /// Places named by a path: "zones.office.flows.infiltration.air_change",
-/// "constructions.*.u_value", "plant.cooling_cop", "zones.*.heating_set_point.low".
-/// Thermostat and structure fields belong to their zone. Throws std::invalid_argument
-/// that lists what would have matched.
+/// "constructions.*.u_value", "plant.cooling_cop", "zones.*.heating_set_point.low". A
+/// star stands for every name, never for a part or a number. Thermostat and structure
+/// fields belong to their zone. Throws std::invalid_argument that lists what would have
+/// matched.
 std::vector<Target> resolve(const Building& building, const std::string& path);
 
 double& number_at(Building& building, const Target& target);
 double number_at(const Building& building, const Target& target);
 
 /// Writes a point into `building`, which must be a copy of `nominal` (its other numbers
-/// are left as they are).
+/// are left as they are). Where two parameters have the same target the last one holds.
+/// No allocation, no look-up by name.
 void apply(const Building& nominal, std::span<const Parameter> parameters,
            std::span<const double> point, Building& building);
 

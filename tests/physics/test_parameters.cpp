@@ -137,9 +137,12 @@ TEST(Resolve, SaysWhatWouldHaveMatched) {
               std::string::npos);
     EXPECT_NE(refusal("zones.room.loads.equipment").find("not complete"),
               std::string::npos);
-    EXPECT_NE(refusal("zones.room.volume.high").find("nothing may follow"),
+    EXPECT_NE(refusal("zones.room.volume.high")
+                  .find("nothing may stand after zones.room.volume"),
               std::string::npos);
     EXPECT_NE(refusal("zones.room.volume.low").find("no low"), std::string::npos);
+    EXPECT_NE(refusal("plant.*").find("no \"*\""), std::string::npos);
+    EXPECT_NE(refusal("zones.room.*").find("no \"*\""), std::string::npos);
     EXPECT_NE(refusal(""), "");
     EXPECT_NE(refusal("..."), "");
 }

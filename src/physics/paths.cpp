@@ -1,0 +1,175 @@
+/// Numbers of a building by path: the path is matched, word by word, against the paths of
+/// all of its numbers; what does not match is explained from the same list.
+#include "physics/parameters.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace bemcal::physics {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// A number of the building under its full path, word by word.
+struct Entry {
+    Words words;
+    Target target;
+};
+
+std::size_t row(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+/// Adds an entry for every field of a part.
+void add_fields(Target target, const Words& prefix, std::vector<Entry>& entries) {
+    for (std::size_t field = 0; field < fields().size(); ++field) {
+        if (fields()[field].part != target.part) continue;
+        target.field = static_cast<int>(field);
+        entries.push_back({prefix, target});
+        entries.back().words.push_back(fields()[field].key);
+    }
+}
+
+template <class Item>
+void add_parts(Part part, const std::vector<Item>& items, std::vector<Entry>& entries) {
+    for (std::size_t k = 0; k < items.size(); ++k)
+        add_fields({part, static_cast<int>(k)}, {name_of(part), items[k].name}, entries);
+}
+
+template <class Item>
+void add_inner(Part part, int zone, const Words& prefix, const std::vector<Item>& items,
+               std::vector<Entry>& entries) {
+    for (std::size_t k = 0; k < items.size(); ++k) {
+        Words words = prefix;
+        words.insert(words.end(), {name_of(part), items[k].name});
+        add_fields({part, zone, static_cast<int>(k)}, words, entries);
+    }
+}
+
+/// Couplings under the names of their other zones.
+struct Named {
+    std::string name;
+};
+
+std::vector<Named> coupled_zones(const Building& building, const Zone& zone) {
+    std::vector<Named> names;
+    for (const ZoneCoupling& coupling : zone.couplings)
+        names.push_back({building.zones[row(coupling.zone)].name});
+    return names;
+}
+
+void add_zone(const Building& building, int index, std::vector<Entry>& entries) {
+    const Zone& zone = building.zones[row(index)];
+    const Words words = {name_of(Part::zone), zone.name};
+    add_fields({Part::zone, index}, words, entries);
+    add_inner(Part::surface, index, words, zone.surfaces, entries);
+    add_inner(Part::window, index, words, zone.windows, entries);
+    add_inner(Part::flow, index, words, zone.flows, entries);
+    add_inner(Part::load, index, words, zone.loads, entries);
+    add_inner(Part::coupling, index, words, coupled_zones(building, zone), entries);
+}
+
+/// Every number of the building.
+std::vector<Entry> entries_of(const Building& building) {
+    std::vector<Entry> entries;
+    add_parts(Part::construction, building.constructions, entries);
+    add_parts(Part::glazing, building.glazings, entries);
+    add_parts(Part::boundary, building.boundaries, entries);
+    for (std::size_t zone = 0; zone < building.zones.size(); ++zone)
+        add_zone(building, static_cast<int>(zone), entries);
+    add_fields({Part::plant}, {name_of(Part::plant)}, entries);
+    return entries;
+}
+
+Words split(const std::string& path) {
+    Words words(1);
+    for (char c : path) {
+        if (c == '.')
+            words.emplace_back();
+        else
+            words.back() += c;
+    }
+    return words;
+}
+
+/// Names stand at odd places, but never last; only they may be a star.
+bool matches_word(const Words& pattern, const Words& words, std::size_t n) {
+    const bool is_name = n % 2 == 1 && n + 1 < words.size();
+    return pattern[n] == words[n] || (is_name && pattern[n] == "*");
+}
+
+/// How many words of the pattern an entry follows.
+std::size_t words_in_common(const Words& pattern, const Words& words) {
+    std::size_t n = 0;
+    while (n < pattern.size() && n < words.size() && matches_word(pattern, words, n)) ++n;
+    return n;
+}
+
+bool matches(const Words& pattern, const Words& words) {
+    return pattern.size() == words.size() &&
+           words_in_common(pattern, words) == words.size();
+}
+
+std::size_t longest_match(const Words& pattern, const std::vector<Entry>& entries) {
+    std::size_t longest = 0;
+    for (const Entry& entry : entries)
+        longest = std::max(longest, words_in_common(pattern, entry.words));
+    return longest;
+}
+
+/// The words that may follow the first n of the pattern, sorted.
+Words next_words(const Words& pattern, std::size_t n, const std::vector<Entry>& entries) {
+    Words next;
+    for (const Entry& entry : entries)
+        if (words_in_common(pattern, entry.words) == n && n < entry.words.size())
+            next.push_back(entry.words[n]);
+    std::sort(next.begin(), next.end());
+    next.erase(std::unique(next.begin(), next.end()), next.end());
+    return next;
+}
+
+/// Says where the path stops to make sense and what could stand there.
+[[noreturn]] void reject_path(const std::string& path, const Words& pattern,
+                              const std::vector<Entry>& entries) {
+    const std::size_t n = longest_match(pattern, entries);
+    const Words next = next_words(pattern, n, entries);
+    const Words good(pattern.begin(), pattern.begin() + static_cast<std::ptrdiff_t>(n));
+    const std::string place =
+        n == 0 ? "at its start" : fmt::format("after {}", fmt::join(good, "."));
+    std::string what = "the path is not complete";
+    if (n < pattern.size()) what = fmt::format("there is no \"{}\"", pattern[n]);
+    if (next.empty()) what = "nothing may stand";
+    const std::string instead =
+        next.empty() ? "" : fmt::format("; expected {}", fmt::join(next, ", "));
+    throw std::invalid_argument(fmt::format("{}: {} {}{}", path, what, place, instead));
+}
+
+void check_low(const std::string& path, const Entry& entry) {
+    if (fields()[row(entry.target.field)].input == nullptr)
+        throw std::invalid_argument(fmt::format(
+            "{}: {} does not change with time and has no low", path, entry.words.back()));
+}
+
+}  // namespace
+
+std::vector<Target> resolve(const Building& building, const std::string& path) {
+    Words pattern = split(path);
+    const bool low = pattern.size() > 1 && pattern.back() == "low";
+    if (low) pattern.pop_back();
+    const std::vector<Entry> entries = entries_of(building);
+    std::vector<Target> targets;
+    for (const Entry& entry : entries) {
+        if (!matches(pattern, entry.words)) continue;
+        if (low) check_low(path, entry);
+        targets.push_back(entry.target);
+        targets.back().low = low;
+    }
+    if (targets.empty()) reject_path(path, pattern, entries);
+    return targets;
+}
+
+}  // namespace bemcal::physics
