@@ -3,7 +3,9 @@
 #include "physics/meters.hpp"
 
 #include <array>
-#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
 
 namespace bemcal::physics {
 
@@ -26,14 +28,26 @@ const QuantityName& row_of(Quantity quantity) {
     return quantities[static_cast<std::size_t>(quantity)];
 }
 
+/// An efficiency or COP at a step. Throws std::domain_error where nothing can be divided
+/// by it.
+double efficiency_at(const Drive& drive, const Input& efficiency, int step,
+                     const char* name) {
+    const double value = drive.at(efficiency, step);
+    if (!(value > 0))
+        throw std::domain_error(
+            fmt::format("step {}: {} = {} is not above 0", step, name, value));
+    return value;
+}
+
 /// The loads that a carrier's meter sees at a step [W].
 double loads_on(const Building& building, const Drive& drive, Carrier carrier, int step) {
     double power = 0;
     for (const Zone& zone : building.zones)
         for (const Load& load : zone.loads)
             if (load.carrier == carrier)
-                power += zone.floor_area * drive.at(load.density, step) /
-                         drive.at(load.efficiency, step);
+                power +=
+                    zone.floor_area * drive.at(load.density, step) /
+                    efficiency_at(drive, load.efficiency, step, "efficiency of a load");
     return power;
 }
 
@@ -137,9 +151,11 @@ MeterForm meter_form(const Building& building, const Drive& drive, Quantity quan
     const Plant& plant = building.plant;
     MeterForm form;
     if (plant.heating_carrier == carrier)
-        form.per_heating = 1 / drive.at(plant.heating_efficiency, step);
+        form.per_heating = 1 / efficiency_at(drive, plant.heating_efficiency, step,
+                                             "heating_efficiency");
     if (plant.cooling_carrier == carrier)
-        form.per_cooling = 1 / drive.at(plant.cooling_cop, step);
+        form.per_cooling =
+            1 / efficiency_at(drive, plant.cooling_cop, step, "cooling_cop");
     form.source = loads_on(building, drive, carrier, step);
     return form;
 }

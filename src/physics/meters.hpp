@@ -1,23 +1,24 @@
 /// From zones to what meters show: the plant's conversion, and every load on its carrier.
 #pragma once
 
+#include "physics/simulate.hpp"
+
 #include <string>
 #include <vector>
-
-#include "physics/simulate.hpp"
 
 namespace bemcal::physics {
 
 enum class Quantity { air_temperature, heating, cooling, electricity, gas, district };
 const char* name_of(Quantity quantity);
-const char* unit_of(Quantity quantity);          ///< of `predict`: "degC" or "kWh"
+const char* unit_of(Quantity quantity);  ///< of `predict`: "degC" or "kWh"
 
 /// Intervals of a meter: each a run of steps of the period.
 enum class Interval { step, hourly, daily, monthly, annual };
 const char* name_of(Interval interval);
 
-/// First steps of each interval within [0, n), and n as the last entry. Daily, monthly and
-/// annual ones are the calendar's; a cut first or last one counts as an interval of its own.
+/// First steps of each interval within [0, n), and n as the last entry. Daily, monthly
+/// and annual ones are the calendar's; a cut first or last one counts as an interval of
+/// its own.
 std::vector<int> interval_bounds(const TimeAxis& period, Interval interval);
 
 /// What a meter shows for every step of the period: energy of the step [kWh], or the
@@ -26,15 +27,19 @@ std::vector<double> predict(const Building& building, const Drive& drive,
                             const Trajectory& trajectory, Quantity quantity);
 
 /// Sums (or means, for temperature) over intervals. NaN steps make the interval NaN.
-std::vector<double> aggregate(const std::vector<double>& steps, const std::vector<int>& bounds,
-                              Quantity quantity);
+std::vector<double> aggregate(const std::vector<double>& steps,
+                              const std::vector<int>& bounds, Quantity quantity);
 
-/// Linear form of a meter for one step: W on the meter = per_heating phi_H + per_cooling phi_C
-/// + source; both `predict` and the fast kernel use it.
+/// Linear form of a meter for one step: W on the meter = per_heating phi_H + per_cooling
+/// phi_C
+/// + source; both `predict` and the fast kernel use it. Air temperature has no such form
+/// (zeros).
 struct MeterForm {
     double per_heating = 0, per_cooling = 0;  ///< [-]
     double source = 0;                        ///< [W]
 };
-MeterForm meter_form(const Building& building, const Drive& drive, Quantity quantity, int step);
+/// Throws std::domain_error where an efficiency or COP that is needed is not above 0.
+MeterForm meter_form(const Building& building, const Drive& drive, Quantity quantity,
+                     int step);
 
 }  // namespace bemcal::physics

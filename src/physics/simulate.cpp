@@ -53,7 +53,6 @@ std::vector<AirLink> air_links(const Building& building, const Drive& drive,
 /// A link enters as a ventilation flow with the other zone's air as its supply.
 void add_link(const AirLink& link, double theta_other, Network& network,
               HourDrive& hour) {
-    if (!(link.H >= 0)) throw std::domain_error("a coupling to another zone is negative");
     const double H_ve = network.H_ve + link.H;
     if (H_ve <= 0) return;
     hour.theta_sup = (network.H_ve * hour.theta_sup + link.H * theta_other) / H_ve;
@@ -78,7 +77,7 @@ class ZoneRun {
         const auto one_step = zone.structure.any() ? advance_step : standard_step;
         StepResult result = one_step(network_, hour, control_at(zone, drive_, step),
                                      state_, drive_.axis.step_s);
-        check(zone, step, result);
+        check(step, result);
         state_ = result.after;
         return result;
     }
@@ -87,21 +86,32 @@ class ZoneRun {
     void couple(int step, const std::vector<double>& theta_air, HourDrive& hour) {
         const std::vector<AirLink> links = air_links(building_, drive_, index_, step);
         if (links.empty()) return;
-        for (const AirLink& link : links)
+        for (const AirLink& link : links) {
+            check(step, link);
             add_link(link, theta_air[link.zone], network_, hour);
+        }
         reject_ringing(building_.zones[index_], step, network_, drive_.axis.step_s);
     }
 
-    static void check(const Zone& zone, int step, const StepResult& result) {
+    void check(int step, const AirLink& link) const {
+        if (!(link.H >= 0))
+            throw std::domain_error(fmt::format(
+                "zone {}, step {}: coupling to zone {} = {} W/K is not a number >= 0",
+                name(), step, building_.zones[link.zone].name, link.H));
+    }
+
+    void check(int step, const StepResult& result) const {
         const double sum = result.theta.theta_air + result.theta.theta_m_t +
                            result.phi_heating + result.phi_cooling;
         if (!std::isfinite(sum))
-            throw std::domain_error(fmt::format(
-                "zone {}, step {}: temperature {} degC, heating {} W, cooling {} W: "
-                "not finite",
-                zone.name, step, result.theta.theta_air, result.phi_heating,
-                result.phi_cooling));
+            throw std::domain_error(
+                fmt::format("zone {}, step {}: temperature {} degC, heating {} W, "
+                            "cooling {} W: not finite",
+                            name(), step, result.theta.theta_air, result.phi_heating,
+                            result.phi_cooling));
     }
+
+    const std::string& name() const { return building_.zones[index_].name; }
 
     const Building& building_;
     const Drive& drive_;

@@ -1,24 +1,26 @@
 /// A period, step by step: the plain version of the whole simulation, couplings included.
 #pragma once
 
-#include <vector>
-
 #include "physics/drive.hpp"
 #include "physics/structure.hpp"
 
+#include <vector>
+
 namespace bemcal::physics {
 
-struct ZoneTrajectory {          ///< each [n_steps - n_warm_up]
-    std::vector<double> theta_air, theta_op, theta_m;  ///< [degC]; theta_m at the end of the step
-    std::vector<double> heating, cooling;              ///< mean power [W], both >= 0
+struct ZoneTrajectory {  ///< each [n_steps - n_warm_up]
+    std::vector<double> theta_air, theta_op,
+        theta_m;                           ///< [degC]; theta_m at the end of the step
+    std::vector<double> heating, cooling;  ///< mean power [W], both >= 0
 };
 
 struct Trajectory {
     std::vector<ZoneTrajectory> zones;
 };
 
-/// Throws std::domain_error where a zone leaves the method (make_network) or a value is not
-/// finite, naming the zone and the step. Starts at `theta_start` before the warm-up.
-Trajectory simulate(const Building& building, const Drive& drive, double theta_start = 20);
+/// Throws std::domain_error where a zone leaves the method (make_network) or a value is
+/// not finite, naming the zone and the step. Starts at `theta_start` before the warm-up.
+Trajectory simulate(const Building& building, const Drive& drive,
+                    double theta_start = 20);
 
 }  // namespace bemcal::physics

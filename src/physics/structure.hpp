@@ -1,12 +1,19 @@
-/// The hour with refinements that a standard 5R1C lacks: each optional, each off by default.
+/// The hour with refinements that a standard 5R1C lacks: each optional, each off by
+/// default.
 ///
-/// - heat capacity of the air node: implicit Euler (its time constant is shorter than a step);
-/// - proportional band: power = limit clamp(1/2 + (theta_set - theta_air) / band, 0, 1), solved
-///   exactly since theta_air is linear in the power;
-/// - emitter: heating passes a first-order lag (exact over the step), a share of it radiant,
+/// - heat capacity of the air node: implicit Euler (its time constant is shorter than a
+/// step);
+/// - proportional band: power = limit clamp(1/2 + (theta_set - theta_air) / band, 0, 1),
+/// solved
+///   exactly since theta_air is linear in the power (without a limit: what holds
+///   theta_set + band / 2); for cooling with the signs turned;
+/// - emitter: heating passes a first-order lag (exact over the step), a share of it
+/// radiant,
 ///   split to the surface and mass nodes as the standard splits radiant gains;
 /// - second mass: C_2 behind H_2 at the mass node, Crank-Nicolson like the first.
-/// With all off it is the standard's hour; simulate.cpp then calls hour.hpp, bit for bit.
+/// Cooling and a negative imposed power leave the air node at once; a positive imposed
+/// power is a command to the emitter. With all off it is the standard's hour;
+/// simulate.cpp then calls hour.hpp, bit for bit.
 #pragma once
 
 #include "physics/hour.hpp"
@@ -14,21 +21,21 @@
 namespace bemcal::physics {
 
 struct ZoneState {
-    double theta_m = 20;       ///< mass [degC]
-    double theta_m2 = 20;      ///< second mass [degC]
-    double theta_air = 20;     ///< air, where it has a capacity [degC]
-    double phi_emitter = 0;    ///< heat leaving the heating emitter now [W]
+    double theta_m = 20;     ///< mass [degC]
+    double theta_m2 = 20;    ///< second mass [degC]
+    double theta_air = 20;   ///< air, where it has a capacity [degC]
+    double phi_emitter = 0;  ///< heat leaving the heating emitter now [W]
 };
 
 struct StepResult {
     ZoneState after;
-    NodeTemperatures theta;    ///< means of the step (theta_m_t at its end)
-    double phi_heating = 0;    ///< mean heating power asked of the plant [W], >= 0
-    double phi_cooling = 0;    ///< mean cooling power [W], >= 0
+    NodeTemperatures theta;  ///< means of the step (theta_m_t at its end)
+    double phi_heating = 0;  ///< mean heating power asked of the plant [W], >= 0
+    double phi_cooling = 0;  ///< mean cooling power [W], >= 0
 };
 
 /// One step with any of the refinements.
-StepResult advance_step(const Network& network, const HourDrive& drive, const Control& control,
-                        const ZoneState& before, double dt);
+StepResult advance_step(const Network& network, const HourDrive& drive,
+                        const Control& control, const ZoneState& before, double dt);
 
 }  // namespace bemcal::physics

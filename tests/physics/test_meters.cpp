@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -88,6 +89,17 @@ TEST(Meters, ShowEveryCarrierOfThePlant) {
     EXPECT_EQ(meter_form(building, drive, Quantity::gas, 0).per_heating, 0);
     EXPECT_EQ(meter_form(building, drive, Quantity::electricity, 0).per_cooling, 0);
     EXPECT_NEAR(meter_form(building, drive, Quantity::electricity, 0).source, 100, 1e-12);
+}
+
+TEST(Meters, RefuseAnEfficiencyOfZero) {
+    Building building = office();
+    const Drive drive = test::constant_drive(building, 1, 5);
+    building.plant.heating_efficiency.value = 0;
+    EXPECT_THROW(meter_form(building, drive, Quantity::gas, 0), std::domain_error);
+    EXPECT_NO_THROW(meter_form(building, drive, Quantity::electricity, 0));
+    building.zones[0].loads[0].efficiency.value = std::nan("");
+    EXPECT_THROW(meter_form(building, drive, Quantity::electricity, 0),
+                 std::domain_error);
 }
 
 TimeAxis axis_from(const char* start, int n_steps, int step_s = 3600) {

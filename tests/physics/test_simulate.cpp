@@ -171,6 +171,13 @@ TEST(Simulate, TakesAirFromTheOtherZoneOneWay) {
     EXPECT_GT(coupled.zones[1].theta_air.back(), apart.zones[1].theta_air.back() + 1);
 }
 
+TEST(Simulate, RefusesANegativeCoupling) {
+    Building building = two_zones();
+    building.zones[0].couplings = {{1, {-3, 0, -1}, {}}};
+    const Drive drive = test::constant_drive(building, 2, 0);
+    EXPECT_THROW(simulate(building, drive), std::domain_error);
+}
+
 TEST(Simulate, NamesZoneAndStepOfWhatIsNotFinite) {
     Building building = test::simple_building();
     Drive drive = test::constant_drive(building, 20, 8);
