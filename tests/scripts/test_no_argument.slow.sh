@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# The installed program, started without an argument in any folder, runs the quickstart and writes
+# quickstart-NNN.h5 with the next free number; what stands there already is left alone.
+set -euo pipefail
+. "$(dirname "$0")/../../scripts/environment"
+fail() { echo "$*" >&2; exit 1; }
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cmake --install "$BEMCAL_BUILD" --prefix "$folder/prefix" >/dev/null
+program=$folder/prefix/bin/bemcal-batch
+mkdir "$folder/work"
+cd "$folder/work"
+echo mine >quickstart-001.h5
+start=$SECONDS
+mpirun --oversubscribe -np 2 "$program" >"$folder/log" 2>&1 || { cat "$folder/log" >&2; fail "it failed"; }
+echo "$((SECONDS - start)) s on two ranks"
+[[ $(cat quickstart-001.h5) == mine ]] || fail "quickstart-001.h5 was overwritten"
+[[ -f quickstart-002.h5 ]] || fail "no quickstart-002.h5, but: $(ls)"
+"$program" status quickstart-002.h5 | grep -qE '\b[0-9a-f]{32}\b' || fail "no result hash"
+[[ $(ls -A) == $'quickstart-001.h5\nquickstart-002.h5' ]] || fail "left behind: $(ls -A)"
