@@ -1,48 +1,67 @@
-/// A job file, read and checked: everything that `run` needs, and nothing of how it is run.
+/// A job file, read and checked: everything that `run` needs, and nothing of how it is
+/// run.
 #pragma once
-
-#include <filesystem>
-#include <string>
-#include <vector>
 
 #include "study/case.hpp"
 #include "study/screening.hpp"
 #include "study/sensitivity.hpp"
+#include "study/stage.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace bemcal::job {
 
-enum class StudyKind { sensitivity, hourly_sensitivity, office_hour_sensitivity, screening };
+enum class StudyKind {
+    sensitivity,
+    hourly_sensitivity,
+    office_hour_sensitivity,
+    screening
+};
 
 struct StudySpec {
     StudyKind kind = StudyKind::screening;
     std::string name;
     study::SensitivityOptions sensitivity;
     study::ScreeningOptions screening;
-    std::vector<physics::Quantity> quantities;   ///< outputs of a sensitivity study
-    /// office_hour_sensitivity: each case fixes the named inputs of physics/office_hour.hpp
+    std::string period;  ///< of a sensitivity; empty = the first one
+    std::vector<physics::Quantity> quantities;  ///< outputs of a sensitivity study
+    /// office_hour_sensitivity: each case fixes the named inputs of
+    /// physics/office_hour.hpp
     std::vector<std::pair<std::string, std::vector<double>>> fixed;
 };
 
 struct InputFile {
     std::filesystem::path path;
-    std::string hash;                ///< of its content
+    std::string hash;  ///< of its content
 };
 
 struct Job {
     std::filesystem::path file;
     std::string name;
-    std::string text;                ///< the job file as read
+    std::string text;  ///< the job file as read
     std::uint64_t seed = 0;
     std::vector<study::Case> buildings;
     std::vector<StudySpec> studies;  ///< in the order of the file
     std::vector<InputFile> inputs;   ///< every file read, the job's own first
-    std::filesystem::path output;    ///< default result file; empty = beside the working folder
-    std::vector<std::string> hourly_outputs;  ///< quantities of nominal and best to store by hour
-    double max_failed_share = 0.05;  ///< more failed points than this and the batch has failed
+    std::filesystem::path
+        output;  ///< default result file; empty = beside the working folder
+    std::vector<std::string>
+        hourly_outputs;  ///< quantities of nominal and best to store by hour
+    double max_failed_share =
+        0.05;  ///< more failed points than this and the batch has failed
 };
 
 /// Throws UserError with file:line:key, what is wrong, why, and what to write instead.
 Job read_job(const std::filesystem::path& file);
+
+class InputFiles;
+/// The same through another reader of files (tests, fuzzers).
+Job read_job(const std::filesystem::path& file, InputFiles& files);
 
 /// The stages that the job asks for, in order.
 std::vector<std::unique_ptr<study::Stage>> make_plan(const Job& job);

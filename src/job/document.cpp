@@ -1,0 +1,107 @@
+#include "job/document.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+namespace bemcal::job {
+
+namespace {
+
+int line_of(const toml::source_region& source) {
+    return static_cast<int>(source.begin.line);
+}
+
+Node convert(const toml::node& from);
+
+void convert_table(const toml::table& table, Node& node) {
+    node.kind = Node::Kind::table;
+    for (auto&& [key, value] : table) {
+        node.entries.push_back(
+            {std::string(key.str()), line_of(key.source()), convert(value)});
+    }
+    // The parser sorts by name; the order of the file is the one that the user wrote.
+    std::stable_sort(node.entries.begin(), node.entries.end(),
+                     [](const Entry& a, const Entry& b) { return a.line < b.line; });
+}
+
+void convert_array(const toml::array& array, Node& node) {
+    node.kind = Node::Kind::array;
+    for (const toml::node& value : array)
+        node.entries.push_back({"", line_of(value.source()), convert(value)});
+}
+
+void convert_date(const toml::node& from, Node& node) {
+    std::ostringstream out;
+    from.visit([&](const auto& value) {
+        using Value = std::decay_t<decltype(value)>;
+        if constexpr (toml::is_date<Value> || toml::is_date_time<Value> ||
+                      toml::is_time<Value>)
+            out << value.get();
+    });
+    node.kind = Node::Kind::date;
+    node.text = out.str();
+}
+
+Node convert(const toml::node& from) {
+    Node node;
+    node.line = line_of(from.source());
+    if (const auto* table = from.as_table()) {
+        convert_table(*table, node);
+    } else if (const auto* array = from.as_array()) {
+        convert_array(*array, node);
+    } else if (const auto* text = from.as_string()) {
+        node.kind = Node::Kind::text;
+        node.text = text->get();
+    } else if (const auto* flag = from.as_boolean()) {
+        node.kind = Node::Kind::flag;
+        node.number = flag->get() ? 1 : 0;
+    } else if (const auto number = from.value<double>(); number && from.is_number()) {
+        node.kind = Node::Kind::number;
+        node.number = *number;
+        node.is_integer = from.is_integer();
+    } else if (const auto* integer = from.as_integer()) {
+        node.kind = Node::Kind::number;  // too large for a double to hold exactly
+        node.number = static_cast<double>(integer->get());
+        node.is_integer = true;
+    } else {
+        convert_date(from, node);
+    }
+    return node;
+}
+
+}  // namespace
+
+const char* name_of(Node::Kind kind) {
+    switch (kind) {
+        case Node::Kind::table:
+            return "a table";
+        case Node::Kind::array:
+            return "a list";
+        case Node::Kind::text:
+            return "a text";
+        case Node::Kind::number:
+            return "a number";
+        case Node::Kind::flag:
+            return "true or false";
+        case Node::Kind::date:
+            return "a date";
+    }
+    return "";
+}
+
+Node parse_document(std::string_view text, const std::string& file) {
+    try {
+        return convert(toml::parse(text, file));
+    } catch (const toml::parse_error& error) {
+        throw UserError(ExitCode::config,
+                        fmt::format("{}:{}: {}; expected TOML (key = value, [section])",
+                                    file, line_of(error.source()), error.description()));
+    }
+}
+
+}  // namespace bemcal::job

@@ -1,0 +1,42 @@
+/// Every file that a job reads: opened once, unpacked where gzipped, hashed, remembered.
+#pragma once
+
+#include "job/csv.hpp"
+#include "job/job.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bemcal::job {
+
+/// The bytes of a file. Throws UserError (no_input, io) where it cannot be read or is
+/// empty.
+std::string read_bytes(const std::filesystem::path& path);
+
+/// Text behind gzip's format (RFC 1952); throws UserError (data) naming `path` where it
+/// is damaged or unpacks to more than 4 GB.
+std::string unpack_gzip(const std::string& bytes, const std::string& path);
+
+class InputFiles {
+  public:
+    using Reader = std::function<std::string(const std::filesystem::path&)>;
+    explicit InputFiles(Reader reader = read_bytes) : reader_(std::move(reader)) {}
+
+    /// The text of a file, unpacked if it is gzipped. The reference stays valid.
+    const std::string& text(const std::filesystem::path& path);
+    /// The file as CSV; parsed once for each decimal mark.
+    const Csv& csv(const std::filesystem::path& path);
+    const std::vector<InputFile>& log() const { return log_; }
+
+  private:
+    Reader reader_;
+    std::map<std::string, std::string> texts_;
+    std::map<std::string, std::unique_ptr<Csv>> tables_;
+    std::vector<InputFile> log_;
+};
+
+}  // namespace bemcal::job

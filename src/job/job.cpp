@@ -1,0 +1,160 @@
+/// From files to a Job: every section through its reader, then every key accounted for.
+#include "job/job.hpp"
+
+#include "base/error.hpp"
+#include "job/readers.hpp"
+
+#include <cmath>
+#include <list>
+
+#include <fmt/format.h>
+
+namespace bemcal::job {
+
+namespace {
+
+void read_run(const Sources& sources, study::Case& building) {
+    if (!sources.has("run")) return;
+    const Section section = sources.with("run").table("run", "run");
+    building.step_s = static_cast<int>(section.integer("step"));
+    if (3600 % building.step_s != 0)
+        section.fail_value("step",
+                           "expected a number of seconds that divides an hour: 3600, "
+                           "1800, 1200, 900, 600, ...");
+    building.warm_up_hours =
+        static_cast<int>(std::lround(section.number("warm_up_days") * 24));
+}
+
+std::string name_of_file(const std::filesystem::path& file) {
+    return file.stem().string();
+}
+
+void check_meter_steps(const Sources& sources, const study::Case& building) {
+    for (const study::Meter& meter : building.meters)
+        if (meter.interval == physics::Interval::step &&
+            meter.axis.step_s != building.step_s)
+            sources.with("meter").fail(
+                "meter",
+                fmt::format("{} has interval = \"step\" and a reading every {} s, but "
+                            "[run] step = {}; make them equal, or set interval",
+                            meter.name, meter.axis.step_s, building.step_s));
+}
+
+study::Case read_case(const Sources& sources, InputFiles& files) {
+    study::Case building;
+    const Section& own = sources.own;
+    building.name = own.has("name") ? own.text("name") : name_of_file(own.file());
+    building.periods = read_periods(sources);
+    read_run(sources, building);
+    read_weather(sources, files, building);
+    building.profiles = read_profiles(sources, files, building.weather.site);
+    building.building = read_building(sources, building.profiles);
+    building.building.name = building.name;
+    check_building(sources, building);
+    building.parameters = read_parameters(sources, building.building);
+    read_meters(sources, files, building);
+    check_meter_steps(sources, building);
+    return building;
+}
+
+void add_case(Job& job, study::Case building, const Section& own) {
+    if (building.name.find('/') != std::string::npos)
+        own.fail_value("name", "has a slash, which parts the names of a result");
+    for (const study::Case& other : job.buildings)
+        if (other.name == building.name)
+            own.fail("name",
+                     fmt::format("another building is called \"{}\"", building.name));
+    job.buildings.push_back(std::move(building));
+}
+
+/// Files with a building each; their trees are kept until all keys are checked.
+void read_building_files(const Section& root, InputFiles& files, Job& job) {
+    struct File {
+        std::string name;
+        Node tree;
+    };
+    std::list<File> trees;
+    const std::vector<std::string> names = root.texts("buildings");
+    if (names.empty())
+        root.fail("buildings", "is empty; expected files with a building each");
+    for (const std::string& name : names) {
+        const std::filesystem::path path = root.path(name);
+        trees.push_back({path.string(), {}});
+        trees.back().tree = parse_document(files.text(path), trees.back().name);
+        const Section own(trees.back().tree, "building", trees.back().name);
+        add_case(job, read_case({own, root}, files), own);
+        check_all_used(trees.back().tree, trees.back().name);
+    }
+}
+
+bool needs_building(const Job& job) {
+    for (const StudySpec& study : job.studies)
+        if (study.kind != StudyKind::office_hour_sensitivity) return true;
+    return job.studies.empty();
+}
+
+void read_output(const Section& root, Job& job) {
+    if (!root.has("output")) return;
+    const Section section = root.table("output", "output");
+    job.output = section.text("file");
+    for (const physics::Quantity quantity : read_quantities(section, "hourly"))
+        job.hourly_outputs.emplace_back(physics::name_of(quantity));
+    job.max_failed_share = section.number("max_failed_share");
+}
+
+bool has_period(const study::Case& building, const std::string& name) {
+    for (const study::Period& period : building.periods)
+        if (period.name == name) return true;
+    return name.empty();
+}
+
+/// What a study needs of a building: parameters, meters, the period that it names.
+void check_study(const Section& section, const StudySpec& study, const Job& job) {
+    if (study.kind == StudyKind::office_hour_sensitivity) return;
+    for (const study::Case& building : job.buildings) {
+        if (building.parameters.empty())
+            section.fail(
+                "kind",
+                fmt::format("needs parameters, and {} has none; add [[parameter]]",
+                            building.name));
+        if (study.kind == StudyKind::screening && building.meters.empty())
+            section.fail("kind",
+                         fmt::format("needs readings, and {} has none; add [[meter]]",
+                                     building.name));
+        if (!has_period(building, study.period))
+            section.fail_value("period",
+                               fmt::format("{} has no such period", building.name));
+    }
+}
+
+}  // namespace
+
+Job read_job(const std::filesystem::path& file, InputFiles& files) {
+    Job job;
+    job.file = file;
+    job.text = files.text(file);
+    const std::string name = file.string();
+    const Node tree = parse_document(job.text, name);
+    const Section root(tree, "job", name);
+    job.name = root.has("name") ? root.text("name") : name_of_file(file);
+    job.seed = static_cast<std::uint64_t>(root.integer("seed"));
+    job.studies = read_studies(root, job.seed);
+    read_output(root, job);
+    if (root.has("buildings"))
+        read_building_files(root, files, job);
+    else if (needs_building(job) || root.has("zone"))
+        add_case(job, read_case({root, std::nullopt}, files), root);
+    std::size_t next = 0;
+    for (const Section& section : root.tables("study", "study"))
+        check_study(section, job.studies[next++], job);
+    check_all_used(tree, name);
+    job.inputs = files.log();
+    return job;
+}
+
+Job read_job(const std::filesystem::path& file) {
+    InputFiles files;
+    return read_job(file, files);
+}
+
+}  // namespace bemcal::job

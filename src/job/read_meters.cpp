@@ -1,0 +1,259 @@
+/// [[meter]]: readings on an even axis, corrected as the job says, converted, and
+/// checked.
+#include "base/error.hpp"
+#include "job/data_checks.hpp"
+#include "job/intervals.hpp"
+#include "job/readers.hpp"
+#include "job/suggest.hpp"
+#include "job/timed_csv.hpp"
+#include "job/units.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace bemcal::job {
+
+namespace {
+
+using physics::Interval;
+using physics::Quantity;
+using physics::Seconds;
+using study::Meter;
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr int day_s = 86400;
+
+const Unit& unit_of(const Section& section, Quantity quantity) {
+    const bool temperature = quantity == Quantity::air_temperature;
+    const std::string name = section.text("unit");
+    std::vector<std::string> names;
+    for (const Unit& unit : units()) {
+        if ((unit.kind == UnitKind::temperature) != temperature) continue;
+        if (name == unit.name) return unit;
+        names.emplace_back(unit.name);
+    }
+    section.fail_value("unit",
+                       fmt::format("is not a unit of {}{}",
+                                   temperature ? "temperature" : "energy or power",
+                                   suggestion(name, names)));
+}
+
+/// One meter on its way from its file to study::Meter.
+class MeterReader {
+  public:
+    MeterReader(const Section& section, InputFiles& files, study::Case& building)
+        : section_(section),
+          files_(files),
+          building_(building),
+          column_(section.text("column")) {
+        meter_.name = section.text("name");
+        meter_.quantity = section.choice_as<Quantity>("quantity");
+        meter_.interval = section.choice_as<Interval>("interval");
+    }
+
+    Meter read() {
+        const TimedCsv source = open_csv(section_, section_.text("file"), files_,
+                                         building_.weather.site, nominal_step());
+        const Interval rows = interval_of_rows(source.stamps.step_s);
+        RegularSeries series =
+            rows < Interval::monthly ? even_rows(source) : rows_by_calendar(source, rows);
+        meter_.axis = series.axis;
+        meter_.values = std::move(series.values);
+        check_readings(source.csv->file);
+        return std::move(meter_);
+    }
+
+  private:
+    int nominal_step() const {
+        constexpr int steps[] = {3600, 3600, day_s, 31 * day_s, 365 * day_s};
+        return steps[static_cast<int>(meter_.interval)];
+    }
+
+    void decide(std::string finding, std::string action) {
+        building_.decisions.push_back(
+            {meter_.name, std::move(finding), std::move(action)});
+    }
+
+    RegularSeries even_rows(const TimedCsv& source) {
+        RegularSeries series = series_of(source, column_);
+        note_gaps(series);
+        correct(series);
+        if (series.axis.step_s <= 3600) {
+            check_steps(series);
+            check_runs(series, true);
+            check_runs(series, false);
+        }
+        convert(series);
+        return on_intervals(std::move(series));
+    }
+
+    RegularSeries rows_by_calendar(const TimedCsv& source, Interval rows) {
+        if (rows != meter_.interval) refuse_rows(source.stamps.step_s);
+        const Csv& csv = *source.csv;
+        RegularSeries series = calendar_rows(
+            csv, source.stamps, numbers_in(csv, csv.column(column_), source.decimal),
+            rows, source.rules.at_end);
+        correct(series);
+        if (unit_of(section_, meter_.quantity).kind == UnitKind::power)
+            section_.fail_value("unit",
+                                "is a power, but the rows are months or years; convert "
+                                "them to energies");
+        convert(series);
+        return series;
+    }
+
+    void note_gaps(const RegularSeries& series) {
+        int absent = 0;
+        for (const Gap& gap : series.gaps) absent += gap.n;
+        if (absent > 0)
+            decide(
+                fmt::format("{} gaps, {} rows in all; the first: {}", series.gaps.size(),
+                            absent, words_of(series.gaps[0], series.axis)),
+                "taken as missing");
+        const auto n = std::count_if(series.values.begin(), series.values.end(),
+                                     [](double v) { return std::isnan(v); });
+        if (n > absent)
+            decide(
+                fmt::format("{} empty readings of {}", n - absent, series.values.size()),
+                "taken as missing");
+    }
+
+    template <class Change>
+    static void for_steps(RegularSeries& series, const study::Period& range,
+                          Change change) {
+        for (int k = 0; k < series.axis.n_steps; ++k) {
+            const Seconds begin = series.axis.begin_of(k);
+            if (range.from <= begin && begin < range.to)
+                change(series.values[static_cast<std::size_t>(k)]);
+        }
+    }
+
+    /// [[meter.scale]] in the order of the file, then the mask.
+    void correct(RegularSeries& series) {
+        for (const Section& scale : section_.tables("scale", "meter.scale")) {
+            const std::string from = scale.text("from");
+            const std::string to = scale.has("to") ? scale.text("to") : "2500-01-01";
+            const double factor = scale.number("factor");
+            for_steps(series, read_range(scale, "from", from, to),
+                      [&](double& value) { value *= factor; });
+            decide(fmt::format("the job's scale from {}", from),
+                   fmt::format("scaled by {:g}", factor));
+        }
+        for (const std::string& text : section_.texts("mask")) {
+            for_steps(series, read_slashed_range(section_, "mask", text),
+                      [](double& value) { value = missing; });
+            decide(fmt::format("the job's mask {}", text), "masked");
+        }
+    }
+
+    void check_steps(const RegularSeries& series) {
+        if (meter_.quantity == Quantity::air_temperature) return;
+        for (const UnitStep& step : unit_steps(series.values, day_s / series.axis.step_s))
+            decide(fmt::format("a step by {:.3g} at {}, near the {:g} between {}",
+                               step.ratio,
+                               physics::format_time(series.axis.begin_of(step.at)),
+                               step.unit_ratio, step.units),
+                   "kept; [[meter.scale]] would correct it");
+    }
+
+    /// Long runs of zeros, or of another value: reported, and missing if the job says so.
+    void check_runs(RegularSeries& series, bool zeros) {
+        const char* key = zeros ? "zeros" : "constant";
+        const bool masked = section_.choice(key) == "missing";
+        const long long hours = section_.integer(zeros ? "zero_run" : "constant_run");
+        const int least = static_cast<int>(hours * 3600 / series.axis.step_s) + 1;
+        const std::vector<Run> runs = constant_runs(series.values, least, zeros);
+        if (runs.empty()) return;
+        int total = 0;
+        Run longest;
+        for (const Run& run : runs) {
+            total += run.n;
+            if (run.n > longest.n) longest = run;
+            if (masked) std::fill_n(series.values.begin() + run.first, run.n, missing);
+        }
+        const double h = series.axis.step_s / 3600.0;
+        decide(
+            fmt::format(
+                "{} runs of {} over {} h, {:g} h in all; the longest: {:g} h from {}",
+                runs.size(), zeros ? "zeros" : "the same value", hours, total * h,
+                longest.n * h, physics::format_time(series.axis.begin_of(longest.first))),
+            masked ? "masked"
+                   : fmt::format("kept; {} = \"missing\" would mask them", key));
+    }
+
+    void convert(RegularSeries& series) {
+        const Unit& unit = unit_of(section_, meter_.quantity);
+        const double hours =
+            unit.kind == UnitKind::power ? series.axis.step_s / 3600.0 : 1;
+        const double factor = section_.number("factor") * unit.factor * hours;
+        for (double& value : series.values) value = value * factor + unit.offset;
+        if (*unit.source != '\0')
+            decide(fmt::format("readings in {}", unit.name),
+                   fmt::format("scaled by {:.4g} kWh ({})", unit.factor, unit.source));
+    }
+
+    RegularSeries on_intervals(RegularSeries series) const {
+        const int step_s = series.axis.step_s;
+        const Interval rows = interval_of_rows(step_s);
+        const bool even = rows == Interval::step ? 3600 % step_s == 0
+                                                 : step_s == 3600 || step_s == day_s;
+        if (!even) refuse_rows(step_s);
+        if (meter_.interval == Interval::step) return series;
+        if (rows > meter_.interval) refuse_rows(step_s);
+        return sum_intervals(series, meter_.interval,
+                             meter_.quantity == Quantity::air_temperature);
+    }
+
+    [[noreturn]] void refuse_rows(int step_s) const {
+        section_.fail(
+            "interval",
+            fmt::format("is {}, but the rows of the file are {} s apart; expected "
+                        "steps that divide an hour, hours, days, calendar months or "
+                        "years, none longer than the interval",
+                        physics::name_of(meter_.interval), step_s));
+    }
+
+    bool has_reading_in(const study::Period& period) const {
+        for (int k = 0; k < meter_.axis.n_steps; ++k) {
+            const Seconds begin = meter_.axis.begin_of(k);
+            if (period.from <= begin && begin < period.to &&
+                !std::isnan(meter_.values[static_cast<std::size_t>(k)]))
+                return true;
+        }
+        return false;
+    }
+
+    void check_readings(const std::string& file) {
+        for (const study::Period& period : building_.periods)
+            if (!has_reading_in(period))
+                section_.fail("file",
+                              fmt::format("{} has no reading of {} in the period {} ({} "
+                                          "to {}); check stamp, clock and mask",
+                                          file, column_, period.name,
+                                          physics::format_time(period.from),
+                                          physics::format_time(period.to)));
+    }
+
+    const Section& section_;
+    InputFiles& files_;
+    study::Case& building_;
+    std::string column_;
+    Meter meter_;
+};
+
+}  // namespace
+
+void read_meters(const Sources& sources, InputFiles& files, study::Case& building) {
+    for (const Section& section : sources.with("meter").tables("meter", "meter")) {
+        Meter meter = MeterReader(section, files, building).read();
+        for (const Meter& other : building.meters)
+            if (other.name == meter.name)
+                section.fail_value("name", "another meter has this name");
+        building.meters.push_back(std::move(meter));
+    }
+}
+
+}  // namespace bemcal::job

@@ -1,0 +1,144 @@
+/// [[parameter]]: uncertain numbers of the building, their ranges, and what they enter.
+#include "job/readers.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace bemcal::job {
+
+namespace {
+
+using physics::Building;
+using physics::Effect;
+using physics::Field;
+using physics::Parameter;
+using physics::Target;
+
+const Field& field_of(const Target& target) {
+    return physics::fields()[static_cast<std::size_t>(target.field)];
+}
+
+/// "zone.*.flow.x.air_change" as physics::resolve names it: "zones.*.flows.x.air_change".
+std::string physics_path(const std::string& path) {
+    static const std::map<std::string, std::string> plurals = [] {
+        std::map<std::string, std::string> map;
+        for (int part = 0; part <= static_cast<int>(physics::Part::coupling); ++part) {
+            const std::string section = section_of(static_cast<physics::Part>(part));
+            map[section.substr(section.rfind('.') + 1)] =
+                physics::name_of(static_cast<physics::Part>(part));
+        }
+        return map;
+    }();
+    std::string changed;
+    std::size_t begin = 0;
+    for (int word = 0; begin <= path.size(); ++word) {
+        const std::size_t end = std::min(path.find('.', begin), path.size());
+        const std::string text = path.substr(begin, end - begin);
+        const auto plural = plurals.find(text);
+        const bool is_part = word % 2 == 0 && plural != plurals.end();
+        changed += (word > 0 ? "." : "") + (is_part ? plural->second : text);
+        begin = end + 1;
+    }
+    return changed;
+}
+
+void read_targets(const Section& section, const Building& building,
+                  Parameter& parameter) {
+    const std::vector<std::string> paths = section.texts("target");
+    if (paths.empty()) section.fail("target", "is empty; expected the path of a number");
+    for (const std::string& path : paths) {
+        const std::vector<Target> found = at_key(section, "target", [&] {
+            return physics::resolve(building, physics_path(path));
+        });
+        parameter.targets.insert(parameter.targets.end(), found.begin(), found.end());
+    }
+    for (const Target& target : parameter.targets)
+        if (std::string_view(field_of(target).unit) !=
+            std::string_view(field_of(parameter.targets[0]).unit))
+            section.fail(
+                "target",
+                fmt::format("links numbers in {} and in {}; expected one unit",
+                            field_of(parameter.targets[0]).unit, field_of(target).unit));
+}
+
+/// What a number of the building becomes at `value`.
+double effect_of(const Parameter& parameter, double nominal, double value) {
+    if (parameter.effect == Effect::factor) return nominal * value;
+    return parameter.effect == Effect::offset ? nominal + value : value;
+}
+
+void check_range(const Section& section, const Building& building,
+                 const Parameter& parameter) {
+    if (parameter.least >= parameter.most)
+        section.fail("min", fmt::format("is {:g}, but max = {:g}; expected min < max",
+                                        parameter.least, parameter.most));
+    for (const Target& target : parameter.targets) {
+        const Field& field = field_of(target);
+        const double nominal = physics::number_at(building, target);
+        for (const char* key : {"min", "max"}) {
+            const double value = effect_of(parameter, nominal, section.number(key));
+            if (value >= field.least && value <= field.most) continue;
+            section.fail_value(
+                key,
+                fmt::format("makes {} = {:g}: expected {:g} to {:g} {} ({})", field.key,
+                            value, field.least, field.most, field.unit, field.sentence));
+        }
+    }
+}
+
+double nominal_of(const Building& building, const Parameter& parameter) {
+    if (parameter.effect == Effect::factor) return 1;
+    if (parameter.effect == Effect::offset) return 0;
+    return physics::number_at(building, parameter.targets[0]);
+}
+
+/// Two parameters that write to the same place: the later one would undo the earlier.
+void check_overlap(const Section& section, const std::vector<Parameter>& before,
+                   const Parameter& parameter) {
+    const auto same = [](const Target& a, const Target& b) {
+        return a.part == b.part && a.index == b.index && a.inner == b.inner &&
+               a.field == b.field && a.low == b.low;
+    };
+    for (const Parameter& other : before) {
+        if (other.name == parameter.name)
+            section.fail_value("name", "another parameter has this name");
+        for (const Target& a : other.targets)
+            for (const Target& b : parameter.targets)
+                if (same(a, b))
+                    section.fail("target",
+                                 fmt::format("sets the same {} as the parameter {}",
+                                             field_of(b).key, other.name));
+    }
+}
+
+Parameter read_parameter(const Section& section, const Building& building) {
+    Parameter parameter;
+    parameter.name = section.text("name");
+    parameter.effect = section.choice_as<Effect>("mode");
+    parameter.least = section.number("min");
+    parameter.most = section.number("max");
+    read_targets(section, building, parameter);
+    check_range(section, building, parameter);
+    const bool has_unit = parameter.effect != Effect::factor;
+    parameter.unit = has_unit ? field_of(parameter.targets[0]).unit : "-";
+    parameter.nominal = nominal_of(building, parameter);
+    return parameter;
+}
+
+}  // namespace
+
+std::vector<physics::Parameter> read_parameters(const Sources& sources,
+                                                const physics::Building& building) {
+    std::vector<Parameter> parameters;
+    for (const Section& section :
+         sources.with("parameter").tables("parameter", "parameter")) {
+        Parameter parameter = read_parameter(section, building);
+        check_overlap(section, parameters, parameter);
+        parameters.push_back(std::move(parameter));
+    }
+    return parameters;
+}
+
+}  // namespace bemcal::job

@@ -1,0 +1,132 @@
+/// [[schedule]], [[series]] and the holidays.
+#include "job/readers.hpp"
+#include "job/timed_csv.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace bemcal::job {
+
+namespace {
+
+using physics::Day;
+
+Day read_day(const Section& section, const char* key) {
+    const Node& value = section.node(key);
+    const Key& row = *find_key(section.schema(), key);
+    const std::string where =
+        fmt::format("{}: {}.{}", section.place(key), section.schema(), key);
+    Day day{};
+    if (value.kind == Node::Kind::number) {
+        day.fill(checked_number(value, row, where));
+        return day;
+    }
+    if (value.kind != Node::Kind::array || value.entries.size() != day.size())
+        section.fail(key, fmt::format("has {} values; expected {}", value.entries.size(),
+                                      expectation(row)));
+    for (std::size_t hour = 0; hour < day.size(); ++hour)
+        day[hour] = checked_number(value.entries[hour].node, row, where);
+    return day;
+}
+
+struct DayKey {
+    const char* key;
+    int first, last;  ///< weekdays, 0 = Monday
+};
+/// The more exact key stands later and wins.
+constexpr DayKey day_keys[] = {
+    {"every_day", 0, 6}, {"weekdays", 0, 4},  {"weekend", 5, 6},  {"monday", 0, 0},
+    {"tuesday", 1, 1},   {"wednesday", 2, 2}, {"thursday", 3, 3}, {"friday", 4, 4},
+    {"saturday", 5, 5},  {"sunday", 6, 6}};
+
+std::array<Day, 7> read_week(const Section& section) {
+    constexpr const char* names[] = {"monday", "tuesday",  "wednesday", "thursday",
+                                     "friday", "saturday", "sunday"};
+    std::array<Day, 7> week{};
+    std::array<bool, 7> known{};
+    for (const DayKey& key : day_keys) {
+        if (!section.has(key.key)) continue;
+        const Day day = read_day(section, key.key);
+        for (int d = key.first; d <= key.last; ++d) {
+            week[static_cast<std::size_t>(d)] = day;
+            known[static_cast<std::size_t>(d)] = true;
+        }
+    }
+    for (std::size_t d = 0; d < week.size(); ++d)
+        if (!known[d])
+            section.fail(
+                "", fmt::format("has no values for {}; give {}, weekdays, weekend or "
+                                "every_day",
+                                names[d], names[d]));
+    return week;
+}
+
+std::vector<physics::DateRange> read_dates(const Section& section, const char* key) {
+    std::vector<physics::DateRange> ranges;
+    for (const std::string& text : section.texts(key))
+        ranges.push_back(
+            at_key(section, key, [&] { return physics::parse_date_range(text); }));
+    return ranges;
+}
+
+physics::Profile read_schedule(const Section& section,
+                               const std::vector<physics::DateRange>& holidays) {
+    physics::Profile profile;
+    physics::Schedule& schedule = profile.schedule;
+    profile.name = schedule.name = section.text("name");
+    schedule.week = read_week(section);
+    schedule.holiday =
+        section.has("holiday") ? read_day(section, "holiday") : schedule.week[6];
+    schedule.holidays =
+        section.has("holidays") ? read_dates(section, "holidays") : holidays;
+    schedule.summer_time = section.choice("summer_time");
+    for (const Section& part : section.tables("period", "schedule.period"))
+        schedule.periods.push_back(
+            {at_key(part, "dates",
+                    [&] { return physics::parse_date_range(part.text("dates")); }),
+             read_week(part)});
+    return profile;
+}
+
+physics::Profile read_series(const Section& section, InputFiles& files,
+                             const physics::Site& site) {
+    const TimedCsv source = open_csv(section, section.text("file"), files, site);
+    const RegularSeries series = series_of(source, section.text("column"));
+    physics::Profile profile;
+    profile.name = section.text("name");
+    profile.is_series = true;
+    profile.axis = series.axis;
+    profile.values = series.values;
+    const double factor = section.number("factor"), offset = section.number("offset");
+    for (double& value : profile.values) value = value * factor + offset;
+    fill_gaps(profile.values,
+              static_cast<int>(section.integer("fill_gaps") * 3600 / series.axis.step_s));
+    return profile;
+}
+
+void add(std::vector<physics::Profile>& profiles, physics::Profile profile,
+         const Section& section) {
+    for (const physics::Profile& other : profiles)
+        if (other.name == profile.name)
+            section.fail_value("name", "another schedule or series has this name");
+    profiles.push_back(std::move(profile));
+}
+
+}  // namespace
+
+std::vector<physics::Profile> read_profiles(const Sources& sources, InputFiles& files,
+                                            const physics::Site& site) {
+    const std::vector<physics::DateRange> holidays =
+        read_dates(sources.with("holidays"), "holidays");
+    std::vector<physics::Profile> profiles;
+    for (const Section& section : sources.with("schedule").tables("schedule", "schedule"))
+        add(profiles, read_schedule(section, holidays), section);
+    for (const Section& section : sources.with("series").tables("series", "series"))
+        add(profiles, read_series(section, files, site), section);
+    return profiles;
+}
+
+}  // namespace bemcal::job

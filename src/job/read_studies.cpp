@@ -1,0 +1,137 @@
+/// [[study]]: what is to be done with every building.
+#include "job/readers.hpp"
+#include "job/suggest.hpp"
+#include "physics/office_hour.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace bemcal::job {
+
+namespace {
+
+using physics::Quantity;
+
+constexpr Quantity quantities[] = {
+    Quantity::air_temperature, Quantity::heating, Quantity::cooling,
+    Quantity::electricity,     Quantity::gas,     Quantity::district};
+
+void read_sensitivity(const Section& section, StudySpec& study) {
+    study::SensitivityOptions& options = study.sensitivity;
+    options.n_base = static_cast<std::size_t>(section.integer("n_base"));
+    options.scramble = section.flag("scramble");
+    options.threshold = section.number("threshold");
+    if (study.kind == StudyKind::hourly_sensitivity) {
+        study.quantities = {section.choice_as<Quantity>("quantity")};
+        if (options.n_base < 64)
+            section.fail_value("n_base",
+                               "expected at least 64: the intervals come from 32 blocks");
+    } else {
+        options.n_bootstrap = static_cast<int>(section.integer("n_bootstrap"));
+    }
+    if (study.kind == StudyKind::sensitivity) {
+        study.quantities = read_quantities(section, "quantities");
+        if (study.quantities.empty())
+            study.quantities = {Quantity::heating, Quantity::cooling};
+    }
+    if (study.kind != StudyKind::office_hour_sensitivity)
+        study.period = section.text("period");
+}
+
+void read_screening(const Section& section, study::ScreeningOptions& options) {
+    options.n_points = static_cast<std::size_t>(section.integer("n_points"));
+    options.points_per_item =
+        static_cast<std::size_t>(section.integer("points_per_item"));
+    options.keep_points = section.flag("keep_points");
+    options.n_best = static_cast<std::size_t>(section.integer("n_best"));
+}
+
+const physics::OfficeHourInput& office_hour_input(const Section& section,
+                                                  const std::string& name) {
+    std::vector<std::string> names;
+    for (const physics::OfficeHourInput& input : physics::office_hour_inputs()) {
+        if (name == input.name) return input;
+        names.emplace_back(input.name);
+    }
+    section.fail(name, fmt::format("unknown input{}", suggestion(name, names)));
+}
+
+/// The values of one input, one for each case.
+std::vector<double> read_cases(const Section& section, const Entry& entry) {
+    const physics::OfficeHourInput& input = office_hour_input(section, entry.key);
+    const Key row{"study.fixed", input.name, Type::numbers, input.unit,
+                  nullptr,       -1e9,       1e9,           input.sentence};
+    const std::string where =
+        fmt::format("{}:{}: study.fixed.{}", section.file(), entry.line, entry.key);
+    std::vector<double> values;
+    for (const Entry& value : section.node(entry.key).entries)
+        values.push_back(checked_number(value.node, row, where));
+    if (values.empty())
+        section.fail(entry.key, "has no values; expected a list of numbers");
+    return values;
+}
+
+void read_fixed(const Section& section, StudySpec& study) {
+    if (!section.has("fixed")) return;
+    const Section table = section.table("fixed", "study.fixed");
+    for (const Entry& entry : table.root().entries) {
+        study.fixed.emplace_back(entry.key, read_cases(table, entry));
+        if (study.fixed.back().second.size() != study.fixed[0].second.size())
+            table.fail(entry.key,
+                       fmt::format("has {} values, but {} has {}; expected one for "
+                                   "each case",
+                                   study.fixed.back().second.size(), study.fixed[0].first,
+                                   study.fixed[0].second.size()));
+    }
+}
+
+StudySpec read_study(const Section& section, std::uint64_t seed) {
+    StudySpec study;
+    study.kind = section.choice_as<StudyKind>("kind");
+    study.name = section.has("name") ? section.text("name") : section.choice("kind");
+    study.sensitivity.seed = study.screening.seed = seed;
+    if (study.name.find('/') != std::string::npos)
+        section.fail_value("name", "has a slash, which parts the names of a result");
+    if (study.kind == StudyKind::screening)
+        read_screening(section, study.screening);
+    else
+        read_sensitivity(section, study);
+    if (study.kind == StudyKind::office_hour_sensitivity) read_fixed(section, study);
+    return study;
+}
+
+}  // namespace
+
+std::vector<Quantity> read_quantities(const Section& section, std::string_view key) {
+    std::vector<std::string> names;
+    for (const Quantity quantity : quantities)
+        names.emplace_back(physics::name_of(quantity));
+    std::vector<Quantity> chosen;
+    for (const std::string& word : section.texts(key)) {
+        const auto found = std::find(names.begin(), names.end(), word);
+        if (found == names.end())
+            section.fail(key, fmt::format("\"{}\" is no quantity{}", word,
+                                          suggestion(word, names)));
+        chosen.push_back(quantities[found - names.begin()]);
+    }
+    return chosen;
+}
+
+std::vector<StudySpec> read_studies(const Section& job, std::uint64_t seed) {
+    std::vector<StudySpec> studies;
+    for (const Section& section : job.tables("study", "study")) {
+        studies.push_back(read_study(section, seed));
+        const auto same = [&](const StudySpec& other) {
+            return other.name == studies.back().name;
+        };
+        if (std::any_of(studies.begin(), studies.end() - 1, same))
+            section.fail("name",
+                         fmt::format("another study is called \"{}\"; give this one a "
+                                     "name of its own",
+                                     studies.back().name));
+    }
+    return studies;
+}
+
+}  // namespace bemcal::job

@@ -1,0 +1,279 @@
+/// [site] and [weather]: EPW files or CSV columns, completed and cut to the periods.
+#include "base/error.hpp"
+#include "job/epw.hpp"
+#include "job/readers.hpp"
+#include "job/timed_csv.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace bemcal::job {
+
+namespace {
+
+using physics::Weather;
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+struct Column {
+    const char* key;
+    std::vector<double> Weather::* series;
+};
+constexpr Column columns[] = {{"outdoor_temperature", &Weather::theta_e},
+                              {"global_horizontal", &Weather::global_horizontal},
+                              {"direct_normal", &Weather::direct_normal},
+                              {"diffuse_horizontal", &Weather::diffuse_horizontal},
+                              {"wind_speed", &Weather::wind_speed},
+                              {"relative_humidity", &Weather::relative_humidity},
+                              {"cloud_cover", &Weather::cloud_cover},
+                              {"infrared", &Weather::infrared}};
+
+void read_site(const Section& section, physics::Site& site) {
+    section.number_if("latitude", site.latitude);
+    section.number_if("longitude", site.longitude);
+    section.number_if("utc_offset", site.utc_offset_h);
+    section.number_if("elevation", site.elevation);
+    site.albedo = section.number("albedo");
+}
+
+/// What one entry of [weather.columns] says.
+struct ColumnSource {
+    std::string column;
+    double factor = 1, offset = 0;
+    bool at_end = false;
+};
+
+ColumnSource column_source(const Section& section, const char* key,
+                           const StampRules& rules) {
+    ColumnSource source;
+    source.at_end = rules.at_end;
+    if (section.node(key).kind != Node::Kind::table) {
+        source.column = section.text(key);
+        return source;
+    }
+    const Section more = section.table(key, "column");
+    source.column = more.text("column");
+    source.factor = more.number("factor");
+    source.offset = more.number("offset");
+    if (more.has("stamp")) source.at_end = more.choice("stamp") == "end";
+    return source;
+}
+
+/// Numbers outside the range that the table gives are a wrong unit or a missing-value
+/// code.
+void check_range(const RegularSeries& series, const Key& row, const std::string& file,
+                 const std::string& column) {
+    for (std::size_t k = 0; k < series.values.size(); ++k) {
+        const double value = series.values[k];
+        if (!(value < row.least || value > row.most)) continue;
+        throw UserError(
+            ExitCode::data,
+            fmt::format(
+                "{}: {} = {:g} at {}: expected {:g} to {:g} {} for {}; set factor and "
+                "offset for another unit, leave the cell empty where it is missing",
+                file, column, value,
+                physics::format_time(series.axis.begin_of(static_cast<int>(k))),
+                row.least, row.most, row.unit, row.key));
+    }
+}
+
+RegularSeries read_column(const Section& section, const char* key, const TimedCsv& file) {
+    const ColumnSource source = column_source(section, key, file.rules);
+    RegularSeries series = series_of(file, source.column);
+    const int shift =
+        static_cast<int>(source.at_end) - static_cast<int>(file.rules.at_end);
+    series.axis.start -= std::chrono::seconds(shift * series.axis.step_s);
+    for (double& value : series.values) value = value * source.factor + source.offset;
+    check_range(series, *find_key("weather.columns", key), file.csv->file, source.column);
+    return hourly_means(series, file.csv->file);
+}
+
+void append(Weather& weather, std::vector<double> Weather::* series,
+            const RegularSeries& part) {
+    std::vector<double>& values = weather.*series;
+    values.resize(static_cast<std::size_t>(weather.axis.n_steps), missing);
+    for (int k = 0; k < part.axis.n_steps; ++k) {
+        const int to = weather.axis.step_of(part.axis.begin_of(k));
+        if (to < 0 || to >= weather.axis.n_steps) continue;
+        values[static_cast<std::size_t>(to)] = part.values[static_cast<std::size_t>(k)];
+    }
+}
+
+/// The hours of a file join those before it.
+void extend(Weather& weather, const physics::TimeAxis& axis, const std::string& file) {
+    if (weather.axis.n_steps == 0) {
+        weather.axis = axis;
+        return;
+    }
+    if (axis.start < weather.axis.end())
+        throw UserError(
+            ExitCode::data,
+            fmt::format("{}: begins at {}, before the end of the file before it "
+                        "({}); give the files in order of time",
+                        file, physics::format_time(axis.start),
+                        physics::format_time(weather.axis.end())));
+    weather.axis.n_steps =
+        static_cast<int>((axis.end() - weather.axis.start).count() / weather.axis.step_s);
+}
+
+Weather read_csv_weather(const Section& section, InputFiles& files,
+                         const physics::Site& site) {
+    const Section names = section.table("columns", "weather.columns");
+    names.node("outdoor_temperature");
+    Weather weather;
+    weather.site = site;
+    for (const std::string& file : section.texts("files")) {
+        const TimedCsv source = open_csv(section, file, files, site);
+        bool first = true;
+        for (const Column& column : columns) {
+            if (!names.has(column.key)) continue;
+            const RegularSeries part = read_column(names, column.key, source);
+            if (first) extend(weather, part.axis, source.csv->file);
+            first = false;
+            append(weather, column.series, part);
+        }
+    }
+    return weather;
+}
+
+Weather read_epw_weather(const Section& section, InputFiles& files, const Section* site,
+                         std::vector<study::DataDecision>& decisions) {
+    EpwOptions options;
+    if (section.has("temperature"))
+        options.temperature = section.choice_as<TemperatureConvention>("temperature");
+    section.number_if("year", options.year);
+    std::vector<std::filesystem::path> paths;
+    for (const std::string& file : section.texts("files")) {
+        paths.push_back(section.path(file));
+        files.text(paths.back());
+    }
+    EpwFile epw = read_epw_chain(paths, options);
+    for (const std::string& sentence : epw.decisions)
+        decisions.push_back({"weather", sentence, "as said"});
+    if (site != nullptr) read_site(*site, epw.weather.site);
+    return std::move(epw.weather);
+}
+
+/// The hours from the first warm-up to the end of the last period; the rest is not
+/// needed.
+void cut(Weather& weather, const study::Case& building) {
+    physics::Seconds from = physics::Seconds::max(), to = physics::Seconds::min();
+    for (const study::Period& period : building.periods) {
+        from = std::min(from, period.from - std::chrono::hours(building.warm_up_hours));
+        to = std::max(to, period.to);
+    }
+    const physics::TimeAxis axis = weather.axis.between(from, to);
+    const std::ptrdiff_t first = (axis.start - weather.axis.start).count() / 3600;
+    for (const Column& column : columns) {
+        std::vector<double>& values = weather.*column.series;
+        if (values.empty()) continue;
+        values = std::vector<double>(values.begin() + first,
+                                     values.begin() + first + axis.n_steps);
+    }
+    weather.axis = axis;
+}
+
+/// Short gaps become lines; longer ones are check_hours' matter.
+void fill(Weather& weather, int longest, std::vector<study::DataDecision>& decisions) {
+    for (const Column& column : columns) {
+        const int n = fill_gaps(weather.*column.series, longest);
+        if (n > 0)
+            decisions.push_back(
+                {fmt::format("weather {}", column.key),
+                 fmt::format("{} h missing in gaps of up to {} h", n, longest),
+                 "filled by straight lines"});
+    }
+}
+
+/// Means of the hours from readings at their ends or their starts.
+void average(std::vector<double>& theta_e, bool at_end) {
+    if (!at_end) std::reverse(theta_e.begin(), theta_e.end());
+    theta_e = physics::hour_means(theta_e);
+    if (!at_end) std::reverse(theta_e.begin(), theta_e.end());
+}
+
+void check_periods(const Section& section, const study::Case& building) {
+    const physics::TimeAxis& axis = building.weather.axis;
+    for (const study::Period& period : building.periods)
+        if (period.from < axis.start || period.to > axis.end())
+            section.fail(
+                "files",
+                fmt::format("the period {} is {} to {}, but the weather covers {} to {}",
+                            period.name, physics::format_time(period.from),
+                            physics::format_time(period.to),
+                            physics::format_time(axis.start),
+                            physics::format_time(axis.end())));
+}
+
+bool in_a_period(const study::Case& building, physics::Seconds time) {
+    return std::any_of(building.periods.begin(), building.periods.end(),
+                       [&](const auto& p) { return p.from <= time && time < p.to; });
+}
+
+/// An hour without temperature or irradiance is an error in a period; before one it only
+/// keeps the warm-up from using the real hours.
+void check_hours(const Section& section, study::Case& building) {
+    Weather& weather = building.weather;
+    const auto time_of = [&](std::size_t k) {
+        return weather.axis.begin_of(static_cast<int>(k));
+    };
+    const auto refuse = [&](std::size_t k, const char* what, const char* advice) {
+        section.fail("files", fmt::format("{} is missing at {}; {}", what,
+                                          physics::format_time(time_of(k)), advice));
+    };
+    for (std::size_t k = 0; k < weather.theta_e.size(); ++k)
+        if (std::isnan(weather.theta_e[k]) && in_a_period(building, time_of(k)))
+            refuse(k, "the outdoor temperature",
+                   "set fill_gaps to bridge a few hours, or choose other periods");
+    for (const int step : physics::unknown_irradiance(weather)) {
+        const auto k = static_cast<std::size_t>(step);
+        if (in_a_period(building, time_of(k)))
+            refuse(k, "irradiance",
+                   "give columns for global_horizontal, or direct_normal and "
+                   "diffuse_horizontal, or cloud_cover, and fill_gaps for short gaps");
+        weather.theta_e[k] = missing;
+        weather.global_horizontal.resize(weather.theta_e.size(), missing);
+        weather.global_horizontal[k] = 0;
+    }
+}
+
+void read_any_weather(const Section& section, const Section* site, InputFiles& files,
+                      study::Case& building) {
+    if (section.choice("format") == "epw") {
+        building.weather = read_epw_weather(section, files, site, building.decisions);
+        return;
+    }
+    if (site == nullptr)
+        section.fail("format",
+                     "a CSV file does not say where it is; add [site] with latitude, "
+                     "longitude and utc_offset");
+    physics::Site place;
+    for (const char* key : {"latitude", "longitude", "utc_offset"}) site->node(key);
+    read_site(*site, place);
+    building.weather = read_csv_weather(section, files, place);
+    if (section.choice("temperature") == "hour_mean")
+        average(building.weather.theta_e, section.choice("stamp") == "end");
+}
+
+}  // namespace
+
+void read_weather(const Sources& sources, InputFiles& files, study::Case& building) {
+    if (!sources.has("weather")) sources.own.node("weather");
+    const Section section = sources.with("weather").table("weather", "weather");
+    std::optional<Section> site;
+    if (sources.has("site")) site = sources.with("site").table("site", "site");
+    building.sky = section.choice_as<physics::SkyModel>("sky");
+    read_any_weather(section, site ? &*site : nullptr, files, building);
+    check_periods(section, building);
+    cut(building.weather, building);
+    fill(building.weather, static_cast<int>(section.integer("fill_gaps")),
+         building.decisions);
+    check_hours(section, building);
+    at_key(section, "files", [&] { physics::complete_irradiance(building.weather); });
+}
+
+}  // namespace bemcal::job

@@ -1,0 +1,77 @@
+/// The readers of a building's sections: each turns sections into a plain struct of
+/// physics/ or study/, and says where a mistake stands.
+#pragma once
+
+#include "job/input_files.hpp"
+#include "job/job.hpp"
+#include "job/section.hpp"
+#include "study/case.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace bemcal::job {
+
+/// A building's file and the job's: a section that the first leaves out is taken from the
+/// second.
+struct Sources {
+    Section own;
+    std::optional<Section> shared;
+    const Section& with(std::string_view key) const {
+        return own.has(key) || !shared ? own : *shared;
+    }
+    bool has(std::string_view key) const { return with(key).has(key); }
+};
+
+/// Site, sky and weather, cut to the periods and their warm-up, which must be known
+/// already.
+void read_weather(const Sources& sources, InputFiles& files, study::Case& building);
+
+/// "training" first, the others in the order of the file.
+std::vector<study::Period> read_periods(const Sources& sources);
+
+/// [from, to); a last day without an hour is included. Throws UserError at `key`.
+study::Period read_range(const Section& section, std::string_view key,
+                         const std::string& from, const std::string& to);
+/// The same of "from/to", or of one day.
+study::Period read_slashed_range(const Section& section, std::string_view key,
+                                 const std::string& text);
+
+/// Schedules, then series: the rows that `Input::profile` counts.
+std::vector<physics::Profile> read_profiles(const Sources& sources, InputFiles& files,
+                                            const physics::Site& site);
+
+physics::Building read_building(const Sources& sources,
+                                const std::vector<physics::Profile>& profiles);
+
+/// Throws UserError (config) where the building is outside the method: H_tr,op >=
+/// H_tr,ms, an area that is not positive, heating above cooling set-points in an hour of
+/// the periods.
+void check_building(const Sources& sources, const study::Case& building);
+
+std::vector<physics::Parameter> read_parameters(const Sources& sources,
+                                                const physics::Building& building);
+
+/// Readings, corrected as the job says; findings and what was done go to case.decisions.
+void read_meters(const Sources& sources, InputFiles& files, study::Case& building);
+
+std::vector<StudySpec> read_studies(const Section& job, std::uint64_t seed);
+
+/// The quantities that words name; throws UserError at `key`.
+std::vector<physics::Quantity> read_quantities(const Section& section,
+                                               std::string_view key);
+
+/// Calls `read`, and throws its std::invalid_argument or std::domain_error as a UserError
+/// that stands at the key.
+template <class Read>
+auto at_key(const Section& section, std::string_view key, Read read) {
+    try {
+        return read();
+    } catch (const std::invalid_argument& error) {
+        section.fail(key, error.what());
+    } catch (const std::domain_error& error) {
+        section.fail(key, error.what());
+    }
+}
+
+}  // namespace bemcal::job

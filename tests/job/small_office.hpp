@@ -1,0 +1,106 @@
+/// The sample job of tests/job/data with weather and readings made for it, in a folder that goes
+/// when the test ends.
+#pragma once
+
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "job/job.hpp"
+#include "physics/calendar.hpp"
+
+namespace bemcal::job {
+
+/// A folder of its own below the system's temporary one.
+class Folder {
+  public:
+    Folder() {
+        std::string name =
+            (std::filesystem::temp_directory_path() / "bemcal-test-XXXXXX").string();
+        path_ = mkdtemp(name.data());
+    }
+    ~Folder() { std::filesystem::remove_all(path_); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    std::filesystem::path write(const std::string& name, const std::string& text) const {
+        std::ofstream(path_ / name) << text;
+        return path_ / name;
+    }
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+inline std::string text_of(const std::filesystem::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    if (at == std::string::npos) throw std::logic_error("the text has no " + from);
+    return text.replace(at, from.size(), to);
+}
+
+/// Hours of 2021 from January on: a warm, dry winter by two cosines.
+inline std::string small_weather(int n_hours = 24 * 59) {
+    std::string text = "time,T_out_C,DNI,DHI,wind_kmh\n";
+    const physics::Seconds start = physics::parse_time("2021-01-01");
+    for (int k = 0; k < n_hours; ++k) {
+        const double day = std::cos(2 * std::numbers::pi * (k % 24 - 14) / 24);
+        const double sun = std::max(0.0, std::cos(std::numbers::pi * (k % 24 - 11.5) / 12));
+        text += fmt::format("{},{:.2f},{:.1f},{:.1f},{:.1f}\n",
+                            physics::format_time(start + std::chrono::hours(k)),
+                            14 + 5 * day + 3 * std::cos(k / 97.0), 500 * sun, 150 * sun,
+                            8 + 4 * day);
+    }
+    return text;
+}
+
+/// Readings at the hours' ends.
+inline std::string small_readings(int n_hours = 24 * 59) {
+    std::string text = "time,elec_kWh,T_air_C\n";
+    const physics::Seconds start = physics::parse_time("2021-01-01");
+    for (int k = 0; k < n_hours; ++k)
+        text += fmt::format("{},{:.2f},{:.1f}\n",
+                            physics::format_time(start + std::chrono::hours(k + 1)),
+                            12 + 6 * std::sin(k / 3.8), 20 + 2 * std::cos(k / 3.8));
+    return text;
+}
+
+inline std::string small_office_text() {
+    return text_of(BEMCAL_ROOT "/tests/job/data/small_office.toml");
+}
+
+/// Writes the sample, changed at will, and its files; returns the job's path.
+inline std::filesystem::path write_small_office(const Folder& folder,
+                                                const std::string& text = small_office_text()) {
+    folder.write("weather.csv", small_weather());
+    folder.write("measured.csv", small_readings());
+    return folder.write("office.toml", text);
+}
+
+/// The message of the UserError that reading the job ends with; "" where it goes well.
+inline std::string message_of(const std::filesystem::path& file, ExitCode* exit_code = nullptr) {
+    try {
+        read_job(file);
+    } catch (const UserError& error) {
+        if (exit_code != nullptr) *exit_code = error.exit_code();
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace bemcal::job
