@@ -1,15 +1,23 @@
 /// The ranks of a run: the only header over MPI (comm.cpp is the only file with mpi.h).
-/// Without mpirun there is one rank and nothing is sent.
+///
+/// Without mpirun or srun there is one rank, MPI is not started and nothing is sent.
+/// Everything that waits sleeps between polls, so that idle ranks leave the cores to
+/// others. MPI_THREAD_FUNNELED: only the main thread calls any of this. Leaves out:
+/// one-sided communication, which Debian's Open MPI does not have between nodes, and
+/// recovery from a dead rank (resume from the logs).
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace bemcal::run {
 
-/// Started once, by main. The last one to be destroyed ends MPI.
+using Bytes = std::vector<std::byte>;
+
+/// Started once, by main. Its end is the end of MPI, which waits for all ranks.
 class Comm {
   public:
     Comm(int* argc, char*** argv);
@@ -22,18 +30,20 @@ class Comm {
 
     struct Message {
         int source = 0, tag = 0;
-        std::vector<std::byte> data;
+        Bytes data;
     };
-    void send(int to, int tag, std::vector<std::byte> data);  ///< buffered; returns at once
-    std::optional<Message> poll();                            ///< a message that has arrived
-    void finish_sends();                                      ///< waits until all are delivered
-    void barrier();                                           ///< sleeps between polls
-    std::vector<std::byte> broadcast(std::vector<std::byte> data);  ///< from rank 0
-    [[noreturn]] void abort(int exit_code);                   ///< ends every rank
+    void send(int to, int tag,
+              Bytes data);          ///< buffered; returns at once; to itself as well
+    std::optional<Message> poll();  ///< a message that has arrived
+    bool is_sending();              ///< something sent has not been taken yet
+    void finish_sends();            ///< waits until all are delivered
+    void barrier();
+    std::vector<Bytes> all_gather(const Bytes& data);  ///< by rank
+    [[noreturn]] void abort(int exit_code);            ///< ends every rank at once
 
   private:
     struct Pending;
-    Pending* pending_ = nullptr;
+    std::unique_ptr<Pending> pending_;
     int rank_ = 0, size_ = 1;
 };
 

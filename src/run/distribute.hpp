@@ -1,38 +1,52 @@
-/// Items over ranks and threads. Rank 0 hands out blocks, the next one sent ahead, and computes
-/// too; on every rank the main thread only talks, sleeping between polls, and compute threads run
-/// the items. A signal on any rank stops all of them.
+/// Items over ranks and threads. Rank 0 hands out blocks, the next one sent ahead, and
+/// computes too; on every rank the main thread only talks, sleeping between polls, and
+/// compute threads run the items. A signal or an error on any rank stops all of them.
+///
+/// Who computes an item shows nowhere: answers are returned in item order.
 #pragma once
-
-#include <functional>
-#include <vector>
 
 #include "run/comm.hpp"
 #include "study/stage.hpp"
 
+#include <functional>
+#include <vector>
+
 namespace bemcal::run {
 
 struct Progress {
-    int items_done = 0, items_total = 0;
+    int items_done = 0, items_known = 0, items_total = 0;  ///< done includes known
     long long points_failed = 0;
-    double seconds = 0;              ///< since the stage began
+    double seconds = 0;  ///< since the stage began
 };
 
+/// Callbacks are called by main threads, never at the same time on a rank; each may be
+/// empty.
 struct DistributeOptions {
     int n_threads = 1;
-    /// Called on the rank that computed the item, by its main thread, before the item counts.
-    std::function<void(int item, const study::ItemAnswer&)> on_finished;
-    std::function<void(const Progress&)> on_progress;   ///< rank 0, a few times a second
-    std::function<bool()> should_stop;                  ///< polled on every rank
+    /// On the rank that computed the item, before the item counts. A UserError ends all
+    /// ranks.
+    std::function<void(int item, const Bytes& packed)> on_finished;
+    std::function<void()> on_tick;                     ///< every rank, between polls
+    std::function<void(const Progress&)> on_progress;  ///< rank 0, a few times a second
+    std::function<void()> on_stopping;  ///< rank 0, once, when a stop is asked for
+    std::function<bool()> should_stop;  ///< polled on every rank
 };
 
 struct Distributed {
-    std::vector<study::ItemAnswer> answers;  ///< rank 0: in item order, complete unless stopped
-    bool stopped = false;                    ///< the same on every rank
+    std::vector<study::ItemAnswer>
+        answers;              ///< rank 0: in item order, complete unless stopped
+    bool stopped = false;     ///< the same on every rank
+    double seconds = 0;       ///< of this rank
+    double busy_seconds = 0;  ///< of this rank's compute threads, in items
 };
 
-/// \param known  rank 0: answers from an earlier run, by item; empty vector = none. An item is
+/// All ranks call it together; a UserError from a callback of any rank is thrown on all
+/// of them.
+/// \param known  rank 0: answers from an earlier run, by item; empty vector = none. An
+/// item is
 ///               done again where `has[item]` is false.
-Distributed distribute(Comm& comm, const study::Stage& stage, std::vector<study::ItemAnswer> known,
-                       const std::vector<bool>& has, const DistributeOptions& options);
+Distributed distribute(Comm& comm, const study::Stage& stage,
+                       std::vector<study::ItemAnswer> known, const std::vector<bool>& has,
+                       const DistributeOptions& options);
 
 }  // namespace bemcal::run

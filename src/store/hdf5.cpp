@@ -192,8 +192,12 @@ File::~File() {
     if (id_ >= 0) H5Fclose(id_);
 }
 
-void File::close() {
+void File::flush() {
     checked(H5Fflush(id_, H5F_SCOPE_GLOBAL), "flush", "the file");
+}
+
+void File::close() {
+    flush();
     checked(H5Fclose(std::exchange(id_, -1)), "close", "the file");
 }
 

@@ -41,6 +41,7 @@ class File {
     File(const File&) = delete;
     File& operator=(const File&) = delete;
     File(File&& other) noexcept;
+    void flush();
     void close();  ///< flushes; throws where the disk does not take it
 
     /// Objects are named by their path from the root; missing groups on the way are made.

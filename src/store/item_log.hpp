@@ -1,16 +1,17 @@
 /// Finished items, appended as they finish: the truth that a resumed run starts from.
 ///
-/// One file per rank beside the result: NAME.h5.part/rank-R.log. A record is a header (magic, stage,
-/// item, length), the answer, and a 64-bit checksum; a cut or damaged record is noticed, reported
-/// and its item done again. Leaves out: any order; that is the reader's.
+/// One file per rank beside the result: NAME.h5.part/rank-R.log. A record is a header
+/// (magic, stage, item, length), the answer, and a 64-bit checksum; a cut or damaged
+/// record is noticed, reported and its item done again. Leaves out: any order; that is
+/// the reader's.
 #pragma once
+
+#include "study/stage.hpp"
 
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
-
-#include "study/stage.hpp"
 
 namespace bemcal::store {
 
@@ -19,15 +20,17 @@ study::ItemAnswer unpack(const std::byte* data, std::size_t bytes);
 
 class ItemLog {
   public:
-    /// Opens for appending; creates the folder. Throws UserError where that is not possible.
+    /// Opens for appending; creates the folder. Throws UserError where that is not
+    /// possible.
     ItemLog(const std::filesystem::path& folder, int rank);
     ~ItemLog();
     ItemLog(const ItemLog&) = delete;
     ItemLog& operator=(const ItemLog&) = delete;
 
-    /// Appends one record; the operating system has it on return. Throws UserError (disk full).
+    /// Appends one record; the operating system has it on return. Throws UserError (disk
+    /// full).
     void append(int stage, int item, const std::vector<std::byte>& packed);
-    void sync();                     ///< the disk has it on return
+    void sync();  ///< the disk has it on return
 
   private:
     int file_ = -1;
@@ -39,8 +42,8 @@ struct LogContent {
         int stage, item;
         std::vector<std::byte> packed;
     };
-    std::vector<Record> records;     ///< each (stage, item) once
-    int n_damaged = 0;               ///< records dropped for a wrong checksum or a cut end
+    std::vector<Record> records;  ///< each (stage, item) once
+    int n_damaged = 0;            ///< records dropped for a wrong checksum or a cut end
 };
 LogContent read_logs(const std::filesystem::path& folder);
 

@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
-#include <set>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -122,8 +122,15 @@ void sync_path(const std::filesystem::path& path, int flags) {
 
 void write_and_sync(const std::filesystem::path& file, const ResultFile& result,
                     const std::string& hash) {
+    const auto begin = std::chrono::steady_clock::now();
     hdf5::File out = hdf5::File::create(file);
     write_content(out, result);
+    out.flush();
+    sync_path(file, O_RDONLY);
+    const std::chrono::duration<double> seconds =
+        std::chrono::steady_clock::now() - begin;
+    out.write_attribute(run_group, "seconds_store",
+                        fmt::format("{:.3f}", seconds.count()));
     out.write_attribute("/", hash_mark, hash);
     out.write_attribute("/", complete_mark, "yes");
     out.close();

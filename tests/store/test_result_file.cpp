@@ -57,7 +57,8 @@ TEST(ResultFile, IsReadBackAsItWasWritten) {
     EXPECT_TRUE(read.complete);
     EXPECT_EQ(read.hash, hash);
     EXPECT_EQ(read.attributes, written.attributes);
-    EXPECT_EQ(read.run, written.run);
+    EXPECT_EQ(read.run.at("n_ranks"), "2");
+    EXPECT_TRUE(read.run.contains("seconds_store"));
     ASSERT_EQ(read.datasets.size(), written.datasets.size());
     for (const auto& original : written.datasets) {
         const auto& again = dataset(read, original.path);

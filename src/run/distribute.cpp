@@ -1,0 +1,294 @@
+#include "run/distribute.hpp"
+
+#include "run/pool.hpp"
+#include "run/schedule.hpp"
+#include "run/wire.hpp"
+#include "store/item_log.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <memory>
+#include <utility>
+
+#include <omp.h>
+
+namespace bemcal::run {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::microseconds;
+constexpr microseconds shortest_wait{100}, longest_wait{5000};
+constexpr std::size_t message_bytes =
+    1U << 24;  ///< an answers message is sent when this long
+
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+void send(Comm& comm, int to, Tag tag, Bytes data) {
+    comm.send(to, static_cast<int>(tag), std::move(data));
+}
+
+/// Rank 0's other half: hands out items, collects answers, decides when it is over.
+class Master {
+  public:
+    Master(Comm& comm, std::vector<study::ItemAnswer> known, const std::vector<bool>& has,
+           int n_items, const DistributeOptions& options)
+        : comm_(comm),
+          options_(options),
+          answers_(std::move(known)),
+          schedule_(missing(has, n_items), comm.size()) {
+        answers_.resize(static_cast<std::size_t>(n_items));
+        progress_.items_total = n_items;
+        progress_.items_known = static_cast<int>(std::ranges::count(has, true));
+        progress_.items_done = progress_.items_known;
+        for (const auto& answer : answers_) count_failures(answer);
+    }
+
+    void receive(const Comm::Message& message) {
+        switch (static_cast<Tag>(message.tag)) {
+            case Tag::hello:
+                schedule_.join(message.source, to_numbers(message.data)[0]);
+                break;
+            case Tag::answers:
+                take_answers(message);
+                break;
+            case Tag::ask_stop:
+                stop(to_stop(message.data));
+                break;
+            case Tag::stopped:
+                ++n_stopped_;
+                break;
+            default:
+                break;
+        }
+    }
+
+    /// Sends what is due; once all is done, or all have stopped, ends every rank's loop.
+    void hand_out() {
+        const bool is_over =
+            is_stopping_ ? n_stopped_ == comm_.size() : schedule_.is_complete();
+        if (is_over && !has_ended_) {
+            has_ended_ = true;
+            send_to_all(Tag::finish);
+        }
+        if (is_stopping_) return;
+        for (auto& block : schedule_.blocks_due())
+            send(comm_, block.rank, Tag::work, to_bytes(block.items));
+    }
+
+    void show_progress() {
+        if (!options_.on_progress || seconds_since(shown_) < 0.2) return;
+        shown_ = Clock::now();
+        progress_.seconds = seconds_since(began_);
+        options_.on_progress(progress_);
+    }
+
+    std::vector<study::ItemAnswer> take() { return std::move(answers_); }
+
+  private:
+    static std::vector<int> missing(const std::vector<bool>& has, int n_items) {
+        std::vector<int> items;
+        for (int item = 0; item < n_items; ++item)
+            if (has.empty() || !has[static_cast<std::size_t>(item)])
+                items.push_back(item);
+        return items;
+    }
+
+    void count_failures(const study::ItemAnswer& answer) {
+        progress_.points_failed += static_cast<long long>(answer.failures.size()) +
+                                   (answer.error.empty() ? 0 : 1);
+    }
+
+    void take_answers(const Comm::Message& message) {
+        for_each_answer(message.data,
+                        [&](int item, const std::byte* data, std::size_t bytes) {
+                            auto& answer = answers_[static_cast<std::size_t>(item)];
+                            answer = store::unpack(data, bytes);
+                            count_failures(answer);
+                            ++progress_.items_done;
+                            schedule_.finished(message.source);
+                        });
+    }
+
+    void stop(const Stop& reason) {
+        if (has_ended_) return;
+        if (reason_.text.empty()) reason_ = reason;
+        if (std::exchange(is_stopping_, true)) return;
+        if (options_.on_stopping && reason.text.empty()) options_.on_stopping();
+        send_to_all(Tag::stop);
+    }
+
+    void send_to_all(Tag tag) {
+        for (int rank = 0; rank < comm_.size(); ++rank)
+            send(comm_, rank, tag, to_bytes(reason_));
+    }
+
+    Comm& comm_;
+    const DistributeOptions& options_;
+    std::vector<study::ItemAnswer> answers_;
+    Schedule schedule_;
+    Progress progress_;
+    Clock::time_point began_ = Clock::now(), shown_{};
+    Stop reason_;
+    bool is_stopping_ = false, has_ended_ = false;
+    int n_stopped_ = 0;
+};
+
+/// A rank's main thread: between rank 0 and the rank's compute threads.
+class Talker {
+  public:
+    Talker(Comm& comm, Pool& pool, Master* master, const DistributeOptions& options)
+        : comm_(comm), pool_(pool), master_(master), options_(options) {}
+
+    /// Until rank 0 says finish. \return why it ended
+    Stop talk(bool has_threads) {
+        send(comm_, 0, Tag::hello, to_bytes(std::vector<int>{options_.n_threads}));
+        microseconds wait = shortest_wait;
+        while (!is_over_) {
+            const bool received = receive_all();
+            const bool delivered = deliver(pool_.take(received ? microseconds{0} : wait));
+            const bool computed = !has_threads && pool_.run_one();
+            watch();
+            const bool active = received || delivered || computed || comm_.is_sending();
+            wait = active ? shortest_wait : std::min(longest_wait, wait * 2);
+        }
+        return reason_;
+    }
+
+  private:
+    bool receive_all() {
+        bool any = false;
+        for (auto message = comm_.poll(); message && !is_over_; message = comm_.poll()) {
+            any = true;
+            receive(*message);
+            if (is_over_) break;
+        }
+        return any;
+    }
+
+    void receive(const Comm::Message& message) {
+        switch (static_cast<Tag>(message.tag)) {
+            case Tag::work:
+                pool_.push(to_numbers(message.data));
+                break;
+            case Tag::stop:
+                is_stopping_ = true;
+                pool_.drop();
+                break;
+            case Tag::finish:
+                is_over_ = true;
+                reason_ = to_stop(message.data);
+                break;
+            default:
+                if (master_) master_->receive(message);
+        }
+    }
+
+    /// Logs finished items and sends them to rank 0; after an error they are lost on
+    /// purpose.
+    bool deliver(const std::vector<Finished>& finished) {
+        Bytes message;
+        for (const Finished& each : finished) {
+            if (!keep(each)) break;
+            append(message, each);
+            if (message.size() >= message_bytes)
+                send(comm_, 0, Tag::answers, std::exchange(message, {}));
+        }
+        if (!message.empty()) send(comm_, 0, Tag::answers, std::move(message));
+        return !finished.empty();
+    }
+
+    bool keep(const Finished& finished) {
+        if (has_failed_) return false;
+        try {
+            if (options_.on_finished)
+                options_.on_finished(finished.item, finished.packed);
+        } catch (const UserError& error) {
+            fail(error);
+        }
+        return !has_failed_;
+    }
+
+    void fail(const UserError& error) {
+        has_failed_ = true;
+        pool_.drop();
+        send(comm_, 0, Tag::ask_stop, to_bytes(Stop{error.exit_code(), error.what()}));
+    }
+
+    void tick() {
+        if (has_failed_ || !options_.on_tick) return;
+        try {
+            options_.on_tick();
+        } catch (const UserError& error) {
+            fail(error);
+        }
+    }
+
+    /// Signals, the end of a stop, and rank 0's duties.
+    void watch() {
+        tick();
+        if (!has_asked_ && options_.should_stop && options_.should_stop()) {
+            has_asked_ = true;
+            send(comm_, 0, Tag::ask_stop, to_bytes(Stop{ExitCode::more_to_do, {}}));
+        }
+        if (is_stopping_ && !has_stopped_ && pool_.is_idle()) {
+            has_stopped_ = true;
+            send(comm_, 0, Tag::stopped, {});
+        }
+        if (!master_) return;
+        master_->hand_out();
+        master_->show_progress();
+    }
+
+    Comm& comm_;
+    Pool& pool_;
+    Master* master_;
+    const DistributeOptions& options_;
+    Stop reason_;
+    bool is_over_ = false, is_stopping_ = false, has_stopped_ = false;
+    bool has_failed_ = false, has_asked_ = false;
+};
+
+/// One thread talks, n_threads compute. An exception of the talker ends the team, then is
+/// thrown.
+Stop run_team(Talker& talker, Pool& pool, int n_threads) {
+    Stop reason;
+    std::exception_ptr error;
+    omp_set_dynamic(0);
+#pragma omp parallel num_threads(n_threads + 1)
+    if (omp_get_thread_num() == 0) {
+        try {
+            reason = talker.talk(omp_get_num_threads() > 1);
+        } catch (...) {
+            error = std::current_exception();
+        }
+        pool.close();
+    } else {
+        pool.work();
+    }
+    if (error) std::rethrow_exception(error);
+    return reason;
+}
+
+}  // namespace
+
+Distributed distribute(Comm& comm, const study::Stage& stage,
+                       std::vector<study::ItemAnswer> known, const std::vector<bool>& has,
+                       const DistributeOptions& options) {
+    const auto begin = Clock::now();
+    std::unique_ptr<Master> master;
+    if (comm.rank() == 0)
+        master = std::make_unique<Master>(comm, std::move(known), has, stage.n_items(),
+                                          options);
+    Pool pool(stage);
+    Talker talker(comm, pool, master.get(), options);
+    const Stop reason = run_team(talker, pool, options.n_threads);
+    comm.finish_sends();
+    if (!reason.text.empty()) throw UserError(reason.code, reason.text);
+    return {master ? master->take() : std::vector<study::ItemAnswer>{},
+            reason.code != ExitCode::ok, seconds_since(begin), pool.busy_seconds()};
+}
+
+}  // namespace bemcal::run

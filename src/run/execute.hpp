@@ -1,0 +1,54 @@
+/// All stages of a job, over ranks and threads, to one result file; safe against signals,
+/// crashes and full disks.
+///
+/// Every finished item is in a rank's log before it counts (store/item_log.hpp). The
+/// result is written once, at the end, from the answers in item order; then the logs are
+/// removed. It knows stages, not jobs: run_job.hpp makes the one from the other.
+#pragma once
+
+#include "base/error.hpp"
+#include "run/comm.hpp"
+#include "run/part_folder.hpp"
+#include "store/result_file.hpp"
+#include "study/stage.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bemcal::run {
+
+/// All that is to be done, whatever it was read from.
+struct Work {
+    std::vector<std::unique_ptr<study::Stage>> stages;
+    Identity identity;        ///< execute adds the stages
+    store::ResultFile frame;  ///< what is known before the first simulation
+    double max_failed_share =
+        1;  ///< more failed points than this and the batch has failed
+};
+
+/// What to do about a result, or an unfinished one, that is there already.
+enum class Existing { refuse, force, resume };
+
+struct ExecuteOptions {
+    std::filesystem::path output;
+    Existing existing = Existing::refuse;
+    int n_threads = 0;                            ///< 0 = see plan_threads
+    std::function<void(const std::string&)> say;  ///< rank 0: one line for the user
+    /// rank 0: a stage has concluded; a result with this stage's datasets only
+    std::function<void(const store::ResultFile&)> on_stage;
+};
+
+struct Outcome {
+    ExitCode code =
+        ExitCode::ok;  ///< more_to_do after a signal; data: too many points failed
+    std::string hash;  ///< rank 0, where a result was written
+};
+
+/// All ranks call it together; a UserError is thrown on all of them.
+Outcome execute(Comm& comm, Work work, const ExecuteOptions& options);
+
+}  // namespace bemcal::run

@@ -1,0 +1,137 @@
+#include "run/part_folder.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <string_view>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace bemcal::run {
+namespace {
+
+constexpr const char* identity_name = "identity.txt";
+constexpr std::string_view stage_prefix = "stage ", file_prefix = "file ";
+
+/// What a changed entry means to a reader.
+std::string in_words(const std::string& key, const std::string& before,
+                     const std::string& now) {
+    if (key == "version")
+        return fmt::format("it was begun by version {}, this is version {}", before, now);
+    if (now.empty()) return fmt::format("{} was part of it and is no longer", key);
+    if (before.empty()) return fmt::format("{} was not part of it", key);
+    if (key.starts_with(file_prefix))
+        return fmt::format("{} has changed since", key.substr(file_prefix.size()));
+    return fmt::format("{} was {} and is {} now", key, before, now);
+}
+
+std::string value_of(const Identity& identity, const std::string& key) {
+    const auto found = std::ranges::find(identity, key, &Identity::value_type::first);
+    return found == identity.end() ? std::string() : found->second;
+}
+
+[[noreturn]] void fail(const std::filesystem::path& path, const char* doing) {
+    throw UserError(
+        ExitCode::cannot_create,
+        fmt::format("{}: cannot {}: {}", path.string(), doing, std::strerror(errno)));
+}
+
+void write_and_sync(const std::filesystem::path& path, const std::string& text) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (file < 0) fail(path, "create the file");
+    const bool good =
+        ::write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
+        ::fsync(file) == 0;
+    const int error = errno;
+    ::close(file);
+    errno = error;
+    if (!good) fail(path, "write");
+}
+
+std::map<int, int> items_by_stage(const store::LogContent& logs) {
+    std::map<int, int> counts;
+    for (const auto& record : logs.records) ++counts[record.stage];
+    return counts;
+}
+
+}  // namespace
+
+std::filesystem::path part_folder_of(const std::filesystem::path& output) {
+    return output.string() + ".part";
+}
+
+std::string difference(const Identity& before, const Identity& now) {
+    for (const auto& [key, value] : before)
+        if (value_of(now, key) != value) return in_words(key, value, value_of(now, key));
+    for (const auto& [key, value] : now)
+        if (value_of(before, key).empty()) return in_words(key, "", value);
+    return {};
+}
+
+Identity read_identity(const std::filesystem::path& folder) {
+    std::ifstream in(folder / identity_name);
+    if (!in)
+        throw UserError(ExitCode::no_input, fmt::format("{}: cannot read it: {}",
+                                                        (folder / identity_name).string(),
+                                                        std::strerror(errno)));
+    Identity identity;
+    for (std::string line; std::getline(in, line);) {
+        const std::size_t tab = line.find('\t');
+        if (tab != std::string::npos)
+            identity.emplace_back(line.substr(0, tab), line.substr(tab + 1));
+    }
+    return identity;
+}
+
+void write_identity(const std::filesystem::path& folder, const Identity& identity) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        throw UserError(
+            ExitCode::cannot_create,
+            fmt::format("{}: cannot create the folder: {}; choose another place with -o",
+                        folder.string(), error.message()));
+    std::string text;
+    for (const auto& [key, value] : identity) text += key + "\t" + value + "\n";
+    const auto temporary = folder / "identity.writing";
+    write_and_sync(temporary, text);
+    std::filesystem::rename(temporary, folder / identity_name);
+}
+
+FolderLock::FolderLock(const std::filesystem::path& folder)
+    : file_(::open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+    taken_ = file_ >= 0 && ::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+}
+
+FolderLock::~FolderLock() {
+    if (file_ >= 0) ::close(file_);
+}
+
+std::string part_status(const std::filesystem::path& folder) {
+    const Identity identity = read_identity(folder);
+    const store::LogContent logs = store::read_logs(folder);
+    const bool is_running = FolderLock(folder).is_taken_by_another();
+    std::map<int, int> done = items_by_stage(logs);
+    std::string text = is_running
+                           ? "not complete: a run is writing it now\n"
+                           : "not complete: `bemcal-batch run JOB --resume` goes on\n";
+    int stage = 0;
+    for (const auto& [key, value] : identity)
+        if (key.starts_with(stage_prefix))
+            text += fmt::format("  {}: {} of {} done\n", key.substr(stage_prefix.size()),
+                                done[stage++], value);
+    if (logs.n_damaged > 0)
+        text += fmt::format("  {} damaged record{} in the logs: to be done again\n",
+                            logs.n_damaged, logs.n_damaged == 1 ? "" : "s");
+    return text;
+}
+
+}  // namespace bemcal::run

@@ -1,0 +1,124 @@
+#include "run/run_job.hpp"
+
+#include "physics/batch.hpp"
+#include "run/timer.hpp"
+#include "run/together.hpp"
+
+#include <cstring>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace bemcal::run {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string relative_name(const job::Job& job, const fs::path& file) {
+    const fs::path folder = fs::absolute(job.file).parent_path().lexically_normal();
+    return fs::absolute(file).lexically_normal().lexically_proximate(folder).string();
+}
+
+study::Dataset texts(std::string path, std::string dim, std::vector<std::string> values) {
+    const std::size_t n = values.size();
+    return {std::move(path), {std::move(dim)}, {n}, {}, std::move(values)};
+}
+
+void add_inputs(const job::Job& job, std::vector<study::Dataset>& datasets) {
+    std::vector<std::string> names, hashes;
+    for (const auto& input : job.inputs) {
+        names.push_back(relative_name(job, input.path));
+        hashes.push_back(input.hash);
+    }
+    datasets.push_back(texts("inputs/input_file", "input_file", names));
+    datasets.push_back(texts("inputs/content_hash", "input_file", hashes));
+}
+
+void add_decisions(const study::Case& building, std::vector<study::Dataset>& datasets) {
+    if (building.decisions.empty()) return;
+    std::vector<std::string> series, findings, actions;
+    for (const auto& decision : building.decisions) {
+        series.push_back(decision.series);
+        findings.push_back(decision.finding);
+        actions.push_back(decision.action);
+    }
+    const std::string group = building.name + "/data/";
+    datasets.push_back(texts(group + "series", "decision", series));
+    datasets.push_back(texts(group + "finding", "decision", findings));
+    datasets.push_back(texts(group + "action", "decision", actions));
+}
+
+fs::path numbered(const std::string& name) {
+    for (int number = 1;; ++number) {
+        const fs::path path = fmt::format("{}-{:03}.h5", name, number);
+        if (!fs::exists(path) && !fs::exists(part_folder_of(path))) return path;
+    }
+}
+
+/// Rank 0's choice, for all: the others may see the folder a moment later.
+fs::path choose_output(Comm& comm, const job::Job& job, const JobOptions& options) {
+    fs::path path = options.output;
+    if (path.empty() && options.is_numbered) path = numbered(job.name);
+    if (path.empty()) path = job.output;
+    if (path.empty()) path = job.name + ".h5";
+    const std::string text = path.string();
+    Bytes bytes(text.size());
+    std::memcpy(bytes.data(), text.data(), text.size());
+    const Bytes chosen = comm.all_gather(bytes)[0];
+    return std::string(reinterpret_cast<const char*>(chosen.data()), chosen.size());
+}
+
+Work work_of(const job::Job& job, const std::string& version) {
+    Work work;
+    work.frame = frame_of(job, version);
+    work.identity = identity_of(job, version);
+    work.max_failed_share = job.max_failed_share;
+    return work;
+}
+
+}  // namespace
+
+store::ResultFile frame_of(const job::Job& job, const std::string& version) {
+    store::ResultFile frame;
+    frame.attributes = {{"program", "bemcal-batch"},
+                        {"version", version},
+                        {"format", "1"},
+                        {"title", job.name},
+                        {"job", job.text},
+                        {"seed", std::to_string(job.seed)}};
+    frame.run["instruction_set"] = physics::name_of(physics::choose_instruction_set());
+    add_inputs(job, frame.datasets);
+    for (const study::Case& building : job.buildings)
+        add_decisions(building, frame.datasets);
+    return frame;
+}
+
+Identity identity_of(const job::Job& job, const std::string& version) {
+    Identity identity{{"version", version}};
+    for (const auto& input : job.inputs)
+        identity.emplace_back("file " + relative_name(job, input.path), input.hash);
+    return identity;
+}
+
+Outcome run_job(Comm& comm, const JobOptions& options) {
+    double seconds_read = 0, seconds_plan = 0;
+    std::optional<job::Job> job;
+    Work work;
+    together(comm, [&] {
+        const Timer timer(seconds_read);
+        job = job::read_job(options.job);
+    });
+    together(comm, [&] {
+        const Timer timer(seconds_plan);
+        work = work_of(*job, options.version);
+        work.stages = job::make_plan(*job);
+    });
+    work.frame.run["seconds_read"] = fmt::format("{:.3f}", seconds_read);
+    work.frame.run["seconds_plan"] = fmt::format("{:.3f}", seconds_plan);
+    const fs::path output = choose_output(comm, *job, options);
+    return execute(
+        comm, std::move(work),
+        {output, options.existing, options.n_threads, options.say, options.on_stage});
+}
+
+}  // namespace bemcal::run

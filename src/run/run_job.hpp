@@ -1,0 +1,33 @@
+/// A job file, from its first line to the result file.
+#pragma once
+
+#include "job/job.hpp"
+#include "run/execute.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace bemcal::run {
+
+struct JobOptions {
+    std::filesystem::path job;
+    std::filesystem::path output;  ///< empty = the job's, else its name with .h5
+    bool is_numbered = false;      ///< NAME-001.h5, or the next number that is free
+    Existing existing = Existing::refuse;
+    int n_threads = 0;
+    std::string version;
+    std::function<void(const std::string&)> say;             ///< rank 0
+    std::function<void(const store::ResultFile&)> on_stage;  ///< rank 0
+};
+
+/// All ranks call it together; a UserError is thrown on all of them.
+Outcome run_job(Comm& comm, const JobOptions& options);
+
+/// What a result tells of its job before the first simulation: program, job text, seed,
+/// the input files' hashes, what was found in the data. Paths are relative to the job's
+/// folder, so that the result does not depend on where it lies.
+store::ResultFile frame_of(const job::Job& job, const std::string& version);
+Identity identity_of(const job::Job& job, const std::string& version);
+
+}  // namespace bemcal::run

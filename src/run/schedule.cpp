@@ -1,0 +1,65 @@
+#include "run/schedule.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace bemcal::run {
+
+Schedule::Schedule(std::vector<int> items, int n_ranks)
+    : items_(std::move(items)), ranks_(static_cast<std::size_t>(n_ranks)) {}
+
+void Schedule::join(int rank, int n_threads) {
+    ranks_[static_cast<std::size_t>(rank)].n_threads = n_threads;
+}
+
+void Schedule::finished(int rank) {
+    --ranks_[static_cast<std::size_t>(rank)].n_outstanding;
+    ++n_finished_;
+}
+
+bool Schedule::is_complete() const {
+    return n_finished_ == items_.size() &&
+           std::ranges::all_of(ranks_,
+                               [](const Rank& rank) { return rank.n_threads > 0; });
+}
+
+/// Ranks that have not joined yet count with the threads of the widest that has.
+int Schedule::block_size() const {
+    const int widest = std::ranges::max(ranks_, {}, &Rank::n_threads).n_threads;
+    int n_threads = 0;
+    for (const Rank& rank : ranks_)
+        n_threads += rank.n_threads > 0 ? rank.n_threads : widest;
+    const auto share =
+        n_remaining() / (4 * static_cast<std::size_t>(std::max(1, n_threads)));
+    return static_cast<int>(std::clamp<std::size_t>(share, 1, 512));
+}
+
+/// The joined rank with the least work for each thread, if any may have more.
+Schedule::Rank* Schedule::neediest() {
+    const int block = block_size();
+    Rank* found = nullptr;
+    for (Rank& rank : ranks_) {
+        if (rank.n_threads == 0 || rank.n_outstanding >= rank.n_threads + block) continue;
+        if (!found ||
+            rank.n_outstanding * found->n_threads < found->n_outstanding * rank.n_threads)
+            found = &rank;
+    }
+    return found;
+}
+
+std::vector<Schedule::Block> Schedule::blocks_due() {
+    std::vector<Block> blocks;
+    while (n_remaining() > 0) {
+        Rank* rank = neediest();
+        if (!rank) break;
+        const auto n = std::min(n_remaining(), static_cast<std::size_t>(block_size()));
+        const auto first = items_.begin() + static_cast<std::ptrdiff_t>(next_);
+        blocks.push_back({static_cast<int>(rank - ranks_.data()),
+                          {first, first + static_cast<std::ptrdiff_t>(n)}});
+        next_ += n;
+        rank->n_outstanding += static_cast<int>(n);
+    }
+    return blocks;
+}
+
+}  // namespace bemcal::run

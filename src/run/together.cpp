@@ -1,0 +1,43 @@
+#include "run/together.hpp"
+
+#include "base/error.hpp"
+
+#include <cstring>
+
+#include <fmt/format.h>
+
+namespace bemcal::run {
+namespace {
+
+/// Exit code and message, or nothing where all went well.
+Bytes attempt(const std::function<void()>& work) {
+    Bytes report;
+    try {
+        work();
+    } catch (const UserError& error) {
+        const std::string text = error.what();
+        report.resize(1 + text.size());
+        report[0] = static_cast<std::byte>(error.exit_code());
+        std::memcpy(report.data() + 1, text.data(), text.size());
+    }
+    return report;
+}
+
+}  // namespace
+
+void together(Comm& comm, const std::function<void()>& work) {
+    Bytes mine = attempt(work);
+    if (!mine.empty() && comm.rank() != 0) {
+        const std::string where =
+            fmt::format("rank {} on {}: ", comm.rank(), host_name());
+        const auto* raw = reinterpret_cast<const std::byte*>(where.data());
+        mine.insert(mine.begin() + 1, raw, raw + where.size());
+    }
+    for (const Bytes& report : comm.all_gather(mine))
+        if (!report.empty())
+            throw UserError(static_cast<ExitCode>(report[0]),
+                            std::string(reinterpret_cast<const char*>(report.data()) + 1,
+                                        report.size() - 1));
+}
+
+}  // namespace bemcal::run
