@@ -4,20 +4,16 @@
 
 #include "physics/sun.hpp"
 
-#include <vector>
-
 namespace bemcal::physics {
 
-/// Diffuse horizontal irradiance of every step from global horizontal irradiance [W/m2].
+/// Diffuse horizontal irradiance of an hour from global horizontal irradiance [W/m2]:
+/// Erbs, Klein and Duffie 1982, Solar Energy 28(4), 293-302.
 ///
-/// BRL model: Ridley, Boland, Lauret 2010, Renewable Energy 35(2), 478-483, with the
-/// parameters of Lauret et al. 2013, Renewable Energy 50, 148-156 (nine sites). Hourly
-/// steps.
-/// \param suns    of the axis: SunOfStep::sunlit_part
-/// \param global  a value for every step; no NaN
-std::vector<double> diffuse_from_global(const Site& site, const TimeAxis& axis,
-                                        const std::vector<StepSun>& suns,
-                                        const std::vector<double>& global);
+/// Models with more inputs (Ridley, Boland and Lauret 2010; Engerer 2015; DISC) were
+/// tried on a measured year and on typical years of six places: none was better in annual
+/// sums.
+/// \param sun  of the hour: SunOfStep::sunlit_part
+double diffuse_from_global(double global, const StepSun& sun);
 
 /// Global horizontal irradiance under a clear sky [W/m2]: Ineichen and Perez 2002, Solar
 /// Energy 73(3), 151-157, for a Linke turbidity of 3.

@@ -1,31 +1,32 @@
-/// What acts on a building, step by step: made once for a building and a period, then shared
-/// by all points. Warm-up steps stand first.
+/// What acts on a building, step by step: made once for a building and a period, then
+/// shared by all points. Warm-up steps stand first.
 #pragma once
-
-#include <vector>
 
 #include "base/matrix.hpp"
 #include "physics/building.hpp"
 #include "physics/schedule.hpp"
 #include "physics/weather.hpp"
 
+#include <vector>
+
 namespace bemcal::physics {
 
-/// A row of Drive::profiles before it is laid on an axis: a schedule or a measured series.
+/// A row of Drive::profiles before it is laid on an axis: a schedule or a measured
+/// series.
 struct Profile {
     std::string name;
     bool is_series = false;
-    Schedule schedule;                  ///< where not is_series
-    TimeAxis axis;                      ///< of the series
-    std::vector<double> values;         ///< of the series; NaN = missing (an error if needed)
+    Schedule schedule;           ///< where not is_series
+    TimeAxis axis;               ///< of the series
+    std::vector<double> values;  ///< of the series; NaN = missing (an error if needed)
 };
 
 struct Drive {
-    TimeAxis axis;                      ///< all simulated steps, warm-up included
-    int n_warm_up = 0;                  ///< steps before the period that is asked for
-    std::vector<double> theta_e;        ///< [n_steps] outdoor air temperature [degC]
-    Matrix irradiance;                  ///< [n_planes x n_steps] on Building::planes [W/m2]
-    Matrix profiles;                    ///< [n_profiles x n_steps]
+    TimeAxis axis;                ///< all simulated steps, warm-up included
+    int n_warm_up = 0;            ///< steps before the period that is asked for
+    std::vector<double> theta_e;  ///< [n_steps] outdoor air temperature [degC]
+    Matrix irradiance;            ///< [n_planes x n_steps] on Building::planes [W/m2]
+    Matrix profiles;              ///< [n_profiles x n_steps]
     int n_steps() const { return axis.n_steps; }
     double at(const Input& input, int step) const {
         if (input.profile < 0) return input.value;
@@ -35,12 +36,13 @@ struct Drive {
     }
 };
 
-/// Lays weather and profiles on the steps [from, to), with `n_warm_up_hours` before them: the
-/// real hours before `from` where the weather and series have them, else the first hours of the
-/// period, repeated. Steps shorter than an hour: temperature linear between the hours' middles,
-/// irradiance and schedules held. Throws std::invalid_argument where a needed value is missing.
+/// Lays weather and profiles on the steps [from, to), with `n_warm_up_hours` before them:
+/// the real hours before `from` where the weather and series have them, else the first
+/// hours of the period, repeated. Steps shorter than an hour: temperature linear between
+/// the hours' middles, irradiance and schedules held. Throws std::invalid_argument where
+/// a needed value is missing.
 Drive make_drive(const Weather& weather, const Building& building,
-                 const std::vector<Profile>& profiles, Seconds from, Seconds to, int step_s,
-                 int n_warm_up_hours, SkyModel sky = SkyModel::perez);
+                 const std::vector<Profile>& profiles, Seconds from, Seconds to,
+                 int step_s, int n_warm_up_hours, SkyModel sky = SkyModel::perez);
 
 }  // namespace bemcal::physics

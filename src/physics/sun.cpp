@@ -128,13 +128,4 @@ double cos_incidence(const SunPosition& sun, double tilt, double azimuth) {
            std::sin(sun.zenith) * std::sin(tilt) * std::cos(sun.azimuth - azimuth);
 }
 
-double solar_time(const Site& site, const SunPosition& sun) {
-    const double phi = site.latitude * deg;
-    const double sin_zenith = std::sin(sun.zenith);
-    const double west = -sin_zenith * std::sin(sun.azimuth);
-    const double south = std::cos(phi) * std::cos(sun.zenith) -
-                         std::sin(phi) * sin_zenith * std::cos(sun.azimuth);
-    return 12 + std::atan2(west, south) / (15 * deg);
-}
-
 }  // namespace bemcal::physics

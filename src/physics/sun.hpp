@@ -35,7 +35,4 @@ std::vector<StepSun> step_suns(const Site& site, const TimeAxis& axis,
 /// \param azimuth  of the plane's outward normal [rad], clockwise from north
 double cos_incidence(const SunPosition& sun, double tilt, double azimuth);
 
-/// The time of day by the sun: 12 when it stands in the meridian [h], 0 to 24.
-double solar_time(const Site& site, const SunPosition& sun);
-
 }  // namespace bemcal::physics

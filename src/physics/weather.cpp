@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -66,16 +65,16 @@ double direct_from_global(double global, double diffuse, const StepSun& sun) {
                       sun.sunlit * sun.position.extraterrestrial);
 }
 
-void fill_parts(Weather& weather, const StepSun& sun, double modelled_diffuse,
-                std::size_t k) {
+void fill_parts(Weather& weather, const StepSun& sun, std::size_t k) {
     const double global = weather.global_horizontal[k];
     double& direct = weather.direct_normal[k];
     double& diffuse = weather.diffuse_horizontal[k];
     const double height = std::max(std::cos(sun.position.zenith), 0.0);
     const bool diffuse_known = !std::isnan(diffuse);
-    if (std::isnan(direct))
-        direct =
-            direct_from_global(global, diffuse_known ? diffuse : modelled_diffuse, sun);
+    if (std::isnan(direct)) {
+        const double part = diffuse_known ? diffuse : diffuse_from_global(global, sun);
+        direct = direct_from_global(global, part, sun);
+    }
     // So that the parts make up the whole, also where the direct part was limited.
     if (!diffuse_known) diffuse = std::max(global - direct * height, 0.0);
 }
@@ -100,10 +99,7 @@ void complete_irradiance(Weather& weather) {
                          &weather.diffuse_horizontal})
         series->resize(suns.size(), std::numeric_limits<double>::quiet_NaN());
     fill_global(weather, suns);
-    const std::vector<double> modelled =
-        diffuse_from_global(weather.site, weather.axis, suns, weather.global_horizontal);
-    for (std::size_t k = 0; k < suns.size(); ++k)
-        fill_parts(weather, suns[k], modelled[k], k);
+    for (std::size_t k = 0; k < suns.size(); ++k) fill_parts(weather, suns[k], k);
 }
 
 std::vector<double> hour_means(const std::vector<double>& at_hour_end) {
