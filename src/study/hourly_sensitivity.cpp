@@ -312,7 +312,7 @@ class Blocks {
 
   private:
     double term(std::size_t block, std::size_t k, std::size_t step) const {
-        return (*blocks_[block])[1 + (1 + k) * n_steps_ + step];
+        return (*blocks_[block])[1 + n_steps_ + step * n_terms_ + k];
     }
 
     std::size_t n_steps_, n_terms_;

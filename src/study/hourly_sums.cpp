@@ -129,12 +129,11 @@ void HourlySums::add_mixed(std::size_t begin, std::size_t n, std::size_t i, cons
 }
 
 std::vector<double> HourlySums::values() const {
-    std::vector<double> values;
-    values.reserve(n_terms(dimension_) * n_steps_);
-    for (std::size_t row = 0; row < n_terms(dimension_); ++row) {
-        const auto begin = sums_.begin() + static_cast<std::ptrdiff_t>(row * padded_);
-        values.insert(values.end(), begin, begin + static_cast<std::ptrdiff_t>(n_steps_));
-    }
+    const std::size_t n = n_terms(dimension_);
+    std::vector<double> values(n * n_steps_);
+    for (std::size_t row = 0; row < n; ++row)
+        for (std::size_t step = 0; step < n_steps_; ++step)
+            values[step * n + row] = sums_[row * padded_ + step];
     return values;
 }
 

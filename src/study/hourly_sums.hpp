@@ -37,7 +37,7 @@ class HourlySums {
     void add_mixed(std::size_t begin, std::size_t n, std::size_t i, const Rows& a,
                    const Rows& b, const Rows& ab);
 
-    /// [terms x n_steps]: sum of a, of b, of a^2 + b^2, then for each i of b (ab_i - a),
+    /// [n_steps x terms]: sum of a, of b, of a^2 + b^2, then for each i of b (ab_i - a),
     /// of ab_i - a, and of (ab_i - a)^2.
     std::vector<double> values() const;
     static std::size_t n_terms(std::size_t dimension) { return 3 + 3 * dimension; }
