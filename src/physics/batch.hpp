@@ -1,26 +1,29 @@
 /// Thousands of points of one building at once: the fast version of simulate.hpp.
 ///
-/// One lane = one point. The hour is reduced to affine maps and clamps (affine.hpp), whose
-/// coefficients hold while the conductances and set-points hold (a "regime"); the time loop
-/// (kernel.hpp, one file per instruction set) reduces while it runs. A lane's bits depend on its
-/// point only: not on the lane, its neighbours, the compiler or the instruction set.
-/// Zones coupled to each other are not for the kernel: such buildings run plain, point by point,
-/// behind the same interface.
+/// One lane = one point. The hour is reduced to affine maps and clamps (affine.hpp),
+/// whose coefficients hold while the conductances and set-points hold (a "regime"); the
+/// time loop (kernel.hpp, one file per instruction set) reduces while it runs. A lane's
+/// bits depend on its point only: not on the lane, its neighbours, the compiler or the
+/// instruction set. Zones coupled to each other are not for the kernel: such buildings
+/// run plain, point by point, behind the same interface.
 #pragma once
-
-#include <memory>
-#include <string>
-#include <vector>
 
 #include "base/matrix.hpp"
 #include "physics/drive.hpp"
 #include "physics/meters.hpp"
 #include "physics/parameters.hpp"
 
+#include <memory>
+#include <string>
+#include <vector>
+
 namespace bemcal::physics {
 
 enum class InstructionSet { scalar, v3, v4 };
 const char* name_of(InstructionSet set);
+
+constexpr double start_temperature = 20;  ///< of all nodes before the warm-up [degC]
+
 bool is_supported(InstructionSet set);
 /// The widest that this processor has; the environment's BEMCAL_KERNEL = scalar | v3 | v4
 /// overrides. Throws std::invalid_argument for one that it does not have.
@@ -30,63 +33,69 @@ InstructionSet choose_instruction_set();
 struct Readings {
     Quantity quantity = Quantity::heating;
     Interval interval = Interval::hourly;
-    std::vector<double> values;          ///< [kWh] or [degC]
+    std::vector<double> values;  ///< [kWh] or [degC]
 };
 
 /// Sums over the intervals that have a reading; all that the error metrics need.
 struct ErrorSums {
-    double n = 0, error = 0, square = 0;             ///< of simulated - measured
+    double n = 0, error = 0, square = 0;                      ///< of simulated - measured
     double simulated = 0, simulated_square = 0, product = 0;  ///< product with measured
-    double n_relative = 0, relative = 0;             ///< |error| / |measured| where it is not 0
+    double n_relative = 0, relative = 0;  ///< |error| / |measured| where it is not 0
 };
 
 /// What is wanted of every point.
 struct Request {
-    std::vector<Quantity> annual;     ///< totals (means for temperature) over the period
-    std::vector<Quantity> monthly;    ///< the same for each calendar month of the period
-    std::vector<Readings> readings;   ///< error sums against each, at its own interval and,
-                                      ///< where that is finer, also by calendar month
+    std::vector<Quantity> annual;    ///< totals (means for temperature) over the period
+    std::vector<Quantity> monthly;   ///< the same for each calendar month of the period
+    std::vector<Readings> readings;  ///< error sums against each, at its own interval
+                                     ///< and, where that is finer, also by calendar month
 };
 
 struct PointAnswer {
-    std::string failure;              ///< empty = it went well
-    std::vector<double> annual;       ///< [annual.size()] kWh or degC
-    std::vector<double> monthly;      ///< [monthly.size() x n_months]
-    std::vector<ErrorSums> errors;    ///< [readings.size()] at the reading's interval
-    std::vector<ErrorSums> monthly_errors;  ///< [readings.size()]; a month counts where all of
-                                            ///< its readings' intervals compared are summed
+    std::string failure;            ///< empty = it went well
+    std::vector<double> annual;     ///< [annual.size()] kWh or degC
+    std::vector<double> monthly;    ///< [monthly.size() x n_months]
+    std::vector<ErrorSums> errors;  ///< [readings.size()] at the reading's interval
+    std::vector<ErrorSums>
+        monthly_errors;  ///< [readings.size()]; a month counts where all of
+                         ///< its readings' intervals compared are summed
 };
 
 class Batch {
   public:
-    /// The plan that all points share: regimes, schedule rows, segments. The building and the
-    /// drive must outlive it.
+    /// The plan that all points share: regimes, schedule rows, segments. The building and
+    /// the drive must outlive it.
     Batch(const Building& nominal, std::vector<Parameter> parameters, const Drive& drive,
           InstructionSet set = choose_instruction_set());
     ~Batch();
 
     const std::vector<Parameter>& parameters() const;
-    int lanes() const;                ///< points that are simulated together
-    int n_months() const;             ///< calendar months that the period touches
+    int lanes() const;     ///< points that are simulated together
+    int n_months() const;  ///< calendar months that the period touches
 
     /// \param points  [n x parameters]
     std::vector<PointAnswer> evaluate(const Matrix& points, const Request& request) const;
 
     /// A group of up to lanes() points on its way through time.
     struct Group;
-    std::unique_ptr<Group> make_group() const;
-    /// Coefficients and the state before the warm-up for rows [first, first + count) of points;
-    /// unused lanes repeat the last. Returns each lane's failure (empty = none).
+    struct DeleteGroup {
+        void operator()(Group* group) const;
+    };
+    using GroupPointer = std::unique_ptr<Group, DeleteGroup>;
+    GroupPointer make_group() const;
+    /// Coefficients and the state before the warm-up for rows [first, first + count) of
+    /// points; unused lanes repeat the last. Returns each lane's failure (empty = none).
     std::vector<std::string> prepare(const Matrix& points, std::size_t first,
                                      std::size_t count, Group& group) const;
     /// Runs the group through the warm-up.
     void warm_up(Group& group) const;
-    /// Steps [begin, end) of the period, in order. Writes one row of lanes() doubles for each
-    /// step: the quantity's power on the meter [W], or temperature [degC].
+    /// Steps [begin, end) of the period, in order. Writes one row of lanes() doubles for
+    /// each step: the quantity's power on the meter [W], or temperature [degC].
     void advance(Group& group, int begin, int end, Quantity quantity, double* out) const;
 
-  private:
     struct Plan;
+
+  private:
     std::unique_ptr<Plan> plan_;
 };
 

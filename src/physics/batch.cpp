@@ -1,0 +1,152 @@
+/// The plan of a batch, and groups of points prepared and advanced.
+#include "physics/batch.hpp"
+
+#include "physics/batch_plan.hpp"
+#include "physics/plain_answer.hpp"
+
+#include <stdexcept>
+
+namespace bemcal::physics {
+
+namespace {
+
+const kernel::Table& table_of(InstructionSet set) {
+    switch (set) {
+        case InstructionSet::v3:
+            return kernel::v3_table();
+        case InstructionSet::v4:
+            return kernel::v4_table();
+        default:
+            return kernel::scalar_table();
+    }
+}
+
+bool is_coupled(const Building& building) {
+    return std::any_of(building.zones.begin(), building.zones.end(),
+                       [](const Zone& zone) { return !zone.couplings.empty(); });
+}
+
+void plan_zones(Batch::Plan& plan) {
+    std::vector<char> cut_before(static_cast<std::size_t>(plan.drive.n_steps()));
+    for (const Chunk& chunk : plan.chunks)
+        cut_before[static_cast<std::size_t>(chunk.begin)] = 1;
+    for (std::size_t zone = 0; zone < plan.nominal.zones.size(); ++zone)
+        plan.zones.push_back(plan_zone(plan.nominal, plan.parameters, plan.drive, zone,
+                                       cut_before, plan.table.lanes));
+}
+
+void plan_meters(Batch::Plan& plan) {
+    for (std::size_t q = 0; q < n_quantities; ++q)
+        plan.meters[q] = plan_meter(plan.nominal, plan.drive, static_cast<Quantity>(q),
+                                    plan.chunks, plan.table.lanes);
+}
+
+/// A coupled building's lane: the whole period at once.
+void run_plain(Batch::Group& group, int lane) {
+    const Building& building = group.buildings[static_cast<std::size_t>(lane)];
+    const Drive& drive = group.plan.drive;
+    const Trajectory trajectory = simulate(building, drive, start_temperature);
+    for (std::size_t q = 0; q < n_quantities; ++q) {
+        const auto quantity = static_cast<Quantity>(q);
+        const std::vector<double> values = predict(building, drive, trajectory, quantity);
+        const double unit =
+            quantity == Quantity::air_temperature ? 1 : 3.6e6 / drive.axis.step_s;
+        if (group.plain[q].empty())
+            group.plain[q] = LaneArray(values.size(), group.plan.table.lanes);
+        for (std::size_t step = 0; step < values.size(); ++step)
+            group.plain[q].column(step)[lane] = values[step] * unit;
+    }
+}
+
+/// One lane; returns why it failed, empty = it did not.
+std::string prepare_lane(std::span<const double> point, int lane, Batch::Group& group) {
+    try {
+        group.write_lane(point, lane);
+        if (group.plan.coupled) run_plain(group, lane);
+        return {};
+    } catch (const std::domain_error& error) {
+        group.clear_lane(lane);
+        return error.what();
+    }
+}
+
+}  // namespace
+
+Batch::Batch(const Building& nominal, std::vector<Parameter> parameters,
+             const Drive& drive, InstructionSet set)
+    : plan_(new Plan{nominal,
+                     std::move(parameters),
+                     drive,
+                     table_of(set),
+                     is_coupled(nominal),
+                     plan_chunks(drive),
+                     {},
+                     {},
+                     {}}) {
+    if (!is_supported(set))
+        throw std::invalid_argument(std::string("this processor cannot run the kernel ") +
+                                    name_of(set));
+    if (!plan_->coupled) plan_zones(*plan_);
+    plan_meters(*plan_);
+    for (std::size_t k = 0; k < n_intervals; ++k)
+        plan_->bounds[k] = interval_bounds(period_of(drive), static_cast<Interval>(k));
+}
+
+Batch::~Batch() = default;
+
+const std::vector<Parameter>& Batch::parameters() const {
+    return plan_->parameters;
+}
+int Batch::lanes() const {
+    return plan_->table.lanes;
+}
+int Batch::n_months() const {
+    return plan_->n_months();
+}
+
+void Batch::DeleteGroup::operator()(Group* group) const {
+    delete group;
+}
+
+Batch::GroupPointer Batch::make_group() const {
+    return GroupPointer(new Group(*plan_));
+}
+
+std::vector<std::string> Batch::prepare(const Matrix& points, std::size_t first,
+                                        std::size_t count, Group& group) const {
+    std::vector<std::string> failures(count);
+    for (std::size_t k = 0; k < count; ++k)
+        failures[k] = prepare_lane(points.row(first + k), static_cast<int>(k), group);
+    for (int lane = static_cast<int>(count); lane < lanes(); ++lane)
+        group.copy_lane(static_cast<int>(count) - 1, lane);
+    return failures;
+}
+
+void Batch::warm_up(Group& group) const {
+    if (plan_->drive.n_warm_up > 0)
+        group.run(0, plan_->drive.n_warm_up, kernel::Show::sums);
+    for (Group::Zone& zone : group.zones) zone.sums.clear();
+}
+
+void Batch::advance(Group& group, int begin, int end, Quantity quantity,
+                    double* out) const {
+    const auto n_lanes = static_cast<std::size_t>(lanes());
+    if (plan_->coupled) {
+        const auto first = static_cast<std::size_t>(begin),
+                   last = static_cast<std::size_t>(end);
+        LaneArray& rows = group.plain[static_cast<std::size_t>(quantity)];
+        if (!rows.empty()) std::copy(rows.column(first), rows.column(last), out);
+        return;
+    }
+    const int n_warm_up = plan_->drive.n_warm_up;
+    for (const Chunk& chunk : plan_->chunks) {
+        const int from = std::max(chunk.begin, begin + n_warm_up);
+        const int to = std::min(chunk.end, end + n_warm_up);
+        if (from >= to) continue;
+        const kernel::PowerRows rows = group.run(from, to, show_for(quantity));
+        const double* shown = group.show(quantity, rows, from, to);
+        out = std::copy_n(shown, static_cast<std::size_t>(to - from) * n_lanes, out);
+    }
+}
+
+}  // namespace bemcal::physics

@@ -1,0 +1,134 @@
+/// A group of points: coefficients in, steps run, meters read.
+#include "physics/batch_plan.hpp"
+
+#include <cmath>
+
+namespace bemcal::physics {
+
+namespace {
+
+std::size_t longest(const std::vector<Chunk>& chunks) {
+    int most = 1;
+    for (const Chunk& chunk : chunks) most = std::max(most, chunk.end - chunk.begin);
+    return static_cast<std::size_t>(most);
+}
+
+Batch::Group::Zone make_zone(const ZonePlan& plan, int lanes) {
+    const auto columns = [](const Partition& classes, int each) {
+        return static_cast<std::size_t>(classes.size()) * static_cast<std::size_t>(each);
+    };
+    return {plan.time(lanes),
+            LaneArray(columns(plan.regimes, plan.regime_columns()), lanes),
+            LaneArray(columns(plan.rows, plan.row_columns()), lanes),
+            LaneArray(plan.is_standard() ? 1 : plan.states.size(), lanes),
+            LaneArray(2, lanes)};
+}
+
+Batch::Group::Rows make_rows(std::size_t steps, int lanes) {
+    return {LaneArray(steps, lanes), LaneArray(steps, lanes), LaneArray(steps, lanes)};
+}
+
+}  // namespace
+
+kernel::Show show_for(Quantity quantity) {
+    return quantity == Quantity::air_temperature ? kernel::Show::powers_and_air
+                                                 : kernel::Show::powers;
+}
+
+Batch::Group::Group(const Batch::Plan& shared) : plan(shared) {
+    const int lanes = plan.table.lanes;
+    buildings.assign(static_cast<std::size_t>(lanes), plan.nominal);
+    for (const ZonePlan& zone : plan.zones) zones.push_back(make_zone(zone, lanes));
+    floor_share_ = LaneArray(zones.size(), lanes);
+    const std::size_t steps = longest(plan.chunks);
+    of_zone_ = make_rows(steps, lanes);
+    if (zones.size() > 1) of_building_ = make_rows(steps, lanes);
+    shown_ = LaneArray(steps, lanes);
+}
+
+void Batch::Group::write_lane(std::span<const double> point, int lane) {
+    const int lanes = plan.table.lanes;
+    Building& building = buildings[static_cast<std::size_t>(lane)];
+    apply(plan.nominal, plan.parameters, point, building);
+    meter_is_made_.fill(false);
+    for (std::size_t z = 0; z < zones.size(); ++z) {
+        Zone& zone = zones[z];
+        write_coefficients(plan.zones[z], building, plan.drive, network_,
+                           {zone.regimes.data() + lane, zone.rows.data() + lane, lanes});
+        write_start(plan.zones[z], start_temperature, zone.state.data() + lane, lanes);
+        floor_share_.column(z)[lane] =
+            building.zones[z].floor_area / building.floor_area();
+    }
+}
+
+void Batch::Group::copy_lane(int from, int to) {
+    buildings[static_cast<std::size_t>(to)] = buildings[static_cast<std::size_t>(from)];
+    for (Zone& zone : zones)
+        for (LaneArray* array : {&zone.regimes, &zone.rows, &zone.state})
+            array->copy_lane(from, to);
+    for (LaneArray& rows : plain) rows.copy_lane(from, to);
+    floor_share_.copy_lane(from, to);
+}
+
+void Batch::Group::clear_lane(int lane) {
+    buildings[static_cast<std::size_t>(lane)] = plan.nominal;
+    for (Zone& zone : zones)
+        for (LaneArray* array : {&zone.regimes, &zone.rows, &zone.state})
+            array->clear_lane(lane);
+    for (LaneArray& rows : plain) rows.clear_lane(lane);
+}
+
+bool Batch::Group::is_finite(int lane) const {
+    double sum = 0;
+    for (std::size_t z = 0; z < zones.size(); ++z)
+        for (std::size_t state = 0; state < zones[z].state.columns(); ++state)
+            sum += zones[z].state.at(state, lane);
+    return std::isfinite(sum);
+}
+
+kernel::PowerRows Batch::Group::run(int begin, int end, kernel::Show show) {
+    const kernel::PowerRows of_zone = of_zone_.pointers();
+    const bool add = zones.size() > 1 && show != kernel::Show::sums;
+    if (add)
+        for (LaneArray* array :
+             {&of_building_.heating, &of_building_.cooling, &of_building_.air})
+            array->clear();
+    for (std::size_t z = 0; z < zones.size(); ++z) {
+        const int segment = plan.zones[z].segment_of[static_cast<std::size_t>(begin)];
+        plan.table.run(zones[z].time, zones[z].lanes(), segment, begin, end, show,
+                       of_zone);
+        if (add)
+            plan.table.add_zone(of_zone, floor_share_.column(z), end - begin,
+                                of_building_.pointers());
+    }
+    return add ? of_building_.pointers() : of_zone;
+}
+
+kernel::MeterLanes Batch::Group::meter(Quantity quantity) {
+    const MeterPlan& meter = plan.meter(quantity);
+    const auto q = static_cast<std::size_t>(quantity);
+    const auto n_rows = static_cast<std::size_t>(meter.rows.size());
+    LaneArray& table = meters_[q];
+    if (table.empty()) table = LaneArray(3 * n_rows, plan.table.lanes);
+    for (std::size_t lane = 0; lane < buildings.size() && !meter_is_made_[q]; ++lane)
+        for (std::size_t row = 0; row < n_rows; ++row) {
+            const MeterForm form =
+                meter_form(buildings[lane], plan.drive, quantity, meter.rows.first[row]);
+            table.column(3 * row)[lane] = form.source;
+            table.column(3 * row + 1)[lane] = form.per_heating;
+            table.column(3 * row + 2)[lane] = form.per_cooling;
+        }
+    meter_is_made_[q] = true;
+    return {table.data(), meter.row_offset.data()};
+}
+
+const double* Batch::Group::show(Quantity quantity, const kernel::PowerRows& rows,
+                                 int begin, int end) {
+    if (quantity == Quantity::air_temperature) return rows.air;
+    if (quantity == Quantity::heating) return rows.heating;
+    if (quantity == Quantity::cooling) return rows.cooling;
+    plan.table.meter(meter(quantity), rows, begin, end, shown_.data());
+    return shown_.data();
+}
+
+}  // namespace bemcal::physics

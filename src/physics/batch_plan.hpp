@@ -1,0 +1,79 @@
+/// The inside of a batch: what its points share, and a group of them under way.
+#pragma once
+
+#include "physics/affine.hpp"
+#include "physics/batch.hpp"
+#include "physics/lane_array.hpp"
+
+#include <array>
+
+namespace bemcal::physics {
+
+constexpr std::size_t n_quantities = 6, n_intervals = 5;
+
+struct Batch::Plan {
+    const Building& nominal;
+    std::vector<Parameter> parameters;
+    const Drive& drive;
+    const kernel::Table& table;
+    bool coupled = false;         ///< then every point runs plain
+    std::vector<Chunk> chunks;    ///< of the period, in steps of the drive
+    std::vector<ZonePlan> zones;  ///< empty where coupled
+    std::array<MeterPlan, n_quantities> meters;
+    std::array<std::vector<int>, n_intervals> bounds;  ///< in steps of the period
+
+    int n_months() const { return chunks.back().month + 1; }
+    const MeterPlan& meter(Quantity quantity) const {
+        return meters[static_cast<std::size_t>(quantity)];
+    }
+};
+
+struct Batch::Group {
+    struct Zone {
+        kernel::ZoneTime time;
+        LaneArray regimes, rows, state, sums;
+        kernel::ZoneLanes lanes() {
+            return {regimes.data(), rows.data(), state.data(), sums.data()};
+        }
+    };
+    struct Rows {
+        LaneArray heating, cooling, air;
+        kernel::PowerRows pointers() {
+            return {heating.data(), cooling.data(), air.data()};
+        }
+    };
+
+    explicit Group(const Batch::Plan& shared);
+    /// One lane's coefficients and start. Throws std::domain_error where the point is
+    /// impossible.
+    void write_lane(std::span<const double> point, int lane);
+    void copy_lane(int from, int to);
+    bool is_finite(int lane) const;  ///< all states are numbers
+    void clear_lane(int lane);  ///< coefficients that stay finite, for a lane that failed
+    /// Steps [begin, end) of all zones; no more than a chunk if something is shown.
+    /// Returns the building's rows.
+    kernel::PowerRows run(int begin, int end, kernel::Show show);
+    kernel::MeterLanes meter(Quantity quantity);
+    /// W or degC of a chunk's steps [steps x lanes], after run() with `show` for that
+    /// quantity.
+    const double* show(Quantity quantity, const kernel::PowerRows& rows, int begin,
+                       int end);
+
+    const Batch::Plan& plan;
+    std::vector<Building> buildings;  ///< [lanes] points written into the nominal
+    std::vector<Zone> zones;
+    std::array<LaneArray, n_quantities> plain;  ///< of coupled buildings, over the period
+
+  private:
+    Network network_;                                 ///< scratch
+    LaneArray floor_share_;                           ///< [zones x lanes]
+    Rows of_zone_, of_building_;                      ///< of a chunk
+    LaneArray shown_;                                 ///< a quantity over a chunk
+    std::array<LaneArray, n_quantities> meters_;      ///< coefficients,
+    std::array<bool, n_quantities> meter_is_made_{};  ///< written when first needed
+};
+
+/// What a run has to show for a quantity.
+kernel::Show show_for(Quantity quantity);
+
+}  // namespace bemcal::physics

@@ -1,0 +1,124 @@
+/// The border between the batch and its time loops: plain structs and a table of
+/// functions.
+///
+/// One file per instruction set fills the table (kernel_scalar, kernel_v3, kernel_v4)
+/// from the same source (kernel_body.inl, kernel_reduce.inl). This header has no standard
+/// templates: in those files they would become weak symbols full of instructions that the
+/// linker may give to the rest of the program.
+///
+/// Lane data is [columns x lanes]: a column is one coefficient of all points of a group.
+#pragma once
+
+namespace bemcal::physics::kernel {
+
+/// What a run writes beside the sums of the powers: nothing, powers, or air temperature
+/// too.
+enum class Show { sums, powers, powers_and_air };
+
+/// Steps [begin, end) over which conductances and set-points hold; in_sun = 0 where all
+/// irradiance is 0.
+struct Segment {
+    int begin, end, regime, in_sun;
+};
+
+/// Columns of a regime of the standard hour with a thermostat. Powers are carried as the
+/// change of the mass temperature that they cause in a step [K].
+struct StandardColumn {
+    enum : int {
+        keep,          ///< of the mass temperature from step to step [-]
+        gain,          ///< power asked per mass temperature [-]
+        most_heating,  ///< limit, >= 0
+        gap,           ///< between the set-points, as power
+        most_cooling,  ///< limit, <= 0
+        watts,         ///< power per change of the mass temperature [W/K]
+        kelvin,        ///< air temperature per power [-]
+        set_point,     ///< of heating [degC]
+        sun_mass,      ///< mass temperature per solar gain [K/W]
+        sun_asked,     ///< power asked per solar gain [K/W]
+        drivers  ///< pairs (mass, asked) per driver, then the apertures of the planes
+    };
+};
+constexpr int standard_row_columns = 2;  ///< constants of (mass, asked)
+
+/// Columns of a regime of any other zone, n states: forms are the free air temperature
+/// and the states after the step, 1 + n of them.
+struct GeneralColumn {
+    enum : int {
+        most_heating,  ///< [W]
+        most_cooling,  ///< [W], >= 0
+        gain_heating,  ///< power asked per kelvin of the free air temperature [W/K]
+        gain_cooling,
+        imposed,  ///< power per value of the last driver [W]
+        forms  ///< (1 + n) each: heating, cooling, states, sun, drivers; then apertures
+    };
+};
+constexpr int general_row_columns(int n_states) {
+    return 3 + n_states;
+}  ///< forms, asked twice
+
+/// A zone's time, the same for all points.
+struct ZoneTime {
+    int n_states;  ///< 0 = the standard hour with a thermostat
+    int imposed;   ///< 1 = power imposed from the last driver and the rows
+    int n_drivers, n_planes;
+    int regime_size;        ///< doubles, all lanes
+    const double* drivers;  ///< [n_steps x (n_drivers + n_planes)], theta_e first
+    const int* row_offset;  ///< [n_steps] from ZoneLanes::rows, in doubles
+    const Segment* segments;
+};
+
+/// A zone of a group of points.
+struct ZoneLanes {
+    const double* regimes;  ///< [n_regimes x columns x lanes]
+    const double* rows;     ///< [n_rows x row columns x lanes]
+    double* state;          ///< [states x lanes]
+    double* sums;           ///< [2 x lanes] heating and cooling, added to [W steps]
+};
+
+/// Rows [steps x lanes] of heating and cooling [W] and air temperature [degC].
+struct PowerRows {
+    double *heating, *cooling, *air;
+};
+
+/// One meter of a group: [n_rows x 3 x lanes] source [W], share of heating, of cooling.
+struct MeterLanes {
+    const double* rows;
+    const int* row_offset;  ///< [n_steps]
+};
+
+/// Readings of a meter, the same for all points.
+struct ReadingTime {
+    const int* closes;       ///< [n_steps] interval that ends with the step, or -1
+    const double* measured;  ///< [n_intervals] NaN = missing
+    const double* inverse;   ///< 1 / |measured|, or 0
+    const double*
+        factor;  ///< from the sum of W or degC over the interval to the reading's unit
+};
+
+/// Columns of a reading's sums.
+struct ErrorColumn {
+    enum : int { open_interval, error, square, product, relative, count };
+};
+
+struct Table {
+    int lanes;
+    /// Steps [begin, end) of a zone, whose first segment is `segment`.
+    void (*run)(const ZoneTime&, const ZoneLanes&, int segment, int begin, int end, Show,
+                const PowerRows&);
+    /// The same in one pass with the errors of a meter read at every step.
+    void (*run_compared)(const ZoneTime&, const ZoneLanes&, int segment, int begin,
+                         int end, const MeterLanes&, const ReadingTime&, double* errors);
+    /// total += zone, air times its share of the floor.
+    void (*add_zone)(const PowerRows& zone, const double* floor_share, int n_steps,
+                     const PowerRows& total);
+    void (*meter)(const MeterLanes&, const PowerRows&, int begin, int end, double* shown);
+    void (*add_up)(const double* shown, int n_steps, double* sum);
+    void (*compare)(const ReadingTime&, const double* shown, int begin, int end,
+                    double* errors);
+};
+
+const Table& scalar_table();
+const Table& v3_table();
+const Table& v4_table();
+
+}  // namespace bemcal::physics::kernel

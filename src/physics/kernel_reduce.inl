@@ -1,0 +1,104 @@
+/// What is made of the powers: meters, sums and errors against readings. Over the same vector
+/// type as kernel_body.inl, and included after it.
+
+void add_zone(const PowerRows& zone, const double* floor_share, int n_steps,
+              const PowerRows& total) {
+    const V share = load(floor_share);
+    for (long at = 0; at < static_cast<long>(n_steps) * lanes; at += lanes) {
+        store(total.heating + at, add(load(total.heating + at), load(zone.heating + at)));
+        store(total.cooling + at, add(load(total.cooling + at), load(zone.cooling + at)));
+        store(total.air + at, fma(share, load(zone.air + at), load(total.air + at)));
+    }
+}
+
+void meter(const MeterLanes& meter_lanes, const PowerRows& powers, int begin, int end,
+           double* shown) {
+    for (int step = begin; step < end; ++step) {
+        const double* row = meter_lanes.rows + meter_lanes.row_offset[step];
+        const long at = static_cast<long>(step - begin) * lanes;
+        const V heated = fma(column(row, 1), load(powers.heating + at), load(row));
+        store(shown + at, fma(column(row, 2), load(powers.cooling + at), heated));
+    }
+}
+
+void add_up(const double* shown, int n_steps, double* sum) {
+    V total = load(sum);
+    for (int step = 0; step < n_steps; ++step) total = add(total, column(shown, step));
+    store(sum, total);
+}
+
+/// Sums over intervals of error, its square, its product with the reading, and its share.
+struct Errors {
+    V open, error, square, product, relative;
+
+    explicit Errors(const double* sums)
+        : open(column(sums, ErrorColumn::open_interval)),
+          error(column(sums, ErrorColumn::error)),
+          square(column(sums, ErrorColumn::square)),
+          product(column(sums, ErrorColumn::product)),
+          relative(column(sums, ErrorColumn::relative)) {}
+
+    void write(double* sums) const {
+        store(sums + ErrorColumn::open_interval * lanes, open);
+        store(sums + ErrorColumn::error * lanes, error);
+        store(sums + ErrorColumn::square * lanes, square);
+        store(sums + ErrorColumn::product * lanes, product);
+        store(sums + ErrorColumn::relative * lanes, relative);
+    }
+
+    void close(const ReadingTime& reading, int interval) {
+        const double measured = reading.measured[interval];
+        if (measured == measured) {
+            const V y = broadcast(measured);
+            const V e = fms(open, broadcast(reading.factor[interval]), y);
+            error = add(error, e);
+            square = fma(e, e, square);
+            product = fma(e, y, product);
+            relative = fma(magnitude(e), broadcast(reading.inverse[interval]), relative);
+        }
+        open = broadcast(0);
+    }
+};
+
+void compare(const ReadingTime& reading, const double* shown, int begin, int end, double* errors) {
+    Errors sums(errors);
+    for (int step = begin; step < end; ++step) {
+        sums.open = add(sums.open, column(shown, step - begin));
+        if (reading.closes[step] >= 0) sums.close(reading, reading.closes[step]);
+    }
+    sums.write(errors);
+}
+
+/// Sees the meter while the powers are in registers.
+struct Compared {
+    const MeterLanes& meter_lanes;
+    const ReadingTime& reading;
+    double* errors;
+    struct Watch {
+        const MeterLanes& meter_lanes;
+        const ReadingTime& reading;
+        double* errors;
+        V watts;
+        Errors sums;
+        void see(int step, V, V heating, V cooling) {
+            const double* row = meter_lanes.rows + meter_lanes.row_offset[step];
+            const V heated = fma(mul(column(row, 1), watts), heating, load(row));
+            sums.open = fnma(mul(column(row, 2), watts), cooling, heated);
+            sums.close(reading, reading.closes[step]);
+        }
+        void end() { sums.write(errors); }
+    };
+    Watch begin(const double* regime) const {
+        return {meter_lanes, reading, errors, column(regime, StandardColumn::watts),
+                Errors(errors)};
+    }
+};
+
+void run_compared(const ZoneTime& zone, const ZoneLanes& group, int segment, int begin, int end,
+                  const MeterLanes& meter_lanes, const ReadingTime& reading, double* errors) {
+    for_pieces(zone, segment, begin, end, [&](const Segment& piece) {
+        run_standard(zone, group, piece, Compared{meter_lanes, reading, errors});
+    });
+}
+
+constexpr Table table{lanes, run, run_compared, add_zone, meter, add_up, compare};

@@ -1,0 +1,60 @@
+/// The time loops for x86-64-v3: AVX2 and FMA, 2 x 4 lanes.
+#include "physics/kernel.hpp"
+
+#include <immintrin.h>
+
+namespace bemcal::physics::kernel {
+
+namespace {
+
+using Register = __m256d;
+constexpr int width = 4;
+
+inline Register load_register(const double* at) {
+    return _mm256_loadu_pd(at);
+}
+inline void store_register(double* at, Register x) {
+    _mm256_storeu_pd(at, x);
+}
+inline Register broadcast_register(double value) {
+    return _mm256_set1_pd(value);
+}
+inline Register add(Register x, Register y) {
+    return _mm256_add_pd(x, y);
+}
+inline Register sub(Register x, Register y) {
+    return _mm256_sub_pd(x, y);
+}
+inline Register mul(Register x, Register y) {
+    return _mm256_mul_pd(x, y);
+}
+inline Register min(Register x, Register y) {
+    return _mm256_min_pd(x, y);
+}
+inline Register max(Register x, Register y) {
+    return _mm256_max_pd(x, y);
+}
+inline Register fma(Register x, Register y, Register z) {
+    return _mm256_fmadd_pd(x, y, z);
+}
+inline Register fms(Register x, Register y, Register z) {
+    return _mm256_fmsub_pd(x, y, z);
+}
+inline Register fnma(Register x, Register y, Register z) {
+    return _mm256_fnmadd_pd(x, y, z);
+}
+inline Register magnitude(Register x) {
+    return _mm256_andnot_pd(_mm256_set1_pd(-0.0), x);
+}
+
+#include "physics/kernel_pair.inl"
+#include "physics/kernel_body.inl"
+#include "physics/kernel_reduce.inl"
+
+}  // namespace
+
+const Table& v3_table() {
+    return table;
+}
+
+}  // namespace bemcal::physics::kernel

@@ -1,0 +1,60 @@
+/// The time loops for x86-64-v4: AVX-512, 2 x 8 lanes.
+#include "physics/kernel.hpp"
+
+#include <immintrin.h>
+
+namespace bemcal::physics::kernel {
+
+namespace {
+
+using Register = __m512d;
+constexpr int width = 8;
+
+inline Register load_register(const double* at) {
+    return _mm512_loadu_pd(at);
+}
+inline void store_register(double* at, Register x) {
+    _mm512_storeu_pd(at, x);
+}
+inline Register broadcast_register(double value) {
+    return _mm512_set1_pd(value);
+}
+inline Register add(Register x, Register y) {
+    return _mm512_add_pd(x, y);
+}
+inline Register sub(Register x, Register y) {
+    return _mm512_sub_pd(x, y);
+}
+inline Register mul(Register x, Register y) {
+    return _mm512_mul_pd(x, y);
+}
+inline Register min(Register x, Register y) {
+    return _mm512_min_pd(x, y);
+}
+inline Register max(Register x, Register y) {
+    return _mm512_max_pd(x, y);
+}
+inline Register fma(Register x, Register y, Register z) {
+    return _mm512_fmadd_pd(x, y, z);
+}
+inline Register fms(Register x, Register y, Register z) {
+    return _mm512_fmsub_pd(x, y, z);
+}
+inline Register fnma(Register x, Register y, Register z) {
+    return _mm512_fnmadd_pd(x, y, z);
+}
+inline Register magnitude(Register x) {
+    return _mm512_abs_pd(x);
+}
+
+#include "physics/kernel_pair.inl"
+#include "physics/kernel_body.inl"
+#include "physics/kernel_reduce.inl"
+
+}  // namespace
+
+const Table& v4_table() {
+    return table;
+}
+
+}  // namespace bemcal::physics::kernel

@@ -1,0 +1,39 @@
+/// A group's sums over the period, chunk by chunk and month by month, and each lane's
+/// answer.
+#pragma once
+
+#include "physics/request_plan.hpp"
+
+namespace bemcal::physics {
+
+class Reduction {
+  public:
+    Reduction(const RequestPlan& request, const Batch::Plan& batch);
+    /// Runs the group, warmed up, through the period.
+    void run(Batch::Group& group);
+    PointAnswer answer(int lane, Batch::Group& group) const;
+
+  private:
+    std::size_t months() const { return static_cast<std::size_t>(batch_.n_months()); }
+    void run_chunk(const Chunk& chunk, Batch::Group& group);
+    void run_compared(const Chunk& chunk, Batch::Group& group);
+    void close_month(std::size_t month, Batch::Group& group);
+    double total(Quantity quantity, std::size_t month, int lane,
+                 Batch::Group& group) const;
+    double total_of_powers(Quantity quantity, std::size_t month, int lane,
+                           Batch::Group& group) const;
+    double annual(Quantity quantity, int lane, Batch::Group& group) const;
+    double monthly(Quantity quantity, std::size_t month, int lane,
+                   Batch::Group& group) const;
+    ErrorSums errors(std::size_t reading, int lane) const;
+    ErrorSums monthly_errors(std::size_t reading, int lane) const;
+
+    const RequestPlan& request_;
+    const Batch::Plan& batch_;
+    LaneArray powers_;             ///< [months x 2] heating, cooling [W steps]
+    LaneArray summed_;             ///< [RequestPlan::summed x months]
+    LaneArray error_;              ///< [readings x months]
+    std::vector<LaneArray> sums_;  ///< [readings] kernel::ErrorColumn
+};
+
+}  // namespace bemcal::physics

@@ -1,0 +1,39 @@
+/// What is wanted of every point, laid on the steps of the drive once for all groups.
+#pragma once
+
+#include "physics/batch_plan.hpp"
+
+namespace bemcal::physics {
+
+double kWh_per_W(const Drive& drive);
+
+/// A meter's readings laid on the drive's steps.
+struct ReadingPlan {
+    Quantity quantity = Quantity::heating;
+    bool every_step = true;  ///< each interval is one step
+    bool by_month = false;
+    std::vector<int> closes;  ///< [n_steps] interval that ends there, or -1
+    std::vector<double> measured, inverse,
+        factor;                     ///< [n_intervals], see kernel::ReadingTime
+    std::vector<ErrorSums> months;  ///< [n_months] of the readings alone: n, n_relative,
+                                    ///< their sum in `simulated`, squares in `product`
+    kernel::ReadingTime time() const {
+        return {closes.data(), measured.data(), inverse.data(), factor.data()};
+    }
+};
+
+struct RequestPlan {
+    const Request& request;
+    std::vector<ReadingPlan> readings;
+    std::vector<Quantity> summed;  ///< totals that need the quantity shown
+    kernel::Show show = kernel::Show::sums;
+    bool compared = false;  ///< one meter, read while the powers are made
+
+    RequestPlan(const Request& wanted, const Batch::Plan& batch);
+
+  private:
+    void need(kernel::Show more);
+    void add_total(Quantity quantity, const Batch::Plan& batch);
+};
+
+}  // namespace bemcal::physics
