@@ -141,6 +141,8 @@ TEST(Network, ScalesCapacitiesAndImposedPowerByTheFloor) {
     Case c;
     c.zone().thermostat.heating_capacity.value = 40;
     EXPECT_EQ(control_at(c.zone(), c.drive, 0).phi_H_max, 800);
+    c.zone().thermostat.heating_available.value = 0.25;
+    EXPECT_EQ(control_at(c.zone(), c.drive, 0).phi_H_max, 200);
     c.zone().thermostat.imposed = true;
     c.zone().thermostat.imposed_power.value = -7;
     EXPECT_TRUE(control_at(c.zone(), c.drive, 0).imposed);

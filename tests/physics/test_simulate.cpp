@@ -171,6 +171,33 @@ TEST(Simulate, TakesAirFromTheOtherZoneOneWay) {
     EXPECT_GT(coupled.zones[1].theta_air.back(), apart.zones[1].theta_air.back() + 1);
 }
 
+/// In the steady state 100 m3/h from the other zone are 2 air changes with its air as
+/// supply.
+TEST(Simulate, TakesAsMuchHeatFromTheOtherZoneAsFromASupply) {
+    Building building = two_zones();
+    building.zones[0].loads[0].density.value = 40;
+    building.zones[1].couplings = {{0, {}, {100, 0, -1}}};
+    const Drive drive = test::constant_drive(building, 6000, 0);
+    const Trajectory coupled = simulate(building, drive);
+    building.zones[1].couplings.clear();
+    building.boundaries.push_back({"room", {coupled.zones[0].theta_air.back(), 0, -1}});
+    AirFlow supply;
+    supply.air_change.value = 2;
+    supply.supply = 0;
+    building.zones[1].flows.push_back(supply);
+    EXPECT_NEAR(simulate(building, drive).zones[1].theta_air.back(),
+                coupled.zones[1].theta_air.back(), 1e-9);
+}
+
+TEST(Simulate, RefusesACouplingThatMakesTheMassRing) {
+    Building building = two_zones();
+    building.zones[1].heat_capacity = 9000;
+    const Drive drive = test::constant_drive(building, 2, 0);
+    EXPECT_NO_THROW(simulate(building, drive));
+    building.zones[0].couplings = {{1, {1000, 0, -1}, {}}};
+    EXPECT_THROW(simulate(building, drive), std::domain_error);
+}
+
 TEST(Simulate, RefusesANegativeCoupling) {
     Building building = two_zones();
     building.zones[0].couplings = {{1, {-3, 0, -1}, {}}};
