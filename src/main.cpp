@@ -1,1 +1,202 @@
-int main() { return 0; }
+/// The command line: one command for each thing a user does; rank 0 speaks for all ranks.
+#include "base/error.hpp"
+#include "job/plan.hpp"
+#include "report/tables.hpp"
+#include "run/find_job.hpp"
+#include "run/run_job.hpp"
+#include "run/threads.hpp"
+#include "run/together.hpp"
+#include "store/layout.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace {
+
+using namespace bemcal;
+namespace fs = std::filesystem;
+
+struct CommandLine {
+    fs::path job, output, file;
+    std::vector<fs::path> files;
+    std::string topic;
+    bool force = false, resume = false;
+    int n_threads = 0;
+};
+
+constexpr const char* footer =
+    "Without an argument it runs the quickstart. In front of it, `mpirun -np N` starts N "
+    "ranks.\n"
+    "Exit codes: 0 done, 64 command line, 65 data, 66 input missing, 70 program error,\n"
+    "73 output exists or cannot be made, 74 reading or writing failed, 75 stopped (go on "
+    "with "
+    "--resume),\n78 job file.";
+
+void add_run(CLI::App& app, CommandLine& line) {
+    CLI::App* run =
+        app.add_subcommand("run", "run a job (may be left out: bemcal-batch JOB)");
+    run->add_option("JOB", line.job,
+                    "job file, or a folder NAME with NAME.toml; none = quickstart");
+    run->add_option("-o,--output", line.output,
+                    "result file; default: the job's, else NAME.h5");
+    auto* force = run->add_flag("--force", line.force,
+                                "overwrite a result, drop an unfinished run");
+    run->add_flag("--resume", line.resume,
+                  "go on with an unfinished run, if there is one")
+        ->excludes(force);
+    run->add_option("--threads", line.n_threads,
+                    "compute threads of each rank; default: its share of the cores")
+        ->check(CLI::Range(1, 4096));
+}
+
+void add_others(CLI::App& app, CommandLine& line) {
+    app.add_subcommand("check", "read everything, simulate nothing, print the plan")
+        ->add_option("JOB", line.job, "job file, or a folder NAME with NAME.toml")
+        ->required();
+    app.add_subcommand("describe",
+                       "print every key of a job, dataset of a result, or number that "
+                       "a parameter may name")
+        ->add_option("TOPIC", line.topic, "job, results or parameters")
+        ->required()
+        ->check(CLI::IsMember({"job", "results", "parameters"}));
+    app.add_subcommand("status", "print whether a result is complete, and its hash")
+        ->add_option("FILE", line.file, "result file, also of a run that is not complete")
+        ->required();
+    app.add_subcommand("report", "print results as tables")
+        ->add_option("FILE", line.files, "result files")
+        ->required();
+}
+
+/// `run` where no command stands first.
+std::vector<std::string> arguments(int argc, char** argv) {
+    std::vector<std::string> words(argv + 1, argv + argc);
+    const auto is_known = [](const std::string& word) {
+        for (const char* known : {"run", "check", "describe", "status", "report", "-h",
+                                  "--help", "--version"})
+            if (word == known) return true;
+        return false;
+    };
+    if (words.empty() || !is_known(words[0])) words.insert(words.begin(), "run");
+    return words;
+}
+
+void print_warning(const std::string& text) {
+    fmt::print(stderr, "bemcal-batch: {}\n", text);
+    std::fflush(stderr);
+}
+
+void print_tables(const store::ResultFile& result) {
+    fmt::print("{}\n", report::tables_of(result));
+    std::fflush(stdout);
+}
+
+ExitCode run_command(run::Comm& comm, const CommandLine& line) {
+    run::JobOptions options;
+    options.is_numbered = line.job.empty();
+    options.output = line.output;
+    options.existing = line.force    ? run::Existing::force
+                       : line.resume ? run::Existing::resume
+                                     : run::Existing::refuse;
+    options.n_threads = line.n_threads;
+    options.version = BEMCAL_VERSION;
+    options.say = print_warning;
+    options.on_stage = print_tables;
+    run::together(comm, [&] {
+        options.job = line.job.empty()
+                          ? run::find_quickstart({BEMCAL_SOURCE_DIR, BEMCAL_DATA_DIR})
+                          : run::job_file(line.job);
+    });
+    return run::run_job(comm, options).code;
+}
+
+ExitCode check_command(const CommandLine& line, int n_ranks) {
+    const job::Job job = job::read_job(run::job_file(line.job));
+    const auto cores = static_cast<int>(run::placement().cores.size());
+    fmt::print("{}", job::plan_text(job, std::max(cores, n_ranks)));
+    return ExitCode::ok;
+}
+
+ExitCode describe_command(const CommandLine& line) {
+    const std::string text = line.topic == "job"       ? job::describe_job()
+                             : line.topic == "results" ? store::describe_results()
+                                                       : job::describe_parameters();
+    fmt::print("{}", text);
+    return ExitCode::ok;
+}
+
+ExitCode status_command(const CommandLine& line) {
+    const fs::path part = run::part_folder_of(line.file);
+    if (fs::exists(part / "identity.txt")) {
+        fmt::print("{}: {}", line.file.string(), run::part_status(part));
+        return ExitCode::more_to_do;
+    }
+    fmt::print("{}: {}", line.file.string(),
+               report::status_of(store::read_result(line.file)));
+    return ExitCode::ok;
+}
+
+ExitCode report_command(const CommandLine& line) {
+    for (const fs::path& file : line.files) {
+        const store::ResultFile result = store::read_result(file);
+        fmt::print("{}: {}\n", file.string(), report::status_of(result));
+        print_tables(result);
+    }
+    return ExitCode::ok;
+}
+
+/// Commands that one rank is enough for; the others have nothing to do.
+ExitCode alone(run::Comm& comm, const CLI::App& app, const CommandLine& line) {
+    if (comm.rank() != 0) return ExitCode::ok;
+    if (app.got_subcommand("check")) return check_command(line, comm.size());
+    if (app.got_subcommand("describe")) return describe_command(line);
+    if (app.got_subcommand("status")) return status_command(line);
+    return report_command(line);
+}
+
+/// Help and version are no errors; a command line that is wrong gets code 64.
+int parse_failed(const CLI::App& app, const CLI::ParseError& error, int rank) {
+    const bool is_help = error.get_exit_code() == 0;
+    if (rank == 0) app.exit(error);
+    return is_help ? 0 : static_cast<int>(ExitCode::usage);
+}
+
+int run_program(run::Comm& comm, int argc, char** argv) {
+    CLI::App app(
+        "Calibrates hourly building energy models against measured data, in batches.");
+    app.set_version_flag("--version", "bemcal-batch " BEMCAL_VERSION);
+    app.require_subcommand(1);
+    app.footer(footer);
+    CommandLine line;
+    add_run(app, line);
+    add_others(app, line);
+    std::vector<std::string> words = arguments(argc, argv);
+    std::reverse(words.begin(), words.end());
+    try {
+        app.parse(words);
+    } catch (const CLI::ParseError& error) {
+        return parse_failed(app, error, comm.rank());
+    }
+    return static_cast<int>(app.got_subcommand("run") ? run_command(comm, line)
+                                                      : alone(comm, app, line));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    run::Comm comm(&argc, &argv);
+    try {
+        return run_program(comm, argc, argv);
+    } catch (const UserError& error) {
+        if (comm.rank() == 0) print_warning(error.what());
+        return static_cast<int>(error.exit_code());
+    } catch (const std::exception& error) {
+        print_warning(
+            fmt::format("program error on rank {}: {}", comm.rank(), error.what()));
+        comm.abort(static_cast<int>(ExitCode::software));
+    }
+}

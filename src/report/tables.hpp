@@ -1,13 +1,18 @@
-/// Tables for the terminal, made from a stored result alone.
+/// Tables for the terminal, made from a stored result alone, at most 100 columns wide.
 #pragma once
-
-#include <string>
 
 #include "store/result_file.hpp"
 
+#include <string>
+
 namespace bemcal::report {
 
-/// Everything a result holds, as plain text; metrics are computed again from what is stored.
+/// Everything a result holds, as plain text; metrics are computed again from what is
+/// stored. Works on a part of a result too: the datasets of one stage.
 std::string tables_of(const store::ResultFile& result);
+
+/// For `status`: complete or not, the job, seed, version, hash (computed again), and the
+/// run.
+std::string status_of(const store::ResultFile& result);
 
 }  // namespace bemcal::report

@@ -1,0 +1,42 @@
+#include "report/lookup.hpp"
+
+#include "store/layout.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace bemcal::report {
+
+const study::Dataset* Group::find(const std::string& leaf) const {
+    const std::string wanted = path_.empty() ? leaf : path_ + "/" + leaf;
+    const auto found =
+        std::ranges::find(result_->datasets, wanted, &study::Dataset::path);
+    return found == result_->datasets.end() ? nullptr : &*found;
+}
+
+const std::vector<double>& Group::values(const std::string& leaf) const {
+    static const std::vector<double> none;
+    const study::Dataset* dataset = find(leaf);
+    return dataset ? dataset->values : none;
+}
+
+const std::vector<std::string>& Group::texts(const std::string& leaf) const {
+    static const std::vector<std::string> none;
+    const study::Dataset* dataset = find(leaf);
+    return dataset ? dataset->texts : none;
+}
+
+double Group::value(const std::string& leaf) const {
+    const auto& found = values(leaf);
+    return found.empty() ? std::numeric_limits<double>::quiet_NaN() : found[0];
+}
+
+std::vector<Group> groups_with(const store::ResultFile& result, const std::string& leaf) {
+    std::vector<Group> groups;
+    for (const study::Dataset& dataset : result.datasets)
+        if (store::leaf_of(dataset.path) == leaf)
+            groups.emplace_back(result, store::group_of(dataset.path));
+    return groups;
+}
+
+}  // namespace bemcal::report

@@ -1,0 +1,167 @@
+#include "physics/calendar.hpp"
+#include "report/sections.hpp"
+#include "report/text_table.hpp"
+#include "stats/metrics.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace bemcal::report {
+namespace {
+
+using stats::FitMetrics;
+
+/// A meter over a period as it is stored, with one of the candidates.
+struct Series {
+    std::vector<double> begins, simulated, measured;
+    bool is_mean = false;  ///< a temperature: months are means, not sums
+};
+
+Series series_of(const Group& meter, std::size_t candidate, bool is_mean) {
+    Series series{meter.values("time"), {}, meter.values("measured"), is_mean};
+    const auto& both = meter.values("simulated");
+    const std::size_t n = series.begins.size();
+    if (both.size() < (candidate + 1) * n) return {};
+    const auto first = both.begin() + static_cast<std::ptrdiff_t>(candidate * n);
+    series.simulated.assign(first, first + static_cast<std::ptrdiff_t>(n));
+    return series;
+}
+
+std::pair<int, int> month_of(double seconds_since_1970) {
+    const auto step = physics::calendar_step(physics::Seconds(
+        std::chrono::seconds(static_cast<long long>(seconds_since_1970))));
+    return {step.year, step.month};
+}
+
+/// Over the intervals of each month that have a reading; the calendar's months.
+FitMetrics monthly_metrics(const Series& series) {
+    struct Sums {
+        double simulated = 0, measured = 0, n = 0;
+    };
+    std::map<std::pair<int, int>, Sums> months;
+    for (std::size_t k = 0; k < series.begins.size(); ++k) {
+        if (std::isnan(series.measured[k])) continue;
+        Sums& sums = months[month_of(series.begins[k])];
+        sums.simulated += series.simulated[k];
+        sums.measured += series.measured[k];
+        sums.n += 1;
+    }
+    std::vector<double> simulated, measured;
+    for (const auto& [month, sums] : months) {
+        simulated.push_back(sums.simulated / (series.is_mean ? sums.n : 1));
+        measured.push_back(sums.measured / (series.is_mean ? sums.n : 1));
+    }
+    return stats::metrics_of(simulated, measured);
+}
+
+double shortest_interval(const Series& series) {
+    return series.begins.size() < 2 ? 0 : series.begins[1] - series.begins[0];
+}
+
+const char* interval_name(const Series& series) {
+    const double seconds = shortest_interval(series);
+    return seconds <= 0           ? "once"
+           : seconds < 3600       ? "steps"
+           : seconds < 7200       ? "hourly"
+           : seconds < 2 * 86400  ? "daily"
+           : seconds < 40 * 86400 ? "monthly"
+                                  : "annual";
+}
+
+/// "12.3 -> 4.5 %"
+std::string change(double nominal, double best) {
+    const auto number = [](double share) {
+        return std::isfinite(share) ? fmt::format("{:.1f}", 100 * share)
+                                    : std::string("-");
+    };
+    return fmt::format("{:>6} -> {:>5}", number(nominal), number(best));
+}
+
+/// "no -> yes": whether each meets ASHRAE Guideline 14.
+std::string verdict(const FitMetrics& nominal, const FitMetrics& best,
+                    stats::Resolution resolution) {
+    const auto word = [&](const FitMetrics& metrics) {
+        return meets_guideline_14(metrics, resolution) ? "yes" : "no";
+    };
+    return fmt::format("{:>3} -> {}", word(nominal), word(best));
+}
+
+void add_row(TextTable& table, const std::string& period, const std::string& meter,
+             const std::string& interval, const FitMetrics& nominal,
+             const FitMetrics& best, stats::Resolution resolution) {
+    table.add({period, meter, interval, in_short(best.n),
+               change(nominal.cv_rmse, best.cv_rmse), change(nominal.nmbe, best.nmbe),
+               change(nominal.mape, best.mape), verdict(nominal, best, resolution)});
+}
+
+void add_meter(TextTable& table, const Group& study, const std::string& period,
+               std::size_t meter) {
+    const std::string& name = study.texts("meter")[meter];
+    const bool is_mean = study.texts("meter_unit")[meter] == "degC";
+    const Group group = study.inner(period).inner(name);
+    const Series nominal = series_of(group, 0, is_mean),
+                 best = series_of(group, 1, is_mean);
+    if (nominal.begins.empty()) return;
+    const bool is_finer =
+        shortest_interval(nominal) < 27 * 86400 && nominal.begins.size() > 1;
+    const auto own = is_finer ? stats::Resolution::hourly : stats::Resolution::monthly;
+    add_row(table, period, name, interval_name(nominal),
+            stats::metrics_of(nominal.simulated, nominal.measured),
+            stats::metrics_of(best.simulated, best.measured), own);
+    if (is_finer)
+        add_row(table, period, name, "monthly", monthly_metrics(nominal),
+                monthly_metrics(best), stats::Resolution::monthly);
+}
+
+std::string fit_table(const Group& study) {
+    TextTable table(
+        {"period", "meter", "", "n", "CV(RMSE) %", "NMBE %", "MAPE %", "G14"});
+    for (const std::string& period : study.texts("period"))
+        for (std::size_t m = 0; m < study.texts("meter").size(); ++m)
+            add_meter(table, study, period, m);
+    return table.text(16);
+}
+
+std::string count_lines(const Group& study) {
+    const auto &periods = study.texts("period"), &resolutions = study.texts("resolution");
+    const auto& counts = study.values("guideline_14_count");
+    std::string text;
+    for (std::size_t p = 0; p < periods.size(); ++p)
+        for (std::size_t r = 0;
+             r < resolutions.size() && p * resolutions.size() + r < counts.size(); ++r)
+            text += fmt::format(
+                "  {:.0f} of {:.0f} points meet ASHRAE Guideline 14 ({}) in {}\n",
+                counts[p * resolutions.size() + r], study.value("n_points"),
+                resolutions[r], periods[p]);
+    return text;
+}
+
+std::string parameter_table(const Group& study) {
+    const auto &names = study.texts("parameter"), &units = study.texts("parameter_unit");
+    const auto &least = study.values("parameter_least"),
+               &most = study.values("parameter_most");
+    const auto& both = study.values("candidate_parameters");
+    if (both.size() < 2 * names.size()) return {};
+    TextTable table({"parameter", "nominal", "best", "unit", "range"});
+    for (std::size_t p = 0; p < names.size(); ++p)
+        table.add({names[p], in_short(both[p]), in_short(both[names.size() + p]),
+                   units[p],
+                   fmt::format("{} to {}", in_short(least[p]), in_short(most[p]))});
+    return table.text(48);
+}
+
+}  // namespace
+
+std::string screening_section(const Group& study) {
+    return fmt::format(
+               "\n{}: nominal -> best of {:.0f} points (best in {} by CV(RMSE))\n",
+               study.path(), study.value("n_points"),
+               study.texts("period").empty() ? "training" : study.texts("period")[0]) +
+           fit_table(study) + count_lines(study) + parameter_table(study) +
+           failure_lines(study);
+}
+
+}  // namespace bemcal::report

@@ -1,0 +1,28 @@
+/// The parts of a report, one for each kind of study; text with a heading, empty where
+/// there is nothing to say.
+#pragma once
+
+#include "report/lookup.hpp"
+
+#include <string>
+
+namespace bemcal::report {
+
+/// Parameters by total-order index, with intervals, for each output; indices are
+/// estimated again from the stored design.
+std::string sensitivity_section(const Group& study);
+
+/// Parameters by the total-order index of a whole series.
+std::string hourly_section(const Group& study);
+
+/// Nominal against best for each meter and period, computed again from the stored series;
+/// how many points meet ASHRAE Guideline 14; the best point.
+std::string screening_section(const Group& study);
+
+/// What was found in a building's data, and what was done about it.
+std::string decision_section(const Group& data);
+
+/// How many simulations of a study failed, and why.
+std::string failure_lines(const Group& study);
+
+}  // namespace bemcal::report

@@ -1,0 +1,81 @@
+#include "report/tables.hpp"
+
+#include "report/sections.hpp"
+#include "report/text_table.hpp"
+
+#include <map>
+
+#include <fmt/format.h>
+
+namespace bemcal::report {
+namespace {
+
+std::string value_or(const std::map<std::string, std::string>& attributes,
+                     const char* name) {
+    const auto found = attributes.find(name);
+    return found == attributes.end() ? "?" : found->second;
+}
+
+}  // namespace
+
+std::string decision_section(const Group& data) {
+    const auto &series = data.texts("series"), &findings = data.texts("finding");
+    const auto& actions = data.texts("action");
+    TextTable table({"data", "finding", "done about it"});
+    for (std::size_t k = 0; k < series.size(); ++k)
+        table.add({series[k], findings[k], actions[k]});
+    return table.is_empty() ? "" : fmt::format("\n{}\n", data.path()) + table.text(42);
+}
+
+std::string failure_lines(const Group& study) {
+    const double n_failed = study.value("n_failed");
+    if (!(n_failed > 0)) return {};
+    std::map<std::string, int> counts;
+    for (const std::string& reason : study.texts("failed_reason")) ++counts[reason];
+    std::string text = fmt::format("  {:.0f} simulations failed:\n", n_failed);
+    int n_shown = 0;
+    for (const auto& [reason, count] : counts) {
+        if (++n_shown > 10)
+            return text + fmt::format("  and for {} more reasons\n", counts.size() - 10);
+        text += fmt::format("  {:>8} x {:.85}\n", count, reason);
+    }
+    return text;
+}
+
+std::string tables_of(const store::ResultFile& result) {
+    std::string text;
+    for (const Group& data : groups_with(result, "finding"))
+        text += decision_section(data);
+    for (const Group& study : groups_with(result, "total_order"))
+        text += sensitivity_section(study);
+    for (const Group& study : groups_with(result, "series_total_order"))
+        text += hourly_section(study);
+    for (const Group& study : groups_with(result, "candidate_parameters"))
+        text += screening_section(study);
+    return text;
+}
+
+std::string status_of(const store::ResultFile& result) {
+    const std::string now = store::result_hash(result);
+    std::string text = result.complete ? "complete\n" : "NOT complete\n";
+    if (now != result.hash)
+        text += fmt::format("  DAMAGED: its content has hash {}\n", now);
+    text += fmt::format("  result hash {}\n", result.hash);
+    text += fmt::format(
+        "  job {}, seed {}, version {}\n", value_or(result.attributes, "title"),
+        value_or(result.attributes, "seed"), value_or(result.attributes, "version"));
+    const auto& run = result.run;
+    text += fmt::format("  run on {} from {} to {}: {} ranks, {} threads, {}\n",
+                        value_or(run, "host"), value_or(run, "started"),
+                        value_or(run, "finished"), value_or(run, "n_ranks"),
+                        value_or(run, "n_threads"), value_or(run, "instruction_set"));
+    text += fmt::format(
+        "  seconds: read {}, plan {}, simulate {} (idle share {}), conclude {}, "
+        "store {}\n",
+        value_or(run, "seconds_read"), value_or(run, "seconds_plan"),
+        value_or(run, "seconds_simulate"), value_or(run, "idle_share"),
+        value_or(run, "seconds_conclude"), value_or(run, "seconds_store"));
+    return text;
+}
+
+}  // namespace bemcal::report

@@ -1,0 +1,70 @@
+#include "report/text_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace bemcal::report {
+namespace {
+
+/// Characters, not bytes, of UTF-8.
+std::size_t width_of(const std::string& cell) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(cell, [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
+std::string cut(const std::string& cell, std::size_t widest) {
+    return width_of(cell) <= widest ? cell : cell.substr(0, widest - 2) + "..";
+}
+
+/// A column is one of numbers where every cell below the header begins like one.
+bool is_number(const std::string& cell) {
+    return cell.empty() || cell == "-" || (cell.find_first_of("0123456789") <= 1);
+}
+
+std::string padded(const std::string& cell, std::size_t width, bool to_right) {
+    const std::string gap(width - std::min(width, width_of(cell)), ' ');
+    return to_right ? gap + cell : cell + gap;
+}
+
+}  // namespace
+
+std::string TextTable::text(std::size_t widest) const {
+    const std::size_t n_columns = rows_[0].size();
+    std::vector<std::size_t> widths(n_columns, 0);
+    std::vector<bool> to_right(n_columns, true);
+    for (const auto& row : rows_)
+        for (std::size_t c = 0; c < n_columns; ++c) {
+            widths[c] = std::max(widths[c], width_of(cut(row[c], widest)));
+            if (&row != &rows_[0] && !is_number(row[c])) to_right[c] = false;
+        }
+    std::string out;
+    for (const auto& row : rows_) {
+        std::string line = " ";
+        for (std::size_t c = 0; c < n_columns; ++c)
+            line += " " + padded(cut(row[c], widest), widths[c], to_right[c]) +
+                    (c + 1 < n_columns ? " " : "");
+        line.erase(line.find_last_not_of(' ') + 1);
+        out += line + "\n";
+    }
+    return out;
+}
+
+std::string in_short(double value) {
+    if (!std::isfinite(value)) return "-";
+    const double size = std::abs(value);
+    if (size >= 1000 || (size >= 1 && value == std::round(value)))
+        return fmt::format("{:.0f}", value);
+    return size == 0 || size >= 0.001 ? fmt::format("{:.{}f}", value,
+                                                    size >= 10  ? 1
+                                                    : size >= 1 ? 2
+                                                                : 4)
+                                      : fmt::format("{:.2g}", value);
+}
+
+std::string percent(double share) {
+    return std::isfinite(share) ? fmt::format("{:.1f} %", 100 * share) : "-";
+}
+
+}  // namespace bemcal::report

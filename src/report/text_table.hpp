@@ -1,0 +1,27 @@
+/// Aligned columns of text: words to the left, numbers to the right.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace bemcal::report {
+
+class TextTable {
+  public:
+    explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
+    void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+    bool is_empty() const { return rows_.size() == 1; }
+
+    /// Indented by two; cells that are wider than `widest` are cut with "..".
+    std::string text(std::size_t widest = 40) const;
+
+  private:
+    std::vector<std::vector<std::string>> rows_;
+};
+
+/// A number for a table: "0.0512", "12.3", "4320", "nan" as "-".
+std::string in_short(double value);
+/// A share as "12.3 %", NaN as "-".
+std::string percent(double share);
+
+}  // namespace bemcal::report

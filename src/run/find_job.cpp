@@ -1,0 +1,53 @@
+#include "run/find_job.hpp"
+
+#include "base/error.hpp"
+
+#include <fmt/format.h>
+
+namespace bemcal::run {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Beside the program, installed beside it, in the folders above it, then the built-in
+/// ones.
+std::vector<fs::path> candidates(const std::vector<fs::path>& shared) {
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    std::vector<fs::path> folders;
+    if (!error) {
+        folders.push_back(program.parent_path());
+        folders.push_back(program.parent_path().parent_path() / "share" / "bemcal");
+        for (fs::path above = program.parent_path(); above.has_relative_path();
+             above = above.parent_path())
+            folders.push_back(above.parent_path());
+    }
+    folders.insert(folders.end(), shared.begin(), shared.end());
+    return folders;
+}
+
+}  // namespace
+
+fs::path job_file(const fs::path& named) {
+    if (!fs::is_directory(named)) return named;
+    const fs::path folder = fs::absolute(named).lexically_normal();
+    const fs::path name =
+        folder.has_filename() ? folder.filename() : folder.parent_path().filename();
+    return named / (name.string() + ".toml");
+}
+
+fs::path find_quickstart(const std::vector<fs::path>& shared) {
+    const fs::path job = fs::path("jobs") / "quickstart" / "quickstart.toml";
+    std::string looked;
+    for (const fs::path& folder : candidates(shared)) {
+        if (fs::exists(folder / job)) return folder / job;
+        looked += "\n  " + (folder / job).string();
+    }
+    throw UserError(
+        ExitCode::no_input,
+        fmt::format("the quickstart's job is not where it is expected; name a job, or "
+                    "put it at one of:{}",
+                    looked));
+}
+
+}  // namespace bemcal::run
