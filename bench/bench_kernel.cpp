@@ -134,7 +134,8 @@ struct Bench {
 double now() {
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return 1e6 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_nsec);
+    return 1e6 * static_cast<double>(time.tv_sec) +
+           1e-3 * static_cast<double>(time.tv_nsec);
 }
 
 double microseconds(const std::function<void()>& work) {

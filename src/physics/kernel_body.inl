@@ -8,9 +8,16 @@
 
 inline V column(const double* columns, int index) { return load(columns + index * lanes); }
 
+/// Coefficients stay operands of the arithmetic, read from the first-level cache: there are more of
+/// them than registers, and to hoist them out of a short loop means to copy them to the stack.
+inline const double* as_operands(const double* columns) {
+    asm("" : "+r"(columns));
+    return columns;
+}
+
 /// phi_sol [W]: the sum of aperture times irradiance. planes < 0: known at run time only.
 template <int planes>
-V sunshine(const double* apertures, const double* irradiance, int n_planes) {
+[[gnu::always_inline]] inline V sunshine(const double* apertures, const double* irradiance, int n_planes) {
     const int n = planes < 0 ? n_planes : planes;
     V sum = mul(load(apertures), broadcast(irradiance[0]));
     for (int p = 1; p < n; ++p)
@@ -23,9 +30,10 @@ struct Terms {
     V mass, asked;
 };
 
+/// Irradiance is not looked at where planes = 0.
 template <int planes, bool more_drivers>
-Terms terms_of_step(const ZoneTime& zone, const double* regime, const double* row,
-                    const double* drivers) {
+[[gnu::always_inline]] inline Terms terms_of_step(const ZoneTime& zone, const double* regime,
+                                                  const double* row, const double* drivers) {
     using C = StandardColumn;
     const V theta_e = broadcast(drivers[0]);
     Terms terms{fma(column(regime, C::drivers), theta_e, column(row, 0)),
@@ -46,44 +54,54 @@ Terms terms_of_step(const ZoneTime& zone, const double* regime, const double* ro
     return terms;
 }
 
-/// One segment of the standard hour. `Observer` sees the powers of every step.
-template <int planes, bool more_drivers, class Observer, class... Hooks>
-void standard_segment(const ZoneTime& zone, const ZoneLanes& group, const Segment& segment,
-                      const Observer& observer) {
-    using C = StandardColumn;
-    const int stride = zone.n_drivers + zone.n_planes;
-    const double* regime = group.regimes + segment.regime * zone.regime_size;
-    const double* drivers = zone.drivers + static_cast<long>(segment.begin) * stride;
-    const V zero = broadcast(0);
-    V theta_m = load(group.state), heat = zero, cool = zero;
-    auto watch = observer.begin(regime);
-    for (int step = segment.begin; step < segment.end; ++step, drivers += stride) {
-        const double* row = group.rows + zone.row_offset[step];
-        Terms terms = terms_of_step<planes, more_drivers>(zone, regime, row, drivers);
-        (Hooks::act(group, step, terms), ...);
-        const V asked = fnma(column(regime, C::gain), theta_m, terms.asked);
-        const V heating = min(max(asked, zero), column(regime, C::most_heating));
-        const V cooling = max(min(add(asked, column(regime, C::gap)), zero),
-                              column(regime, C::most_cooling));
-        theta_m = add(add(fma(column(regime, C::keep), theta_m, terms.mass), heating), cooling);
-        heat = add(heat, heating);
-        cool = add(cool, cooling);
-        watch.see(step, asked, heating, cooling);
+/// A zone of the standard hour on its way: where time is, the mass, and the powers' sums.
+struct Standard {
+    const ZoneTime& zone;
+    const ZoneLanes& group;
+    const double* drivers;
+    V theta_m, heating, cooling;
+
+    Standard(const ZoneTime& time, const ZoneLanes& points, int begin)
+        : zone(time), group(points),
+          drivers(time.drivers + static_cast<long>(begin) * (time.n_drivers + time.n_planes)),
+          theta_m(load(points.state)), heating(load(points.sums)),
+          cooling(load(points.sums + lanes)) {}
+
+    void write() const {
+        store(group.state, theta_m);
+        store(group.sums, heating);
+        store(group.sums + lanes, cooling);
     }
-    watch.end();
-    const V watts = column(regime, C::watts);
-    store(group.state, theta_m);
-    store(group.sums, fma(heat, watts, load(group.sums)));
-    store(group.sums + lanes, fnma(cool, watts, load(group.sums + lanes)));
-}
+
+    /// One segment. `watch` sees the powers of every step.
+    template <int planes, bool more_drivers, class Watch, class... Hooks>
+    [[gnu::always_inline]] inline void advance(const Segment& segment, Watch& watch) {
+        using C = StandardColumn;
+        const double* regime = group.regimes + segment.regime * zone.regime_size;
+        const int stride = zone.n_drivers + zone.n_planes;
+        const V zero = broadcast(0);
+        for (int step = segment.begin; step < segment.end; ++step) {
+            regime = as_operands(regime);
+            const double* row = group.rows + zone.row_offset[step];
+            Terms terms = terms_of_step<planes, more_drivers>(zone, regime, row, drivers);
+            (Hooks::act(group, step, terms), ...);
+            const V asked = fnma(column(regime, C::gain), theta_m, terms.asked);
+            const V heat = min(max(asked, zero), column(regime, C::most_heating));
+            const V cool = max(min(add(asked, column(regime, C::gap)), zero),
+                               column(regime, C::most_cooling));
+            theta_m = add(add(fma(column(regime, C::keep), theta_m, terms.mass), heat), cool);
+            heating = fma(column(regime, C::watts), heat, heating);
+            cooling = fnma(column(regime, C::watts), cool, cooling);
+            watch.see(step, regime, asked, heat, cool);
+            drivers += stride;
+        }
+    }
+};
 
 /// Sees nothing.
 struct Unwatched {
-    struct Watch {
-        void see(int, V, V, V) {}
-        void end() {}
-    };
-    Watch begin(const double*) const { return {}; }
+    void see(int, const double*, V, V, V) {}
+    void end() {}
 };
 
 /// Writes rows in W, and the air temperature.
@@ -91,47 +109,62 @@ template <bool air>
 struct Written {
     PowerRows rows;
     int first;
-    struct Watch {
-        const PowerRows& rows;
-        int first;
-        const double* regime;
-        void see(int step, V asked, V heating, V cooling) {
-            using C = StandardColumn;
-            const long at = static_cast<long>(step - first) * lanes;
-            store(rows.heating + at, mul(heating, column(regime, C::watts)));
-            store(rows.cooling + at, fnma(cooling, column(regime, C::watts), broadcast(0)));
-            if constexpr (air)
-                store(rows.air + at,
-                      fnma(column(regime, C::kelvin), sub(sub(asked, heating), cooling),
-                           column(regime, C::set_point)));
-        }
-        void end() {}
-    };
-    Watch begin(const double* regime) const { return {rows, first, regime}; }
+    void see(int step, const double* regime, V asked, V heat, V cool) {
+        using C = StandardColumn;
+        const long at = static_cast<long>(step - first) * lanes;
+        store(rows.heating + at, mul(heat, column(regime, C::watts)));
+        store(rows.cooling + at, fnma(cool, column(regime, C::watts), broadcast(0)));
+        if constexpr (air)
+            store(rows.air + at,
+                  fnma(column(regime, C::kelvin), sub(sub(asked, heat), cool),
+                       column(regime, C::set_point)));
+    }
+    void end() {}
 };
 
-/// The sun's planes are counted at compile time up to 6.
-template <class Observer>
-void standard_in_sun(const ZoneTime& zone, const ZoneLanes& group, const Segment& segment,
-                     const Observer& observer) {
-    if (zone.n_drivers > 1) return standard_segment<-1, true>(zone, group, segment, observer);
-    switch (zone.n_planes) {
-        case 1: return standard_segment<1, false>(zone, group, segment, observer);
-        case 2: return standard_segment<2, false>(zone, group, segment, observer);
-        case 3: return standard_segment<3, false>(zone, group, segment, observer);
-        case 4: return standard_segment<4, false>(zone, group, segment, observer);
-        case 5: return standard_segment<5, false>(zone, group, segment, observer);
-        case 6: return standard_segment<6, false>(zone, group, segment, observer);
-        default: return standard_segment<-1, false>(zone, group, segment, observer);
+/// Calls action(segment) for the pieces of segments in [begin, end).
+template <class Action>
+[[gnu::always_inline]] inline void for_pieces(const ZoneTime& zone, int segment, int begin,
+                                              int end, Action action) {
+    for (; begin < end; ++segment) {
+        Segment piece = zone.segments[segment];
+        if (piece.begin < begin) piece.begin = begin;
+        if (piece.end > end) piece.end = end;
+        action(piece);
+        begin = piece.end;
     }
 }
 
-template <class Observer>
-void run_standard(const ZoneTime& zone, const ZoneLanes& group, const Segment& segment,
-                  const Observer& observer) {
-    if (segment.in_sun != 0) return standard_in_sun(zone, group, segment, observer);
-    if (zone.n_drivers > 1) return standard_segment<0, true>(zone, group, segment, observer);
-    standard_segment<0, false>(zone, group, segment, observer);
+/// Steps [begin, end); in the dark the sun's terms are left out.
+template <int planes, bool more_drivers, class Watch>
+void run_pieces(const ZoneTime& zone, const ZoneLanes& group, int segment, int begin, int end,
+                Watch watch) {
+    Standard standard(zone, group, begin);
+    for_pieces(zone, segment, begin, end, [&](const Segment& piece) {
+        if (piece.in_sun != 0)
+            standard.advance<planes, more_drivers>(piece, watch);
+        else
+            standard.advance<0, more_drivers>(piece, watch);
+    });
+    standard.write();
+    watch.end();
+}
+
+/// The sun's planes are counted at compile time up to 6.
+template <class Watch>
+void run_standard(const ZoneTime& zone, const ZoneLanes& group, int segment, int begin, int end,
+                  const Watch& watch) {
+    if (zone.n_drivers > 1)
+        return run_pieces<-1, true>(zone, group, segment, begin, end, watch);
+    switch (zone.n_planes) {
+        case 1: return run_pieces<1, false>(zone, group, segment, begin, end, watch);
+        case 2: return run_pieces<2, false>(zone, group, segment, begin, end, watch);
+        case 3: return run_pieces<3, false>(zone, group, segment, begin, end, watch);
+        case 4: return run_pieces<4, false>(zone, group, segment, begin, end, watch);
+        case 5: return run_pieces<5, false>(zone, group, segment, begin, end, watch);
+        case 6: return run_pieces<6, false>(zone, group, segment, begin, end, watch);
+        default: return run_pieces<-1, false>(zone, group, segment, begin, end, watch);
+    }
 }
 
 /// A zone with refinements: form 0 is the free air temperature, the others the states.
@@ -222,28 +255,16 @@ inline void run_general(const ZoneTime& zone, const ZoneLanes& group, const Segm
     }
 }
 
-/// Calls action(segment) for the pieces of segments in [begin, end).
-template <class Action>
-void for_pieces(const ZoneTime& zone, int segment, int begin, int end, Action action) {
-    for (; begin < end; ++segment) {
-        Segment piece = zone.segments[segment];
-        if (piece.begin < begin) piece.begin = begin;
-        if (piece.end > end) piece.end = end;
-        action(piece);
-        begin = piece.end;
-    }
-}
-
 void run(const ZoneTime& zone, const ZoneLanes& group, int segment, int begin, int end, Show show,
          const PowerRows& out) {
-    for_pieces(zone, segment, begin, end, [&](const Segment& piece) {
-        if (zone.n_states > 0)
+    if (zone.n_states > 0)
+        for_pieces(zone, segment, begin, end, [&](const Segment& piece) {
             run_general(zone, group, piece, show, out, begin);
-        else if (show == Show::sums)
-            run_standard(zone, group, piece, Unwatched{});
-        else if (show == Show::powers)
-            run_standard(zone, group, piece, Written<false>{out, begin});
-        else
-            run_standard(zone, group, piece, Written<true>{out, begin});
-    });
+        });
+    else if (show == Show::sums)
+        run_standard(zone, group, segment, begin, end, Unwatched{});
+    else if (show == Show::powers)
+        run_standard(zone, group, segment, begin, end, Written<false>{out, begin});
+    else
+        run_standard(zone, group, segment, begin, end, Written<true>{out, begin});
 }

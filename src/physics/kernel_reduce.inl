@@ -74,31 +74,21 @@ struct Compared {
     const MeterLanes& meter_lanes;
     const ReadingTime& reading;
     double* errors;
-    struct Watch {
-        const MeterLanes& meter_lanes;
-        const ReadingTime& reading;
-        double* errors;
-        V watts;
-        Errors sums;
-        void see(int step, V, V heating, V cooling) {
-            const double* row = meter_lanes.rows + meter_lanes.row_offset[step];
-            const V heated = fma(mul(column(row, 1), watts), heating, load(row));
-            sums.open = fnma(mul(column(row, 2), watts), cooling, heated);
-            sums.close(reading, reading.closes[step]);
-        }
-        void end() { sums.write(errors); }
-    };
-    Watch begin(const double* regime) const {
-        return {meter_lanes, reading, errors, column(regime, StandardColumn::watts),
-                Errors(errors)};
+    Errors sums;
+    void see(int step, const double* regime, V, V heat, V cool) {
+        const double* row = meter_lanes.rows + meter_lanes.row_offset[step];
+        const V watts = column(regime, StandardColumn::watts);
+        sums.open = fma(mul(column(row, 1), watts), heat, load(row));
+        sums.open = fnma(mul(column(row, 2), watts), cool, sums.open);
+        sums.close(reading, reading.closes[step]);
     }
+    void end() const { sums.write(errors); }
 };
 
 void run_compared(const ZoneTime& zone, const ZoneLanes& group, int segment, int begin, int end,
                   const MeterLanes& meter_lanes, const ReadingTime& reading, double* errors) {
-    for_pieces(zone, segment, begin, end, [&](const Segment& piece) {
-        run_standard(zone, group, piece, Compared{meter_lanes, reading, errors});
-    });
+    run_standard(zone, group, segment, begin, end,
+                 Compared{meter_lanes, reading, errors, Errors(errors)});
 }
 
 constexpr Table table{lanes, run, run_compared, add_zone, meter, add_up, compare};

@@ -46,10 +46,10 @@ void Reduction::run(Batch::Group& group) {
 PointAnswer Reduction::answer(int lane, Batch::Group& group) const {
     PointAnswer answer;
     for (Quantity quantity : request_.request.annual)
-        answer.annual.push_back(annual(quantity, lane, group));
+        answer.annual.push_back(total(quantity, {0, months()}, lane, group));
     for (Quantity quantity : request_.request.monthly)
         for (std::size_t month = 0; month < months(); ++month)
-            answer.monthly.push_back(monthly(quantity, month, lane, group));
+            answer.monthly.push_back(total(quantity, {month, month + 1}, lane, group));
     for (std::size_t k = 0; k < sums_.size(); ++k) {
         answer.errors.push_back(errors(k, lane));
         answer.monthly_errors.push_back(monthly_errors(k, lane));
@@ -97,46 +97,36 @@ void Reduction::close_month(std::size_t month, Batch::Group& group) {
 }
 
 /// [W steps]: shares of the powers, and every row of loads as often as it occurs.
-double Reduction::total_of_powers(Quantity quantity, std::size_t month, int lane,
+double Reduction::total_of_powers(Quantity quantity, Months span, int lane,
                                   Batch::Group& group) const {
     const int lanes = batch_.table.lanes;
-    const double *form = group.meter(quantity).rows + lane, *source = form;
-    double watts = form[lanes] * powers_.at(2 * month, lane) +
-                   form[2 * lanes] * powers_.at(2 * month + 1, lane);
-    for (double steps : batch_.meter(quantity).row_counts[month]) {
-        watts += steps * *source;
-        source += 3 * lanes;
+    const double* form = group.meter(quantity).rows + lane;
+    double heating = 0, cooling = 0, loads = 0;
+    for (std::size_t month = span.begin; month < span.end; ++month) {
+        heating += powers_.at(2 * month, lane);
+        cooling += powers_.at(2 * month + 1, lane);
+        const double* source = form;
+        for (double steps : batch_.meter(quantity).row_counts[month]) {
+            loads += steps * *source;
+            source += 3 * lanes;
+        }
     }
-    return watts;
+    return form[lanes] * heating + form[2 * lanes] * cooling + loads;
 }
 
-/// kWh, or the sum of degC.
-double Reduction::total(Quantity quantity, std::size_t month, int lane,
+double Reduction::total(Quantity quantity, Months span, int lane,
                         Batch::Group& group) const {
     const std::vector<Quantity>& summed = request_.summed;
     const auto place = std::find(summed.begin(), summed.end(), quantity);
-    const double sum =
-        place == summed.end()
-            ? total_of_powers(quantity, month, lane, group)
-            : summed_.at(
-                  static_cast<std::size_t>(place - summed.begin()) * months() + month,
-                  lane);
-    return is_mean(quantity) ? sum : sum * kWh_per_W(batch_.drive);
-}
-
-double Reduction::monthly(Quantity quantity, std::size_t month, int lane,
-                          Batch::Group& group) const {
-    const double sum = total(quantity, month, lane, group);
-    return is_mean(quantity) ? sum / steps_in(batch_, month) : sum;
-}
-
-double Reduction::annual(Quantity quantity, int lane, Batch::Group& group) const {
+    if (place == summed.end())
+        return total_of_powers(quantity, span, lane, group) * kWh_per_W(batch_.drive);
+    const auto first = static_cast<std::size_t>(place - summed.begin()) * months();
     double sum = 0, steps = 0;
-    for (std::size_t month = 0; month < months(); ++month) {
-        sum += total(quantity, month, lane, group);
+    for (std::size_t month = span.begin; month < span.end; ++month) {
+        sum += summed_.at(first + month, lane);
         steps += steps_in(batch_, month);
     }
-    return is_mean(quantity) ? sum / steps : sum;
+    return is_mean(quantity) ? sum / steps : sum * kWh_per_W(batch_.drive);
 }
 
 /// From sums over e = simulated - measured: simulated^2 = e^2 + 2 e measured +

@@ -14,17 +14,17 @@ class Reduction {
     PointAnswer answer(int lane, Batch::Group& group) const;
 
   private:
+    struct Months {
+        std::size_t begin, end;
+    };
     std::size_t months() const { return static_cast<std::size_t>(batch_.n_months()); }
     void run_chunk(const Chunk& chunk, Batch::Group& group);
     void run_compared(const Chunk& chunk, Batch::Group& group);
     void close_month(std::size_t month, Batch::Group& group);
-    double total(Quantity quantity, std::size_t month, int lane,
-                 Batch::Group& group) const;
-    double total_of_powers(Quantity quantity, std::size_t month, int lane,
+    /// kWh, or the mean in degC.
+    double total(Quantity quantity, Months span, int lane, Batch::Group& group) const;
+    double total_of_powers(Quantity quantity, Months span, int lane,
                            Batch::Group& group) const;
-    double annual(Quantity quantity, int lane, Batch::Group& group) const;
-    double monthly(Quantity quantity, std::size_t month, int lane,
-                   Batch::Group& group) const;
     ErrorSums errors(std::size_t reading, int lane) const;
     ErrorSums monthly_errors(std::size_t reading, int lane) const;
 
