@@ -20,7 +20,8 @@ def days_of(spans):
     return tuple(days)
 
 
-DESIGN = Office(heating_setback=14.0, heating_capacity=45.0, holidays=days_of(HOLIDAYS))
+DESIGN = Office(heating_set=20.5, heating_setback=17.0, cooling_setback=29.0,
+                heating_capacity=45.0, holidays=days_of(HOLIDAYS))
 
 RECIPE = Recipe(climate="hot_humid", first_day="2021-01-01", n_days=730, seed=11, design=DESIGN,
                 effects={"saturday_operation": 5.0})
