@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t most_unpacked = std::size_t{4} << 30;
 
 bool is_gzip(const std::string& bytes) {
-    return bytes.size() > 2 && bytes[0] == '\x1f' && bytes[1] == '\x8b';
+    return bytes.size() >= 2 && bytes[0] == '\x1f' && bytes[1] == '\x8b';
 }
 
 /// zlib's stream, ended when it goes.
@@ -81,10 +81,17 @@ std::string unpack_gzip(const std::string& bytes, const std::string& path) {
     return text;
 }
 
-const std::string& InputFiles::text(const std::filesystem::path& path) {
+const std::string& InputFiles::text(const std::filesystem::path& path,
+                                    const std::string& named_at) {
     const auto known = texts_.find(path.string());
     if (known != texts_.end()) return known->second;
-    std::string bytes = reader_(path);
+    std::string bytes;
+    try {
+        bytes = reader_(path);
+    } catch (const UserError& error) {
+        if (named_at.empty()) throw;
+        throw UserError(error.exit_code(), fmt::format("{}: {}", named_at, error.what()));
+    }
     Hasher hasher;
     hasher.add(bytes.data(), bytes.size());
     log_.push_back({path, hasher.hex()});
@@ -92,9 +99,10 @@ const std::string& InputFiles::text(const std::filesystem::path& path) {
     return texts_.emplace(path.string(), std::move(bytes)).first->second;
 }
 
-const Csv& InputFiles::csv(const std::filesystem::path& path) {
+const Csv& InputFiles::csv(const std::filesystem::path& path, const std::string& named_at) {
     std::unique_ptr<Csv>& table = tables_[path.string()];
-    if (!table) table = std::make_unique<Csv>(parse_csv(text(path), path.string()));
+    if (!table)
+        table = std::make_unique<Csv>(parse_csv(text(path, named_at), path.string()));
     return *table;
 }
 

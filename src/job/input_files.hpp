@@ -25,11 +25,12 @@ class InputFiles {
   public:
     using Reader = std::function<std::string(const std::filesystem::path&)>;
     explicit InputFiles(Reader reader = read_bytes) : reader_(std::move(reader)) {}
-
     /// The text of a file, unpacked if it is gzipped. The reference stays valid.
-    const std::string& text(const std::filesystem::path& path);
-    /// The file as CSV; parsed once for each decimal mark.
-    const Csv& csv(const std::filesystem::path& path);
+    /// \param named_at  where the job names it, for the message if it cannot be read
+    const std::string& text(const std::filesystem::path& path,
+                            const std::string& named_at = "");
+    /// The file as CSV, parsed once.
+    const Csv& csv(const std::filesystem::path& path, const std::string& named_at = "");
     const std::vector<InputFile>& log() const { return log_; }
 
   private:

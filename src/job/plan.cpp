@@ -1,7 +1,5 @@
 #include "job/plan.hpp"
 
-#include "base/error.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -29,39 +27,160 @@ std::unique_ptr<Stage> stage_of(const StudySpec& study, const Case& building) {
     if (study.kind == StudyKind::hourly_sensitivity)
         return make_hourly_sensitivity(name, building, period, study.quantities.at(0),
                                        study.sensitivity);
-    return make_sensitivity(name,
-                            make_batch_simulator(building, period, study.quantities),
+    return make_sensitivity(name, make_batch_simulator(building, period, study.quantities),
                             study.sensitivity);
 }
 
 /// One stage, or one for each case of fixed inputs: "sobol/case_01", ...
-void add_office_hours(const StudySpec& study, Stages& stages) {
+Stages office_hour_stages(const StudySpec& study) {
+    using Fixed = std::vector<std::pair<std::string, double>>;
+    Stages stages;
+    const auto add = [&](const std::string& name, Fixed fixed) {
+        stages.push_back(make_sensitivity(
+            name, study::make_office_hour_simulator(std::move(fixed)), study.sensitivity));
+    };
+    if (study.fixed.empty()) add(study.name, {});
     const std::size_t n_cases = study.fixed.empty() ? 0 : study.fixed[0].second.size();
-    if (n_cases == 0)
-        stages.push_back(make_sensitivity(
-            study.name, study::make_office_hour_simulator({}), study.sensitivity));
     for (std::size_t c = 0; c < n_cases; ++c) {
-        std::vector<std::pair<std::string, double>> fixed;
-        for (const auto& [input, values] : study.fixed)
-            fixed.emplace_back(input, values[c]);
-        stages.push_back(make_sensitivity(
-            fmt::format("{}/case_{:02}", study.name, c + 1),
-            study::make_office_hour_simulator(std::move(fixed)), study.sensitivity));
+        Fixed fixed;
+        for (const auto& [input, values] : study.fixed) fixed.emplace_back(input, values[c]);
+        add(fmt::format("{}/case_{:02}", study.name, c + 1), std::move(fixed));
     }
+    return stages;
+}
+
+/// The stages of one study, over all buildings.
+Stages stages_of(const StudySpec& study, const Job& job) {
+    if (study.kind == StudyKind::office_hour_sensitivity) return office_hour_stages(study);
+    Stages stages;
+    for (const Case& building : job.buildings) stages.push_back(stage_of(study, building));
+    return stages;
+}
+
+double hours_of(const study::Period& period) {
+    return static_cast<double>((period.to - period.from).count()) / 3600;
+}
+
+/// Zone-steps that one simulation of a building takes, on average over the study's periods.
+double steps_of(const StudySpec& study, const Case& building) {
+    double hours = 0;
+    if (study.kind == StudyKind::screening) {
+        for (const study::Period& period : building.periods) hours += hours_of(period);
+        hours /= static_cast<double>(building.periods.size());
+    } else {
+        hours = hours_of(period_of(building, study.period));
+    }
+    return (hours + building.warm_up_hours) * 3600 / building.step_s *
+           static_cast<double>(building.building.zones.size());
+}
+
+bool is_coupled(const Case& building) {
+    return std::any_of(building.building.zones.begin(), building.building.zones.end(),
+                       [](const physics::Zone& zone) { return !zone.couplings.empty(); });
+}
+
+/// Rough costs on one core [s]; `bench kernel` measures the real ones.
+constexpr double kernel_step_s = 3e-9, coupled_step_s = 3e-7, office_hour_s = 1e-6;
+
+double seconds_of(const StudySpec& study, const Case* building, const Stage& stage) {
+    const auto n = static_cast<double>(stage.n_simulations());
+    if (building == nullptr) return n * office_hour_s;
+    return n * steps_of(study, *building) *
+           (is_coupled(*building) ? coupled_step_s : kernel_step_s);
+}
+
+std::string words_of_bytes(double bytes) {
+    constexpr const char* units[] = {"B", "kB", "MB", "GB", "TB"};
+    int unit = 0;
+    for (; bytes >= 1000 && unit < 4; ++unit) bytes /= 1000;
+    return fmt::format("{:.3g} {}", bytes, units[unit]);
+}
+
+std::string words_of_seconds(double seconds) {
+    if (seconds < 1) return "less than a second";
+    if (seconds < 120) return fmt::format("{:.0f} s", seconds);
+    if (seconds < 7200) return fmt::format("{:.0f} min", seconds / 60);
+    return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+struct Total {
+    long long items = 0, simulations = 0;
+    double answers = 0;      ///< bytes on rank 0, and about those of the result
+    double seconds = 0;      ///< on one core
+};
+
+double series_bytes(const Case& building) {
+    std::size_t n = building.weather.theta_e.size() *
+                    (4 + building.building.planes.size() + building.profiles.size());
+    for (const study::Meter& meter : building.meters) n += meter.values.size();
+    return 8.0 * static_cast<double>(n);
+}
+
+std::string stage_lines(const Job& job, Total& total) {
+    std::string text = fmt::format("{:<44} {:>8} {:>14} {:>10}\n", "stage", "items",
+                                   "simulations", "answers");
+    for (const StudySpec& study : job.studies) {
+        std::size_t number = 0;
+        for (const auto& stage : stages_of(study, job)) {
+            const bool office = study.kind == StudyKind::office_hour_sensitivity;
+            const Case* building = office ? nullptr : &job.buildings.at(number++);
+            const double bytes =
+                static_cast<double>(stage->answer_bytes()) * stage->n_items();
+            text += fmt::format("{:<44} {:>8} {:>14} {:>10}\n", stage->name(),
+                                stage->n_items(), stage->n_simulations(),
+                                words_of_bytes(bytes));
+            total.items += stage->n_items();
+            total.simulations += stage->n_simulations();
+            total.answers += bytes;
+            total.seconds += seconds_of(study, building, *stage);
+        }
+    }
+    return text;
+}
+
+std::string building_lines(const Job& job) {
+    std::string text;
+    for (const Case& building : job.buildings) {
+        text += fmt::format("{}: {} zones, {:.6g} m2, {} parameters, {} meters, steps of {} s\n",
+                            building.name, building.building.zones.size(),
+                            building.building.floor_area(), building.parameters.size(),
+                            building.meters.size(), building.step_s);
+        for (const study::Period& period : building.periods)
+            text += fmt::format("  {}: {} to {}\n", period.name,
+                                physics::format_time(period.from),
+                                physics::format_time(period.to));
+        for (const study::DataDecision& decision : building.decisions)
+            text += fmt::format("  data, {}: {}: {}\n", decision.series, decision.finding,
+                                decision.action);
+    }
+    return text;
 }
 
 }  // namespace
 
 Stages make_plan(const Job& job) {
     Stages stages;
-    for (const StudySpec& study : job.studies) {
-        if (study.kind == StudyKind::office_hour_sensitivity)
-            add_office_hours(study, stages);
-        else
-            for (const Case& building : job.buildings)
-                stages.push_back(stage_of(study, building));
-    }
+    for (const StudySpec& study : job.studies)
+        for (auto& stage : stages_of(study, job)) stages.push_back(std::move(stage));
     return stages;
+}
+
+std::string plan_text(const Job& job, int cores) {
+    Total total;
+    std::string text = fmt::format("{}: {} buildings, {} studies, {} files read\n", job.name,
+                                   job.buildings.size(), job.studies.size(), job.inputs.size());
+    text += building_lines(job) + "\n" + stage_lines(job, total);
+    double data = 0;
+    for (const Case& building : job.buildings) data += series_bytes(building);
+    text += fmt::format("{:<44} {:>8} {:>14} {:>10}\n\n", "total", total.items,
+                        total.simulations, words_of_bytes(total.answers));
+    text += fmt::format("memory: about {} on rank 0, {} on the others\n",
+                        words_of_bytes(2 * total.answers + 3 * data), words_of_bytes(3 * data));
+    text += fmt::format("output: about {}\n", words_of_bytes(total.answers + data));
+    text += fmt::format("time:   about {} on {} core{}, by rough costs of a step\n",
+                        words_of_seconds(total.seconds / std::max(cores, 1)),
+                        std::max(cores, 1), cores > 1 ? "s" : "");
+    return text;
 }
 
 }  // namespace bemcal::job

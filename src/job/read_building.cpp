@@ -68,13 +68,12 @@ class NumberReader {
             return {field.fallback, 0, -1};
         const Node& node = section.node(field.key);
         if (node.kind != Node::Kind::table) {
-            const std::string where = fmt::format("{}: {}.{}", section.place(field.key),
-                                                  section.schema(), field.key);
+            const std::string where = section.where(field.key);
             return {checked_number(node, row, where), 0, -1};
         }
         const Section parts = section.table(field.key, "input");
         return parts.has("series") ? read_series(parts)
-                                   : read_scheduled(section, parts, row);
+                                   : read_scheduled(parts, row);
     }
 
     Input read_series(const Section& parts) const {
@@ -88,13 +87,11 @@ class NumberReader {
         return {parts.has("value") ? parts.number("value") : 1, 0, profile};
     }
 
-    Input read_scheduled(const Section& section, const Section& parts,
-                         const Key& row) const {
+    Input read_scheduled(const Section& parts, const Key& row) const {
         Input input;
         const auto checked = [&](const char* key) {
             return checked_number(parts.node(key), row,
-                                  fmt::format("{}: {}.{}.{}", parts.place(key),
-                                              section.schema(), row.key, key));
+                                  parts.where(key));
         };
         input.value = checked("value");
         if (!parts.has("schedule")) {

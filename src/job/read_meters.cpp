@@ -55,7 +55,7 @@ class MeterReader {
     }
 
     Meter read() {
-        const TimedCsv source = open_csv(section_, section_.text("file"), files_,
+        const TimedCsv source = open_csv(section_, "file", section_.text("file"), files_,
                                          building_.weather.site, nominal_step());
         const Interval rows = interval_of_rows(source.stamps.step_s);
         RegularSeries series =

@@ -18,7 +18,7 @@ Day read_day(const Section& section, const char* key) {
     const Node& value = section.node(key);
     const Key& row = *find_key(section.schema(), key);
     const std::string where =
-        fmt::format("{}: {}.{}", section.place(key), section.schema(), key);
+        section.where(key);
     Day day{};
     if (value.kind == Node::Kind::number) {
         day.fill(checked_number(value, row, where));
@@ -93,7 +93,7 @@ physics::Profile read_schedule(const Section& section,
 
 physics::Profile read_series(const Section& section, InputFiles& files,
                              const physics::Site& site) {
-    const TimedCsv source = open_csv(section, section.text("file"), files, site);
+    const TimedCsv source = open_csv(section, "file", section.text("file"), files, site);
     const RegularSeries series = series_of(source, section.text("column"));
     physics::Profile profile;
     profile.name = section.text("name");

@@ -127,7 +127,7 @@ Weather read_csv_weather(const Section& section, InputFiles& files,
     Weather weather;
     weather.site = site;
     for (const std::string& file : section.texts("files")) {
-        const TimedCsv source = open_csv(section, file, files, site);
+        const TimedCsv source = open_csv(section, "files", file, files, site);
         bool first = true;
         for (const Column& column : columns) {
             if (!names.has(column.key)) continue;
@@ -149,7 +149,7 @@ Weather read_epw_weather(const Section& section, InputFiles& files, const Sectio
     std::vector<std::filesystem::path> paths;
     for (const std::string& file : section.texts("files")) {
         paths.push_back(section.path(file));
-        files.text(paths.back());
+        files.text(paths.back(), section.where("files"));
     }
     EpwFile epw = read_epw_chain(paths, options);
     for (const std::string& sentence : epw.decisions)

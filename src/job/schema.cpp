@@ -90,8 +90,12 @@ std::vector<std::string> choices_of(const Key& key) {
 namespace {
 
 std::string range_of(const Key& key) {
-    if (std::isinf(key.most)) return fmt::format("from {:g} on", key.least);
-    return fmt::format("{:g} to {:g}", key.least, key.most);
+    const auto plain = [](double number) {
+        const bool whole = number == std::floor(number);
+        return whole ? fmt::format("{:.0f}", number) : fmt::format("{:g}", number);
+    };
+    if (std::isinf(key.most)) return fmt::format("from {} on", plain(key.least));
+    return fmt::format("{} to {}", plain(key.least), plain(key.most));
 }
 
 }  // namespace

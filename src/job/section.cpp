@@ -24,21 +24,26 @@ double parsed_default(const Key& row) {
     return value;
 }
 
-std::string path_of(const char* schema, std::string_view key) {
-    const std::string section = schema;
+std::string path_below(std::string_view section, std::string_view key) {
     if (section == "job" || section == "building") return std::string(key);
-    return key.empty() ? section : fmt::format("{}.{}", section, key);
+    return key.empty() ? std::string(section) : fmt::format("{}.{}", section, key);
 }
 
-/// What is odd about the wish for `row` in this job, at the end of a message.
+/// What the key means, at the end of a message.
 std::string more_on(const Key& row) {
-    return *row.sentence == '\0' ? "" : fmt::format(" ({})", row.sentence);
+    std::string_view sentence = row.sentence;
+    if (sentence.ends_with('.')) sentence.remove_suffix(1);
+    return sentence.empty() ? "" : fmt::format(" ({})", sentence);
 }
 
 }  // namespace
 
-Section::Section(const Node& node, const char* schema, const std::string& file)
-    : node_(&node), schema_(schema), file_(&file) {
+Section::Section(const Node& node, const char* schema, const std::string& file,
+                 std::string shown)
+    : node_(&node),
+      schema_(schema),
+      file_(&file),
+      shown_(shown.empty() ? std::string(schema) : std::move(shown)) {
     if (node.kind != Node::Kind::table)
         fail_config(fmt::format("{}:{}: {} = {}: expected a section with keys", file,
                                 node.line, schema, written(node)));
@@ -46,6 +51,8 @@ Section::Section(const Node& node, const char* schema, const std::string& file)
     node.used = true;
     check_known();
 }
+
+std::string Section::path_of(std::string_view key) const { return path_below(shown_, key); }
 
 void Section::check_known() const {
     std::vector<std::string> known;
@@ -55,7 +62,7 @@ void Section::check_known() const {
     for (const Entry& entry : node_->entries) {
         if (find_key(schema_, entry.key) != nullptr) continue;
         fail_config(fmt::format("{}:{}: {}: unknown key{}", *file_, entry.line,
-                                path_of(schema_, entry.key),
+                                path_of(entry.key),
                                 suggestion(entry.key, known)));
     }
 }
@@ -87,13 +94,13 @@ std::filesystem::path Section::path(const std::string& name) const {
 }
 
 void Section::fail(std::string_view key, const std::string& message) const {
-    fail_config(fmt::format("{}: {}: {}", place(key), path_of(schema_, key), message));
+    fail_config(fmt::format("{}: {}: {}", place(key), path_of(key), message));
 }
 
 void Section::fail_value(std::string_view key, const std::string& message) const {
     const Entry* entry = find(key);
     if (entry == nullptr) fail(key, message);
-    fail_config(fmt::format("{}: {} = {}: {}", place(key), path_of(schema_, key),
+    fail_config(fmt::format("{}: {} = {}: {}", place(key), path_of(key),
                             written(entry->node), message));
 }
 
@@ -110,7 +117,7 @@ double Section::number(std::string_view key) const {
     const Key& wanted = row(key);
     if (!has(key) && wanted.fallback != nullptr) return parsed_default(wanted);
     return checked_number(node(key), wanted,
-                          fmt::format("{}: {}", place(key), path_of(schema_, key)));
+                          where(key));
 }
 
 long long Section::integer(std::string_view key) const {
@@ -160,7 +167,7 @@ std::vector<double> Section::numbers(std::string_view key) const {
     for (const Entry& entry : list.entries)
         values.push_back(
             checked_number(entry.node, row(key),
-                           fmt::format("{}: {}", place(key), path_of(schema_, key))));
+                           where(key)));
     return values;
 }
 
@@ -185,7 +192,7 @@ std::vector<std::string> Section::texts(std::string_view key) const {
 }
 
 Section Section::table(std::string_view key, const char* schema) const {
-    return {node(key), schema, *file_};
+    return {node(key), schema, *file_, path_of(key)};
 }
 
 std::vector<Section> Section::tables(std::string_view key, const char* schema) const {
@@ -195,7 +202,7 @@ std::vector<Section> Section::tables(std::string_view key, const char* schema) c
     if (value.kind == Node::Kind::table)
         fail(key,
              fmt::format("expected a list of sections; write [[{}]] with two brackets",
-                         path_of(schema_, key)));
+                         path_of(key)));
     if (value.kind != Node::Kind::array)
         fail_value(key, fmt::format("expected {}", expectation(row(key))));
     for (const Entry& entry : value.entries)
@@ -215,6 +222,11 @@ double checked_number(const Node& value, const Key& row, const std::string& wher
     if (value.number < row.least || value.number > row.most)
         wrong(fmt::format("expected {}{}", expectation(row), more_on(row)));
     return value.number;
+}
+
+std::string plain(double number) {
+    const bool whole = std::abs(number) < 1e15 && number == std::floor(number);
+    return whole ? fmt::format("{:.0f}", number) : fmt::format("{:g}", number);
 }
 
 std::string written(const Node& node) {
@@ -243,7 +255,7 @@ void check_all_used(const Node& root, const std::string& file) {
                 fmt::format("{}:{}: {}: has no effect here, because of the values of "
                             "other keys or because "
                             "nothing refers to it; remove it",
-                            file, entry.line, path_of(root.section, entry.key)));
+                            file, entry.line, path_below(root.section, entry.key)));
         check_all_used(entry.node, file);
     }
 }

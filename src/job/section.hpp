@@ -19,7 +19,9 @@ class Section {
   public:
     /// \param node  a table; another kind is an error. Both it and `file` must outlive
     /// this.
-    Section(const Node& node, const char* schema, const std::string& file);
+    /// \param shown  what messages call the section; the schema's name where it is empty
+    Section(const Node& node, const char* schema, const std::string& file,
+            std::string shown = "");
 
     bool has(std::string_view key) const;
     double number(std::string_view key) const;
@@ -49,10 +51,14 @@ class Section {
     [[noreturn]] void fail(std::string_view key, const std::string& message) const;
     /// The same with the value: "file:line: section.key = value: message".
     [[noreturn]] void fail_value(std::string_view key, const std::string& message) const;
+    /// "file:line: section.key".
+    std::string where(std::string_view key) const { return place(key) + ": " + path_of(key); }
     /// "file:line" of a key, or of the section where it is not there.
     std::string place(std::string_view key = "") const;
 
     const std::string& file() const { return *file_; }
+    /// "zone.surface.area": how messages call a key.
+    std::string path_of(std::string_view key) const;
     /// A file that the section names: beside its own file, unless the path is absolute.
     std::filesystem::path path(const std::string& name) const;
     const Node& root() const { return *node_; }
@@ -67,10 +73,14 @@ class Section {
     const Node* node_;
     const char* schema_;
     const std::string* file_;
+    std::string shown_;
 };
 
 /// A number as the schema's row wants it; throws UserError that begins with `where`.
 double checked_number(const Node& node, const Key& row, const std::string& where);
+
+/// "20", "10000000", "0.05": a number in a message.
+std::string plain(double number);
 
 /// As a user would write it, shortened: for messages.
 std::string written(const Node& node);

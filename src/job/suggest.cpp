@@ -45,7 +45,8 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& wo
     const std::string near = nearest(word, words);
     if (!near.empty()) return fmt::format("; did you mean \"{}\"?", near);
     if (words.empty()) return "";
-    return fmt::format("; expected one of {}", fmt::join(words, ", "));
+    return fmt::format("; expected {}{}", words.size() > 1 ? "one of " : "",
+                       fmt::join(words, ", "));
 }
 
 }  // namespace bemcal::job

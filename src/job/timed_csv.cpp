@@ -31,10 +31,10 @@ StampRules stamp_rules(const Section& section, const physics::Site& site) {
     return rules;
 }
 
-TimedCsv open_csv(const Section& section, const std::string& file, InputFiles& files,
-                  const physics::Site& site, int fallback_step_s) {
+TimedCsv open_csv(const Section& section, const char* key, const std::string& file,
+                  InputFiles& files, const physics::Site& site, int fallback_step_s) {
     TimedCsv source;
-    source.csv = &files.csv(section.path(file));
+    source.csv = &files.csv(section.path(file), section.where(key));
     source.rules = stamp_rules(section, site);
     const std::string time = section.text("time");
     const std::size_t column = time.empty() ? 0 : source.csv->column(time);

@@ -1,0 +1,10 @@
+/// libFuzzer's way into the csv reader (cmake -DBEMCAL_FUZZ=ON with clang).
+#include <cstddef>
+#include <cstdint>
+
+#include "fuzz/targets.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    bemcal::job::try_csv(std::string(reinterpret_cast<const char*>(data), size));
+    return 0;
+}
