@@ -1,19 +1,20 @@
 /// What a modeller knows of a building, in words: constructions, glazings, zones, plant.
 ///
-/// It is plain data. ISO 13790's symbols begin where the standard's equations do (network.hpp).
-/// Any input that may change with time is an `Input`; areas and capacities are constants.
+/// It is plain data. ISO 13790's symbols begin where the standard's equations do
+/// (network.hpp). Any input that may change with time is an `Input`; areas and capacities
+/// are constants.
 #pragma once
+
+#include "physics/sky.hpp"
 
 #include <limits>
 #include <string>
 #include <vector>
 
-#include "physics/sky.hpp"
-
 namespace bemcal::physics {
 
-/// value(t) = low + (value - low) profile(t). Without a profile: value. A measured series is a
-/// profile with value = 1 and low = 0.
+/// value(t) = low + (value - low) profile(t). Without a profile: value. A measured series
+/// is a profile with value = 1 and low = 0.
 struct Input {
     double value = 0;
     double low = 0;
@@ -23,77 +24,78 @@ struct Input {
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr int outdoors = -1;  ///< boundary index of the outdoor air
 
-struct Construction {           ///< of opaque surfaces
+struct Construction {  ///< of opaque surfaces
     std::string name;
-    Input u_value;                     ///< [W/(m2 K)]
-    double solar_absorptance = 0.6;    ///< [-]
-    double emissivity = 0.9;           ///< long-wave [-]
-    double external_resistance = 0.04; ///< R_se [m2 K/W]
+    Input u_value;                      ///< [W/(m2 K)]
+    double solar_absorptance = 0.6;     ///< [-]
+    double emissivity = 0.9;            ///< long-wave [-]
+    double external_resistance = 0.04;  ///< R_se [m2 K/W]
 };
 
 struct Glazing {
     std::string name;
-    Input u_value;                     ///< [W/(m2 K)]
-    Input solar_transmittance;         ///< total, at normal incidence, g_n [-]
-    double incidence_factor = 0.9;     ///< F_w of eq. 44 [-]; 1 where a modifier is given
-    double frame_fraction = 0.2;       ///< F_F [-]
+    Input u_value;                  ///< [W/(m2 K)]
+    Input solar_transmittance;      ///< total, at normal incidence, g_n [-]
+    double incidence_factor = 0.9;  ///< F_w of eq. 44 [-]; 1 where a modifier is given
+    double frame_fraction = 0.2;    ///< F_F [-]
     double emissivity = 0.9;
     double external_resistance = 0.04;
-    std::vector<double> angle_modifier;  ///< Plane::modifier of the windows with this glazing
+    std::vector<double>
+        angle_modifier;  ///< Plane::modifier of the windows with this glazing
 };
 
-struct Boundary {               ///< a temperature other than that of the outdoor air
+struct Boundary {  ///< a temperature other than that of the outdoor air
     std::string name;
-    Input temperature;                 ///< [degC]
+    Input temperature;  ///< [degC]
 };
 
-struct Surface {                ///< an opaque element
+struct Surface {  ///< an opaque element
     std::string name;
     int construction = 0;
-    double area = 0;                   ///< [m2]
-    int boundary = outdoors;           ///< what lies behind it
-    double adjustment = 1;             ///< b_tr [-]
-    bool in_sun = true;                ///< counts for solar gains and sky loss
-    int plane = 0;                     ///< row of Building::planes (without a modifier)
-    Input shading{1, 0, -1};           ///< F_sh,ob: share of the sun that arrives [-], 1 = all
+    double area = 0;          ///< [m2]
+    int boundary = outdoors;  ///< what lies behind it
+    double adjustment = 1;    ///< b_tr [-]
+    bool in_sun = true;       ///< counts for solar gains and sky loss
+    int plane = 0;            ///< row of Building::planes (without a modifier)
+    Input shading{1, 0, -1};  ///< F_sh,ob: share of the sun that arrives [-], 1 = all
 };
 
 struct Window {
     std::string name;
     int glazing = 0;
-    double area = 0;                   ///< with frame [m2]
-    int plane = 0;                     ///< row of Building::planes
-    Input shading{1, 0, -1};           ///< F_sh,ob F_sh,gl: share of the sun that arrives [-]
+    double area = 0;          ///< with frame [m2]
+    int plane = 0;            ///< row of Building::planes
+    Input shading{1, 0, -1};  ///< F_sh,ob F_sh,gl: share of the sun that arrives [-]
 };
 
 struct AirFlow {
     std::string name;
-    Input air_change;                  ///< [1/h] of the zone's volume
-    Input heat_recovery;               ///< efficiency [-]; only without a supply boundary
-    int supply = outdoors;             ///< where the air comes from: outdoors or a boundary
+    Input air_change;       ///< [1/h] of the zone's volume
+    Input heat_recovery;    ///< efficiency [-]; only without a supply boundary
+    int supply = outdoors;  ///< where the air comes from: outdoors or a boundary
 };
 
 enum class Carrier { none, electricity, gas, district };
 
-/// Anything that draws power by the clock: people, lights, equipment, hot water, cooking, fans,
-/// a base load. What becomes heat in the zone is ISO 13790's phi_int.
+/// Anything that draws power by the clock: people, lights, equipment, hot water, cooking,
+/// fans, a base load. What becomes heat in the zone is ISO 13790's phi_int.
 struct Load {
     std::string name;
-    Input density;                     ///< [W/m2 of floor]
-    double heat_fraction = 1;          ///< share that heats the zone [-]
-    Carrier carrier = Carrier::none;   ///< the meter that sees it
-    Input efficiency{1, 0, -1};        ///< power on the meter = density / efficiency
+    Input density;                    ///< [W/m2 of floor]
+    double heat_fraction = 1;         ///< share that heats the zone [-]
+    Carrier carrier = Carrier::none;  ///< the meter that sees it
+    Input efficiency{1, 0, -1};       ///< power on the meter = density / efficiency
 };
 
 struct Thermostat {
-    Input heating_set_point{20, 0, -1};     ///< [degC]
-    Input cooling_set_point{26, 0, -1};     ///< [degC]
+    Input heating_set_point{20, 0, -1};        ///< [degC]
+    Input cooling_set_point{26, 0, -1};        ///< [degC]
     Input heating_capacity{unlimited, 0, -1};  ///< [W/m2 of floor]; 0 = no heating
     Input cooling_capacity{unlimited, 0, -1};  ///< [W/m2 of floor]
-    Input heating_available{1, 0, -1};      ///< 0 or 1, times the capacity
+    Input heating_available{1, 0, -1};         ///< 0 or 1, times the capacity
     Input cooling_available{1, 0, -1};
-    bool imposed = false;              ///< then no set-points: `imposed_power` enters the air node
-    Input imposed_power;               ///< [W/m2 of floor], heating positive
+    bool imposed = false;  ///< then no set-points: `imposed_power` enters the air node
+    Input imposed_power;   ///< [W/m2 of floor], heating positive
 };
 
 /// Refinements of the standard's one-capacity hour; all off by default (structure.hpp).
@@ -103,29 +105,29 @@ struct Structure {
     double emitter_time_constant = 0;  ///< of heating [s]
     double emitter_radiant_share = 0;  ///< of heating [-]
     double second_mass_conductance = 0;  ///< H_2 between the masses [W/K per m2 of floor]
-    double second_mass_capacity = 0;   ///< C_2 [J/K per m2 of floor]
+    double second_mass_capacity = 0;     ///< C_2 [J/K per m2 of floor]
     bool any() const {
         return air_capacity > 0 || proportional_band > 0 || emitter_time_constant > 0 ||
                emitter_radiant_share > 0 || second_mass_conductance > 0;
     }
 };
 
-struct ZoneCoupling {           ///< to another zone, by its air temperature of the last step
+struct ZoneCoupling {  ///< to another zone, by its air temperature of the last step
     int zone = 0;
-    Input conductance;                 ///< [W/K], at the air node of both
-    Input air_flow;                    ///< [m3/h] from that zone into this one
+    Input conductance;  ///< [W/K], at the air node of both
+    Input air_flow;     ///< [m3/h] from that zone into this one
 };
 
 struct Zone {
     std::string name;
-    double floor_area = 0;             ///< A_f [m2]
-    double volume = 0;                 ///< [m3]
-    double heat_capacity = 165000;     ///< C_m [J/K per m2 of floor]; class medium
-    double mass_area_ratio = 2.5;      ///< A_m / A_f [-]
-    double surface_area_ratio = 4.5;   ///< Lambda_at = A_tot / A_f [-]
-    double surface_film = 3.45;        ///< h_is [W/(m2 K)]
-    double mass_film = 9.1;            ///< h_ms [W/(m2 K)]
-    double bridge_conductance = 0;     ///< thermal bridges, to outdoors [W/K]
+    double floor_area = 0;                   ///< A_f [m2]
+    double volume = 0;                       ///< [m3]
+    double heat_capacity = 165000;           ///< C_m [J/K per m2 of floor]; class medium
+    double mass_area_ratio = 2.5;            ///< A_m / A_f [-]
+    double surface_area_ratio = 4.5;         ///< Lambda_at = A_tot / A_f [-]
+    double surface_film = 3.45;              ///< h_is [W/(m2 K)]
+    double mass_film = 9.1;                  ///< h_ms [W/(m2 K)]
+    double bridge_conductance = 0;           ///< thermal bridges, to outdoors [W/K]
     double sky_temperature_difference = 11;  ///< Delta theta_er [K]; 0 = no sky loss
     std::vector<Surface> surfaces;
     std::vector<Window> windows;
@@ -138,9 +140,10 @@ struct Zone {
 
 struct Plant {
     Carrier heating_carrier = Carrier::gas;
-    Input heating_efficiency{0.9, 0, -1};  ///< heat per energy metered (a COP where electric) [-]
+    Input heating_efficiency{0.9, 0,
+                             -1};  ///< heat per energy metered (a COP where electric) [-]
     Carrier cooling_carrier = Carrier::electricity;
-    Input cooling_cop{3, 0, -1};           ///< [-]
+    Input cooling_cop{3, 0, -1};  ///< [-]
 };
 
 struct Building {
@@ -148,7 +151,7 @@ struct Building {
     std::vector<Construction> constructions;
     std::vector<Glazing> glazings;
     std::vector<Boundary> boundaries;
-    std::vector<Plane> planes;         ///< every distinct plane that a surface or window names
+    std::vector<Plane> planes;  ///< every distinct plane that a surface or window names
     std::vector<Zone> zones;
     Plant plant;
 

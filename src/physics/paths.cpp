@@ -57,6 +57,7 @@ struct Named {
 
 std::vector<Named> coupled_zones(const Building& building, const Zone& zone) {
     std::vector<Named> names;
+    names.reserve(zone.couplings.size());
     for (const ZoneCoupling& coupling : zone.couplings)
         names.push_back({building.zones[row(coupling.zone)].name});
     return names;

@@ -132,6 +132,7 @@ void record(const StepResult& result, ZoneTrajectory& zone) {
 
 Trajectory simulate(const Building& building, const Drive& drive, double theta_start) {
     std::vector<ZoneRun> runs;
+    runs.reserve(building.zones.size());
     for (std::size_t zone = 0; zone < building.zones.size(); ++zone)
         runs.emplace_back(building, drive, zone, theta_start);
     Trajectory trajectory;
