@@ -27,18 +27,15 @@ bool is_coupled(const Building& building) {
 }
 
 void plan_zones(Batch::Plan& plan) {
-    std::vector<char> cut_before(static_cast<std::size_t>(plan.drive.n_steps()));
-    for (const Chunk& chunk : plan.chunks)
-        cut_before[static_cast<std::size_t>(chunk.begin)] = 1;
     for (std::size_t zone = 0; zone < plan.nominal.zones.size(); ++zone)
-        plan.zones.push_back(plan_zone(plan.nominal, plan.parameters, plan.drive, zone,
-                                       cut_before, plan.table.lanes));
+        plan.zones.push_back(
+            plan_zone(plan.nominal, plan.parameters, plan.drive, zone, plan.table.lanes));
 }
 
 void plan_meters(Batch::Plan& plan) {
     for (std::size_t q = 0; q < n_quantities; ++q)
         plan.meters[q] = plan_meter(plan.nominal, plan.drive, static_cast<Quantity>(q),
-                                    plan.chunks, plan.table.lanes);
+                                    plan.months, plan.table.lanes);
 }
 
 /// A coupled building's lane: the whole period at once.
@@ -79,13 +76,15 @@ Batch::Batch(const Building& nominal, std::vector<Parameter> parameters,
                      drive,
                      table_of(set),
                      is_coupled(nominal),
-                     plan_chunks(drive),
+                     plan_months(drive),
+                     {},
                      {},
                      {},
                      {}}) {
     if (!is_supported(set))
         throw std::invalid_argument(std::string("this processor cannot run the kernel ") +
                                     name_of(set));
+    plan_->chunks = cut_chunks(plan_->months);
     if (!plan_->coupled) plan_zones(*plan_);
     plan_meters(*plan_);
     for (std::size_t k = 0; k < n_intervals; ++k)
@@ -139,7 +138,7 @@ void Batch::advance(Group& group, int begin, int end, Quantity quantity,
         return;
     }
     const int n_warm_up = plan_->drive.n_warm_up;
-    for (const Chunk& chunk : plan_->chunks) {
+    for (const Span& chunk : plan_->chunks) {
         const int from = std::max(chunk.begin, begin + n_warm_up);
         const int to = std::min(chunk.end, end + n_warm_up);
         if (from >= to) continue;

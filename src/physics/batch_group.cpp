@@ -7,9 +7,9 @@ namespace bemcal::physics {
 
 namespace {
 
-std::size_t longest(const std::vector<Chunk>& chunks) {
+std::size_t longest(const std::vector<Span>& chunks) {
     int most = 1;
-    for (const Chunk& chunk : chunks) most = std::max(most, chunk.end - chunk.begin);
+    for (const Span& chunk : chunks) most = std::max(most, chunk.end - chunk.begin);
     return static_cast<std::size_t>(most);
 }
 

@@ -16,13 +16,13 @@ struct Batch::Plan {
     std::vector<Parameter> parameters;
     const Drive& drive;
     const kernel::Table& table;
-    bool coupled = false;         ///< then every point runs plain
-    std::vector<Chunk> chunks;    ///< of the period, in steps of the drive
-    std::vector<ZonePlan> zones;  ///< empty where coupled
+    bool coupled = false;              ///< then every point runs plain
+    std::vector<Span> months, chunks;  ///< of the period, in steps of the drive
+    std::vector<ZonePlan> zones;       ///< empty where coupled
     std::array<MeterPlan, n_quantities> meters;
     std::array<std::vector<int>, n_intervals> bounds;  ///< in steps of the period
 
-    int n_months() const { return chunks.back().month + 1; }
+    int n_months() const { return static_cast<int>(months.size()); }
     const MeterPlan& meter(Quantity quantity) const {
         return meters[static_cast<std::size_t>(quantity)];
     }

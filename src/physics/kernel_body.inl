@@ -74,11 +74,11 @@ struct Standard {
     }
 
     /// One segment. `watch` sees the powers of every step.
+    /// \param stride  from one step's drivers to the next
     template <int planes, bool more_drivers, class Watch, class... Hooks>
-    [[gnu::always_inline]] inline void advance(const Segment& segment, Watch& watch) {
+    [[gnu::always_inline]] inline void advance(const Segment& segment, long stride, Watch& watch) {
         using C = StandardColumn;
         const double* regime = group.regimes + segment.regime * zone.regime_size;
-        const int stride = zone.n_drivers + zone.n_planes;
         const V zero = broadcast(0);
         for (int step = segment.begin; step < segment.end; ++step) {
             regime = as_operands(regime);
@@ -139,12 +139,13 @@ template <class Action>
 template <int planes, bool more_drivers, class Watch>
 void run_pieces(const ZoneTime& zone, const ZoneLanes& group, int segment, int begin, int end,
                 Watch watch) {
+    const long stride = planes > 0 ? 1 + planes : zone.n_drivers + zone.n_planes;
     Standard standard(zone, group, begin);
     for_pieces(zone, segment, begin, end, [&](const Segment& piece) {
         if (piece.in_sun != 0)
-            standard.advance<planes, more_drivers>(piece, watch);
+            standard.advance<planes, more_drivers>(piece, stride, watch);
         else
-            standard.advance<0, more_drivers>(piece, watch);
+            standard.advance<0, more_drivers>(piece, stride, watch);
     });
     standard.write();
     watch.end();
@@ -223,7 +224,7 @@ void general_segment(const ZoneTime& zone, const ZoneLanes& group, const Segment
     const double* regime = group.regimes + segment.regime * zone.regime_size;
     const double* forms = regime + GeneralColumn::forms * lanes;
     const double* drivers = zone.drivers + static_cast<long>(segment.begin) * stride;
-    V state[n], heat = broadcast(0), cool = broadcast(0);
+    V state[n], heat = load(group.sums), cool = load(group.sums + lanes);
     for (int s = 0; s < n; ++s) state[s] = column(group.state, s);
     for (int step = segment.begin; step < segment.end; ++step, drivers += stride) {
         const double* row = group.rows + zone.row_offset[step];
@@ -241,8 +242,8 @@ void general_segment(const ZoneTime& zone, const ZoneLanes& group, const Segment
         if (show == Show::powers_and_air) store(out.air + at, form.value[0]);
     }
     for (int s = 0; s < n; ++s) store(group.state + s * lanes, state[s]);
-    store(group.sums, add(heat, load(group.sums)));
-    store(group.sums + lanes, add(cool, load(group.sums + lanes)));
+    store(group.sums, heat);
+    store(group.sums + lanes, cool);
 }
 
 inline void run_general(const ZoneTime& zone, const ZoneLanes& group, const Segment& segment,

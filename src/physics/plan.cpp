@@ -180,13 +180,12 @@ bool in_sun(const ZonePlan& plan, const Drive& drive, int step) {
     });
 }
 
-void cut_segments(ZonePlan& plan, const Drive& drive,
-                  const std::vector<char>& cut_before) {
+void cut_segments(ZonePlan& plan, const Drive& drive) {
     for (int step = 0; step < drive.n_steps(); ++step) {
         const auto at = static_cast<std::size_t>(step);
         const int regime = plan.regimes.class_of[at],
                   sun = in_sun(plan, drive, step) ? 1 : 0;
-        if (step == 0 || cut_before[at] != 0 || plan.segments.back().regime != regime ||
+        if (step == 0 || plan.segments.back().regime != regime ||
             plan.segments.back().in_sun != sun)
             plan.segments.push_back({step, step, regime, sun});
         plan.segments.back().end = step + 1;
@@ -288,8 +287,7 @@ kernel::ZoneTime ZonePlan::time(int lanes) const {
 }
 
 ZonePlan plan_zone(const Building& nominal, const std::vector<Parameter>& parameters,
-                   const Drive& drive, std::size_t zone,
-                   const std::vector<char>& cut_before, int lanes) {
+                   const Drive& drive, std::size_t zone, int lanes) {
     const Zone& description = nominal.zones[zone];
     const Thermostat& control = description.thermostat;
     ZonePlan plan;
@@ -303,29 +301,34 @@ ZonePlan plan_zone(const Building& nominal, const std::vector<Parameter>& parame
     plan_rows(plan, load_profiles(nominal, parameters, zone), drive);
     plan.row_offset = offsets_of(plan.rows, plan.row_columns() * lanes);
     lay_drivers(plan, nominal, drive);
-    cut_segments(plan, drive, cut_before);
+    cut_segments(plan, drive);
     return plan;
 }
 
-std::vector<Chunk> plan_chunks(const Drive& drive) {
-    std::vector<Chunk> chunks;
+std::vector<Span> plan_months(const Drive& drive) {
+    std::vector<Span> months;
     int month_of_year = 0;
     for (int step = drive.n_warm_up; step < drive.n_steps(); ++step) {
         const int month = calendar_step(drive.axis.begin_of(step)).month;
-        if (chunks.empty())
-            chunks.push_back({step, step, 0});
-        else if (month != month_of_year)
-            chunks.push_back({step, step, chunks.back().month + 1});
-        else if (step - chunks.back().begin == chunk_steps)
-            chunks.push_back({step, step, chunks.back().month});
-        chunks.back().end = step + 1;
+        if (months.empty() || month != month_of_year)
+            months.push_back({step, step, static_cast<int>(months.size())});
+        months.back().end = step + 1;
         month_of_year = month;
     }
+    return months;
+}
+
+std::vector<Span> cut_chunks(const std::vector<Span>& months) {
+    std::vector<Span> chunks;
+    for (const Span& month : months)
+        for (int begin = month.begin; begin < month.end; begin += chunk_steps)
+            chunks.push_back(
+                {begin, std::min(begin + chunk_steps, month.end), month.month});
     return chunks;
 }
 
 MeterPlan plan_meter(const Building& nominal, const Drive& drive, Quantity quantity,
-                     const std::vector<Chunk>& chunks, int lanes) {
+                     const std::vector<Span>& months, int lanes) {
     const Carrier carrier = carrier_of(quantity);
     const std::vector<int> of_plant = plant_profiles(nominal, carrier);
     MeterPlan plan;
@@ -333,12 +336,11 @@ MeterPlan plan_meter(const Building& nominal, const Drive& drive, Quantity quant
     plan.rows = refine(refine(one_class(drive.n_steps()), drive, of_plant), drive,
                        meter_profiles(nominal, carrier));
     plan.row_offset = offsets_of(plan.rows, 3 * lanes);
-    for (const Chunk& chunk : chunks) {
-        plan.row_counts.resize(
-            static_cast<std::size_t>(chunk.month) + 1,
-            std::vector<double>(static_cast<std::size_t>(plan.rows.size())));
-        for (int step = chunk.begin; step < chunk.end; ++step)
-            plan.row_counts.back()[static_cast<std::size_t>(
+    for (const Span& month : months) {
+        std::vector<double>& counts =
+            plan.row_counts.emplace_back(static_cast<std::size_t>(plan.rows.size()));
+        for (int step = month.begin; step < month.end; ++step)
+            counts[static_cast<std::size_t>(
                 plan.rows.class_of[static_cast<std::size_t>(step)])] += 1;
     }
     return plan;

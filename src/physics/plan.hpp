@@ -48,17 +48,17 @@ struct ZonePlan {
     kernel::ZoneTime time(int lanes) const;
 };
 
-/// \param cut_before  [n_steps] true where a segment has to begin
 ZonePlan plan_zone(const Building& nominal, const std::vector<Parameter>& parameters,
-                   const Drive& drive, std::size_t zone,
-                   const std::vector<char>& cut_before, int lanes);
+                   const Drive& drive, std::size_t zone, int lanes);
 
-/// A run of steps that is reduced at once, within one month.
-struct Chunk {
+/// A run of steps within one month; months count from 0.
+struct Span {
     int begin, end, month;
 };
-/// Chunks of the period, in steps of the drive; months count from 0.
-std::vector<Chunk> plan_chunks(const Drive& drive);
+/// The period's months, in steps of the drive.
+std::vector<Span> plan_months(const Drive& drive);
+/// The same in pieces whose rows fit the first-level cache.
+std::vector<Span> cut_chunks(const std::vector<Span>& months);
 
 /// Steps in which a meter's form is the same.
 struct MeterPlan {
@@ -69,6 +69,6 @@ struct MeterPlan {
         row_counts;  ///< [n_months x n_rows] steps of the period
 };
 MeterPlan plan_meter(const Building& nominal, const Drive& drive, Quantity quantity,
-                     const std::vector<Chunk>& chunks, int lanes);
+                     const std::vector<Span>& months, int lanes);
 
 }  // namespace bemcal::physics

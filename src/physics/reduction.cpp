@@ -35,11 +35,12 @@ Reduction::Reduction(const RequestPlan& request, const Batch::Plan& batch)
 void Reduction::run(Batch::Group& group) {
     for (LaneArray* array : {&powers_, &summed_, &error_}) array->clear();
     for (LaneArray& sums : sums_) sums.clear();
-    const std::vector<Chunk>& chunks = batch_.chunks;
-    for (std::size_t k = 0; k < chunks.size(); ++k) {
-        run_chunk(chunks[k], group);
-        if (k + 1 == chunks.size() || chunks[k + 1].month != chunks[k].month)
-            close_month(static_cast<std::size_t>(chunks[k].month), group);
+    const bool in_chunks = request_.show != kernel::Show::sums && !request_.compared;
+    const std::vector<Span>& spans = in_chunks ? batch_.chunks : batch_.months;
+    for (std::size_t k = 0; k < spans.size(); ++k) {
+        run_span(spans[k], group);
+        if (k + 1 == spans.size() || spans[k + 1].month != spans[k].month)
+            close_month(static_cast<std::size_t>(spans[k].month), group);
     }
 }
 
@@ -57,9 +58,9 @@ PointAnswer Reduction::answer(int lane, Batch::Group& group) const {
     return answer;
 }
 
-void Reduction::run_chunk(const Chunk& chunk, Batch::Group& group) {
-    if (request_.compared) return run_compared(chunk, group);
-    const auto [begin, end, month] = chunk;
+void Reduction::run_span(const Span& span, Batch::Group& group) {
+    if (request_.compared) return run_compared(span, group);
+    const auto [begin, end, month] = span;
     const kernel::PowerRows rows = group.run(begin, end, request_.show);
     for (std::size_t k = 0; k < request_.summed.size(); ++k)
         batch_.table.add_up(
@@ -73,11 +74,11 @@ void Reduction::run_chunk(const Chunk& chunk, Batch::Group& group) {
     }
 }
 
-void Reduction::run_compared(const Chunk& chunk, Batch::Group& group) {
+void Reduction::run_compared(const Span& span, Batch::Group& group) {
     const ReadingPlan& reading = request_.readings.front();
-    const int segment = batch_.zones[0].segment_of[static_cast<std::size_t>(chunk.begin)];
+    const int segment = batch_.zones[0].segment_of[static_cast<std::size_t>(span.begin)];
     batch_.table.run_compared(group.zones[0].time, group.zones[0].lanes(), segment,
-                              chunk.begin, chunk.end, group.meter(reading.quantity),
+                              span.begin, span.end, group.meter(reading.quantity),
                               reading.time(), sums_.front().data());
 }
 

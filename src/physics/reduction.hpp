@@ -18,8 +18,8 @@ class Reduction {
         std::size_t begin, end;
     };
     std::size_t months() const { return static_cast<std::size_t>(batch_.n_months()); }
-    void run_chunk(const Chunk& chunk, Batch::Group& group);
-    void run_compared(const Chunk& chunk, Batch::Group& group);
+    void run_span(const Span& span, Batch::Group& group);
+    void run_compared(const Span& span, Batch::Group& group);
     void close_month(std::size_t month, Batch::Group& group);
     /// kWh, or the mean in degC.
     double total(Quantity quantity, Months span, int lane, Batch::Group& group) const;

@@ -42,12 +42,12 @@ ReadingPlan plan_reading(const Readings& readings, const Batch::Plan& batch) {
     for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
         lay_interval(plan, batch, bounds[k], bounds[k + 1], readings.values[k]);
     plan.months.resize(static_cast<std::size_t>(batch.n_months()));
-    for (const Chunk& chunk : batch.chunks)
-        for (int step = chunk.begin; step < chunk.end; ++step) {
+    for (const Span& month : batch.months)
+        for (int step = month.begin; step < month.end; ++step) {
             const int interval = plan.closes[static_cast<std::size_t>(step)];
             if (interval >= 0)
                 count_reading(plan.measured[static_cast<std::size_t>(interval)],
-                              plan.months[static_cast<std::size_t>(chunk.month)]);
+                              plan.months[static_cast<std::size_t>(month.month)]);
         }
     return plan;
 }
