@@ -1,12 +1,13 @@
 /// A box of GFA / (L W) storeys in Guangzhou, one hour by ISO 13790 (hour.hpp).
 ///
-/// Paper 1 leaves open what its inputs do not name; here: double glazing (g 0.75, frame
-/// 20 %) for every U-value, walls of absorptance 0.6, thermal class medium, the ground
-/// floor adiabatic, no shading, unlimited plant, energy as heat delivered and removed (no
-/// COP). theta_prev is the mass temperature before the hour. Inputs are independent, as
-/// in the paper: diffuse irradiance may shine at night (then from an isotropic sky), the
-/// beam may not. DayNum and HourNum are used as they come, fractions included: the hour
-/// begins at HourNum of day DayNum, and the sun stands where it is half an hour later.
+/// Beside OfficeHourAssumptions: walls of emissivity 0.9 lose heat to a sky 11 K colder,
+/// thermal class medium, the ground floor adiabatic, no shading, unlimited plant, energy
+/// as heat delivered and removed (no COP); theta_prev is the mass temperature before the
+/// hour. Inputs are independent, as in the paper: diffuse irradiance may shine at night,
+/// the beam may not. The sky is isotropic: full diffuse irradiance with the sun at the
+/// horizon lies outside the fit of Perez's sky, which would give a facade tens of kW/m2.
+/// DayNum and HourNum are used as they come, fractions included: the hour begins at
+/// HourNum of day DayNum, and the sun stands where it is half an hour later.
 #include "physics/office_hour.hpp"
 
 #include "base/error.hpp"
@@ -57,10 +58,9 @@ Office office_of(std::span<const double> v) {
 
 constexpr double deg = std::numbers::pi / 180;
 constexpr Site guangzhou{23.13, 113.3, 8, 20, 0.2};
-constexpr double absorptance = 0.6, external_resistance = 0.04, emissivity = 0.9;
+constexpr double external_resistance = 0.04, emissivity = 0.9;
+constexpr double incidence_factor = 0.9;           ///< F_w of eq. 44
 constexpr double sky_temperature_difference = 11;  ///< [K]
-/// F_w g_n (1 - F_F) of ISO 13790 11.4, double glazing of Table G.2.
-constexpr double window_transmittance = 0.9 * 0.75 * (1 - 0.2);
 
 struct Face {
     Plane plane;
@@ -95,18 +95,22 @@ double irradiance_on_face(const Office& office, const SunPosition& sun,
     const double up = std::cos(sun.zenith);
     const double beam = up > 0 ? office.DNI : 0;
     return irradiance_on(plane, sun, beam, office.DHI,
-                         office.DHI + beam * std::max(up, 0.0), guangzhou.albedo)
+                         office.DHI + beam * std::max(up, 0.0), guangzhou.albedo,
+                         SkyModel::isotropic)
         .total();
 }
 
 /// Solar gains less the loss to the sky [W] (ISO 13790 eq. 41 to 46).
-double solar_gains(const Office& office, const std::array<Face, 5>& faces) {
+double solar_gains(const Office& office, const std::array<Face, 5>& faces,
+                   const OfficeHourAssumptions& assumed) {
     const SunPosition sun = sun_of(office);
     double gains = 0;
     for (const Face& face : faces) {
         const double wall = external_resistance * face.u_opaque * face.opaque;
         const double glass = external_resistance * office.U_window * face.window;
-        const double aperture = window_transmittance * face.window + absorptance * wall;
+        const double aperture = incidence_factor * assumed.g_value *
+                                    (1 - assumed.frame_fraction) * face.window +
+                                assumed.solar_absorptance * wall;
         const double sky_view = 0.5 * (1 + std::cos(face.plane.tilt));
         const double to_sky =
             sky_view * 5 * emissivity * sky_temperature_difference * (wall + glass);
@@ -115,7 +119,8 @@ double solar_gains(const Office& office, const std::array<Face, 5>& faces) {
     return gains;
 }
 
-Network network_of(const Office& office, const std::array<Face, 5>& faces) {
+Network network_of(const Office& office, const std::array<Face, 5>& faces,
+                   const OfficeHourAssumptions& assumed) {
     Network n;
     n.A_f = office.GFA;
     n.A_m = 2.5 * n.A_f;
@@ -129,7 +134,8 @@ Network network_of(const Office& office, const std::array<Face, 5>& faces) {
     n.H_tr_ms = 9.1 * n.A_m;
     n.H_tr_em = 1 / (1 / H_op - 1 / n.H_tr_ms);
     n.H_tr_is = 3.45 * n.A_tot;
-    n.H_ve = rho_c_air / 3600 * office.ven * office.GFA * office.h;
+    n.H_ve = (1 - assumed.heat_recovery) * rho_c_air / 3600 * office.ven * office.GFA *
+             office.h;
     return n;
 }
 
@@ -145,16 +151,17 @@ std::span<const OfficeHourInput> office_hour_inputs() {
     return inputs_of_table_2;
 }
 
-double office_hour_energy(std::span<const double> inputs) {
+double office_hour_energy(std::span<const double> inputs,
+                          const OfficeHourAssumptions& assumed) {
     require(inputs.size() == n_inputs, "the office hour takes 19 inputs");
     const Office office = office_of(inputs);
     const auto faces = faces_of(office);
-    const Network network = network_of(office, faces);
+    const Network network = network_of(office, faces, assumed);
     if (!is_possible(office, network)) return std::numeric_limits<double>::quiet_NaN();
     HourDrive drive;
     drive.theta_e = drive.theta_em = drive.theta_sup = office.theta_ext;
     drive.phi_int = office.phi_int * office.GFA;
-    drive.phi_sol = solar_gains(office, faces);
+    drive.phi_sol = solar_gains(office, faces, assumed);
     Control control;
     control.theta_H_set = office.theta_H_set;
     control.theta_C_set = office.theta_C_set;

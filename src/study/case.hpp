@@ -1,10 +1,11 @@
-/// A building as a study sees it: description, parameters, weather, schedules, meters, periods.
+/// A building as a study sees it: description, parameters, weather, schedules, meters,
+/// periods.
 #pragma once
+
+#include "physics/batch.hpp"
 
 #include <string>
 #include <vector>
-
-#include "physics/batch.hpp"
 
 namespace bemcal::study {
 
@@ -12,31 +13,31 @@ struct Meter {
     std::string name;
     physics::Quantity quantity = physics::Quantity::heating;
     physics::Interval interval = physics::Interval::hourly;
-    physics::TimeAxis axis;          ///< steps of the readings (hourly, daily: 3600 s steps are
-                                     ///< used and a day's reading stands at its first step)
-    std::vector<double> values;      ///< [axis.n_steps] kWh or degC; NaN = missing or masked
+    physics::TimeAxis axis;  ///< steps of the readings (hourly, daily: 3600 s steps are
+                             ///< used and a day's reading stands at its first step)
+    std::vector<double> values;  ///< [axis.n_steps] kWh or degC; NaN = missing or masked
 };
 
 struct Period {
-    std::string name;                ///< "training", "held_out"
-    physics::Seconds from{}, to{};   ///< [from, to)
+    std::string name;               ///< "training", "held_out"
+    physics::Seconds from{}, to{};  ///< [from, to)
 };
 
 /// What was found in the data and what was done about it, in words.
 struct DataDecision {
-    std::string series;              ///< the meter or column
-    std::string finding;             ///< "46 h of zeros from 2013-04-02 00:00"
-    std::string action;              ///< "masked", "kept", "scaled by 11.2"
+    std::string series;   ///< the meter or column
+    std::string finding;  ///< "46 h of zeros from 2013-04-02 00:00"
+    std::string action;   ///< "masked", "kept", "scaled by 11.2"
 };
 
 struct Case {
     std::string name;
-    physics::Building building;                  ///< nominal
+    physics::Building building;  ///< nominal
     std::vector<physics::Parameter> parameters;
     physics::Weather weather;
     std::vector<physics::Profile> profiles;
     std::vector<Meter> meters;
-    std::vector<Period> periods;                 ///< the first is for training
+    std::vector<Period> periods;  ///< the first is for training
     std::vector<DataDecision> decisions;
     int step_s = 3600;
     int warm_up_hours = 1008;
@@ -46,9 +47,9 @@ struct Case {
 /// The simulated steps of a period, without its warm-up.
 physics::TimeAxis axis_of(const Case& building, const Period& period);
 
-/// The drive of a period, and the readings that fall into it. A reading whose interval reaches
-/// beyond the period is missing. Throws std::invalid_argument where a meter is read at another
-/// step than the simulation's.
+/// The drive of a period, and the readings that fall into it. A reading whose interval
+/// reaches beyond the period is missing. Throws std::invalid_argument where a meter is
+/// read at another step than the simulation's.
 physics::Drive drive_of(const Case& building, const Period& period);
 std::vector<physics::Readings> readings_of(const Case& building, const Period& period);
 

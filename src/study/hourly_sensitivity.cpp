@@ -26,17 +26,39 @@ constexpr double t_975_31 = 2.0395134463964077;  ///< Student's t, 31 degrees of
 constexpr std::size_t chunk_steps = 64;          ///< a multiple of four
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+/// Outputs of sixteen points over some steps, laid out as the kernel's groups write them.
+class Outputs {
+  public:
+    Outputs(std::size_t lanes, std::size_t n_steps)
+        : width_(lanes < 4 ? sixteen : lanes),
+          n_steps_((n_steps + 3) / 4 * 4),
+          values_(n_steps_ * sixteen) {}
+
+    double* group(std::size_t k) { return values_.data() + k * width_ * n_steps_; }
+    double& at(std::size_t step, std::size_t lane) {
+        return values_[step * sixteen + lane];
+    }
+    Rows rows(std::size_t begin) {
+        Rows rows;
+        rows.stride = width_;
+        for (std::size_t k = 0; k < 4; ++k)
+            rows.quads[k] = group(4 * k / width_) + begin * width_ + 4 * k % width_;
+        return rows;
+    }
+
+  private:
+    std::size_t width_, n_steps_;
+    std::vector<double> values_;
+};
+
 /// Sixteen points on their way through time, in as many groups as the kernel's lanes
 /// make.
 class Company {
   public:
     explicit Company(const physics::Batch& batch)
-        : batch_(batch),
-          lanes_(static_cast<std::size_t>(batch.lanes())),
-          rows_(chunk_steps * sixteen) {
+        : batch_(batch), lanes_(static_cast<std::size_t>(batch.lanes())) {
         for (std::size_t k = 0; k < sixteen / lanes_; ++k)
             groups_.push_back(batch.make_group());
-        if (lanes_ < 4) narrow_.resize(chunk_steps * lanes_);
     }
 
     /// \return each point's failure, empty = none
@@ -53,41 +75,23 @@ class Company {
         for (const auto& group : groups_) batch_.warm_up(*group);
     }
 
-    /// Steps [begin, begin + n) into this company's rows.
-    Rows advance(std::size_t begin, std::size_t n, physics::Quantity quantity) {
+    /// Steps [begin, begin + n) to the front of `outputs`.
+    void advance(std::size_t begin, std::size_t n, physics::Quantity quantity,
+                 Outputs& outputs) {
+        std::vector<double> narrow(lanes_ < 4 ? n * lanes_ : 0);
         for (std::size_t k = 0; k < groups_.size(); ++k) {
-            double* out =
-                lanes_ < 4 ? narrow_.data() : rows_.data() + k * lanes_ * chunk_steps;
             batch_.advance(*groups_[k], static_cast<int>(begin),
-                           static_cast<int>(begin + n), quantity, out);
-            if (lanes_ < 4) spread(k, n);
+                           static_cast<int>(begin + n), quantity,
+                           narrow.empty() ? outputs.group(k) : narrow.data());
+            for (std::size_t at = 0; at < narrow.size(); ++at)
+                outputs.at(at / lanes_, k * lanes_ + at % lanes_) = narrow[at];
         }
-        return rows();
     }
 
   private:
-    /// Columns of a group with few lanes into their places among the sixteen.
-    void spread(std::size_t group, std::size_t n) {
-        for (std::size_t step = 0; step < n; ++step)
-            for (std::size_t lane = 0; lane < lanes_; ++lane)
-                rows_[step * sixteen + group * lanes_ + lane] =
-                    narrow_[step * lanes_ + lane];
-    }
-
-    Rows rows() {
-        const std::size_t width = lanes_ < 4 ? sixteen : lanes_;
-        Rows rows;
-        rows.stride = width;
-        for (std::size_t k = 0; k < 4; ++k)
-            rows.quads[k] =
-                rows_.data() + (4 * k) / width * width * chunk_steps + (4 * k) % width;
-        return rows;
-    }
-
     const physics::Batch& batch_;
     std::size_t lanes_;
     std::vector<physics::Batch::GroupPointer> groups_;
-    std::vector<double> rows_, narrow_;
 };
 
 /// One block of base points.
@@ -98,7 +102,10 @@ class Block {
           quantity_(quantity),
           nominal_(nominal_point(batch.parameters())),
           shift_(n_steps + 3, 0.0),
-          sums_(nominal_.size(), n_steps) {
+          sums_(nominal_.size(), n_steps),
+          a_(static_cast<std::size_t>(batch.lanes()), n_steps),
+          b_(a_),
+          chunk_(static_cast<std::size_t>(batch.lanes()), chunk_steps) {
         for (std::size_t row = 0; row < nominal_.size() + 2; ++row)
             companies_.emplace_back(batch);
         make_shift();
@@ -124,12 +131,12 @@ class Block {
     void make_shift();
     std::vector<Matrix> companies_of(const Matrix& design) const;
     void run();
-    void run_chunk(std::size_t begin, std::size_t n);
 
     const physics::Batch& batch_;
     physics::Quantity quantity_;
     std::vector<double> nominal_, shift_;
     HourlySums sums_;
+    Outputs a_, b_, chunk_;
     std::vector<Company> companies_;  ///< one for each row of the design
     std::string error_;
     std::size_t n_used_ = 0;
@@ -139,12 +146,10 @@ void Block::make_shift() {
     error_ = companies_[0].prepare(nominal_points())[0];
     if (!error_.empty()) return;
     companies_[0].warm_up();
-    for (std::size_t begin = 0; begin < sums_.n_steps(); begin += chunk_steps) {
-        const std::size_t n = std::min(chunk_steps, sums_.n_steps() - begin);
-        const Rows rows = companies_[0].advance(begin, n, quantity_);
-        for (std::size_t step = 0; step < n; ++step)
-            shift_[begin + step] = rows.quads[0][step * rows.stride];
-    }
+    companies_[0].advance(0, sums_.n_steps(), quantity_, a_);
+    const Rows rows = a_.rows(0);
+    for (std::size_t step = 0; step < sums_.n_steps(); ++step)
+        shift_[step] = rows.quads[0][step * rows.stride];
 }
 
 /// The points of each company; nominal where the design has no base point left.
@@ -182,19 +187,20 @@ void Block::add(const Matrix& design, std::size_t first_row,
     run();
 }
 
+/// One row of the design after the other, so that the kernel's working set stays small; A
+/// and B are kept for the period, the mixed rows for a chunk only.
 void Block::run() {
+    const std::size_t n_steps = sums_.n_steps();
     for (Company& company : companies_) company.warm_up();
-    for (std::size_t begin = 0; begin < sums_.n_steps(); begin += chunk_steps)
-        run_chunk(begin, std::min(chunk_steps, sums_.n_steps() - begin));
-}
-
-void Block::run_chunk(std::size_t begin, std::size_t n) {
-    const Rows a = companies_.front().advance(begin, n, quantity_);
-    const Rows b = companies_.back().advance(begin, n, quantity_);
-    sums_.add_base(begin, n, a, b, shift_.data() + begin);
+    companies_.front().advance(0, n_steps, quantity_, a_);
+    companies_.back().advance(0, n_steps, quantity_, b_);
+    sums_.add_base(0, n_steps, a_.rows(0), b_.rows(0), shift_.data());
     for (std::size_t i = 0; i < dimension(); ++i)
-        sums_.add_mixed(begin, n, i, a, b,
-                        companies_[1 + i].advance(begin, n, quantity_));
+        for (std::size_t begin = 0; begin < n_steps; begin += chunk_steps) {
+            const std::size_t n = std::min(chunk_steps, n_steps - begin);
+            companies_[1 + i].advance(begin, n, quantity_, chunk_);
+            sums_.add_mixed(begin, n, i, a_.rows(begin), b_.rows(begin), chunk_.rows(0));
+        }
 }
 
 class HourlySensitivity : public Stage {

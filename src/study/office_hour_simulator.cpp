@@ -1,5 +1,4 @@
 /// Paper 1's single hour, some of its inputs fixed.
-#include "physics/office_hour.hpp"
 #include "study/simulator.hpp"
 
 #include <cmath>
@@ -23,7 +22,9 @@ std::size_t number_of(const std::string& name) {
 
 class OfficeHourSimulator : public Simulator {
   public:
-    explicit OfficeHourSimulator(const Fixed& fixed) {
+    OfficeHourSimulator(const Fixed& fixed,
+                        const physics::OfficeHourAssumptions& assumptions)
+        : assumptions_(assumptions) {
         const auto inputs = physics::office_hour_inputs();
         inputs_.resize(inputs.size());
         std::vector<bool> is_fixed(inputs.size());
@@ -48,7 +49,7 @@ class OfficeHourSimulator : public Simulator {
         for (std::size_t r = 0; r < points.rows; ++r) {
             for (std::size_t k = 0; k < varied_.size(); ++k)
                 inputs[varied_[k]] = points(r, k);
-            answers(r, 0) = physics::office_hour_energy(inputs);
+            answers(r, 0) = physics::office_hour_energy(inputs, assumptions_);
             if (std::isnan(answers(r, 0))) failures[r] = "the box is impossible";
         }
     }
@@ -65,6 +66,7 @@ class OfficeHourSimulator : public Simulator {
         parameters_.push_back(std::move(parameter));
     }
 
+    physics::OfficeHourAssumptions assumptions_;
     std::vector<double> inputs_;       ///< fixed values in their places
     std::vector<std::size_t> varied_;  ///< number of the input that each parameter is
     std::vector<physics::Parameter> parameters_;
@@ -73,8 +75,9 @@ class OfficeHourSimulator : public Simulator {
 
 }  // namespace
 
-std::shared_ptr<const Simulator> make_office_hour_simulator(Fixed fixed) {
-    return std::make_shared<OfficeHourSimulator>(fixed);
+std::shared_ptr<const Simulator> make_office_hour_simulator(
+    Fixed fixed, const physics::OfficeHourAssumptions& assumptions) {
+    return std::make_shared<OfficeHourSimulator>(fixed, assumptions);
 }
 
 }  // namespace bemcal::study

@@ -61,7 +61,7 @@ Building office_in_words(const Inputs& v) {
     }
     const int roof = building.plane_index({0, 0, {}});
     zone.surfaces.push_back({"", 1, v[1] * v[2], outdoors, 1, true, roof, {1, 0, -1}});
-    zone.flows = {{"ventilation", {v[9], 0, -1}, {0, 0, -1}, outdoors}};
+    zone.flows = {{"ventilation", {v[9], 0, -1}, {0.6, 0, -1}, outdoors}};
     zone.loads = {{"gains", {v[18], 0, -1}}};
     zone.thermostat.heating_set_point.value = v[14];
     zone.thermostat.cooling_set_point.value = v[15];
@@ -96,7 +96,7 @@ TEST(OfficeHour, IsOneStepOfTheGeneralModel) {
         const Building building = office_in_words(v);
         const Weather weather = hour_of_weather(v);
         const Drive drive = make_drive(weather, building, {}, weather.axis.start,
-                                       weather.axis.end(), 3600, 0);
+                                       weather.axis.end(), 3600, 0, SkyModel::isotropic);
         const Trajectory trajectory =
             simulate(building, drive, v[number_of("theta_prev")]);
         const double expected =
@@ -116,6 +116,15 @@ TEST(OfficeHour, HasNoBeamAtNight) {
 }
 
 // Twice the storeys on the same plan: twice the walls, floor and gains, the same roof.
+// Diffuse irradiance as high as the inputs allow while the sun is at the horizon: the
+// gain through the windows stays below what falls on them.
+TEST(OfficeHour, StaysInProportionWithTheSunAtTheHorizon) {
+    const Inputs v = with(with(middle(), "DHI", 581), "theta_prev", 30);
+    const double noon = office_hour_energy(with(v, "HourNum", 11.5));
+    for (double hour = 4; hour < 8; hour += 0.05)
+        EXPECT_LT(office_hour_energy(with(v, "HourNum", hour)), 1.2 * noon) << hour;
+}
+
 TEST(OfficeHour, GrowsWithTheStoreys) {
     Inputs v = with(with(middle(), "theta_prev", 34), "U_roof", 1e-9);
     v = with(with(v, "HourNum", 1), "DHI", 0);  // nor sun on the roof

@@ -153,7 +153,7 @@ TEST(BatchSimulator, AnswersWithTotalsOfThePeriod) {
     EXPECT_NEAR(answers(0, 1), answers(0, 0) / 0.9, 1e-6);  // the plant's efficiency
     const auto datasets =
         run(*make_sensitivity("small/sensitivity", simulator, options_of(256)));
-    for (const double flag : find(datasets, "sensitive").values) EXPECT_EQ(flag, 1);
+    for (const double index : find(datasets, "total_order").values) EXPECT_GT(index, 0);
 }
 
 TEST(OfficeHourSimulator, FixesInputsByName) {
