@@ -91,7 +91,9 @@ void print_warning(const std::string& text) {
 }
 
 void print_tables(const store::ResultFile& result) {
-    fmt::print("{}\n", report::tables_of(result));
+    const std::string text = report::tables_of(result);
+    if (text.empty()) return;
+    fmt::print("{}\n", text);
     std::fflush(stdout);
 }
 

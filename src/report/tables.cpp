@@ -24,7 +24,7 @@ std::string decision_section(const Group& data) {
     TextTable table({"data", "finding", "done about it"});
     for (std::size_t k = 0; k < series.size(); ++k)
         table.add({series[k], findings[k], actions[k]});
-    return table.is_empty() ? "" : fmt::format("\n{}\n", data.path()) + table.text(42);
+    return table.is_empty() ? "" : fmt::format("\n{}\n", data.path()) + table.text(38);
 }
 
 std::string failure_lines(const Group& study) {

@@ -92,6 +92,7 @@ class Execution {
             comm_.size(), comm_.size() == 1 ? "" : "s", threads_.n_threads_total,
             threads_.n_threads_total == 1 ? "" : "s", options_.output.string()));
         for (const std::string& warning : threads_.warnings) say("warning: " + warning);
+        if (is_first() && options_.on_stage) options_.on_stage(work_.frame);
     }
 
     void open_log() {

@@ -38,7 +38,8 @@ struct ExecuteOptions {
     Existing existing = Existing::refuse;
     int n_threads = 0;                            ///< 0 = see plan_threads
     std::function<void(const std::string&)> say;  ///< rank 0: one line for the user
-    /// rank 0: a stage has concluded; a result with this stage's datasets only
+    /// rank 0: before the first stage with the frame, then after each with its datasets
+    /// only
     std::function<void(const store::ResultFile&)> on_stage;
 };
 

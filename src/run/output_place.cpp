@@ -82,7 +82,8 @@ OutputPlace prepare_output(const fs::path& output, Existing existing,
         place.is_complete = is_same_result(output, identity);
         if (place.is_complete) return place;
     }
-    fs::remove_all(folder);
+    std::error_code ignored;  // write_identity says what is wrong with the place
+    fs::remove_all(folder, ignored);
     write_identity(folder, identity);
     return place;
 }

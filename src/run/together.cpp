@@ -3,24 +3,30 @@
 #include "base/error.hpp"
 
 #include <cstring>
+#include <filesystem>
 
 #include <fmt/format.h>
 
 namespace bemcal::run {
 namespace {
 
+Bytes report_of(ExitCode code, const std::string& text) {
+    Bytes report(1 + text.size());
+    report[0] = static_cast<std::byte>(code);
+    std::memcpy(report.data() + 1, text.data(), text.size());
+    return report;
+}
+
 /// Exit code and message, or nothing where all went well.
 Bytes attempt(const std::function<void()>& work) {
-    Bytes report;
     try {
         work();
     } catch (const UserError& error) {
-        const std::string text = error.what();
-        report.resize(1 + text.size());
-        report[0] = static_cast<std::byte>(error.exit_code());
-        std::memcpy(report.data() + 1, text.data(), text.size());
+        return report_of(error.exit_code(), error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
+        return report_of(ExitCode::io, error.what());
     }
-    return report;
+    return {};
 }
 
 }  // namespace

@@ -1,0 +1,262 @@
+#include "run/execute.hpp"
+#include "run/signals.hpp"
+#include "run/together.hpp"
+#include "support/fake_stage.hpp"
+#include "support/mpi_world.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <atomic>
+#include <cstring>
+#include <fstream>
+#include <optional>
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+
+namespace bemcal::run {
+namespace {
+
+using test::FakeStage;
+using test::world;
+
+bool is_first() {
+    return world().rank() == 0;
+}
+bool is_last() {
+    return world().rank() == world().size() - 1;
+}
+
+/// One folder for all ranks, made and removed by rank 0.
+class SharedFolder {
+  public:
+    SharedFolder() {
+        std::string path;
+        if (is_first()) path = own_.emplace().path();
+        Bytes bytes(path.size());
+        std::memcpy(bytes.data(), path.data(), path.size());
+        const Bytes shared = world().all_gather(bytes)[0];
+        path_ = std::string(reinterpret_cast<const char*>(shared.data()), shared.size());
+    }
+    ~SharedFolder() { world().barrier(); }
+    std::filesystem::path operator/(const char* name) const { return path_ / name; }
+
+  private:
+    std::optional<test::TemporaryFolder> own_;
+    std::filesystem::path path_;
+};
+
+using Sleep = std::chrono::microseconds;
+
+Work work_of(Sleep sleep = Sleep{0}, const std::string& input = "1234") {
+    Work work;
+    work.stages.push_back(
+        std::make_unique<FakeStage>("a", FakeStage::Options{200, sleep, -1}));
+    work.stages.push_back(
+        std::make_unique<FakeStage>("b", FakeStage::Options{50, sleep, 17}));
+    work.identity = {{"version", "1"}, {"file weather.csv", input}};
+    work.frame.attributes = {{"program", "bemcal-batch"}, {"title", "fake"}};
+    return work;
+}
+
+ExecuteOptions options_of(const std::filesystem::path& output, Existing existing,
+                          int n_threads = 1) {
+    ExecuteOptions options;
+    options.output = output;
+    options.existing = existing;
+    options.n_threads = n_threads;
+    return options;
+}
+
+/// What plain loops over the items give: the hash that every run must have.
+std::string expected_hash(const SharedFolder& folder) {
+    static std::string hash;
+    if (!hash.empty() || !is_first()) return hash;
+    store::ResultFile result = work_of().frame;
+    for (const auto& stage : work_of().stages) {
+        std::vector<study::ItemAnswer> answers;
+        for (int item = 0; item < stage->n_items(); ++item) {
+            answers.emplace_back();
+            try {
+                answers.back() = stage->run(item);
+            } catch (const std::exception& error) {
+                answers.back().error = error.what();
+            }
+        }
+        for (auto& dataset : stage->conclude(answers))
+            result.datasets.push_back(std::move(dataset));
+    }
+    result.attributes["identity"] =
+        store::read_result(folder / "a.h5").attributes.at("identity");
+    return hash = store::result_hash(result);
+}
+
+void expect_complete(const SharedFolder& folder, const Outcome& outcome) {
+    EXPECT_EQ(outcome.code, ExitCode::ok);
+    if (!is_first()) return;
+    EXPECT_EQ(outcome.hash, expected_hash(folder));
+    EXPECT_EQ(store::read_result(folder / "a.h5").hash, outcome.hash);
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.h5.part"));
+}
+
+ExitCode code_of(Work work, const ExecuteOptions& options,
+                 std::string* message = nullptr) {
+    try {
+        return execute(world(), std::move(work), options).code;
+    } catch (const UserError& error) {
+        if (message) *message = error.what();
+        return error.exit_code();
+    }
+}
+
+/// Runs slowly until the last rank gets a signal, which it sends itself after some items.
+void stop_early(const SharedFolder& folder, int signal) {
+    Work work = work_of(std::chrono::milliseconds(1));
+    class Raising : public FakeStage {
+      public:
+        Raising(const FakeStage::Options& options, int signal)
+            : FakeStage("a", options), signal_(signal) {}
+        study::ItemAnswer run(int item) const override {
+            if (item >= 40 && is_last() && !raised_.exchange(true)) ::raise(signal_);
+            return FakeStage::run(item);
+        }
+
+      private:
+        int signal_;
+        mutable std::atomic<bool> raised_ = false;
+    };
+    work.stages[0] = std::make_unique<Raising>(
+        FakeStage::Options{200, std::chrono::milliseconds(2), -1}, signal);
+    EXPECT_EQ(code_of(std::move(work), options_of(folder / "a.h5", Existing::refuse)),
+              ExitCode::more_to_do);
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.h5"));
+}
+
+TEST(Execute, GivesTheHashOfPlainLoopsForAnyThreads) {
+    for (const int n_threads : {1, 2, 3, 4}) {
+        const SharedFolder folder;
+        expect_complete(
+            folder, execute(world(), work_of(),
+                            options_of(folder / "a.h5", Existing::refuse, n_threads)));
+    }
+}
+
+TEST(Execute, AfterASignalOnTheLastRankResumeGivesTheSameHash) {
+    for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) {
+        const SharedFolder folder;
+        stop_early(folder, signal);
+        expect_complete(folder, execute(world(), work_of(),
+                                        options_of(folder / "a.h5", Existing::resume)));
+    }
+}
+
+TEST(Execute, ResumeDoesNotRepeatWhatIsFinished) {
+    const SharedFolder folder;
+    stop_early(folder, SIGTERM);
+    std::size_t n_finished = 0;
+    if (is_first()) n_finished = store::read_logs(folder / "a.h5.part").records.size();
+    execute(world(), work_of(), options_of(folder / "a.h5", Existing::resume));
+    if (!is_first()) return;
+    EXPECT_GT(n_finished, 0U);
+    EXPECT_EQ(store::read_result(folder / "a.h5").run.at("items_resumed"),
+              std::to_string(n_finished));
+}
+
+TEST(Execute, DamagedRecordsAreDoneAgain) {
+    const SharedFolder folder;
+    stop_early(folder, SIGTERM);
+    if (is_first())
+        for (const auto& entry :
+             std::filesystem::directory_iterator(folder / "a.h5.part"))
+            if (entry.path().extension() == ".log" && entry.file_size() > 200) {
+                std::fstream log(entry.path(),
+                                 std::ios::in | std::ios::out | std::ios::binary);
+                log.seekp(100);
+                log.write("damage", 6);
+            }
+    world().barrier();
+    expect_complete(folder, execute(world(), work_of(),
+                                    options_of(folder / "a.h5", Existing::resume)));
+}
+
+TEST(Execute, ResumeWithNothingThereStartsAndWithAResultThereEnds) {
+    const SharedFolder folder;
+    const ExecuteOptions options = options_of(folder / "a.h5", Existing::resume);
+    expect_complete(folder, execute(world(), work_of(), options));
+    EXPECT_EQ(code_of(work_of(), options), ExitCode::ok);
+    EXPECT_EQ(code_of(work_of(Sleep{0}, "changed"), options), ExitCode::cannot_create);
+}
+
+TEST(Execute, RefusesAResultAndAnUnfinishedRunThatAreThere) {
+    const SharedFolder folder;
+    const ExecuteOptions refuse = options_of(folder / "a.h5", Existing::refuse);
+    stop_early(folder, SIGTERM);
+    EXPECT_EQ(code_of(work_of(), refuse), ExitCode::cannot_create);
+    expect_complete(folder, execute(world(), work_of(),
+                                    options_of(folder / "a.h5", Existing::force)));
+    EXPECT_EQ(code_of(work_of(), refuse), ExitCode::cannot_create);
+    expect_complete(folder, execute(world(), work_of(),
+                                    options_of(folder / "a.h5", Existing::force)));
+}
+
+TEST(Execute, RefusesToResumeWithOtherDataAndNamesThem) {
+    const SharedFolder folder;
+    stop_early(folder, SIGTERM);
+    std::string message;
+    EXPECT_EQ(code_of(work_of(Sleep{0}, "changed"),
+                      options_of(folder / "a.h5", Existing::resume), &message),
+              ExitCode::cannot_create);
+    EXPECT_NE(message.find("weather.csv has changed"), std::string::npos) << message;
+}
+
+TEST(Execute, AFolderThatCannotBeMadeIsRefusedOnAllRanks) {
+    const SharedFolder folder;
+    if (is_first()) std::ofstream(folder / "file") << "x";
+    world().barrier();
+    EXPECT_EQ(code_of(work_of(), options_of(folder / "file" / "a.h5", Existing::refuse)),
+              ExitCode::cannot_create);
+}
+
+TEST(Execute, ADiskThatFillsUpOnTheLastRankEndsAllAndLosesNothing) {
+    const SharedFolder folder;
+    rlimit old{};
+    ::getrlimit(RLIMIT_FSIZE, &old);
+    const rlimit small{1500, old.rlim_max};
+    if (is_last()) ::setrlimit(RLIMIT_FSIZE, &small);
+    std::string message;
+    const ExitCode code =
+        code_of(work_of(std::chrono::milliseconds(1)),
+                options_of(folder / "a.h5", Existing::refuse), &message);
+    ::setrlimit(RLIMIT_FSIZE, &old);
+    EXPECT_EQ(code, ExitCode::io);
+    EXPECT_NE(message.find("--resume"), std::string::npos) << message;
+    expect_complete(folder, execute(world(), work_of(),
+                                    options_of(folder / "a.h5", Existing::resume)));
+}
+
+TEST(Execute, MoreFailuresThanTheJobAcceptsAreNoSuccessButTheResultIsThere) {
+    const SharedFolder folder;
+    Work work = work_of();
+    work.max_failed_share = 0.001;
+    const ExitCode code =
+        code_of(std::move(work), options_of(folder / "a.h5", Existing::refuse));
+    EXPECT_EQ(code, is_first() ? ExitCode::data : ExitCode::ok);
+    if (is_first()) {
+        EXPECT_TRUE(store::read_result(folder / "a.h5").complete);
+    }
+}
+
+TEST(Together, AnErrorOnTheLastRankIsThrownOnAll) {
+    try {
+        together(world(), [] {
+            if (is_last()) throw UserError(ExitCode::data, "bad row");
+        });
+        ADD_FAILURE() << "nothing was thrown";
+    } catch (const UserError& error) {
+        EXPECT_EQ(error.exit_code(), ExitCode::data);
+        EXPECT_NE(std::string(error.what()).find("bad row"), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace bemcal::run
