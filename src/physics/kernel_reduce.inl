@@ -1,5 +1,6 @@
 /// What is made of the powers: meters, sums and errors against readings. Over the same vector
-/// type as kernel_body.inl, and included after it.
+/// type as kernel_body.inl, which it brings along.
+#include "physics/kernel_body.inl"
 
 void add_zone(const PowerRows& zone, const double* floor_share, int n_steps,
               const PowerRows& total) {
@@ -46,17 +47,16 @@ struct Errors {
         store(sums + ErrorColumn::relative * lanes, relative);
     }
 
-    void close(const ReadingTime& reading, int interval) {
+    /// \param sum  of the interval's steps
+    void close(const ReadingTime& reading, int interval, double factor, V sum) {
         const double measured = reading.measured[interval];
-        if (measured == measured) {
-            const V y = broadcast(measured);
-            const V e = fms(open, broadcast(reading.factor[interval]), y);
-            error = add(error, e);
-            square = fma(e, e, square);
-            product = fma(e, y, product);
-            relative = fma(magnitude(e), broadcast(reading.inverse[interval]), relative);
-        }
-        open = broadcast(0);
+        if (measured != measured) return;
+        const V y = broadcast(measured);
+        const V e = fms(sum, broadcast(factor), y);
+        error = add(error, e);
+        square = fma(e, e, square);
+        product = fma(e, y, product);
+        relative = fma(magnitude(e), broadcast(reading.inverse[interval]), relative);
     }
 };
 
@@ -64,23 +64,28 @@ void compare(const ReadingTime& reading, const double* shown, int begin, int end
     Errors sums(errors);
     for (int step = begin; step < end; ++step) {
         sums.open = add(sums.open, column(shown, step - begin));
-        if (reading.closes[step] >= 0) sums.close(reading, reading.closes[step]);
+        const int interval = reading.closes[step];
+        if (interval < 0) continue;
+        sums.close(reading, interval, reading.factor[interval], sums.open);
+        sums.open = broadcast(0);
     }
     sums.write(errors);
 }
 
-/// Sees the meter while the powers are in registers.
+/// Sees a meter that is read at every step while the powers are in registers.
 struct Compared {
-    const MeterLanes& meter_lanes;
-    const ReadingTime& reading;
+    MeterLanes meter_lanes;
+    ReadingTime reading;
+    int first;       ///< step of the first reading
+    double factor;
     double* errors;
     Errors sums;
     void see(int step, const double* regime, V, V heat, V cool) {
         const double* row = meter_lanes.rows + meter_lanes.row_offset[step];
         const V watts = column(regime, StandardColumn::watts);
-        sums.open = fma(mul(column(row, 1), watts), heat, load(row));
-        sums.open = fnma(mul(column(row, 2), watts), cool, sums.open);
-        sums.close(reading, reading.closes[step]);
+        const V heated = fma(mul(column(row, 1), watts), heat, load(row));
+        const V power = fnma(mul(column(row, 2), watts), cool, heated);
+        sums.close(reading, step - first, factor, power);
     }
     void end() const { sums.write(errors); }
 };
@@ -88,7 +93,8 @@ struct Compared {
 void run_compared(const ZoneTime& zone, const ZoneLanes& group, int segment, int begin, int end,
                   const MeterLanes& meter_lanes, const ReadingTime& reading, double* errors) {
     run_standard(zone, group, segment, begin, end,
-                 Compared{meter_lanes, reading, errors, Errors(errors)});
+                 Compared{meter_lanes, reading, begin - reading.closes[begin], reading.factor[0],
+                          errors, Errors(errors)});
 }
 
 constexpr Table table{lanes, run, run_compared, add_zone, meter, add_up, compare};

@@ -46,7 +46,6 @@ inline V magnitude(V x) {
     return __builtin_fabs(x);
 }
 
-#include "physics/kernel_body.inl"
 #include "physics/kernel_reduce.inl"
 
 }  // namespace

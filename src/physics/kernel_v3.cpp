@@ -44,11 +44,10 @@ inline Register fnma(Register x, Register y, Register z) {
     return _mm256_fnmadd_pd(x, y, z);
 }
 inline Register magnitude(Register x) {
-    return _mm256_andnot_pd(_mm256_set1_pd(-0.0), x);
+    return _mm256_and_pd(x, _mm256_castsi256_pd(_mm256_set1_epi64x(0x7fffffffffffffff)));
 }
 
 #include "physics/kernel_pair.inl"
-#include "physics/kernel_body.inl"
 #include "physics/kernel_reduce.inl"
 
 }  // namespace

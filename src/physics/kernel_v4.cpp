@@ -48,7 +48,6 @@ inline Register magnitude(Register x) {
 }
 
 #include "physics/kernel_pair.inl"
-#include "physics/kernel_body.inl"
 #include "physics/kernel_reduce.inl"
 
 }  // namespace
