@@ -103,9 +103,10 @@ bool is_missing(std::string_view cell) {
 std::size_t Csv::column(const std::string& name) const {
     const auto found = std::find(columns.begin(), columns.end(), name);
     if (found == columns.end())
-        fail_data(fmt::format(
-            "{}:1: has no column \"{}\"; it has {}{}", file, name, fmt::join(columns, ", "),
-            nearest(name, columns).empty() ? "" : suggestion(name, columns)));
+        fail_data(
+            fmt::format("{}:1: has no column \"{}\"; it has {}{}", file, name,
+                        fmt::join(columns, ", "),
+                        nearest(name, columns).empty() ? "" : suggestion(name, columns)));
     return static_cast<std::size_t>(found - columns.begin());
 }
 

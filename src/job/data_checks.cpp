@@ -18,7 +18,7 @@ constexpr UnitRatio ratios[] = {{11.2, "m3 and kWh"},    {31.7, "100 ft3 and kWh
                                 {10, "a decimal place"}, {100, "two decimal places"},
                                 {1000, "Wh and kWh"},    {277.8, "GJ and kWh"},
                                 {35.3, "ft3 and m3"}};
-constexpr double tolerance = 0.12;
+constexpr double tolerance = 0.2;  ///< a week of weather changes the level as well
 
 double median(std::vector<double> values) {
     if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
@@ -49,11 +49,15 @@ double level_of(const std::vector<double>& levels, std::size_t first, std::size_
     return days.size() * 2 < n ? std::numeric_limits<double>::quiet_NaN() : median(days);
 }
 
+/// The nearest known ratio, if any is near.
 const UnitRatio* known_ratio(double ratio) {
-    const double factor = ratio < 1 ? 1 / ratio : ratio;
+    const auto distance = [&](const UnitRatio& known) {
+        return std::abs(std::abs(std::log(ratio)) - std::log(known.ratio));
+    };
+    const UnitRatio* best = &ratios[0];
     for (const UnitRatio& known : ratios)
-        if (std::abs(factor / known.ratio - 1) < tolerance) return &known;
-    return nullptr;
+        if (distance(known) < distance(*best)) best = &known;
+    return distance(*best) < std::log(1 + tolerance) ? best : nullptr;
 }
 
 /// The ratio of the levels around day d over `n` days on either side.
@@ -62,14 +66,17 @@ double step_ratio(const std::vector<double>& levels, std::size_t d, std::size_t 
     return level_of(levels, d, n) / level_of(levels, d - n, n);
 }
 
-/// A step is there at once and stays: the same ratio over three days and over two weeks.
+/// A step is there at once and stays: about the same ratio over three days, a week and
+/// three weeks. The season changes the level meanwhile; the ratio is carried back to the
+/// day itself, as if its logarithm grew evenly with the days.
 const UnitRatio* step_at(const std::vector<double>& levels, std::size_t d,
                          double& ratio) {
-    ratio = step_ratio(levels, d, 14);
-    const UnitRatio* known = std::isnan(ratio) ? nullptr : known_ratio(ratio);
-    if (known == nullptr) return nullptr;
-    const double near = step_ratio(levels, d, 3) / ratio;
-    return near > 0.6 && near < 1 / 0.6 ? known : nullptr;
+    const double week = step_ratio(levels, d, 7), three_weeks = step_ratio(levels, d, 21);
+    ratio = week * std::sqrt(week / three_weeks);
+    if (!std::isfinite(ratio) || ratio <= 0) return nullptr;
+    for (const double other : {step_ratio(levels, d, 3), three_weeks})
+        if (!(other / ratio > 0.5 && other / ratio < 2)) return nullptr;
+    return known_ratio(ratio);
 }
 
 }  // namespace

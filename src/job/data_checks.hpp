@@ -28,7 +28,7 @@ struct UnitStep {
 };
 
 /// Change points at which the level of the non-zero readings changes by the ratio of two
-/// units (within 12 %) from one day to the next and stays so for two weeks.
+/// units (within 20 %) from one day to the next and stays so for three weeks.
 /// \param readings_per_day  24 for hourly ones
 std::vector<UnitStep> unit_steps(const std::vector<double>& readings,
                                  int readings_per_day);

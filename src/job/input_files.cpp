@@ -99,7 +99,8 @@ const std::string& InputFiles::text(const std::filesystem::path& path,
     return texts_.emplace(path.string(), std::move(bytes)).first->second;
 }
 
-const Csv& InputFiles::csv(const std::filesystem::path& path, const std::string& named_at) {
+const Csv& InputFiles::csv(const std::filesystem::path& path,
+                           const std::string& named_at) {
     std::unique_ptr<Csv>& table = tables_[path.string()];
     if (!table)
         table = std::make_unique<Csv>(parse_csv(text(path, named_at), path.string()));

@@ -27,7 +27,8 @@ std::unique_ptr<Stage> stage_of(const StudySpec& study, const Case& building) {
     if (study.kind == StudyKind::hourly_sensitivity)
         return make_hourly_sensitivity(name, building, period, study.quantities.at(0),
                                        study.sensitivity);
-    return make_sensitivity(name, make_batch_simulator(building, period, study.quantities),
+    return make_sensitivity(name,
+                            make_batch_simulator(building, period, study.quantities),
                             study.sensitivity);
 }
 
@@ -36,14 +37,16 @@ Stages office_hour_stages(const StudySpec& study) {
     using Fixed = std::vector<std::pair<std::string, double>>;
     Stages stages;
     const auto add = [&](const std::string& name, Fixed fixed) {
-        stages.push_back(make_sensitivity(
-            name, study::make_office_hour_simulator(std::move(fixed)), study.sensitivity));
+        stages.push_back(
+            make_sensitivity(name, study::make_office_hour_simulator(std::move(fixed)),
+                             study.sensitivity));
     };
     if (study.fixed.empty()) add(study.name, {});
     const std::size_t n_cases = study.fixed.empty() ? 0 : study.fixed[0].second.size();
     for (std::size_t c = 0; c < n_cases; ++c) {
         Fixed fixed;
-        for (const auto& [input, values] : study.fixed) fixed.emplace_back(input, values[c]);
+        for (const auto& [input, values] : study.fixed)
+            fixed.emplace_back(input, values[c]);
         add(fmt::format("{}/case_{:02}", study.name, c + 1), std::move(fixed));
     }
     return stages;
@@ -51,9 +54,11 @@ Stages office_hour_stages(const StudySpec& study) {
 
 /// The stages of one study, over all buildings.
 Stages stages_of(const StudySpec& study, const Job& job) {
-    if (study.kind == StudyKind::office_hour_sensitivity) return office_hour_stages(study);
+    if (study.kind == StudyKind::office_hour_sensitivity)
+        return office_hour_stages(study);
     Stages stages;
-    for (const Case& building : job.buildings) stages.push_back(stage_of(study, building));
+    for (const Case& building : job.buildings)
+        stages.push_back(stage_of(study, building));
     return stages;
 }
 
@@ -61,7 +66,8 @@ double hours_of(const study::Period& period) {
     return static_cast<double>((period.to - period.from).count()) / 3600;
 }
 
-/// Zone-steps that one simulation of a building takes, on average over the study's periods.
+/// Zone-steps that one simulation of a building takes, on average over the study's
+/// periods.
 double steps_of(const StudySpec& study, const Case& building) {
     double hours = 0;
     if (study.kind == StudyKind::screening) {
@@ -105,8 +111,8 @@ std::string words_of_seconds(double seconds) {
 
 struct Total {
     long long items = 0, simulations = 0;
-    double answers = 0;      ///< bytes on rank 0, and about those of the result
-    double seconds = 0;      ///< on one core
+    double answers = 0;  ///< bytes on rank 0, and about those of the result
+    double seconds = 0;  ///< on one core
 };
 
 double series_bytes(const Case& building) {
@@ -141,10 +147,10 @@ std::string stage_lines(const Job& job, Total& total) {
 std::string building_lines(const Job& job) {
     std::string text;
     for (const Case& building : job.buildings) {
-        text += fmt::format("{}: {} zones, {:.6g} m2, {} parameters, {} meters, steps of {} s\n",
-                            building.name, building.building.zones.size(),
-                            building.building.floor_area(), building.parameters.size(),
-                            building.meters.size(), building.step_s);
+        text += fmt::format(
+            "{}: {} zones, {:.6g} m2, {} parameters, {} meters, steps of {} s\n",
+            building.name, building.building.zones.size(), building.building.floor_area(),
+            building.parameters.size(), building.meters.size(), building.step_s);
         for (const study::Period& period : building.periods)
             text += fmt::format("  {}: {} to {}\n", period.name,
                                 physics::format_time(period.from),
@@ -167,15 +173,17 @@ Stages make_plan(const Job& job) {
 
 std::string plan_text(const Job& job, int cores) {
     Total total;
-    std::string text = fmt::format("{}: {} buildings, {} studies, {} files read\n", job.name,
-                                   job.buildings.size(), job.studies.size(), job.inputs.size());
+    std::string text =
+        fmt::format("{}: {} buildings, {} studies, {} files read\n", job.name,
+                    job.buildings.size(), job.studies.size(), job.inputs.size());
     text += building_lines(job) + "\n" + stage_lines(job, total);
     double data = 0;
     for (const Case& building : job.buildings) data += series_bytes(building);
     text += fmt::format("{:<44} {:>8} {:>14} {:>10}\n\n", "total", total.items,
                         total.simulations, words_of_bytes(total.answers));
     text += fmt::format("memory: about {} on rank 0, {} on the others\n",
-                        words_of_bytes(2 * total.answers + 3 * data), words_of_bytes(3 * data));
+                        words_of_bytes(2 * total.answers + 3 * data),
+                        words_of_bytes(3 * data));
     text += fmt::format("output: about {}\n", words_of_bytes(total.answers + data));
     text += fmt::format("time:   about {} on {} core{}, by rough costs of a step\n",
                         words_of_seconds(total.seconds / std::max(cores, 1)),

@@ -72,8 +72,7 @@ class NumberReader {
             return {checked_number(node, row, where), 0, -1};
         }
         const Section parts = section.table(field.key, "input");
-        return parts.has("series") ? read_series(parts)
-                                   : read_scheduled(parts, row);
+        return parts.has("series") ? read_series(parts) : read_scheduled(parts, row);
     }
 
     Input read_series(const Section& parts) const {
@@ -90,8 +89,7 @@ class NumberReader {
     Input read_scheduled(const Section& parts, const Key& row) const {
         Input input;
         const auto checked = [&](const char* key) {
-            return checked_number(parts.node(key), row,
-                                  parts.where(key));
+            return checked_number(parts.node(key), row, parts.where(key));
         };
         input.value = checked("value");
         if (!parts.has("schedule")) {

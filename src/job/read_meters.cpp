@@ -152,11 +152,12 @@ class MeterReader {
     void check_steps(const RegularSeries& series) {
         if (meter_.quantity == Quantity::air_temperature) return;
         for (const UnitStep& step : unit_steps(series.values, day_s / series.axis.step_s))
-            decide(fmt::format("a step by {:.3g} at {}, near the {:g} between {}",
-                               step.ratio,
-                               physics::format_time(series.axis.begin_of(step.at)),
-                               step.unit_ratio, step.units),
-                   "kept; [[meter.scale]] would correct it");
+            decide(
+                fmt::format("a step by {:.3g} at {}, near the {:g} between {}",
+                            step.ratio,
+                            physics::format_time(series.axis.begin_of(step.at)),
+                            step.unit_ratio, step.units),
+                "kept; if the season does not explain it, [[meter.scale]] corrects it");
     }
 
     /// Long runs of zeros, or of another value: reported, and missing if the job says so.

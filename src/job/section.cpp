@@ -52,7 +52,9 @@ Section::Section(const Node& node, const char* schema, const std::string& file,
     check_known();
 }
 
-std::string Section::path_of(std::string_view key) const { return path_below(shown_, key); }
+std::string Section::path_of(std::string_view key) const {
+    return path_below(shown_, key);
+}
 
 void Section::check_known() const {
     std::vector<std::string> known;
@@ -62,8 +64,7 @@ void Section::check_known() const {
     for (const Entry& entry : node_->entries) {
         if (find_key(schema_, entry.key) != nullptr) continue;
         fail_config(fmt::format("{}:{}: {}: unknown key{}", *file_, entry.line,
-                                path_of(entry.key),
-                                suggestion(entry.key, known)));
+                                path_of(entry.key), suggestion(entry.key, known)));
     }
 }
 
@@ -116,8 +117,7 @@ const Node& Section::node(std::string_view key) const {
 double Section::number(std::string_view key) const {
     const Key& wanted = row(key);
     if (!has(key) && wanted.fallback != nullptr) return parsed_default(wanted);
-    return checked_number(node(key), wanted,
-                          where(key));
+    return checked_number(node(key), wanted, where(key));
 }
 
 long long Section::integer(std::string_view key) const {
@@ -165,9 +165,7 @@ std::vector<double> Section::numbers(std::string_view key) const {
     if (list.kind != Node::Kind::array)
         fail_value(key, fmt::format("expected {}", expectation(row(key))));
     for (const Entry& entry : list.entries)
-        values.push_back(
-            checked_number(entry.node, row(key),
-                           where(key)));
+        values.push_back(checked_number(entry.node, row(key), where(key)));
     return values;
 }
 

@@ -52,7 +52,9 @@ class Section {
     /// The same with the value: "file:line: section.key = value: message".
     [[noreturn]] void fail_value(std::string_view key, const std::string& message) const;
     /// "file:line: section.key".
-    std::string where(std::string_view key) const { return place(key) + ": " + path_of(key); }
+    std::string where(std::string_view key) const {
+        return place(key) + ": " + path_of(key);
+    }
     /// "file:line" of a key, or of the section where it is not there.
     std::string place(std::string_view key = "") const;
 

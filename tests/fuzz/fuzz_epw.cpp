@@ -1,8 +1,8 @@
 /// libFuzzer's way into the epw reader (cmake -DBEMCAL_FUZZ=ON with clang).
+#include "fuzz/targets.hpp"
+
 #include <cstddef>
 #include <cstdint>
-
-#include "fuzz/targets.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     bemcal::job::try_epw(std::string(reinterpret_cast<const char*>(data), size));

@@ -1,8 +1,6 @@
-/// What the fuzzers and the mutation test throw bytes at: each reader of text, where the only
-/// way out besides an answer is a UserError. Anything else is a finding.
+/// What the fuzzers and the mutation test throw bytes at: each reader of text, where the
+/// only way out besides an answer is a UserError. Anything else is a finding.
 #pragma once
-
-#include <string>
 
 #include "base/error.hpp"
 #include "job/csv.hpp"
@@ -12,6 +10,8 @@
 #include "job/series.hpp"
 #include "job/small_office.hpp"
 #include "job/stamps.hpp"
+
+#include <string>
 
 namespace bemcal::job {
 

@@ -1,8 +1,10 @@
-/// The sample job of tests/job/data with weather and readings made for it, in a folder that goes
-/// when the test ends.
+/// The sample job of tests/job/data with weather and readings made for it, in a folder
+/// that goes when the test ends.
 #pragma once
 
-#include <unistd.h>
+#include "base/error.hpp"
+#include "job/job.hpp"
+#include "physics/calendar.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -12,10 +14,7 @@
 #include <string>
 
 #include <fmt/format.h>
-
-#include "base/error.hpp"
-#include "job/job.hpp"
-#include "physics/calendar.hpp"
+#include <unistd.h>
 
 namespace bemcal::job {
 
@@ -31,7 +30,9 @@ class Folder {
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;
 
-    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    std::filesystem::path operator/(const std::string& name) const {
+        return path_ / name;
+    }
     std::filesystem::path write(const std::string& name, const std::string& text) const {
         std::ofstream(path_ / name) << text;
         return path_ / name;
@@ -48,7 +49,8 @@ inline std::string text_of(const std::filesystem::path& file) {
     return text.str();
 }
 
-inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+inline std::string replaced(std::string text, const std::string& from,
+                            const std::string& to) {
     const std::size_t at = text.find(from);
     if (at == std::string::npos) throw std::logic_error("the text has no " + from);
     return text.replace(at, from.size(), to);
@@ -60,7 +62,8 @@ inline std::string small_weather(int n_hours = 24 * 59) {
     const physics::Seconds start = physics::parse_time("2021-01-01");
     for (int k = 0; k < n_hours; ++k) {
         const double day = std::cos(2 * std::numbers::pi * (k % 24 - 14) / 24);
-        const double sun = std::max(0.0, std::cos(std::numbers::pi * (k % 24 - 11.5) / 12));
+        const double sun =
+            std::max(0.0, std::cos(std::numbers::pi * (k % 24 - 11.5) / 12));
         text += fmt::format("{},{:.2f},{:.1f},{:.1f},{:.1f}\n",
                             physics::format_time(start + std::chrono::hours(k)),
                             14 + 5 * day + 3 * std::cos(k / 97.0), 500 * sun, 150 * sun,
@@ -85,15 +88,16 @@ inline std::string small_office_text() {
 }
 
 /// Writes the sample, changed at will, and its files; returns the job's path.
-inline std::filesystem::path write_small_office(const Folder& folder,
-                                                const std::string& text = small_office_text()) {
+inline std::filesystem::path write_small_office(
+    const Folder& folder, const std::string& text = small_office_text()) {
     folder.write("weather.csv", small_weather());
     folder.write("measured.csv", small_readings());
     return folder.write("office.toml", text);
 }
 
 /// The message of the UserError that reading the job ends with; "" where it goes well.
-inline std::string message_of(const std::filesystem::path& file, ExitCode* exit_code = nullptr) {
+inline std::string message_of(const std::filesystem::path& file,
+                              ExitCode* exit_code = nullptr) {
     try {
         read_job(file);
     } catch (const UserError& error) {

@@ -1,16 +1,16 @@
-/// Every file of tests/bad_jobs breaks the sample job in one way and says which message and exit
-/// code that must give. Lines of such a file:
+/// Every file of tests/bad_jobs breaks the sample job in one way and says which message
+/// and exit code that must give. Lines of such a file:
 ///     file: NAME       what the edits below apply to (office.toml at first)
 ///     replace: TEXT    with: TEXT     (\n in a text is a new line)
 ///     drop: TEXT       the line that begins so goes
 ///     empty: / remove: the whole file
 ///     exit: NUMBER     message: TEXT  (the folder of the job is left out of the message)
-#include <gtest/gtest.h>
+#include "job/small_office.hpp"
 
 #include <algorithm>
 #include <map>
 
-#include "job/small_office.hpp"
+#include <gtest/gtest.h>
 
 namespace bemcal::job {
 namespace {
@@ -28,7 +28,8 @@ std::string without(std::string text, const std::string& part) {
 }
 
 std::string unescaped(std::string text) {
-    for (std::size_t at = text.find("\\n"); at != std::string::npos; at = text.find("\\n"))
+    for (std::size_t at = text.find("\\n"); at != std::string::npos;
+         at = text.find("\\n"))
         text.replace(at, 2, "\n");
     return text;
 }
@@ -44,7 +45,8 @@ void apply(BadJob& job, std::string& file, std::string& from, const std::string&
            const std::string& value) {
     if (key == "file") file = value;
     if (key == "replace") from = unescaped(value);
-    if (key == "with") job.files[file] = replaced(job.files[file], from, unescaped(value));
+    if (key == "with")
+        job.files[file] = replaced(job.files[file], from, unescaped(value));
     if (key == "drop") job.files[file] = without_line(job.files[file], value);
     if (key == "empty") job.files[file].clear();
     if (key == "remove") job.files.erase(file);
@@ -70,7 +72,8 @@ BadJob read_bad_job(const std::filesystem::path& path) {
 
 TEST(BadJobs, EachGivesItsExactMessageAndExitCode) {
     int n = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(BEMCAL_ROOT "/tests/bad_jobs")) {
+    for (const auto& entry :
+         std::filesystem::directory_iterator(BEMCAL_ROOT "/tests/bad_jobs")) {
         const BadJob bad = read_bad_job(entry.path());
         const Folder folder;
         for (const auto& [name, text] : bad.files) folder.write(name, text);

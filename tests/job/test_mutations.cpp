@@ -1,29 +1,40 @@
-/// Broken texts by the hundred, from fixed seeds: readers answer or throw UserError, never else.
-/// The fuzzers of tests/fuzz go on where this ends.
-#include <gtest/gtest.h>
+/// Broken texts by the hundred, from fixed seeds: readers answer or throw UserError,
+/// never else. The fuzzers of tests/fuzz go on where this ends.
+#include "fuzz/targets.hpp"
 
 #include <random>
 
-#include "fuzz/targets.hpp"
+#include <gtest/gtest.h>
 
 namespace bemcal::job {
 namespace {
 
-/// A few bytes changed, removed, repeated or swapped for a piece from elsewhere in the text.
+/// A few bytes changed, removed, repeated or swapped for a piece from elsewhere in the
+/// text.
 std::string mutated(std::string text, std::mt19937& random) {
-    const auto below = [&](std::size_t n) { return random() % std::max<std::size_t>(n, 1); };
-    static const std::string pieces[] = {"nan", "-1", "1e308", "inf", "\"", "[", "]", "{", "\n",
-                                         "=",   ".",  "[[",    ",",   "é",  "0", "9", "-", "#"};
+    const auto below = [&](std::size_t n) {
+        return random() % std::max<std::size_t>(n, 1);
+    };
+    static const std::string pieces[] = {"nan", "-1", "1e308", "inf", "\"", "[",
+                                         "]",   "{",  "\n",    "=",   ".",  "[[",
+                                         ",",   "é",  "0",     "9",   "-",  "#"};
     for (std::size_t n = 1 + below(4); n > 0; --n) {
         const std::size_t at = below(text.size()), length = below(30);
         switch (below(5)) {
-            case 0: text.insert(at, pieces[below(std::size(pieces))]); break;
-            case 1: text.erase(at, length); break;
-            case 2: text.insert(at, text.substr(below(text.size()), length)); break;
+            case 0:
+                text.insert(at, pieces[below(std::size(pieces))]);
+                break;
+            case 1:
+                text.erase(at, length);
+                break;
+            case 2:
+                text.insert(at, text.substr(below(text.size()), length));
+                break;
             case 3:
                 if (!text.empty()) text[at] = static_cast<char>(below(256));
                 break;
-            default: text.replace(at, length, pieces[below(std::size(pieces))]);
+            default:
+                text.replace(at, length, pieces[below(std::size(pieces))]);
         }
     }
     return text;
@@ -53,20 +64,23 @@ TEST(Mutations, OfCsvFilesEndInAnAnswerOrAUserError) {
 TEST(Mutations, OfEpwFilesEndInAnAnswerOrAUserError) {
     std::string text =
         "LOCATION,Town,-,-,-,0,23.1,113.3,8.0,21\nDESIGN CONDITIONS,0\n"
-        "TYPICAL/EXTREME PERIODS,0\nGROUND TEMPERATURES,0\nHOLIDAYS/DAYLIGHT SAVINGS,No,0,0,0\n"
+        "TYPICAL/EXTREME PERIODS,0\nGROUND TEMPERATURES,0\nHOLIDAYS/DAYLIGHT "
+        "SAVINGS,No,0,0,0\n"
         "COMMENTS 1,-\nCOMMENTS 2,-\nDATA PERIODS,1,1,Data,Sunday,1/1,12/31\n";
     for (int hour = 1; hour <= 24; ++hour)
-        text += fmt::format("2021,1,1,{},60,-,10.0,5.0,70,101325,0,0,300,0,0,0,0,0,0,0,180,2.0,5,"
-                            "5,10,77777,9,999999999,0,0,0,88,0,0,0\n",
-                            hour);
+        text += fmt::format(
+            "2021,1,1,{},60,-,10.0,5.0,70,101325,0,0,300,0,0,0,0,0,0,0,180,2.0,5,"
+            "5,10,77777,9,999999999,0,0,0,88,0,0,0\n",
+            hour);
     try_many(text, 600, [](const std::string& changed) { try_epw(changed); });
 }
 
 TEST(Mutations, OfGzipEndInAnAnswerOrAUserError) {
     // gzip -9 of "a,b\n1,2\n"
-    const std::string packed("\x1f\x8b\x08\x00\x00\x00\x00\x00\x02\x03\x4b\xd4\x49\xe2\x32\xd4"
-                             "\x31\xe2\x02\x00\x3e\x3e\x0a\x33\x08\x00\x00\x00",
-                             28);
+    const std::string packed(
+        "\x1f\x8b\x08\x00\x00\x00\x00\x00\x02\x03\x4b\xd4\x49\xe2\x32\xd4"
+        "\x31\xe2\x02\x00\x3e\x3e\x0a\x33\x08\x00\x00\x00",
+        28);
     try_many(packed, 600, [](const std::string& bytes) { try_gzip(bytes); });
 }
 
