@@ -103,8 +103,7 @@ std::string words_of_bytes(double bytes) {
 }
 
 std::string words_of_seconds(double seconds) {
-    if (seconds < 1) return "less than a second";
-    if (seconds < 120) return fmt::format("{:.0f} s", seconds);
+    if (seconds < 120) return fmt::format("{:.0f} s", std::ceil(seconds));
     if (seconds < 7200) return fmt::format("{:.0f} min", seconds / 60);
     return fmt::format("{:.1f} h", seconds / 3600);
 }
@@ -147,10 +146,12 @@ std::string stage_lines(const Job& job, Total& total) {
 std::string building_lines(const Job& job) {
     std::string text;
     for (const Case& building : job.buildings) {
+        const std::size_t n_zones = building.building.zones.size();
         text += fmt::format(
-            "{}: {} zones, {:.6g} m2, {} parameters, {} meters, steps of {} s\n",
-            building.name, building.building.zones.size(), building.building.floor_area(),
-            building.parameters.size(), building.meters.size(), building.step_s);
+            "{}: {:.6g} m2 in {} zone{}, parameters: {}, meters: {}, steps of {} s\n",
+            building.name, building.building.floor_area(), n_zones,
+            n_zones == 1 ? "" : "s", building.parameters.size(), building.meters.size(),
+            building.step_s);
         for (const study::Period& period : building.periods)
             text += fmt::format("  {}: {} to {}\n", period.name,
                                 physics::format_time(period.from),
@@ -174,7 +175,7 @@ Stages make_plan(const Job& job) {
 std::string plan_text(const Job& job, int cores) {
     Total total;
     std::string text =
-        fmt::format("{}: {} buildings, {} studies, {} files read\n", job.name,
+        fmt::format("{}: buildings: {}, studies: {}, files read: {}\n", job.name,
                     job.buildings.size(), job.studies.size(), job.inputs.size());
     text += building_lines(job) + "\n" + stage_lines(job, total);
     double data = 0;
