@@ -70,7 +70,7 @@ class Execution {
         n_resumed_ = place_.logs.records.size();
         if (n_resumed_ > 0 || place_.logs.n_damaged > 0)
             say(fmt::format(
-                "resuming: {} items are done, {} damaged records are done again",
+                "resuming: {} items are done; damaged records, to be done again: {}",
                 n_resumed_, place_.logs.n_damaged));
     }
 
@@ -139,11 +139,11 @@ class Execution {
     }
 
     /// An error on the way, a full disk say, does not lose what is finished; says so.
-    Distributed keeping(ProgressLine& line, const std::function<Distributed()>& work) {
+    template <class Result>
+    static Result keeping(const std::function<Result()>& step) {
         try {
-            return work();
+            return step();
         } catch (const UserError& error) {
-            line.clear();
             throw UserError(
                 error.exit_code(),
                 fmt::format("{}; what is finished is kept: mend that and go on with "
@@ -158,7 +158,7 @@ class Execution {
         std::vector<study::ItemAnswer> known;
         const std::vector<bool> has = known_answers(index, known);
         ProgressLine line(stage.name(), stage.n_simulations());
-        Distributed done = keeping(line, [&] {
+        Distributed done = keeping<Distributed>([&] {
             return distribute(comm_, stage, std::move(known), has,
                               distribute_options(index, line));
         });
@@ -211,8 +211,10 @@ class Execution {
         spent_.log = log_->seconds();
         describe_run();
         Outcome outcome;
-        together(comm_, [&] {
-            if (is_first()) outcome.hash = write();
+        keeping<void>([&] {
+            together(comm_, [&] {
+                if (is_first()) outcome.hash = write();
+            });
         });
         log_.reset();
         comm_.barrier();

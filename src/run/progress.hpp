@@ -11,6 +11,9 @@ namespace bemcal::run {
 class ProgressLine {
   public:
     ProgressLine(std::string stage, long long n_simulations);
+    ~ProgressLine() { clear(); }
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
     void show(const Progress& progress);
     void clear();  ///< wipes the line, so that other text can be printed
 
