@@ -4,10 +4,9 @@
 #include "study/points.hpp"
 #include "study/sensitivity.hpp"
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -18,11 +17,21 @@ namespace {
 using namespace bemcal;
 using physics::Input;
 
+/// User and system time of the process.
+double processor_seconds() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) +
+               1e-6 * static_cast<double>(time.tv_usec);
+    };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
 double seconds_of(auto&& work) {
-    const auto begin = std::chrono::steady_clock::now();
+    const double begin = processor_seconds();
     work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
-        .count();
+    return processor_seconds() - begin;
 }
 
 double peak_memory_mb() {
@@ -141,39 +150,51 @@ study::SensitivityOptions options_of(std::size_t n_base) {
     return options;
 }
 
-struct Times {
-    double items = 0, conclude = 0;
+/// The same rows of the design as an item's, annual electricity only.
+class Simulations {
+  public:
+    explicit Simulations(const study::Case& made)
+        : made_(made),
+          drive_(study::drive_of(made, made.periods[0])),
+          batch_(made_.building, made_.parameters, drive_) {}
+
+    void run(std::size_t first, std::size_t n) const {
+        constexpr std::size_t block = 64;
+        const int dimension = static_cast<int>(made_.parameters.size());
+        for (std::size_t at = 0; at < n; at += block)
+            batch_.evaluate(study::in_ranges(stats::saltelli_points(
+                                                 first + at, std::min(block, n - at),
+                                                 dimension, true, 0),
+                                             made_.parameters),
+                            {{physics::Quantity::electricity}, {}, {}});
+    }
+
+  private:
+    study::Case made_;
+    physics::Drive drive_;
+    physics::Batch batch_;
 };
 
-Times time_indices(const study::Case& made, std::size_t n_base) {
+struct Times {
+    double items = 0, conclude = 0, simulations = 0;
+};
+
+/// Items and the simulations alone in turn, so that a busy machine slows both.
+Times time_both(const study::Case& made, std::size_t n_base) {
     const auto stage = study::make_hourly_sensitivity("hourly", made, made.periods[0],
                                                       physics::Quantity::electricity,
                                                       options_of(n_base));
+    const Simulations simulations(made);
+    const std::size_t n = n_base / static_cast<std::size_t>(stage->n_items());
     Times times;
     std::vector<study::ItemAnswer> answers;
-    times.items = seconds_of([&] {
-        for (int item = 0; item < stage->n_items(); ++item)
-            answers.push_back(stage->run(item));
-    });
+    for (int item = 0; item < stage->n_items(); ++item) {
+        times.items += seconds_of([&] { answers.push_back(stage->run(item)); });
+        times.simulations +=
+            seconds_of([&] { simulations.run(static_cast<std::size_t>(item) * n, n); });
+    }
     times.conclude = seconds_of([&] { stage->conclude(answers); });
     return times;
-}
-
-/// The same rows of the design, annual electricity only.
-double time_simulations(const study::Case& made, std::size_t n_base) {
-    const physics::Drive drive = study::drive_of(made, made.periods[0]);
-    const physics::Batch batch(made.building, made.parameters, drive);
-    const physics::Request request{{physics::Quantity::electricity}, {}, {}};
-    constexpr std::size_t block = 64;
-    return seconds_of([&] {
-        for (std::size_t first = 0; first < n_base; first += block)
-            batch.evaluate(
-                study::in_ranges(
-                    stats::saltelli_points(
-                        first, block, static_cast<int>(made.parameters.size()), true, 0),
-                    made.parameters),
-                request);
-    });
 }
 
 void print(const char* name, double value, const char* unit, double reference,
@@ -186,11 +207,11 @@ void print(const char* name, double value, const char* unit, double reference,
 int main(int argc, char** argv) {
     const std::size_t n = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 16384;
     const study::Case made = year_of_an_office();
-    time_indices(made, n / 16);
+    time_both(made, n / 16);
     const double memory_small = peak_memory_mb();
-    const double simulations = time_simulations(made, n);
-    const Times times = time_indices(made, n);
-    const double memory = peak_memory_mb(), whole = times.items + times.conclude;
+    const Times times = time_both(made, n);
+    const double memory = peak_memory_mb(), whole = times.items + times.conclude,
+                 simulations = times.simulations;
     print("hourly_sobol_simulations_alone", simulations, "s", simulations, 1);
     print("hourly_sobol_items", times.items, "s", simulations, times.items / simulations);
     print("hourly_sobol_conclude", times.conclude, "s", simulations,

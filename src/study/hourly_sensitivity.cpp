@@ -1,12 +1,11 @@
 /// Sobol indices for every step: 32 items, each a fixed block of base points with its own
 /// sums.
 ///
-/// Sixteen base points at a time, every row of their design (A, B, AB_1 .. AB_d) goes
-/// through the same chunk of steps before any goes on, so that outputs never leave the
-/// cache. Indices come from the sums of all blocks together; their 95 % intervals from
-/// the 32 estimates with one block left out (jackknife; Student's t with 31 degrees of
-/// freedom). Blocks of one Sobol sequence complement each other, so the intervals are on
-/// the wide side.
+/// Sixteen base points go through time together, chunk by chunk, and every chunk of
+/// outputs is added to the sums while it is in the cache. Indices come from the sums of
+/// all blocks together; their 95 % intervals from the 32 estimates with one block left
+/// out (jackknife; Student's t with 31 degrees of freedom). Blocks of one Sobol sequence
+/// complement each other, so the intervals are on the wide side.
 #include "stats/saltelli.hpp"
 #include "study/datasets.hpp"
 #include "study/hourly_sums.hpp"
@@ -23,14 +22,14 @@ namespace {
 
 constexpr int n_blocks = 32;
 constexpr double t_975_31 = 2.0395134463964077;  ///< Student's t, 31 degrees of freedom
-constexpr std::size_t chunk_steps = 64;          ///< a multiple of four
+constexpr std::size_t chunk_steps = 512;         ///< a multiple of four
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Outputs of sixteen points over some steps, laid out as the kernel's groups write them.
 class Outputs {
   public:
     Outputs(std::size_t lanes, std::size_t n_steps)
-        : width_(lanes < 4 ? sixteen : lanes),
+        : width_(lanes == 8 ? 8 : sixteen),
           n_steps_((n_steps + 3) / 4 * 4),
           values_(n_steps_ * sixteen) {}
 
@@ -39,11 +38,7 @@ class Outputs {
         return values_[step * sixteen + lane];
     }
     Rows rows(std::size_t begin) {
-        Rows rows;
-        rows.stride = width_;
-        for (std::size_t k = 0; k < 4; ++k)
-            rows.quads[k] = group(4 * k / width_) + begin * width_ + 4 * k % width_;
-        return rows;
+        return {values_.data() + begin * width_, width_, width_ * n_steps_};
     }
 
   private:
@@ -78,7 +73,7 @@ class Company {
     /// Steps [begin, begin + n) to the front of `outputs`.
     void advance(std::size_t begin, std::size_t n, physics::Quantity quantity,
                  Outputs& outputs) {
-        std::vector<double> narrow(lanes_ < 4 ? n * lanes_ : 0);
+        std::vector<double> narrow(lanes_ < 8 ? n * lanes_ : 0);
         for (std::size_t k = 0; k < groups_.size(); ++k) {
             batch_.advance(*groups_[k], static_cast<int>(begin),
                            static_cast<int>(begin + n), quantity,
@@ -103,9 +98,9 @@ class Block {
           nominal_(nominal_point(batch.parameters())),
           shift_(n_steps + 3, 0.0),
           sums_(nominal_.size(), n_steps),
-          a_(static_cast<std::size_t>(batch.lanes()), n_steps),
+          a_(static_cast<std::size_t>(batch.lanes()), chunk_steps),
           b_(a_),
-          chunk_(static_cast<std::size_t>(batch.lanes()), chunk_steps) {
+          mixed_(a_) {
         for (std::size_t row = 0; row < nominal_.size() + 2; ++row)
             companies_.emplace_back(batch);
         make_shift();
@@ -136,7 +131,7 @@ class Block {
     physics::Quantity quantity_;
     std::vector<double> nominal_, shift_;
     HourlySums sums_;
-    Outputs a_, b_, chunk_;
+    Outputs a_, b_, mixed_;           ///< of a chunk
     std::vector<Company> companies_;  ///< one for each row of the design
     std::string error_;
     std::size_t n_used_ = 0;
@@ -146,10 +141,13 @@ void Block::make_shift() {
     error_ = companies_[0].prepare(nominal_points())[0];
     if (!error_.empty()) return;
     companies_[0].warm_up();
-    companies_[0].advance(0, sums_.n_steps(), quantity_, a_);
-    const Rows rows = a_.rows(0);
-    for (std::size_t step = 0; step < sums_.n_steps(); ++step)
-        shift_[step] = rows.quads[0][step * rows.stride];
+    for (std::size_t begin = 0; begin < sums_.n_steps(); begin += chunk_steps) {
+        const std::size_t n = std::min(chunk_steps, sums_.n_steps() - begin);
+        companies_[0].advance(begin, n, quantity_, a_);
+        const Rows rows = a_.rows(0);
+        for (std::size_t step = 0; step < n; ++step)
+            shift_[begin + step] = rows.first[step * rows.width];
+    }
 }
 
 /// The points of each company; nominal where the design has no base point left.
@@ -187,20 +185,20 @@ void Block::add(const Matrix& design, std::size_t first_row,
     run();
 }
 
-/// One row of the design after the other, so that the kernel's working set stays small; A
-/// and B are kept for the period, the mixed rows for a chunk only.
+/// Every row of the design goes through the same chunk of steps before any goes on:
+/// outputs stay in the second-level cache until they are added.
 void Block::run() {
-    const std::size_t n_steps = sums_.n_steps();
     for (Company& company : companies_) company.warm_up();
-    companies_.front().advance(0, n_steps, quantity_, a_);
-    companies_.back().advance(0, n_steps, quantity_, b_);
-    sums_.add_base(0, n_steps, a_.rows(0), b_.rows(0), shift_.data());
-    for (std::size_t i = 0; i < dimension(); ++i)
-        for (std::size_t begin = 0; begin < n_steps; begin += chunk_steps) {
-            const std::size_t n = std::min(chunk_steps, n_steps - begin);
-            companies_[1 + i].advance(begin, n, quantity_, chunk_);
-            sums_.add_mixed(begin, n, i, a_.rows(begin), b_.rows(begin), chunk_.rows(0));
+    for (std::size_t begin = 0; begin < sums_.n_steps(); begin += chunk_steps) {
+        const std::size_t n = std::min(chunk_steps, sums_.n_steps() - begin);
+        companies_.front().advance(begin, n, quantity_, a_);
+        companies_.back().advance(begin, n, quantity_, b_);
+        sums_.add_base(begin, n, a_.rows(0), b_.rows(0), shift_.data() + begin);
+        for (std::size_t i = 0; i < dimension(); ++i) {
+            companies_[1 + i].advance(begin, n, quantity_, mixed_);
+            sums_.add_mixed(begin, n, i, a_.rows(0), b_.rows(0), mixed_.rows(0));
         }
+    }
 }
 
 class HourlySensitivity : public Stage {

@@ -11,10 +11,17 @@ namespace {
 
 typedef double Quad __attribute__((vector_size(32), aligned(8), may_alias));
 
-[[gnu::always_inline]] inline Quad& quad(const Rows& rows, std::size_t k,
-                                         std::size_t step) {
-    return *reinterpret_cast<Quad*>(rows.quads[k] + step * rows.stride);
-}
+/// Rows of a width that the compiler knows.
+template <std::size_t width>
+struct Lanes {
+    explicit Lanes(const Rows& rows)
+        : first(rows.first), second(rows.first + rows.to_second) {}
+    [[gnu::always_inline]] Quad& quad(std::size_t k, std::size_t step) const {
+        double* table = 4 * k < width ? first : second;
+        return *reinterpret_cast<Quad*>(table + step * width + 4 * k % width);
+    }
+    double *first, *second;
+};
 
 /// Adds to sums[0..3] the four lanes of each vector, one vector for each step.
 [[gnu::always_inline]] inline void add_lanes(double* sums, const Quad& s0, const Quad& s1,
@@ -32,29 +39,36 @@ struct Terms {
 };
 
 /// Sum of a, of b, of a^2 + b^2; shifts b in place.
-[[gnu::always_inline]] inline Terms base_terms(const Rows& rows_a, const Rows& rows_b,
-                                               const double* shift, std::size_t step) {
-    Quad a[4], b[4];
-    for (std::size_t k = 0; k < 4; ++k) {
-        a[k] = quad(rows_a, k, step) - shift[step];
-        quad(rows_b, k, step) = b[k] = quad(rows_b, k, step) - shift[step];
+template <std::size_t width>
+struct Base {
+    Lanes<width> rows_a, rows_b;
+    const double* shift;
+    [[gnu::always_inline]] Terms operator()(std::size_t step) const {
+        Quad a[4], b[4];
+        for (std::size_t k = 0; k < 4; ++k) {
+            a[k] = rows_a.quad(k, step) - shift[step];
+            rows_b.quad(k, step) = b[k] = rows_b.quad(k, step) - shift[step];
+        }
+        return {(a[0] + a[1]) + (a[2] + a[3]), (b[0] + b[1]) + (b[2] + b[3]),
+                ((a[0] * a[0] + b[0] * b[0]) + (a[1] * a[1] + b[1] * b[1])) +
+                    ((a[2] * a[2] + b[2] * b[2]) + (a[3] * a[3] + b[3] * b[3]))};
     }
-    return {(a[0] + a[1]) + (a[2] + a[3]), (b[0] + b[1]) + (b[2] + b[3]),
-            ((a[0] * a[0] + b[0] * b[0]) + (a[1] * a[1] + b[1] * b[1])) +
-                ((a[2] * a[2] + b[2] * b[2]) + (a[3] * a[3] + b[3] * b[3]))};
-}
+};
 
 /// Sum of b (ab - a), of ab - a, of (ab - a)^2.
-[[gnu::always_inline]] inline Terms mixed_terms(const Rows& a, const Rows& b,
-                                                const Rows& ab, std::size_t step) {
-    const Quad d0 = quad(ab, 0, step) - quad(a, 0, step);
-    const Quad d1 = quad(ab, 1, step) - quad(a, 1, step);
-    const Quad d2 = quad(ab, 2, step) - quad(a, 2, step);
-    const Quad d3 = quad(ab, 3, step) - quad(a, 3, step);
-    return {(quad(b, 0, step) * d0 + quad(b, 1, step) * d1) +
-                (quad(b, 2, step) * d2 + quad(b, 3, step) * d3),
-            (d0 + d1) + (d2 + d3), (d0 * d0 + d1 * d1) + (d2 * d2 + d3 * d3)};
-}
+template <std::size_t width>
+struct Mixed {
+    Lanes<width> a, b, ab;
+    [[gnu::always_inline]] Terms operator()(std::size_t step) const {
+        const Quad d0 = ab.quad(0, step) - a.quad(0, step);
+        const Quad d1 = ab.quad(1, step) - a.quad(1, step);
+        const Quad d2 = ab.quad(2, step) - a.quad(2, step);
+        const Quad d3 = ab.quad(3, step) - a.quad(3, step);
+        return {(b.quad(0, step) * d0 + b.quad(1, step) * d1) +
+                    (b.quad(2, step) * d2 + b.quad(3, step) * d3),
+                (d0 + d1) + (d2 + d3), (d0 * d0 + d1 * d1) + (d2 * d2 + d3 * d3)};
+    }
+};
 
 struct Sums {
     double *first, *second, *third;
@@ -68,24 +82,10 @@ struct Sums {
     add_lanes(sums.third + step, t0.third, t1.third, t2.third, t3.third);
 }
 
-struct Base {
-    Rows a, b;
-    const double* shift;
-    [[gnu::always_inline]] Terms operator()(std::size_t step) const {
-        return base_terms(a, b, shift, step);
-    }
-};
-
-struct Mixed {
-    Rows a, b, ab;
-    [[gnu::always_inline]] Terms operator()(std::size_t step) const {
-        return mixed_terms(a, b, ab, step);
-    }
-};
-
+/// By value, so that the compiler sees that no sum overlaps them.
 template <class Source>
-[[gnu::always_inline]] inline void add_steps(const Source& source, std::size_t n,
-                                             const Sums& sums) {
+[[gnu::always_inline]] inline void add_steps(const Source source, std::size_t n,
+                                             const Sums sums) {
     for (std::size_t step = 0; step < n; step += 4)
         add_four(sums, step, source(step), source(step + 1), source(step + 2),
                  source(step + 3));
@@ -116,16 +116,22 @@ HourlySums::HourlySums(std::size_t dimension, std::size_t n_steps)
 
 void HourlySums::add_base(std::size_t begin, std::size_t n, const Rows& a, const Rows& b,
                           const double* shift) {
-    add(Base{a, b, shift}, n, {term(0, begin), term(1, begin), term(2, begin)},
-        with_avx2_);
+    const Sums sums{term(0, begin), term(1, begin), term(2, begin)};
+    if (a.width == 16)
+        add(Base<16>{Lanes<16>(a), Lanes<16>(b), shift}, n, sums, with_avx2_);
+    else
+        add(Base<8>{Lanes<8>(a), Lanes<8>(b), shift}, n, sums, with_avx2_);
 }
 
 void HourlySums::add_mixed(std::size_t begin, std::size_t n, std::size_t i, const Rows& a,
                            const Rows& b, const Rows& ab) {
     const std::size_t d = dimension_;
-    add(Mixed{a, b, ab}, n,
-        {term(3 + i, begin), term(3 + d + i, begin), term(3 + 2 * d + i, begin)},
-        with_avx2_);
+    const Sums sums{term(3 + i, begin), term(3 + d + i, begin),
+                    term(3 + 2 * d + i, begin)};
+    if (a.width == 16)
+        add(Mixed<16>{Lanes<16>(a), Lanes<16>(b), Lanes<16>(ab)}, n, sums, with_avx2_);
+    else
+        add(Mixed<8>{Lanes<8>(a), Lanes<8>(b), Lanes<8>(ab)}, n, sums, with_avx2_);
 }
 
 std::vector<double> HourlySums::values() const {

@@ -7,7 +7,6 @@
 /// nothing.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -16,10 +15,11 @@ namespace bemcal::study {
 
 constexpr std::size_t sixteen = 16;
 
-/// Rows of 16 values: quad k of step t begins at quads[k] + t * stride.
+/// Rows of 16 values: side by side (width 16), or two tables of rows of 8 (width 8).
 struct Rows {
-    std::array<double*, 4> quads{};
-    std::size_t stride = 0;
+    double* first = nullptr;
+    std::size_t width = sixteen;
+    std::size_t to_second = 0;  ///< from one table to the other [doubles]
 };
 
 /// Sums over base points, for every step of a period; a row for each term.
