@@ -122,6 +122,9 @@ Csv parse_csv(const std::string& text, const std::string& file) {
     split(line, separator, header);
     csv.columns.assign(header.begin(), header.end());
     check_columns(csv, lines.number());
+    const auto most_rows =
+        static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+    csv.cells.reserve(std::min(most_rows * csv.columns.size(), text.size()));
     while (lines.next(line)) {
         const std::size_t before = csv.cells.size();
         split(line, separator, csv.cells);

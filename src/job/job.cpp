@@ -80,7 +80,8 @@ void read_building_files(const Section& root, InputFiles& files, Job& job) {
     for (const std::string& name : names) {
         const std::filesystem::path path = root.path(name);
         trees.push_back({path.string(), {}});
-        trees.back().tree = parse_document(files.text(path, root.where("buildings")), trees.back().name);
+        trees.back().tree =
+            parse_document(files.text(path, root.where("buildings")), trees.back().name);
         const Section own(trees.back().tree, "building", trees.back().name);
         add_case(job, read_case({own, root}, files), own);
         check_all_used(trees.back().tree, trees.back().name);

@@ -17,8 +17,7 @@ using physics::Day;
 Day read_day(const Section& section, const char* key) {
     const Node& value = section.node(key);
     const Key& row = *find_key(section.schema(), key);
-    const std::string where =
-        section.where(key);
+    const std::string where = section.where(key);
     Day day{};
     if (value.kind == Node::Kind::number) {
         day.fill(checked_number(value, row, where));

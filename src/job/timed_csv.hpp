@@ -22,9 +22,11 @@ struct TimedCsv {
     bool gaps_are_missing = false;
 };
 
-/// Opens the file that stands at `key` and reads its stamps. Throws UserError as csv.hpp and stamps.hpp say.
+/// Opens the file that stands at `key` and reads its stamps. Throws UserError as csv.hpp
+/// and stamps.hpp say.
 TimedCsv open_csv(const Section& section, const char* key, const std::string& file,
-                  InputFiles& files, const physics::Site& site, int fallback_step_s = 3600);
+                  InputFiles& files, const physics::Site& site,
+                  int fallback_step_s = 3600);
 
 /// A column as an even series; absent rows are an error unless the section takes them.
 RegularSeries series_of(const TimedCsv& source, const std::string& column);
