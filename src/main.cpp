@@ -4,6 +4,7 @@
 #include "report/tables.hpp"
 #include "run/find_job.hpp"
 #include "run/run_job.hpp"
+#include "run/signals.hpp"
 #include "run/threads.hpp"
 #include "run/together.hpp"
 #include "store/layout.hpp"
@@ -98,6 +99,7 @@ void print_tables(const store::ResultFile& result) {
 }
 
 ExitCode run_command(run::Comm& comm, const CommandLine& line) {
+    const run::SignalWatch watch;  // already while the job is read
     run::JobOptions options;
     options.is_numbered = line.job.empty();
     options.output = line.output;

@@ -7,6 +7,7 @@ namespace {
 
 constexpr int stop_signals[] = {SIGINT, SIGTERM, SIGUSR1};
 volatile std::sig_atomic_t requested = 0;
+int n_watches = 0;
 
 void request_stop(int) {
     requested = 1;
@@ -15,6 +16,7 @@ void request_stop(int) {
 }  // namespace
 
 SignalWatch::SignalWatch() {
+    if (n_watches++ > 0) return;
     requested = 0;
     struct sigaction action{};
     action.sa_handler = request_stop;
@@ -24,6 +26,7 @@ SignalWatch::SignalWatch() {
 }
 
 SignalWatch::~SignalWatch() {
+    if (--n_watches > 0) return;
     for (const int signal : stop_signals) std::signal(signal, SIG_DFL);
 }
 

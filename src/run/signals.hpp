@@ -4,9 +4,9 @@
 
 namespace bemcal::run {
 
-/// Catches them while it lives; a second one of the same kind ends the program at once.
-/// Also ignores SIGXFSZ, so that a file-size limit is an error of write() like a full
-/// disk.
+/// Catches them while it lives (one inside another changes nothing); a second one of the
+/// same kind ends the program at once. Also ignores SIGXFSZ, so that a file-size limit is
+/// an error of write() like a full disk.
 class SignalWatch {
   public:
     SignalWatch();
