@@ -170,17 +170,24 @@ std::string read_attribute(hid_t attribute) {
     return text;
 }
 
+/// Errors are ours to print. No exit handler: it would write a file again whose disk was full,
+/// and crash; every other file is closed by then.
+void start_library() {
+    [[maybe_unused]] static const herr_t without_exit_handler = H5dont_atexit();
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
 }  // namespace
 
 File File::create(const std::filesystem::path& path) {
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    start_library();
     const Handle access = file_access();
     return File(checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access),
                         "create", path.string()));
 }
 
 File File::open(const std::filesystem::path& path) {
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    start_library();
     const Handle access = file_access();
     return File(
         checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), "open", path.string()));
