@@ -253,6 +253,8 @@ void read_meters(const Sources& sources, InputFiles& files, study::Case& buildin
         for (const Meter& other : building.meters)
             if (other.name == meter.name)
                 section.fail_value("name", "another meter has this name");
+        if (meter.name == "hourly")
+            section.fail_value("name", "a result's hourly series have this name");
         building.meters.push_back(std::move(meter));
     }
 }

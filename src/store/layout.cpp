@@ -116,7 +116,9 @@ constexpr LayoutRow rows[] = {
     {"measured", "time", number, "of the meter", "readings; NaN = missing or masked"},
     {"simulated", "candidate time", number, "of the meter",
      "the nominal and the best point"},
-    // quantities kept by step
+    // by step
+    {"outdoor_temperature", "time", number, "degC",
+     "mean outdoor temperature of the step"},
     {"air_temperature", "candidate time", number, "degC",
      "mean air temperature of the step"},
     {"heating", "candidate time", number, "kWh", "heat delivered in the step"},

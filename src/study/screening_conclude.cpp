@@ -178,18 +178,23 @@ void add_meter_series(const ScreeningPlan& plan, const Candidates& candidates,
     }
 }
 
+/// Quantities of both candidates by step, and always the outdoor temperature they were
+/// simulated with, so that other models can be fitted from the result alone.
 void add_hourly(const ScreeningPlan& plan, const Candidates& candidates, std::size_t p,
                 DatasetBuilder& datasets) {
-    if (plan.options.hourly_outputs.empty()) return;
-    const physics::TimeAxis axis = axis_of(plan.building, plan.building.periods[p]);
+    const physics::Drive& drive = plan.models[p]->drive;
     const std::string folder = plan.building.periods[p].name + "/hourly/";
     std::vector<physics::Seconds> begins;
-    for (int step = 0; step < axis.n_steps; ++step) begins.push_back(axis.begin_of(step));
+    for (int step = drive.n_warm_up; step < drive.n_steps(); ++step)
+        begins.push_back(drive.axis.begin_of(step));
+    const std::size_t n_steps = begins.size();
     datasets.times(folder + "time", begins);
+    datasets.vector(folder + "outdoor_temperature", "time",
+                    {drive.theta_e.begin() + drive.n_warm_up, drive.theta_e.end()});
     for (std::size_t q = 0; q < plan.options.hourly_outputs.size(); ++q)
         datasets.array(
             folder + physics::name_of(plan.options.hourly_outputs[q]),
-            {"candidate", "time"}, {2, begins.size()},
+            {"candidate", "time"}, {2, n_steps},
             joined(candidates.looks[0][p].hourly[q], candidates.looks[1][p].hourly[q]));
 }
 

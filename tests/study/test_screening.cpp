@@ -129,6 +129,26 @@ TEST(Screening, StoresSeriesFromWhichItsMetricsFollow) {
               (std::vector<std::size_t>{2, 7 * 24}));
 }
 
+// The weather's own hours stand in the result, whether or not other hourly series do.
+TEST(Screening, StoresTheOutdoorTemperatureOfEachPeriodWithItsTime) {
+    const Case made = case_measured_at(truth);
+    ScreeningOptions options = options_of(16, false);
+    options.hourly_outputs.clear();
+    const auto datasets = run(*make_screening("s", made, options));
+    for (const Period& period : made.periods) {
+        const auto& time = find(datasets, period.name + "/hourly/time").values;
+        const auto& theta_e =
+            find(datasets, period.name + "/hourly/outdoor_temperature").values;
+        ASSERT_EQ(time.size(), static_cast<std::size_t>(axis_of(made, period).n_steps));
+        ASSERT_EQ(theta_e.size(), time.size());
+        EXPECT_EQ(time[0], static_cast<double>(period.from.time_since_epoch().count()));
+        const auto first = static_cast<std::size_t>(
+            (period.from - made.weather.axis.begin_of(0)).count() / 3600);
+        for (std::size_t hour = 0; hour < time.size(); ++hour)
+            EXPECT_EQ(theta_e[hour], made.weather.theta_e[first + hour]) << hour;
+    }
+}
+
 TEST(Screening, SumsMonthsOverTheHoursThatHaveReadings) {
     const auto datasets =
         run(*make_screening("s", case_measured_at(truth), options_of(16, true)));
