@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 namespace bemcal::study {
@@ -70,13 +71,14 @@ class PlainRun {
         physics::apply(building.building, building.parameters, point, building_);
         try {
             trajectory_ = physics::simulate(building_, drive_);
-            has_run_ = true;
         } catch (const std::domain_error&) {  // the point's failure is already on record
+            trajectory_.reset();
         }
     }
 
     std::vector<double> by_step(physics::Quantity quantity) const {
-        if (has_run_) return physics::predict(building_, drive_, trajectory_, quantity);
+        if (trajectory_)
+            return physics::predict(building_, drive_, *trajectory_, quantity);
         return std::vector<double>(
             static_cast<std::size_t>(drive_.n_steps() - drive_.n_warm_up),
             std::numeric_limits<double>::quiet_NaN());
@@ -85,8 +87,7 @@ class PlainRun {
   private:
     physics::Building building_;
     const physics::Drive& drive_;
-    physics::Trajectory trajectory_;
-    bool has_run_ = false;
+    std::optional<physics::Trajectory> trajectory_;  ///< none where it failed
 };
 
 MeterSeries series_of(const PlainRun& run, const physics::TimeAxis& axis,
