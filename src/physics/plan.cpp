@@ -87,6 +87,7 @@ std::vector<int> planes_of(const Zone& zone) {
 
 std::vector<int> varying_boundaries(const Building& building, const Zone& zone) {
     std::vector<int> used;
+    used.reserve(zone.surfaces.size() + zone.flows.size());
     for (const Surface& surface : zone.surfaces) used.push_back(surface.boundary);
     for (const AirFlow& flow : zone.flows) used.push_back(flow.supply);
     std::sort(used.begin(), used.end());
@@ -151,6 +152,7 @@ void plan_rows(ZonePlan& plan, std::vector<int> tabled, const Drive& drive) {
 /// Profiles of the drivers after the outdoor air.
 std::vector<int> driver_profiles(const ZonePlan& plan, const Building& building) {
     std::vector<int> profiles;
+    profiles.reserve(plan.boundary_drivers.size() + plan.load_drivers.size() + 1);
     for (int boundary : plan.boundary_drivers)
         profiles.push_back(
             building.boundaries[static_cast<std::size_t>(boundary)].temperature.profile);
@@ -195,6 +197,7 @@ void cut_segments(ZonePlan& plan, const Drive& drive) {
 
 std::vector<int> offsets_of(const Partition& rows, int doubles_per_row) {
     std::vector<int> offsets;
+    offsets.reserve(rows.class_of.size());
     for (int row : rows.class_of) offsets.push_back(row * doubles_per_row);
     return offsets;
 }
