@@ -36,10 +36,9 @@ std::unique_ptr<Stage> stage_of(const StudySpec& study, const Case& building) {
 Stages office_hour_stages(const StudySpec& study) {
     using Fixed = std::vector<std::pair<std::string, double>>;
     Stages stages;
-    const auto add = [&](const std::string& name, Fixed fixed) {
-        stages.push_back(
-            make_sensitivity(name, study::make_office_hour_simulator(std::move(fixed)),
-                             study.sensitivity));
+    const auto add = [&](const std::string& name, const Fixed& fixed) {
+        stages.push_back(make_sensitivity(name, study::make_office_hour_simulator(fixed),
+                                          study.sensitivity));
     };
     if (study.fixed.empty()) add(study.name, {});
     const std::size_t n_cases = study.fixed.empty() ? 0 : study.fixed[0].second.size();
@@ -47,7 +46,7 @@ Stages office_hour_stages(const StudySpec& study) {
         Fixed fixed;
         for (const auto& [input, values] : study.fixed)
             fixed.emplace_back(input, values[c]);
-        add(fmt::format("{}/case_{:02}", study.name, c + 1), std::move(fixed));
+        add(fmt::format("{}/case_{:02}", study.name, c + 1), fixed);
     }
     return stages;
 }

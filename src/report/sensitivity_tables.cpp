@@ -53,9 +53,9 @@ void estimate_again(const Group& study, std::size_t output, Indices& indices) {
     const auto& design = study.values("design_output");
     const std::size_t n_outputs = study.texts("output").size();
     if (design.empty()) return;
-    std::vector<double> column;
-    for (std::size_t row = 0; row < design.size() / n_outputs; ++row)
-        column.push_back(design[row * n_outputs + output]);
+    std::vector<double> column(design.size() / n_outputs);
+    for (std::size_t row = 0; row < column.size(); ++row)
+        column[row] = design[row * n_outputs + output];
     const auto estimated = stats::sobol_indices(
         column, static_cast<int>(study.texts("parameter").size()), 0, 0);
     indices.total = estimated.total_order;

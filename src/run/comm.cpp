@@ -129,6 +129,7 @@ std::vector<Bytes> Comm::all_gather(const Bytes& data) {
                     MPI_BYTE, MPI_COMM_WORLD, &request);
     sleep_until_done(request);
     std::vector<Bytes> parts;
+    parts.reserve(sizes.size());
     for (std::size_t r = 0; r < sizes.size(); ++r)
         parts.emplace_back(all.begin() + starts[r], all.begin() + starts[r] + sizes[r]);
     return parts;

@@ -208,7 +208,7 @@ class Execution {
 
     Outcome finish() {
         spent_.n_threads = threads_.n_threads;
-        spent_.log = log_->seconds();
+        if (log_) spent_.log = log_->seconds();
         describe_run();
         Outcome outcome;
         keeping<void>([&] {

@@ -100,7 +100,7 @@ void write_identity(const std::filesystem::path& folder, const Identity& identit
             fmt::format("{}: cannot create the folder: {}; choose another place with -o",
                         folder.string(), error.message()));
     std::string text;
-    for (const auto& [key, value] : identity) text += key + "\t" + value + "\n";
+    for (const auto& [key, value] : identity) text += fmt::format("{}\t{}\n", key, value);
     const auto temporary = folder / "identity.writing";
     write_and_sync(temporary, text);
     std::filesystem::rename(temporary, folder / identity_name);

@@ -147,12 +147,12 @@ std::vector<std::string> read_texts(hid_t dataset, const std::string& path,
                                     std::size_t n) {
     std::vector<char*> raw(n, nullptr);
     const Handle type = text_type();
-    checked(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, raw.data()), "read",
-            path);
+    void* const buffer = static_cast<void*>(raw.data());
+    checked(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer), "read", path);
     std::vector<std::string> texts(n);
     for (std::size_t k = 0; k < n; ++k) texts[k] = raw[k] ? raw[k] : "";
     const Handle space(H5Dget_space(dataset), H5Sclose, "read", path);
-    H5Dvlen_reclaim(type, space, H5P_DEFAULT, raw.data());
+    H5Dvlen_reclaim(type, space, H5P_DEFAULT, buffer);
     return texts;
 }
 
@@ -170,8 +170,8 @@ std::string read_attribute(hid_t attribute) {
     return text;
 }
 
-/// Errors are ours to print. No exit handler: it would write a file again whose disk was full,
-/// and crash; every other file is closed by then.
+/// Errors are ours to print. No exit handler: it would write a file again whose disk was
+/// full, and crash; every other file is closed by then.
 void start_library() {
     [[maybe_unused]] static const herr_t without_exit_handler = H5dont_atexit();
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
@@ -254,7 +254,8 @@ void File::write(const std::string& path, const Shape& shape,
     const Handle type = text_type();
     const Handle dataset = make_dataset(id_, path, type, space);
     if (raw.empty()) return;
-    checked(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, raw.data()), "write",
+    const void* const buffer = static_cast<const void*>(raw.data());
+    checked(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer), "write",
             path);
 }
 

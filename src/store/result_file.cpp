@@ -25,6 +25,7 @@ using study::Dataset;
 
 std::vector<const Dataset*> by_path(const std::vector<Dataset>& datasets) {
     std::vector<const Dataset*> sorted;
+    sorted.reserve(datasets.size());
     for (const Dataset& dataset : datasets) sorted.push_back(&dataset);
     std::ranges::sort(sorted, {}, &Dataset::path);
     return sorted;

@@ -9,6 +9,7 @@ namespace {
 
 std::vector<Output> outputs_of(const std::vector<physics::Quantity>& quantities) {
     std::vector<Output> outputs;
+    outputs.reserve(quantities.size());
     for (const auto quantity : quantities)
         outputs.push_back({physics::name_of(quantity), physics::unit_of(quantity)});
     return outputs;

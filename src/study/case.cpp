@@ -56,6 +56,7 @@ physics::Drive drive_of(const Case& building, const Period& period) {
 
 std::vector<physics::Readings> readings_of(const Case& building, const Period& period) {
     std::vector<physics::Readings> readings;
+    readings.reserve(building.meters.size());
     for (const Meter& meter : building.meters)
         readings.push_back(readings_of(meter, axis_of(building, period)));
     return readings;

@@ -76,7 +76,7 @@ class OfficeHourSimulator : public Simulator {
 }  // namespace
 
 std::shared_ptr<const Simulator> make_office_hour_simulator(
-    Fixed fixed, const physics::OfficeHourAssumptions& assumptions) {
+    const Fixed& fixed, const physics::OfficeHourAssumptions& assumptions) {
     return std::make_shared<OfficeHourSimulator>(fixed, assumptions);
 }
 

@@ -39,7 +39,7 @@ std::shared_ptr<const Simulator> make_batch_simulator(
 /// parameters, heating plus cooling energy is the output. Throws std::invalid_argument
 /// for a name that is not one of the 19.
 std::shared_ptr<const Simulator> make_office_hour_simulator(
-    std::vector<std::pair<std::string, double>> fixed,
+    const std::vector<std::pair<std::string, double>>& fixed,
     const physics::OfficeHourAssumptions& assumptions = {});
 
 }  // namespace bemcal::study
