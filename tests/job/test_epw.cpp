@@ -1,7 +1,7 @@
 /// EPW files: what is read from good ones, and what is said about bad ones.
 #include "base/error.hpp"
 #include "job/epw.hpp"
-#include "shared_files.hpp"
+#include "support/csv_table.hpp"
 
 #include <cmath>
 #include <fstream>

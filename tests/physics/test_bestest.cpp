@@ -4,6 +4,7 @@
 #include "physics/bestest_cases.hpp"
 #include "physics/simulate.hpp"
 #include "support/csv_table.hpp"
+#include "support/measured.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,12 +43,11 @@ Result run(const test::BestestCase& bestest, const Weather& weather) {
 class Bestest : public testing::Test {
   protected:
     void SetUp() override {
-        const auto folder = test::shared_folder() / "reference";
-        weather_ = folder / "weather/725650TYCST.epw";
-        published_ = folder / "thermal/bestest_5r1c_modelica.csv";
-        limits_ = folder / "thermal/bestest_acceptance_limits.csv";
+        weather_ = test::shared_file("weather/725650TYCST.epw");
+        published_ = test::shared_file("thermal/bestest_5r1c_modelica.csv");
+        limits_ = test::shared_file("thermal/bestest_acceptance_limits.csv");
         for (const auto& file : {weather_, published_, limits_})
-            if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
+            if (test::is_absent(file)) GTEST_SKIP() << file;
     }
 
     Results run_all(TemperatureConvention convention) const {
@@ -93,6 +93,11 @@ Spread compare(const std::map<std::string, double>& published, const Results& re
     return spread;
 }
 
+void print(const std::string& what, const Spread& spread) {
+    test::print_measured(what + ", 20 cases, lowest", spread.least, "%", "5");
+    test::print_measured(what + ", 20 cases, highest", spread.most, "%", "5");
+}
+
 int Bestest::n_within_limits(const Results& results, std::string& outside) const {
     const test::CsvTable table(limits_);
     int within = 0, n = 0;
@@ -128,12 +133,13 @@ TEST_F(Bestest, AgreesWithThePublishedFiveResistorRoom) {
         std::string outside;
         const int within = n_within_limits(results, outside);
         EXPECT_GE(within, 33);
-        std::cout << fmt::format(
-            "BESTEST, {}: heating {:+.2f} to {:+.2f} %, cooling {:+.2f} to {:+.2f} % of "
-            "the "
-            "published 5R1C; {} of 40 within ASHRAE 140 limits, outside:{}\n",
-            mean ? "hour-mean temperature" : "temperature as read", of_heating.least,
-            of_heating.most, of_cooling.least, of_cooling.most, within, outside);
+        const std::string with =
+            mean ? ", hour-mean temperature" : ", temperature as read";
+        print("BESTEST heating" + with, of_heating);
+        print("BESTEST cooling" + with, of_cooling);
+        test::print_measured("BESTEST cases inside the ASHRAE 140 limits, of 40" + with,
+                             within, "cases", "at least 33");
+        std::cout << "outside:" << outside << '\n';
     }
 }
 
@@ -150,11 +156,10 @@ TEST_F(Bestest, AgreesInTheExtremesOfFreeFloatingRooms) {
         low = std::max(low, std::abs(own.coldest - value));
         high = std::max(high, std::abs(own.warmest - warmest.at(name)));
     }
-    std::cout << fmt::format(
-        "BESTEST, six free-floating rooms: largest error {:.2f} K of the coldest, {:.2f} "
-        "K of "
-        "the warmest hour\n",
-        low, high);
+    test::print_measured("BESTEST free-floating, largest error of the coldest hour", low,
+                         "K", "1.5");
+    test::print_measured("BESTEST free-floating, largest error of the warmest hour", high,
+                         "K", "1.5");
 }
 
 }  // namespace

@@ -6,11 +6,10 @@
 #include "physics/bestest_cases.hpp"
 #include "physics/simulate.hpp"
 #include "support/csv_table.hpp"
+#include "support/measured.hpp"
 
 #include <cmath>
-#include <iostream>
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace bemcal::physics {
@@ -75,11 +74,11 @@ double rmse(const test::CsvTable& table, const std::vector<double>& theta_air) {
 }
 
 TEST(FreeFloating, FollowsTheContinuousNetworkThroughTenDaysOfChicago) {
-    const auto folder = test::shared_folder() / "reference";
-    const auto epw = folder / "weather/USA_IL_Chicago-OHare.Intl.AP.725300_TMY3.epw";
-    const auto reference = folder / "thermal/modelica_5r1c_trajectories.csv";
-    if (!std::filesystem::exists(epw)) GTEST_SKIP() << "no " << epw;
-    if (!std::filesystem::exists(reference)) GTEST_SKIP() << "no " << reference;
+    const auto epw =
+        test::shared_file("weather/USA_IL_Chicago-OHare.Intl.AP.725300_TMY3.epw");
+    const auto reference = test::shared_file("thermal/modelica_5r1c_trajectories.csv");
+    if (test::is_absent(epw)) GTEST_SKIP() << epw;
+    if (test::is_absent(reference)) GTEST_SKIP() << reference;
     const Weather weather =
         job::read_epw(epw, {job::TemperatureConvention::hour_mean, 2021}).weather;
     const Building building = chicago_room();
@@ -89,7 +88,8 @@ TEST(FreeFloating, FollowsTheContinuousNetworkThroughTenDaysOfChicago) {
         make_drive(weather, building, {}, from, from + std::chrono::hours(240), 3600, 0);
     const Trajectory trajectory = simulate(building, drive);
     const double error = rmse(test::CsvTable(reference), trajectory.zones[0].theta_air);
-    std::cout << fmt::format("free-floating room, ten days: RMSE {:.3f} K\n", error);
+    test::print_measured("free-floating room against the continuous network, RMSE", error,
+                         "K", "0.25");
     EXPECT_LE(error, 0.25);
 }
 

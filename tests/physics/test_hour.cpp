@@ -1,6 +1,7 @@
 /// One hour of Annex C against published steps, and the properties that it must have.
 #include "physics/hour.hpp"
 #include "support/csv_table.hpp"
+#include "support/measured.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -152,8 +153,8 @@ PeerAnswer answer(const PeerCase& peer) {
 class PeerCases : public testing::Test {
   protected:
     void SetUp() override {
-        file_ = test::shared_folder() / "reference/thermal/rcsim_peer_cases.csv";
-        if (!std::filesystem::exists(file_)) GTEST_SKIP() << "no " << file_;
+        file_ = test::shared_file("thermal/rcsim_peer_cases.csv");
+        if (test::is_absent(file_)) GTEST_SKIP() << file_;
     }
     std::filesystem::path file_;
 };
@@ -183,7 +184,8 @@ TEST_F(PeerCases, AgreeInGainsTemperaturesAndDemand) {
         compare("peer_heating_demand", std::max(own.phi, 0.0));
         compare("peer_cooling_demand", std::min(own.phi, 0.0));
     }
-    std::cout << "19 peer cases: largest relative error " << worst << '\n';
+    test::print_measured("one hour, 19 peer cases, largest relative error", worst, "-",
+                         "1e-9");
 }
 
 TEST(Hour, SettlesAtTheResistorNetworksSolution) {

@@ -1,6 +1,7 @@
 /// A period step by step, against a published year and against the hour's own functions.
 #include "physics/simulate.hpp"
 #include "support/csv_table.hpp"
+#include "support/measured.hpp"
 #include "support/simple_building.hpp"
 
 #include <algorithm>
@@ -80,8 +81,8 @@ Building zurich() {
 }
 
 TEST(Simulate, GivesThePublishedYearHourByHour) {
-    const auto file = test::shared_folder() / "reference/thermal/rcsim_annual_zurich.csv";
-    if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
+    const auto file = test::shared_file("thermal/rcsim_annual_zurich.csv");
+    if (test::is_absent(file)) GTEST_SKIP() << file;
     const test::CsvTable table(file);
     ASSERT_EQ(table.n_rows(), 8760u);
     const Building building = zurich();
@@ -102,8 +103,10 @@ TEST(Simulate, GivesThePublishedYearHourByHour) {
             {temperature, std::abs(zone.theta_m[hour] - table.number(hour, "t_m_next")),
              std::abs(zone.theta_air[hour] - table.number(hour, "t_air"))});
     }
-    std::cout << "a year of 8760 published hours: largest error " << power << " W, "
-              << temperature << " K\n";
+    test::print_measured("a published year, largest error of an hour's power", power, "W",
+                         "1e-6");
+    test::print_measured("a published year, largest error of an hour's temperature",
+                         temperature, "K", "1e-9");
     EXPECT_LE(power, 1e-6);
     EXPECT_LE(temperature, 1e-9);
 }

@@ -1,10 +1,10 @@
 /// Irradiance on planes against published points and a year of pvlib at Denver.
 #include "job/epw.hpp"
 #include "physics/sky.hpp"
-#include "shared_files.hpp"
+#include "support/csv_table.hpp"
+#include "support/measured.hpp"
 
 #include <cmath>
-#include <iostream>
 #include <limits>
 #include <numbers>
 
@@ -49,7 +49,8 @@ TEST(Perez, PublishedPoints) {
         EXPECT_NEAR(sky, p.expected, p.tolerance * p.expected);
         if (p.tolerance == 1e-6) most = std::max(most, std::abs(sky / p.expected - 1));
     }
-    std::cout << "Perez, six exact points: largest relative difference " << most << '\n';
+    test::print_measured("Perez's sky, EnergyPlus's points, largest relative error", most,
+                         "-", "1e-6");
 }
 
 TEST(Perez, HorizontalPlaneSeesTheWholeSky) {
@@ -151,8 +152,8 @@ class YearOfPvlib : public testing::Test {
         job::EpwOptions options;
         options.year = 2001;  // of that run
         weather = job::read_epw(weather_file, options).weather;
-        table = test::read_numbers(table_file);
-        ASSERT_EQ(table.rows.size(), 8760U);
+        table = test::CsvTable(table_file);
+        ASSERT_EQ(table.n_rows(), 8760U);
     }
 
     /// Over all hours; `rmse` and `most` over those with `counts`.
@@ -161,9 +162,9 @@ class YearOfPvlib : public testing::Test {
                           const std::string& sky, Counts counts) const {
         Difference d;
         double square = 0, sum = 0, expected = 0, n = 0;
-        for (std::size_t k = 0; k < table.rows.size(); ++k) {
+        for (std::size_t k = 0; k < table.n_rows(); ++k) {
             const auto part = [&](const std::string& name) {
-                return table.rows[k][table.column(facade.name + name)];
+                return table.number(k, facade.name + name);
             };
             const double theirs = part("_beam") + part(sky) + part("_ground");
             sum += ours[k];
@@ -185,16 +186,19 @@ class YearOfPvlib : public testing::Test {
             const Plane plane{facade.tilt * deg, facade.azimuth * deg, {}};
             const Difference d = difference(
                 facade, irradiance_series(weather, suns, plane, model), sky, counts);
-            std::cout << "pvlib, " << what << ", " << facade.name << ": RMSE " << d.rmse
-                      << " W/m2, largest " << d.most << " W/m2, annual " << 100 * d.annual
-                      << " %\n";
+            const std::string plane_name = fmt::format("{}, {}", facade.name, what);
+            test::print_measured("RMSE against pvlib, " + plane_name, d.rmse, "W/m2",
+                                 "0.3");
+            test::print_measured(
+                "annual error against pvlib, " + plane_name, 100 * d.annual, "%",
+                fmt::format("{}", 100 * facade.annual_tolerance).c_str());
             EXPECT_LE(d.rmse, 0.3) << facade.name;
             EXPECT_LE(std::abs(d.annual), facade.annual_tolerance) << facade.name;
         }
     }
 
     Weather weather;
-    test::NumberTable table;
+    test::CsvTable table;
 };
 
 constexpr auto every_hour = [](std::size_t) { return true; };

@@ -3,6 +3,7 @@
 #include "physics/simulate.hpp"
 #include "physics/step_map.hpp"
 #include "physics/structure.hpp"
+#include "support/measured.hpp"
 #include "support/simple_building.hpp"
 
 #include <algorithm>
@@ -299,8 +300,10 @@ TEST(Structure, ConvergesToTheContinuousNetwork) {
         coarse_worst = std::max(coarse_worst, coarse);
         fine_worst = std::max(fine_worst, fine);
     }
-    std::cout << "refined step against the continuous network after 4 h: largest error "
-              << coarse_worst << " K at 600 s, " << fine_worst << " K at 60 s\n";
+    test::print_measured("refined step of 600 s, largest error after 4 h", coarse_worst,
+                         "K", "");
+    test::print_measured("refined step of 60 s, largest error after 4 h", fine_worst, "K",
+                         "");
 }
 
 TEST(Structure, SimulatesTenMinutesWithEveryRefinement) {

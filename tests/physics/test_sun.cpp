@@ -1,10 +1,10 @@
 /// The sun against NREL's SPA: published points, and every sunlit hour of a year at
 /// Denver.
 #include "physics/sun.hpp"
-#include "shared_files.hpp"
+#include "support/csv_table.hpp"
+#include "support/measured.hpp"
 
 #include <cmath>
-#include <iostream>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -68,25 +68,25 @@ TEST(Sun, TransitsAsInSpa) {
 TEST(Sun, EveryHourOfDenverAsInSpa) {
     const auto file = test::shared_file("thermal/solar_pvlib_denver_8760.csv");
     if (test::is_absent(file)) GTEST_SKIP() << file;
-    const test::NumberTable table = test::read_numbers(file);
-    const std::size_t zenith = table.column("zenith_deg"),
-                      azimuth = table.column("azimuth_deg");
+    const test::CsvTable table(file);
     const Site denver{39.83, -104.65, -7, 1650};
     const Seconds start = parse_time("2001-01-01 00:30");  // the year of that run
     double most_zenith = 0, most_azimuth = 0;
     int n = 0;
-    for (std::size_t k = 0; k < table.rows.size(); ++k) {
-        const std::vector<double>& row = table.rows[k];
-        if (row[zenith] >= 90) continue;
+    for (std::size_t k = 0; k < table.n_rows(); ++k) {
+        const double zenith = table.number(k, "zenith_deg");
+        if (zenith >= 90) continue;
         const SunPosition sun = sun_position(denver, start + std::chrono::hours(k));
-        const double turn = std::remainder(sun.azimuth / deg - row[azimuth], 360);
-        most_zenith = std::max(most_zenith, std::abs(sun.zenith / deg - row[zenith]));
+        const double turn =
+            std::remainder(sun.azimuth / deg - table.number(k, "azimuth_deg"), 360);
+        most_zenith = std::max(most_zenith, std::abs(sun.zenith / deg - zenith));
         most_azimuth = std::max(most_azimuth, std::abs(turn * std::sin(sun.zenith)));
         ++n;
     }
-    std::cout << "sun against SPA, Denver, " << n << " h: largest difference in zenith "
-              << most_zenith << " deg, in azimuth times sin(zenith) " << most_azimuth
-              << " deg\n";
+    test::print_measured("sun's zenith, Denver, largest error of a year against SPA",
+                         most_zenith, "deg", "0.05");
+    test::print_measured("sun's azimuth times sin(zenith), the same", most_azimuth, "deg",
+                         "0.05");
     EXPECT_GT(n, 4000);
     EXPECT_LE(most_zenith, 0.05);
     EXPECT_LE(most_azimuth, 0.05);

@@ -1,5 +1,5 @@
-#include "stats/csv.hpp"
 #include "stats/saltelli.hpp"
+#include "support/csv_table.hpp"
 
 #include <numbers>
 
@@ -18,15 +18,16 @@ class SaltelliRows : public testing::TestWithParam<Reference> {};
 
 TEST_P(SaltelliRows, EqualSalib) {
     const auto [name, d, low, high] = GetParam();
-    const auto file = test::sobol_reference(name);
-    if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";
-    const auto rows = test::read_csv(file);
-    ASSERT_EQ(rows.size(), 20U);
+    const auto file = test::shared_file(std::string("sobol/") + name);
+    if (test::is_absent(file)) GTEST_SKIP() << file;
+    const test::CsvTable table(file, test::Header::absent);
+    ASSERT_EQ(table.n_rows(), 20U);
     const Matrix design = saltelli_points(0, 20, d, false, 0);
-    for (std::size_t r = 0; r < rows.size(); ++r)
-        for (std::size_t i = 0; i < static_cast<std::size_t>(d); ++i)
-            ASSERT_EQ(low + (high - low) * design(r, i), std::stod(rows[r][i]))
-                << r << ' ' << i;
+    for (std::size_t r = 0; r < table.n_rows(); ++r) {
+        const auto expected = table.numbers(r, static_cast<std::size_t>(d));
+        for (std::size_t i = 0; i < expected.size(); ++i)
+            ASSERT_EQ(low + (high - low) * design(r, i), expected[i]) << r << ' ' << i;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -1,5 +1,5 @@
-/// A CSV file with a header row, as the tests' reference tables have it (no quoted
-/// fields).
+/// Reference data that lie beside the project and may be absent, and their CSV tables: a
+/// header row or none, no quoted fields.
 #pragma once
 
 #include <cstdlib>
@@ -13,21 +13,28 @@
 
 namespace bemcal::test {
 
-/// Folder of the published reference data, beside the project.
-inline std::filesystem::path shared_folder() {
-    return std::filesystem::path(BEMCAL_ROOT) / ".." / "shared";
+/// A file of the published reference data; a test that needs it is skipped without it.
+inline std::filesystem::path shared_file(const std::string& name) {
+    return std::filesystem::path(BEMCAL_ROOT) / "../shared/reference" / name;
 }
+
+inline bool is_absent(const std::filesystem::path& file) {
+    return !std::filesystem::exists(file);
+}
+
+enum class Header { present, absent };
 
 class CsvTable {
   public:
-    explicit CsvTable(const std::filesystem::path& file) {
+    CsvTable() = default;
+
+    /// Throws std::runtime_error where the file cannot be opened.
+    explicit CsvTable(const std::filesystem::path& file,
+                      Header header = Header::present) {
         std::ifstream stream(file);
         if (!stream) throw std::runtime_error("cannot open " + file.string());
         std::string line;
-        std::getline(stream, line);
-        const std::vector<std::string> header = split(line);
-        for (std::size_t column = 0; column < header.size(); ++column)
-            columns_[header[column]] = column;
+        if (header == Header::present && std::getline(stream, line)) name_columns(line);
         while (std::getline(stream, line))
             if (!line.empty()) rows_.push_back(split(line));
     }
@@ -44,7 +51,20 @@ class CsvTable {
         return std::strtod(text(row, column).c_str(), nullptr);
     }
 
+    /// The first n fields of a row as numbers. Throws where there are fewer.
+    std::vector<double> numbers(std::size_t row, std::size_t n) const {
+        std::vector<double> values;
+        for (std::size_t k = 0; k < n; ++k)
+            values.push_back(std::stod(rows_.at(row).at(k)));
+        return values;
+    }
+
   private:
+    void name_columns(const std::string& line) {
+        for (const std::string& name : split(line))
+            columns_.emplace(name, columns_.size());
+    }
+
     static std::vector<std::string> split(const std::string& line) {
         std::vector<std::string> fields;
         std::stringstream stream(line.substr(0, line.find('\r')));
