@@ -5,7 +5,6 @@
 #include "run/together.hpp"
 
 #include <cstring>
-#include <optional>
 
 #include <fmt/format.h>
 
@@ -102,7 +101,7 @@ Identity identity_of(const job::Job& job, const std::string& version) {
 
 Outcome run_job(Comm& comm, const JobOptions& options) {
     double seconds_read = 0, seconds_plan = 0;
-    std::optional<job::Job> job;
+    job::Job job;
     Work work;
     together(comm, [&] {
         const Timer timer(seconds_read);
@@ -110,12 +109,12 @@ Outcome run_job(Comm& comm, const JobOptions& options) {
     });
     together(comm, [&] {
         const Timer timer(seconds_plan);
-        work = work_of(*job, options.version);
-        work.stages = job::make_plan(*job);
+        work = work_of(job, options.version);
+        work.stages = job::make_plan(job);
     });
     work.frame.run["seconds_read"] = fmt::format("{:.3f}", seconds_read);
     work.frame.run["seconds_plan"] = fmt::format("{:.3f}", seconds_plan);
-    const fs::path output = choose_output(comm, *job, options);
+    const fs::path output = choose_output(comm, job, options);
     return execute(
         comm, std::move(work),
         {output, options.existing, options.n_threads, options.say, options.on_stage});

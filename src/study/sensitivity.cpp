@@ -120,6 +120,7 @@ void append(std::vector<double>& to, const std::vector<double>& values) {
 /// Paper 1's rule: an input whose index is above the threshold is sensitive.
 std::vector<double> flag(const std::vector<double>& total_order, double threshold) {
     std::vector<double> flags;
+    flags.reserve(total_order.size());
     for (const double index : total_order) flags.push_back(index > threshold ? 1 : 0);
     return flags;
 }
