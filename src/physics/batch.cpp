@@ -127,25 +127,4 @@ void Batch::warm_up(Group& group) const {
     for (Group::Zone& zone : group.zones) zone.sums.clear();
 }
 
-void Batch::advance(Group& group, int begin, int end, Quantity quantity,
-                    double* out) const {
-    const auto n_lanes = static_cast<std::size_t>(lanes());
-    if (plan_->coupled) {
-        const auto first = static_cast<std::size_t>(begin),
-                   last = static_cast<std::size_t>(end);
-        LaneArray& rows = group.plain[static_cast<std::size_t>(quantity)];
-        if (!rows.empty()) std::copy(rows.column(first), rows.column(last), out);
-        return;
-    }
-    const int n_warm_up = plan_->drive.n_warm_up;
-    for (const Span& chunk : plan_->chunks) {
-        const int from = std::max(chunk.begin, begin + n_warm_up);
-        const int to = std::min(chunk.end, end + n_warm_up);
-        if (from >= to) continue;
-        const kernel::PowerRows rows = group.run(from, to, show_for(quantity));
-        const double* shown = group.show(quantity, rows, from, to);
-        out = std::copy_n(shown, static_cast<std::size_t>(to - from) * n_lanes, out);
-    }
-}
-
 }  // namespace bemcal::physics

@@ -23,6 +23,11 @@ struct Batch::Plan {
     std::array<std::vector<int>, n_intervals> bounds;  ///< in steps of the period
 
     int n_months() const { return static_cast<int>(months.size()); }
+    /// A meter can be read while the powers are in registers.
+    bool is_metered_in_one_pass(Quantity quantity) const {
+        return quantity != Quantity::air_temperature && zones.size() == 1 &&
+               zones[0].is_standard();
+    }
     const MeterPlan& meter(Quantity quantity) const {
         return meters[static_cast<std::size_t>(quantity)];
     }
@@ -53,6 +58,8 @@ struct Batch::Group {
     /// Steps [begin, end) of all zones; no more than a chunk if something is shown.
     /// Returns the building's rows.
     kernel::PowerRows run(int begin, int end, kernel::Show show);
+    /// Steps that a run may show.
+    int most_steps() const { return static_cast<int>(shown_.columns()); }
     kernel::MeterLanes meter(Quantity quantity);
     /// W or degC of a chunk's steps [steps x lanes], after run() with `show` for that
     /// quantity.

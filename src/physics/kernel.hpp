@@ -86,6 +86,13 @@ struct MeterLanes {
     const int* row_offset;  ///< [n_steps]
 };
 
+/// What the mixed rows of a Sobol design are compared with: rows [steps x lanes] of its
+/// matrices A and B; and sums [steps x 3 x lanes] of b (y - a), y - a and (y - a)^2.
+struct DifferenceLanes {
+    const double *a, *b;
+    double* sums;
+};
+
 /// Readings of a meter, the same for all points.
 struct ReadingTime {
     const int* closes;       ///< [n_steps] interval that ends with the step, or -1
@@ -108,6 +115,18 @@ struct Table {
     /// The same in one pass with the errors of a meter read at every step.
     void (*run_compared)(const ZoneTime&, const ZoneLanes&, int segment, int begin,
                          int end, const MeterLanes&, const ReadingTime&, double* errors);
+    /// The same in one pass with the rows of a meter [W].
+    void (*run_metered)(const ZoneTime&, const ZoneLanes&, int segment, int begin,
+                        int end, const MeterLanes&, double* shown);
+    /// The same in one pass with a meter's differences; no sums of powers.
+    void (*run_differences)(const ZoneTime&, const ZoneLanes&, int segment, int begin,
+                            int end, const MeterLanes&, const DifferenceLanes&);
+    /// Differences of rows that are shown.
+    void (*add_differences)(const double* shown, int n_steps, const DifferenceLanes&);
+    /// Takes the shift [n_steps] off a and, in place, b; adds a, b, a^2 + b^2 to the sums
+    /// [steps x 3 x lanes].
+    void (*add_base)(const double* shift, int n_steps, const double* a, double* b,
+                     double* sums);
     /// total += zone, air times its share of the floor.
     void (*add_zone)(const PowerRows& zone, const double* floor_share, int n_steps,
                      const PowerRows& total);

@@ -90,8 +90,10 @@ struct Standard {
             const V cool = max(min(add(asked, column(regime, C::gap)), zero),
                                column(regime, C::most_cooling));
             theta_m = add(add(fma(column(regime, C::keep), theta_m, terms.mass), heat), cool);
-            heating = fma(column(regime, C::watts), heat, heating);
-            cooling = fnma(column(regime, C::watts), cool, cooling);
+            if constexpr (Watch::sums_powers) {
+                heating = fma(column(regime, C::watts), heat, heating);
+                cooling = fnma(column(regime, C::watts), cool, cooling);
+            }
             watch.see(step, regime, asked, heat, cool);
             drivers += stride;
         }
@@ -100,6 +102,7 @@ struct Standard {
 
 /// Sees nothing.
 struct Unwatched {
+    static constexpr bool sums_powers = true;
     void see(int, const double*, V, V, V) {}
     void end() {}
 };
@@ -107,6 +110,7 @@ struct Unwatched {
 /// Writes rows in W, and the air temperature.
 template <bool air>
 struct Written {
+    static constexpr bool sums_powers = true;
     PowerRows rows;
     int first;
     void see(int step, const double* regime, V asked, V heat, V cool) {

@@ -72,8 +72,18 @@ void compare(const ReadingTime& reading, const double* shown, int begin, int end
     sums.write(errors);
 }
 
-/// Sees a meter that is read at every step while the powers are in registers.
+/// What a meter reads [W] while the powers are in registers.
+[[gnu::always_inline]] inline V metered(const MeterLanes& meter_lanes, int step, const double* regime,
+                                        V heat, V cool) {
+    const double* row = meter_lanes.rows + meter_lanes.row_offset[step];
+    const V watts = column(regime, StandardColumn::watts);
+    const V heated = fma(mul(column(row, 1), watts), heat, load(row));
+    return fnma(mul(column(row, 2), watts), cool, heated);
+}
+
+/// Sees a meter that is read at every step.
 struct Compared {
+    static constexpr bool sums_powers = true;
     MeterLanes meter_lanes;
     ReadingTime reading;
     int first;       ///< step of the first reading
@@ -81,11 +91,7 @@ struct Compared {
     double* errors;
     Errors sums;
     void see(int step, const double* regime, V, V heat, V cool) {
-        const double* row = meter_lanes.rows + meter_lanes.row_offset[step];
-        const V watts = column(regime, StandardColumn::watts);
-        const V heated = fma(mul(column(row, 1), watts), heat, load(row));
-        const V power = fnma(mul(column(row, 2), watts), cool, heated);
-        sums.close(reading, step - first, factor, power);
+        sums.close(reading, step - first, factor, metered(meter_lanes, step, regime, heat, cool));
     }
     void end() const { sums.write(errors); }
 };
@@ -97,4 +103,8 @@ void run_compared(const ZoneTime& zone, const ZoneLanes& group, int segment, int
                           errors, Errors(errors)});
 }
 
-constexpr Table table{lanes, run, run_compared, add_zone, meter, add_up, compare};
+#include "physics/kernel_differences.inl"
+
+constexpr Table table{lanes,           run,      run_compared, run_metered, run_differences,
+                      add_differences, add_base, add_zone,     meter,       add_up,
+                      compare};

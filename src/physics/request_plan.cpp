@@ -73,8 +73,7 @@ RequestPlan::RequestPlan(const Request& wanted, const Batch::Plan& batch)
     for (const auto* quantities : {&request.annual, &request.monthly})
         for (Quantity quantity : *quantities) add_total(quantity, batch);
     compared = summed.empty() && readings.size() == 1 && readings[0].every_step &&
-               readings[0].quantity != Quantity::air_temperature &&
-               batch.zones.size() == 1 && batch.zones[0].is_standard();
+               batch.is_metered_in_one_pass(readings[0].quantity);
 }
 
 void RequestPlan::need(kernel::Show more) {

@@ -1,11 +1,14 @@
 /// Sums over base points that hourly Sobol indices are made of, step by step.
 ///
-/// Sixteen base points go through time together (a row of 16 values for each step: four
-/// quads); their order of summation is written out, so that the bits depend on no
-/// compiler, lane count or instruction set. Outputs are shifted by a nominal trajectory:
-/// sums stay well conditioned, and a base point that is nominal in every row adds exactly
-/// nothing.
+/// Base points go through time in companies of sixteen. Point k of every company adds to
+/// sums of its own (LaneSums, [steps x 3 x lanes] for each of the kernel's groups), and
+/// the sixteen are added up in an order that is written out, so that the bits depend on
+/// no compiler, lane count or instruction set. Outputs are shifted by a nominal
+/// trajectory: sums stay well conditioned, and a base point that is nominal in every row
+/// adds exactly nothing.
 #pragma once
+
+#include "physics/lane_array.hpp"
 
 #include <cstddef>
 #include <span>
@@ -15,11 +18,21 @@ namespace bemcal::study {
 
 constexpr std::size_t sixteen = 16;
 
-/// Rows of 16 values: side by side (width 16), or two tables of rows of 8 (width 8).
-struct Rows {
-    double* first = nullptr;
-    std::size_t width = sixteen;
-    std::size_t to_second = 0;  ///< from one table to the other [doubles]
+/// Three sums for each step of a chunk and each of sixteen points.
+class LaneSums {
+  public:
+    LaneSums(std::size_t lanes, std::size_t n_steps);
+
+    std::size_t lanes() const { return lanes_; }
+    std::size_t n_groups() const { return groups_.size(); }
+    /// [steps x 3 x lanes] of points [k lanes, (k + 1) lanes)
+    double* group(std::size_t k) { return groups_[k].data(); }
+    const double* group(std::size_t k) const { return groups_[k].data(); }
+    void clear();
+
+  private:
+    std::size_t lanes_;
+    std::vector<physics::LaneArray> groups_;
 };
 
 /// Sums over base points, for every step of a period; a row for each term.
@@ -27,15 +40,12 @@ class HourlySums {
   public:
     HourlySums(std::size_t dimension, std::size_t n_steps);
 
-    std::size_t dimension() const { return dimension_; }
     std::size_t n_steps() const { return n_steps_; }
 
-    /// Steps from `begin` on: a and b, first shifted: a sums; b is left shifted in place.
-    void add_base(std::size_t begin, std::size_t n, const Rows& a, const Rows& b,
-                  const double* shift);
-    /// The same steps of input i: ab against a, with the shifted b.
-    void add_mixed(std::size_t begin, std::size_t n, std::size_t i, const Rows& a,
-                   const Rows& b, const Rows& ab);
+    /// n steps from `begin` (a multiple of four) on: sums of a, b, a^2 + b^2.
+    void add_base(std::size_t begin, std::size_t n, const LaneSums& sums);
+    /// The same steps of input i: sums of b (ab_i - a), ab_i - a, (ab_i - a)^2.
+    void add_input(std::size_t i, std::size_t begin, std::size_t n, const LaneSums& sums);
 
     /// [n_steps x terms]: sum of a, of b, of a^2 + b^2, then for each i of b (ab_i - a),
     /// of ab_i - a, and of (ab_i - a)^2.
@@ -48,7 +58,6 @@ class HourlySums {
     }
 
     std::size_t dimension_, n_steps_, padded_;
-    bool with_avx2_;
     std::vector<double> sums_;  ///< [n_terms x padded_]: steps rounded up to whole fours
 };
 
