@@ -95,11 +95,10 @@ Building bench_building() {
 std::vector<Parameter> bench_parameters(const Building& building) {
     std::vector<Parameter> parameters;
     for (const char* path :
-         {"constructions.wall.u_value", "glazings.double.u_value",
-          "glazings.double.solar_transmittance",
-          "zones.office.flows.ventilation.air_change",
-          "zones.office.flows.infiltration.air_change", "zones.office.heat_capacity",
-          "zones.office.heating_capacity", "zones.office.loads.*.density"})
+         {"construction.wall.u_value", "glazing.double.u_value",
+          "glazing.double.solar_transmittance", "zone.office.flow.ventilation.air_change",
+          "zone.office.flow.infiltration.air_change", "zone.office.heat_capacity",
+          "zone.office.heating_capacity", "zone.office.load.*.density"})
         parameters.push_back(
             {path, "-", 0.8, 1.2, Effect::factor, resolve(building, path), 1});
     return parameters;
