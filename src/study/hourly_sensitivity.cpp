@@ -123,6 +123,7 @@ struct Steps {
 void add_steps(DatasetBuilder& datasets, const physics::TimeAxis& axis,
                std::size_t dimension, Steps steps) {
     std::vector<physics::Seconds> begins;
+    begins.reserve(static_cast<std::size_t>(axis.n_steps));
     for (int step = 0; step < axis.n_steps; ++step) begins.push_back(axis.begin_of(step));
     datasets.times("time", begins);
     add_indices(datasets, "hourly", {"time", "parameter"}, {begins.size(), dimension},
