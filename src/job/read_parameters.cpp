@@ -2,7 +2,6 @@
 #include "job/readers.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include <fmt/format.h>
 
@@ -20,38 +19,13 @@ const Field& field_of(const Target& target) {
     return physics::fields()[static_cast<std::size_t>(target.field)];
 }
 
-/// "zone.*.flow.x.air_change" as physics::resolve names it: "zones.*.flows.x.air_change".
-std::string physics_path(const std::string& path) {
-    static const std::map<std::string, std::string> plurals = [] {
-        std::map<std::string, std::string> map;
-        for (int part = 0; part <= static_cast<int>(physics::Part::coupling); ++part) {
-            const std::string section = section_of(static_cast<physics::Part>(part));
-            map[section.substr(section.rfind('.') + 1)] =
-                physics::name_of(static_cast<physics::Part>(part));
-        }
-        return map;
-    }();
-    std::string changed;
-    std::size_t begin = 0;
-    for (int word = 0; begin <= path.size(); ++word) {
-        const std::size_t end = std::min(path.find('.', begin), path.size());
-        const std::string text = path.substr(begin, end - begin);
-        const auto plural = plurals.find(text);
-        const bool is_part = word % 2 == 0 && plural != plurals.end();
-        changed += (word > 0 ? "." : "") + (is_part ? plural->second : text);
-        begin = end + 1;
-    }
-    return changed;
-}
-
 void read_targets(const Section& section, const Building& building,
                   Parameter& parameter) {
     const std::vector<std::string> paths = section.texts("target");
     if (paths.empty()) section.fail("target", "is empty; expected the path of a number");
     for (const std::string& path : paths) {
-        const std::vector<Target> found = at_key(section, "target", [&] {
-            return physics::resolve(building, physics_path(path));
-        });
+        const std::vector<Target> found =
+            at_key(section, "target", [&] { return physics::resolve(building, path); });
         parameter.targets.insert(parameter.targets.end(), found.begin(), found.end());
     }
     for (const Target& target : parameter.targets)

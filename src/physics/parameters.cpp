@@ -57,9 +57,9 @@ double changed(double nominal, Effect effect, double value) {
 }  // namespace
 
 const char* name_of(Part part) {
-    constexpr const char* names[] = {"constructions", "glazings", "boundaries", "zones",
-                                     "surfaces",      "windows",  "flows",      "loads",
-                                     "plant",         "couplings"};
+    constexpr const char* names[] = {"construction", "glazing", "boundary", "zone",
+                                     "surface",      "window",  "flow",     "load",
+                                     "plant",        "coupling"};
     return names[static_cast<std::size_t>(part)];
 }
 

@@ -26,7 +26,7 @@ enum class Part {
     plant,
     coupling  ///< of a zone; its name is the other zone's
 };
-const char* name_of(Part part);  ///< as in a job file: "constructions", "zones", ...
+const char* name_of(Part part);  ///< as in a job file: "construction", "zone", ...
 
 /// Where a number lives in a part: exactly one of the two accessors is set.
 struct Field {
@@ -63,8 +63,8 @@ struct Parameter {
     double nominal = 0;           ///< value in the nominal building (1 for a factor)
 };
 
-/// Places named by a path: "zones.office.flows.infiltration.air_change",
-/// "constructions.*.u_value", "plant.cooling_cop", "zones.*.heating_set_point.low". A
+/// Places named by a path: "zone.office.flow.infiltration.air_change",
+/// "construction.*.u_value", "plant.cooling_cop", "zone.*.heating_set_point.low". A
 /// star stands for every name, never for a part or a number. Thermostat and structure
 /// fields belong to their zone. Throws std::invalid_argument that lists what would have
 /// matched.

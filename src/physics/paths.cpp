@@ -136,6 +136,9 @@ Words next_words(const Words& pattern, std::size_t n, const std::vector<Entry>& 
 /// Says where the path stops to make sense and what could stand there.
 [[noreturn]] void reject_path(const std::string& path, const Words& pattern,
                               const std::vector<Entry>& entries) {
+    if (path.empty())
+        throw std::invalid_argument(
+            "is empty; expected a path like zone.office.flow.infiltration.air_change");
     const std::size_t n = longest_match(pattern, entries);
     const Words next = next_words(pattern, n, entries);
     const Words good(pattern.begin(), pattern.begin() + static_cast<std::ptrdiff_t>(n));

@@ -186,12 +186,12 @@ inline Parameter parameter(const Building& building, const std::string& path,
 inline std::vector<Parameter> random_parameters(const Building& building) {
     std::vector<Parameter> parameters;
     for (const char* path :
-         {"constructions.*.u_value", "zones.*.heat_capacity", "zones.*.floor_area",
-          "zones.*.flows.*.air_change", "zones.*.heating_capacity", "glazings.*.u_value",
-          "zones.*.air_capacity", "zones.*.emitter_time_constant", "plant.cooling_cop"})
+         {"construction.*.u_value", "zone.*.heat_capacity", "zone.*.floor_area",
+          "zone.*.flow.*.air_change", "zone.*.heating_capacity", "glazing.*.u_value",
+          "zone.*.air_capacity", "zone.*.emitter_time_constant", "plant.cooling_cop"})
         parameters.push_back(parameter(building, path, 0.8, 1.25, Effect::factor));
-    for (const char* path : {"zones.*.heating_set_point", "zones.*.heating_set_point.low",
-                             "boundaries.*.temperature"})
+    for (const char* path : {"zone.*.heating_set_point", "zone.*.heating_set_point.low",
+                             "boundary.*.temperature"})
         parameters.push_back(parameter(building, path, -1, 0.3, Effect::offset));
     return parameters;
 }

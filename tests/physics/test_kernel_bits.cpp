@@ -82,7 +82,7 @@ void compare_with_scalar(InstructionSet set) {
 /// mass.
 void break_point(const RandomCase& made, Matrix& points, std::size_t point) {
     for (std::size_t p = 0; p < made.parameters.size(); ++p)
-        if (made.parameters[p].name == "constructions.*.u_value") points(point, p) = 1e4;
+        if (made.parameters[p].name == "construction.*.u_value") points(point, p) = 1e4;
 }
 
 }  // namespace

@@ -98,51 +98,51 @@ TEST(Resolve, FindsEveryKindOfPart) {
         return number_at(b, targets.at(0));
     };
     Zone& room = b.zones[0];
-    EXPECT_EQ(&at("constructions.wall.u_value"), &b.constructions[0].u_value.value);
-    EXPECT_EQ(&at("glazings.double.frame_fraction"), &b.glazings[0].frame_fraction);
-    EXPECT_EQ(&at("boundaries.ground.temperature"), &b.boundaries[0].temperature.value);
-    EXPECT_EQ(&at("zones.hall.floor_area"), &b.zones[1].floor_area);
-    EXPECT_EQ(&at("zones.room.heating_set_point"),
+    EXPECT_EQ(&at("construction.wall.u_value"), &b.constructions[0].u_value.value);
+    EXPECT_EQ(&at("glazing.double.frame_fraction"), &b.glazings[0].frame_fraction);
+    EXPECT_EQ(&at("boundary.ground.temperature"), &b.boundaries[0].temperature.value);
+    EXPECT_EQ(&at("zone.hall.floor_area"), &b.zones[1].floor_area);
+    EXPECT_EQ(&at("zone.room.heating_set_point"),
               &room.thermostat.heating_set_point.value);
-    EXPECT_EQ(&at("zones.room.heating_set_point.low"),
+    EXPECT_EQ(&at("zone.room.heating_set_point.low"),
               &room.thermostat.heating_set_point.low);
-    EXPECT_EQ(&at("zones.room.air_capacity"), &room.structure.air_capacity);
-    EXPECT_EQ(&at("zones.room.surfaces.wall.area"), &room.surfaces[0].area);
-    EXPECT_EQ(&at("zones.room.windows.south.shading_factor"),
+    EXPECT_EQ(&at("zone.room.air_capacity"), &room.structure.air_capacity);
+    EXPECT_EQ(&at("zone.room.surface.wall.area"), &room.surfaces[0].area);
+    EXPECT_EQ(&at("zone.room.window.south.shading_factor"),
               &room.windows[0].shading.value);
-    EXPECT_EQ(&at("zones.room.flows.infiltration.air_change"),
+    EXPECT_EQ(&at("zone.room.flow.infiltration.air_change"),
               &room.flows[0].air_change.value);
-    EXPECT_EQ(&at("zones.room.loads.equipment.density"), &room.loads[0].density.value);
-    EXPECT_EQ(&at("zones.room.couplings.hall.conductance"),
+    EXPECT_EQ(&at("zone.room.load.equipment.density"), &room.loads[0].density.value);
+    EXPECT_EQ(&at("zone.room.coupling.hall.conductance"),
               &room.couplings[0].conductance.value);
     EXPECT_EQ(&at("plant.cooling_cop"), &b.plant.cooling_cop.value);
 }
 
 TEST(Resolve, TakesAStarForEveryName) {
     const Building b = two_zones();
-    EXPECT_EQ(resolve(b, "zones.*.volume").size(), 2u);
-    EXPECT_EQ(resolve(b, "zones.*.loads.*.density").size(), 2u);
-    EXPECT_EQ(resolve(b, "constructions.*.u_value.low").size(), 1u);
-    EXPECT_EQ(resolve(b, "zones.*.couplings.hall.air_flow").size(), 1u);
+    EXPECT_EQ(resolve(b, "zone.*.volume").size(), 2u);
+    EXPECT_EQ(resolve(b, "zone.*.load.*.density").size(), 2u);
+    EXPECT_EQ(resolve(b, "construction.*.u_value.low").size(), 1u);
+    EXPECT_EQ(resolve(b, "zone.*.coupling.hall.air_flow").size(), 1u);
 }
 
 TEST(Resolve, SaysWhatWouldHaveMatched) {
-    EXPECT_EQ(refusal("zones.rom.volume"),
-              "zones.rom.volume: there is no \"rom\" after zones; expected hall, room");
-    EXPECT_NE(refusal("zone.room.volume").find("no \"zone\" at its start"),
+    EXPECT_EQ(refusal("zone.rom.volume"),
+              "zone.rom.volume: there is no \"rom\" after zone; expected hall, room");
+    EXPECT_NE(refusal("zones.room.volume").find("no \"zones\" at its start"),
               std::string::npos);
-    EXPECT_NE(refusal("zone.room.volume").find("boundaries, constructions"),
+    EXPECT_NE(refusal("zones.room.volume").find("boundary, construction"),
               std::string::npos);
     EXPECT_NE(refusal("plant.cop").find("cooling_cop, heating_efficiency"),
               std::string::npos);
-    EXPECT_NE(refusal("zones.room.loads.equipment").find("not complete"),
+    EXPECT_NE(refusal("zone.room.load.equipment").find("not complete"),
               std::string::npos);
-    EXPECT_NE(refusal("zones.room.volume.high")
-                  .find("nothing may stand after zones.room.volume"),
-              std::string::npos);
-    EXPECT_NE(refusal("zones.room.volume.low").find("no low"), std::string::npos);
+    EXPECT_NE(
+        refusal("zone.room.volume.high").find("nothing may stand after zone.room.volume"),
+        std::string::npos);
+    EXPECT_NE(refusal("zone.room.volume.low").find("no low"), std::string::npos);
     EXPECT_NE(refusal("plant.*").find("no \"*\""), std::string::npos);
-    EXPECT_NE(refusal("zones.room.*").find("no \"*\""), std::string::npos);
+    EXPECT_NE(refusal("zone.room.*").find("no \"*\""), std::string::npos);
     EXPECT_NE(refusal(""), "");
     EXPECT_NE(refusal("..."), "");
 }
@@ -150,8 +150,8 @@ TEST(Resolve, SaysWhatWouldHaveMatched) {
 TEST(Apply, ReplacesMultipliesAndShifts) {
     const Building nominal = two_zones();
     const std::vector<Parameter> parameters = {
-        parameter(nominal, "constructions.wall.u_value", Effect::factor),
-        parameter(nominal, "zones.*.heating_set_point", Effect::offset),
+        parameter(nominal, "construction.wall.u_value", Effect::factor),
+        parameter(nominal, "zone.*.heating_set_point", Effect::offset),
         parameter(nominal, "plant.cooling_cop")};
     Building point = nominal;
     for (int repeat = 0; repeat < 2; ++repeat) {  // twice gives the same as once
@@ -167,7 +167,7 @@ TEST(Apply, ReplacesMultipliesAndShifts) {
 TEST(Apply, ChangesTheLowOfAnInputAlone) {
     const Building nominal = two_zones();
     Building point = nominal;
-    apply(nominal, std::vector{parameter(nominal, "zones.room.heating_set_point.low")},
+    apply(nominal, std::vector{parameter(nominal, "zone.room.heating_set_point.low")},
           std::vector<double>{15}, point);
     EXPECT_EQ(point.zones[0].thermostat.heating_set_point.low, 15);
     EXPECT_EQ(point.zones[0].thermostat.heating_set_point.value, 20);

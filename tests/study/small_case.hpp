@@ -85,9 +85,9 @@ inline study::Case small_case() {
     made.weather = made_up_weather(28);
     made.profiles.push_back({"office_hours", false, office_hours(), {}, {}});
     made.parameters = {
-        parameter(made.building, "zones.office.flows.air.air_change", 0.3, 1.5, 0.8),
-        parameter(made.building, "glazings.window.solar_transmittance", 0.3, 0.7, 0.5),
-        parameter(made.building, "zones.office.heating_set_point", 20, 22, 21)};
+        parameter(made.building, "zone.office.flow.air.air_change", 0.3, 1.5, 0.8),
+        parameter(made.building, "glazing.window.solar_transmittance", 0.3, 0.7, 0.5),
+        parameter(made.building, "zone.office.heating_set_point", 20, 22, 21)};
     made.periods = {{"training", day(7), day(17)}, {"held_out", day(17), day(24)}};
     made.warm_up_hours = 96;
     return made;

@@ -85,7 +85,7 @@ TEST(HourlySensitivity, EqualsPlainIndicesForAnyNumberOfBasePoints) {
 TEST(HourlySensitivity, LeavesFailedBasePointsOutAndCountsThem) {
     Case made = small_case();
     made.parameters.push_back(
-        test::parameter(made.building, "zones.office.mass_area_ratio", 0.01, 2.5, 2.5));
+        test::parameter(made.building, "zone.office.mass_area_ratio", 0.01, 2.5, 2.5));
     const auto stage =
         make_hourly_sensitivity("small/hourly", made, made.periods[0],
                                 physics::Quantity::heating, options_of(256));

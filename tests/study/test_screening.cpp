@@ -186,7 +186,7 @@ TEST(Screening, KeepsTheSameBestAndCountsWithoutThePoints) {
 TEST(Screening, StoresFailedPointsWithTheirReason) {
     Case made = case_measured_at(truth);
     made.parameters.push_back(
-        test::parameter(made.building, "zones.office.mass_area_ratio", 0.01, 2.5, 2.5));
+        test::parameter(made.building, "zone.office.mass_area_ratio", 0.01, 2.5, 2.5));
     const auto datasets = run(*make_screening("s", made, options_of(300, true)));
     const auto n_failed = find(datasets, "n_failed").values[0];
     ASSERT_GT(n_failed, 0);
@@ -215,7 +215,7 @@ TEST(Screening, GoesOnWithoutAnItemThatFailedAsAWhole) {
 TEST(Screening, ConcludesWhereEveryPointFails) {
     Case made = case_measured_at(truth);
     made.parameters.push_back(test::parameter(
-        made.building, "zones.office.mass_area_ratio", 0.001, 0.002, 0.001));
+        made.building, "zone.office.mass_area_ratio", 0.001, 0.002, 0.001));
     const auto datasets = run(*make_screening("s", made, options_of(20, false)));
     EXPECT_EQ(find(datasets, "n_failed").values[0], 21);
     EXPECT_FALSE(has(datasets, "best_point"));
