@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "job/readers.hpp"
+#include "job/result_names.hpp"
 
 #include <cmath>
 #include <list>
@@ -58,8 +59,7 @@ study::Case read_case(const Sources& sources, InputFiles& files) {
 }
 
 void add_case(Job& job, study::Case building, const Section& own) {
-    if (building.name.find('/') != std::string::npos)
-        own.fail_value("name", "has a slash, which parts the names of a result");
+    check_name(own, "name", Named::building, building.name);
     for (const study::Case& other : job.buildings)
         if (other.name == building.name)
             own.fail("name",

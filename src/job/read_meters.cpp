@@ -4,6 +4,7 @@
 #include "job/data_checks.hpp"
 #include "job/intervals.hpp"
 #include "job/readers.hpp"
+#include "job/result_names.hpp"
 #include "job/suggest.hpp"
 #include "job/timed_csv.hpp"
 #include "job/units.hpp"
@@ -176,13 +177,13 @@ class MeterReader {
             if (masked) std::fill_n(series.values.begin() + run.first, run.n, missing);
         }
         const double h = series.axis.step_s / 3600.0;
-        decide(
-            fmt::format(
-                "{} runs of {} over {} h, {:g} h in all; the longest: {:g} h from {}",
-                runs.size(), zeros ? "zeros" : "the same value", hours, total * h,
-                longest.n * h, physics::format_time(series.axis.begin_of(longest.first))),
-            masked ? "masked"
-                   : fmt::format("kept; {} = \"missing\" would mask them", key));
+        decide(fmt::format(
+                   "{} run{} of {} over {} h, {:g} h in all; the longest: {:g} h from {}",
+                   runs.size(), runs.size() == 1 ? "" : "s",
+                   zeros ? "zeros" : "the same value", hours, total * h, longest.n * h,
+                   physics::format_time(series.axis.begin_of(longest.first))),
+               masked ? "masked"
+                      : fmt::format("kept; {} = \"missing\" would mask them", key));
     }
 
     void convert(RegularSeries& series) {
@@ -253,8 +254,7 @@ void read_meters(const Sources& sources, InputFiles& files, study::Case& buildin
         for (const Meter& other : building.meters)
             if (other.name == meter.name)
                 section.fail_value("name", "another meter has this name");
-        if (meter.name == "hourly")
-            section.fail_value("name", "a result's hourly series have this name");
+        check_name(section, "name", Named::meter, meter.name);
         building.meters.push_back(std::move(meter));
     }
 }

@@ -1,5 +1,6 @@
 /// [periods], and dates as meters write them.
 #include "job/readers.hpp"
+#include "job/result_names.hpp"
 
 #include <algorithm>
 
@@ -41,6 +42,7 @@ std::vector<study::Period> read_periods(const Sources& sources) {
                                      days.size()));
         periods.push_back(read_range(section, entry.key, days[0], days[1]));
         periods.back().name = entry.key;
+        check_name(section, entry.key, Named::period, entry.key);
     }
     std::stable_partition(periods.begin(), periods.end(),
                           [](const auto& period) { return period.name == "training"; });

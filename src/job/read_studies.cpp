@@ -1,5 +1,6 @@
 /// [[study]]: what is to be done with every building.
 #include "job/readers.hpp"
+#include "job/result_names.hpp"
 #include "job/suggest.hpp"
 #include "physics/office_hour.hpp"
 
@@ -91,8 +92,7 @@ StudySpec read_study(const Section& section, std::uint64_t seed) {
     study.kind = section.choice_as<StudyKind>("kind");
     study.name = section.has("name") ? section.text("name") : section.choice("kind");
     study.sensitivity.seed = study.screening.seed = seed;
-    if (study.name.find('/') != std::string::npos)
-        section.fail_value("name", "has a slash, which parts the names of a result");
+    check_name(section, "name", Named::study, study.name);
     if (study.kind == StudyKind::screening)
         read_screening(section, study.screening);
     else

@@ -123,7 +123,7 @@ TEST(Job, RunsOfZerosAreReportedAndMaskedOnlyWhenAsked) {
         return study::DataDecision{};
     };
     EXPECT_EQ(finding(kept).finding,
-              "1 runs of zeros over 24 h, 50 h in all; the longest: 50 h from "
+              "1 run of zeros over 24 h, 50 h in all; the longest: 50 h from "
               "2021-01-05 04:00:00");
     const study::Case masked = with_meter("zeros = \"missing\"", zeros);
     EXPECT_TRUE(std::isnan(masked.meters[0].values[120]));

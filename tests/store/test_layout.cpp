@@ -1,5 +1,7 @@
+#include "job/result_names.hpp"
 #include "store/layout.hpp"
 
+#include <algorithm>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -20,6 +22,25 @@ TEST(Layout, EveryNumberHasAUnitAndEveryRowAMeaning) {
         EXPECT_EQ(std::string(row.unit).empty(), row.kind == Kind::text) << row.leaf;
         EXPECT_FALSE(std::string(row.meaning).empty()) << row.leaf;
     }
+}
+
+/// A period's group stands in its study's, beside the datasets and dimensions there.
+TEST(Layout, NoPeriodMayBeCalledAsWhatAScreeningStores) {
+    const auto at = [](const char* leaf) {
+        return std::ranges::find_if(layout(), [&](const LayoutRow& row) {
+            return row.leaf == std::string(leaf);
+        });
+    };
+    const auto check = [](auto first, auto last) {
+        for (auto row = first; row <= last; ++row) {
+            std::istringstream names(std::string(row->leaf) + " " + row->dims);
+            for (std::string name; names >> name;)
+                EXPECT_NE(job::refusal_of_name(job::Named::period, name), "") << name;
+        }
+    };
+    check(at("parameter"), at("failed_reason"));
+    check(at("meter"), at("n_points"));
+    EXPECT_EQ(job::refusal_of_name(job::Named::period, "heating"), "");
 }
 
 TEST(Layout, NoRowHasADimensionTwiceSinceNetcdfReadersRefuseThat) {

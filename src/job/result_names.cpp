@@ -1,0 +1,91 @@
+#include "job/result_names.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace bemcal::job {
+
+namespace {
+
+/// Beside the buildings in a result.
+constexpr const char* of_result[] = {"run", "inputs", "input_file"};
+/// Beside the studies of a building.
+constexpr const char* of_building[] = {"data"};
+/// Beside the periods of a screening: its datasets and dimensions. A test holds the list
+/// to the layout of results.
+constexpr const char* of_screening[] = {"parameter",
+                                        "parameter_unit",
+                                        "parameter_least",
+                                        "parameter_most",
+                                        "n_failed",
+                                        "failure",
+                                        "failed_point",
+                                        "failed_reason",
+                                        "meter",
+                                        "meter_unit",
+                                        "period",
+                                        "candidate",
+                                        "metric",
+                                        "resolution",
+                                        "point",
+                                        "points",
+                                        "score",
+                                        "cv_rmse",
+                                        "nmbe",
+                                        "mape",
+                                        "monthly_cv_rmse",
+                                        "monthly_nmbe",
+                                        "monthly_mape",
+                                        "meets_guideline_14",
+                                        "guideline_14_count",
+                                        "rank",
+                                        "best_point",
+                                        "best_score",
+                                        "best_parameters",
+                                        "best_cv_rmse",
+                                        "best_nmbe",
+                                        "best_mape",
+                                        "best_monthly_cv_rmse",
+                                        "best_monthly_nmbe",
+                                        "best_monthly_mape",
+                                        "candidate_parameters",
+                                        "fit",
+                                        "monthly_fit",
+                                        "n_points"};
+/// Beside the meters of a period.
+constexpr const char* of_period[] = {"hourly"};
+
+std::span<const char* const> taken(Named kind) {
+    switch (kind) {
+        case Named::building:
+            return of_result;
+        case Named::study:
+            return of_building;
+        case Named::period:
+            return of_screening;
+        case Named::meter:
+            return of_period;
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string refusal_of_name(Named kind, const std::string& name) {
+    if (name.find('/') != std::string::npos)
+        return "has a slash, which parts the names of a result; expected another name";
+    const auto names = taken(kind);
+    if (name == "." || name == ".." || std::ranges::find(names, name) != names.end())
+        return "something else in a result has this name; expected another name";
+    return {};
+}
+
+void check_name(const Section& section, std::string_view key, Named kind,
+                const std::string& name) {
+    const std::string refusal = refusal_of_name(kind, name);
+    if (refusal.empty()) return;
+    if (section.has(key) && kind != Named::period) section.fail_value(key, refusal);
+    section.fail(key, "\"" + name + "\": " + refusal);
+}
+
+}  // namespace bemcal::job
