@@ -129,8 +129,9 @@ Csv parse_csv(const std::string& text, const std::string& file) {
         const std::size_t before = csv.cells.size();
         split(line, separator, csv.cells);
         if (const std::size_t n = csv.cells.size() - before; n != csv.columns.size())
-            fail_data(fmt::format("{}:{}: has {} cells; expected {} as in the first line",
-                                  file, lines.number(), n, csv.columns.size()));
+            fail_data(fmt::format(
+                "{}:{}: has {} cell{}; expected {} as in the first line", file,
+                lines.number(), n, n == 1 ? "" : "s", csv.columns.size()));
         csv.lines.push_back(lines.number());
     }
     if (csv.lines.empty())

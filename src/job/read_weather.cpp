@@ -63,9 +63,18 @@ ColumnSource column_source(const Section& section, const char* key,
     return source;
 }
 
+/// "FILE:LINE" of the row that holds the beginning of an interval.
+std::string row_at(const TimedCsv& file, physics::Seconds begin) {
+    const auto& begins = file.stamps.begins;
+    const auto row = std::lower_bound(begins.begin(), begins.end(), begin);
+    if (row == begins.end()) return file.csv->file;
+    return fmt::format("{}:{}", file.csv->file,
+                       file.csv->lines[static_cast<std::size_t>(row - begins.begin())]);
+}
+
 /// Numbers outside the range that the table gives are a wrong unit or a missing-value
 /// code.
-void check_range(const RegularSeries& series, const Key& row, const std::string& file,
+void check_range(const RegularSeries& series, const Key& row, const TimedCsv& file,
                  const std::string& column) {
     for (std::size_t k = 0; k < series.values.size(); ++k) {
         const double value = series.values[k];
@@ -73,10 +82,9 @@ void check_range(const RegularSeries& series, const Key& row, const std::string&
         throw UserError(
             ExitCode::data,
             fmt::format(
-                "{}: {} = {:g} at {}: expected {:g} to {:g} {} for {}; set factor and "
-                "offset for another unit, leave the cell empty where it is missing",
-                file, column, value,
-                physics::format_time(series.axis.begin_of(static_cast<int>(k))),
+                "{}:{}: {:g}: expected {:g} to {:g} {} for {}; set factor and offset for "
+                "another unit, leave the cell empty where it is missing",
+                row_at(file, series.axis.begin_of(static_cast<int>(k))), column, value,
                 row.least, row.most, row.unit, row.key));
     }
 }
@@ -84,11 +92,11 @@ void check_range(const RegularSeries& series, const Key& row, const std::string&
 RegularSeries read_column(const Section& section, const char* key, const TimedCsv& file) {
     const ColumnSource source = column_source(section, key, file.rules);
     RegularSeries series = series_of(file, source.column);
+    for (double& value : series.values) value = value * source.factor + source.offset;
+    check_range(series, *find_key("weather.columns", key), file, source.column);
     const int shift =
         static_cast<int>(source.at_end) - static_cast<int>(file.rules.at_end);
     series.axis.start -= std::chrono::seconds(shift * series.axis.step_s);
-    for (double& value : series.values) value = value * source.factor + source.offset;
-    check_range(series, *find_key("weather.columns", key), file.csv->file, source.column);
     return hourly_means(series, file.csv->file);
 }
 
@@ -196,17 +204,27 @@ void average(std::vector<double>& theta_e, bool at_end) {
     if (!at_end) std::reverse(theta_e.begin(), theta_e.end());
 }
 
+/// What helps where the weather does not cover a period.
+const char* advice_on(const study::Period& period, const physics::TimeAxis& axis) {
+    constexpr std::chrono::hours hour(1);
+    if (period.from == axis.start - hour)
+        return "where a stamp is the end of its hour, set stamp = \"end\"";
+    if (period.to == axis.end() + hour)
+        return "where a stamp is the start of its hour, set stamp = \"start\"";
+    return "give more files, or choose another period";
+}
+
 void check_periods(const Section& section, const study::Case& building) {
     const physics::TimeAxis& axis = building.weather.axis;
     for (const study::Period& period : building.periods)
         if (period.from < axis.start || period.to > axis.end())
             section.fail(
                 "files",
-                fmt::format("the period {} is {} to {}, but the weather covers {} to {}",
-                            period.name, physics::format_time(period.from),
-                            physics::format_time(period.to),
-                            physics::format_time(axis.start),
-                            physics::format_time(axis.end())));
+                fmt::format(
+                    "the period {} is {} to {}, but the weather covers {} to {}; {}",
+                    period.name, physics::format_time(period.from),
+                    physics::format_time(period.to), physics::format_time(axis.start),
+                    physics::format_time(axis.end()), advice_on(period, axis)));
 }
 
 bool in_a_period(const study::Case& building, physics::Seconds time) {
