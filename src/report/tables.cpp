@@ -4,6 +4,7 @@
 #include "report/text_table.hpp"
 
 #include <map>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -14,6 +15,22 @@ std::string value_or(const std::map<std::string, std::string>& attributes,
                      const char* name) {
     const auto found = attributes.find(name);
     return found == attributes.end() ? "?" : found->second;
+}
+
+/// Simulations that failed for the same reason, with other numbers.
+struct Reason {
+    int count = 0;
+    std::string first;
+    bool differs = false;
+};
+
+/// The words without a digit: which reason it is.
+std::string without_numbers(const std::string& reason) {
+    std::istringstream words(reason);
+    std::string text;
+    for (std::string word; words >> word;)
+        if (word.find_first_of("0123456789") == std::string::npos) text += word + " ";
+    return text;
 }
 
 }  // namespace
@@ -30,14 +47,20 @@ std::string decision_section(const Group& data) {
 std::string failure_lines(const Group& study) {
     const double n_failed = study.value("n_failed");
     if (!(n_failed > 0)) return {};
-    std::map<std::string, int> counts;
-    for (const std::string& reason : study.texts("failed_reason")) ++counts[reason];
-    std::string text = fmt::format("  {:.0f} simulations failed:\n", n_failed);
+    std::map<std::string, Reason> reasons;
+    for (const std::string& text : study.texts("failed_reason")) {
+        Reason& reason = reasons[without_numbers(text)];
+        if (reason.count++ == 0) reason.first = text;
+        reason.differs = reason.differs || text != reason.first;
+    }
+    std::string text = fmt::format("  {:.0f} simulation{} failed:\n", n_failed,
+                                   n_failed == 1 ? "" : "s");
     int n_shown = 0;
-    for (const auto& [reason, count] : counts) {
+    for (const auto& [key, reason] : reasons) {
         if (++n_shown > 10)
-            return text + fmt::format("  and for {} more reasons\n", counts.size() - 10);
-        text += fmt::format("  {:>8} x {:.85}\n", count, reason);
+            return text + fmt::format("  and for {} more reasons\n", reasons.size() - 10);
+        text += fmt::format("  {:>8} x {}{}\n", reason.count,
+                            reason.differs ? "like: " : "", reason.first);
     }
     return text;
 }
@@ -65,7 +88,7 @@ std::string status_of(const store::ResultFile& result) {
         "  job {}, seed {}, version {}\n", value_or(result.attributes, "title"),
         value_or(result.attributes, "seed"), value_or(result.attributes, "version"));
     const auto& run = result.run;
-    text += fmt::format("  run on {} from {} to {}: {} ranks, {} threads, {}\n",
+    text += fmt::format("  run on {} from {} to {}: ranks: {}, threads: {}, {}\n",
                         value_or(run, "host"), value_or(run, "started"),
                         value_or(run, "finished"), value_or(run, "n_ranks"),
                         value_or(run, "n_threads"), value_or(run, "instruction_set"));

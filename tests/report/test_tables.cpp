@@ -103,6 +103,16 @@ TEST(Tables, FailuresAreCountedByReason) {
     EXPECT_NE(text.find("2 x reason one"), std::string::npos) << text;
 }
 
+TEST(Tables, FailuresThatDifferInTheirNumbersOnlyAreCountedTogether) {
+    store::ResultFile result = sensitivity_result();
+    for (Dataset& dataset : result.datasets)
+        if (dataset.path.ends_with("failed_reason"))
+            dataset.texts = {"H = 10.5 W/K", "H = 9e-3 W/K", "other"};
+    const std::string text = tables_of(result);
+    EXPECT_NE(text.find("2 x like: H = 10.5 W/K\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("1 x other\n"), std::string::npos) << text;
+}
+
 TEST(Tables, MetricsComeFromTheStoredSeries) {
     const std::string text = tables_of(screening_result());
     EXPECT_NE(text.find("10.0 ->   0.0"), std::string::npos)
