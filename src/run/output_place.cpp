@@ -70,7 +70,9 @@ OutputPlace prepare_output(const fs::path& output, Existing existing,
                            const Identity& identity) {
     const fs::path folder = part_folder_of(output);
     OutputPlace place;
-    if (fs::is_directory(output)) refuse(fmt::format("{}: is a folder", output.string()));
+    if (fs::is_directory(output) || !output.has_filename())
+        refuse(fmt::format("{}: is a folder; expected a file, like {}", output.string(),
+                           (output / "result.h5").string()));
     refuse_running(folder);
     if (existing == Existing::refuse) refuse_existing(output, folder);
     if (existing == Existing::resume && fs::exists(folder / "identity.txt")) {

@@ -24,6 +24,7 @@ std::string last_error() {
             return 0;
         },
         &text);
+    text = text.substr(0, text.find(": time = "));  // then come buffers and offsets
     return text.empty() ? "no reason given" : text;
 }
 

@@ -195,6 +195,10 @@ ResultFile read_result(const std::filesystem::path& file) {
     if (!std::filesystem::exists(file))
         throw UserError(ExitCode::no_input,
                         fmt::format("{}: no such file", file.string()));
+    if (std::filesystem::is_directory(file))
+        throw UserError(
+            ExitCode::no_input,
+            fmt::format("{}: is a folder; expected a result file", file.string()));
     try {
         ResultFile result = read_open(hdf5::File::open(file));
         if (!result.attributes.contains("program"))
