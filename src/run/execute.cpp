@@ -82,15 +82,21 @@ class Execution {
         return true;
     }
 
+    std::string title() const {
+        const auto found = work_.frame.attributes.find("title");
+        return found == work_.frame.attributes.end() ? "job" : found->second;
+    }
+
     void announce() {
         threads_ = plan_threads(comm_, options_.n_threads);
         long long n_simulations = 0;
         for (const auto& stage : work_.stages) n_simulations += stage->n_simulations();
         say(fmt::format(
-            "{} stage{}, {} simulations; {} rank{}, {} compute thread{}; writing {}",
-            work_.stages.size(), work_.stages.size() == 1 ? "" : "s", n_simulations,
-            comm_.size(), comm_.size() == 1 ? "" : "s", threads_.n_threads_total,
-            threads_.n_threads_total == 1 ? "" : "s", options_.output.string()));
+            "{}: {} stage{}, {} simulations; {} rank{}, {} compute thread{}; writing {}",
+            title(), work_.stages.size(), work_.stages.size() == 1 ? "" : "s",
+            n_simulations, comm_.size(), comm_.size() == 1 ? "" : "s",
+            threads_.n_threads_total, threads_.n_threads_total == 1 ? "" : "s",
+            options_.output.string()));
         for (const std::string& warning : threads_.warnings) say("warning: " + warning);
         if (is_first() && options_.on_stage) options_.on_stage(work_.frame);
     }
@@ -222,8 +228,10 @@ class Execution {
         lock_.reset();
         std::error_code ignored;
         std::filesystem::remove_all(part_folder_of(options_.output), ignored);
-        say(fmt::format("wrote {}, result hash {}", options_.output.string(),
-                        outcome.hash));
+        say(
+            fmt::format("wrote {0}, result hash {1}; its tables again: bemcal-batch "
+                        "report {0}",
+                        options_.output.string(), outcome.hash));
         outcome.code = budget();
         return outcome;
     }
