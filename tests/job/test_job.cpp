@@ -65,7 +65,7 @@ TEST(Job, ReadingsStandAtTheBeginOfTheirHourAndMaskedDaysAreMissing) {
 
 TEST(Job, ParametersKnowUnitRangeAndNominal) {
     const Folder folder;
-    const auto& parameters = read_job(write_small_office(folder)).buildings[0].parameters;
+    const auto parameters = read_job(write_small_office(folder)).buildings[0].parameters;
     ASSERT_EQ(parameters.size(), 3U);
     EXPECT_EQ(parameters[0].unit, "1/h");
     EXPECT_EQ(parameters[0].nominal, 0.4);
