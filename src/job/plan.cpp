@@ -1,5 +1,7 @@
 #include "job/plan.hpp"
 
+#include "base/error.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -84,14 +86,17 @@ bool is_coupled(const Case& building) {
                        [](const physics::Zone& zone) { return !zone.couplings.empty(); });
 }
 
-/// Rough costs on one core [s]; `bench kernel` measures the real ones.
-constexpr double kernel_step_s = 3e-9, coupled_step_s = 3e-7, office_hour_s = 1e-6;
+/// Rough costs of a zone-step on one core with AVX2 [s]: sums only, and errors against
+/// meters; `bench kernel` measures the real ones.
+constexpr double sums_step_s = 1e-9, errors_step_s = 2e-9, coupled_step_s = 3e-7;
+constexpr double office_hour_s = 1e-6;
 
 double seconds_of(const StudySpec& study, const Case* building, const Stage& stage) {
     const auto n = static_cast<double>(stage.n_simulations());
     if (building == nullptr) return n * office_hour_s;
-    return n * steps_of(study, *building) *
-           (is_coupled(*building) ? coupled_step_s : kernel_step_s);
+    const double steps = n * steps_of(study, *building);
+    if (is_coupled(*building)) return steps * coupled_step_s;
+    return steps * (study.kind == StudyKind::sensitivity ? sums_step_s : errors_step_s);
 }
 
 std::string words_of_bytes(double bytes) {
@@ -162,9 +167,20 @@ std::string building_lines(const Job& job) {
     return text;
 }
 
+/// A job without studies can be read, but there is nothing to plan.
+void check_studies(const Job& job) {
+    if (job.studies.empty())
+        throw UserError(
+            ExitCode::config,
+            fmt::format("{}:1: study: is missing; expected sections [[study]] "
+                        "with a kind, like \"screening\"",
+                        job.file.string()));
+}
+
 }  // namespace
 
 Stages make_plan(const Job& job) {
+    check_studies(job);
     Stages stages;
     for (const StudySpec& study : job.studies)
         for (auto& stage : stages_of(study, job)) stages.push_back(std::move(stage));
@@ -172,6 +188,7 @@ Stages make_plan(const Job& job) {
 }
 
 std::string plan_text(const Job& job, int cores) {
+    check_studies(job);
     Total total;
     std::string text =
         fmt::format("{}: buildings: {}, studies: {}, files read: {}\n", job.name,

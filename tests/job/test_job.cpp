@@ -185,5 +185,19 @@ TEST(Plan, HasAStageForEachStudyWithANameOfItsOwn) {
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
+TEST(Plan, OfAJobWithoutStudiesSaysWhatIsMissing) {
+    Job job;
+    job.file = "office.toml";
+    for (const bool is_check : {true, false}) {
+        try {
+            is_check ? void(plan_text(job, 2)) : void(make_plan(job));
+            FAIL() << "nothing was refused";
+        } catch (const UserError& error) {
+            EXPECT_EQ(error.exit_code(), ExitCode::config);
+            EXPECT_NE(std::string(error.what()).find("[[study]]"), std::string::npos);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace bemcal::job
