@@ -33,7 +33,8 @@ fs::path job_file(const fs::path& named) {
     const fs::path folder = fs::absolute(named).lexically_normal();
     const fs::path name =
         folder.has_filename() ? folder.filename() : folder.parent_path().filename();
-    return named / (name.string() + ".toml");
+    const fs::path job = named / (name.string() + ".toml");
+    return !fs::exists(job) && fs::exists(named / "job.toml") ? named / "job.toml" : job;
 }
 
 fs::path find_quickstart(const std::vector<fs::path>& shared) {
