@@ -120,9 +120,11 @@ std::string part_status(const std::filesystem::path& folder) {
     const store::LogContent logs = store::read_logs(folder);
     const bool is_running = FolderLock(folder).is_taken_by_another();
     std::map<int, int> done = items_by_stage(logs);
-    std::string text = is_running
-                           ? "not complete: a run is writing it now\n"
-                           : "not complete: `bemcal-batch run JOB --resume` goes on\n";
+    std::string text = is_running ? "not complete: a run is writing it now\n"
+                                  : fmt::format(
+                                        "not complete: `bemcal-batch run JOB -o {} "
+                                        "--resume` goes on\n",
+                                        (folder.parent_path() / folder.stem()).string());
     int stage = 0;
     for (const auto& [key, value] : identity)
         if (key.starts_with(stage_prefix))
