@@ -62,6 +62,13 @@ void check_range(const Section& section, const Building& building,
     }
 }
 
+/// A factor has none, and a shift of a temperature is a difference.
+std::string unit_of(const Parameter& parameter) {
+    if (parameter.effect == Effect::factor) return "-";
+    const std::string unit = field_of(parameter.targets[0]).unit;
+    return parameter.effect == Effect::offset && unit == "degC" ? "K" : unit;
+}
+
 double nominal_of(const Building& building, const Parameter& parameter) {
     if (parameter.effect == Effect::factor) return 1;
     if (parameter.effect == Effect::offset) return 0;
@@ -95,8 +102,7 @@ Parameter read_parameter(const Section& section, const Building& building) {
     parameter.most = section.number("max");
     read_targets(section, building, parameter);
     check_range(section, building, parameter);
-    const bool has_unit = parameter.effect != Effect::factor;
-    parameter.unit = has_unit ? field_of(parameter.targets[0]).unit : "-";
+    parameter.unit = unit_of(parameter);
     parameter.nominal = nominal_of(building, parameter);
     return parameter;
 }

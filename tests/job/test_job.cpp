@@ -185,6 +185,15 @@ TEST(Plan, HasAStageForEachStudyWithANameOfItsOwn) {
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
+TEST(Parameters, AShiftOfATemperatureIsInKelvin) {
+    const Folder folder;
+    const std::string shift =
+        "\n[[parameter]]\nname = \"shift\"\ntarget = \"zone.office.heating_set_point\"\n"
+        "mode = \"offset\"\nmin = -0.5\nmax = 0.5\n";
+    const auto file = write_small_office(folder, small_office_text() + shift);
+    EXPECT_EQ(read_job(file).buildings[0].parameters.back().unit, "K");
+}
+
 TEST(Plan, OfAJobWithoutStudiesSaysWhatIsMissing) {
     Job job;
     job.file = "office.toml";
