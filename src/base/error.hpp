@@ -1,7 +1,7 @@
 /// Errors that a user can cause, each with the exit code of BSD's sysexits.
 ///
-/// A message says where (file:line:key or file:row:column), what is wrong, why, and what to
-/// write instead. `require` guards against our own mistakes; no input may reach it.
+/// A message says where (file:line:key or file:row:column), what is wrong, why, and what
+/// to write instead. `require` guards against our own mistakes; no input may reach it.
 #pragma once
 
 #include <stdexcept>
@@ -11,14 +11,14 @@ namespace bemcal {
 
 enum class ExitCode {
     ok = 0,
-    usage = 64,         ///< the command line
-    data = 65,          ///< the content of a data file
-    no_input = 66,      ///< a file that cannot be opened
-    software = 70,      ///< our own mistake
-    cannot_create = 73, ///< an output that exists or cannot be made
-    io = 74,            ///< reading or writing failed, the disk is full
-    more_to_do = 75,    ///< stopped by a signal or a time limit; `--resume` goes on
-    config = 78,        ///< the job file
+    usage = 64,          ///< the command line
+    data = 65,           ///< the content of a data file
+    no_input = 66,       ///< a file that cannot be opened
+    software = 70,       ///< our own mistake
+    cannot_create = 73,  ///< an output that exists or cannot be made
+    io = 74,             ///< reading or writing failed, the disk is full
+    more_to_do = 75,     ///< stopped by a signal or a time limit; `--resume` goes on
+    config = 78,         ///< the job file
 };
 
 /// What a user has to mend; caught in main, printed, and turned into the exit code.

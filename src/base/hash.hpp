@@ -1,4 +1,4 @@
-/// A 128-bit content hash (XXH3): result hashes, the identity of input files, log records.
+/// A 128-bit content hash (XXH3): for results, the identity of input files, log records.
 #pragma once
 
 #include <cstddef>
@@ -18,9 +18,9 @@ class Hasher {
     Hasher& operator=(const Hasher&) = delete;
 
     void add(const void* data, std::size_t bytes);
-    void add(std::string_view text);              ///< length first, so that "ab","c" != "a","bc"
-    void add(std::span<const double> values);     ///< their bits; every NaN counts as the same
-    std::string hex() const;                      ///< 32 hexadecimal digits of all added so far
+    void add(std::string_view text);  ///< length first, so that "ab","c" != "a","bc"
+    void add(std::span<const double> values);  ///< bits; all NaN are the same
+    std::string hex() const;  ///< 32 hexadecimal digits of all added so far
 
   private:
     struct State;

@@ -16,7 +16,9 @@ struct Matrix {
     Matrix(std::size_t n_rows, std::size_t n_cols, double fill = 0.0)
         : rows(n_rows), cols(n_cols), values(n_rows * n_cols, fill) {}
 
-    double& operator()(std::size_t row, std::size_t col) { return values[row * cols + col]; }
+    double& operator()(std::size_t row, std::size_t col) {
+        return values[row * cols + col];
+    }
     double operator()(std::size_t row, std::size_t col) const {
         return values[row * cols + col];
     }

@@ -1,8 +1,8 @@
-/// Counter-based random numbers: a stream belongs to an item, never to a rank or a thread.
+/// Counter-based random numbers: a stream belongs to an item, not to a rank or a thread.
 ///
-/// Philox-4x32-10 (Salmon et al. 2011, SC11, doi:10.1145/2063384.2063405). The key is the job's
-/// seed, the upper counter words are the stage and the item, so that any item's numbers can be
-/// made anywhere, in any order.
+/// Philox-4x32-10 (Salmon et al. 2011, SC11, doi:10.1145/2063384.2063405). The key is the
+/// job's seed, the upper counter words are the stage and the item, so that any item's
+/// numbers can be made anywhere, in any order.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@ class Stream {
     static constexpr result_type max() { return 0xffffffffU; }
     result_type operator()();
 
-    double uniform();                                    ///< in (0, 1), 53 bits
-    std::uint32_t below(std::uint32_t n);                ///< integer in [0, n), unbiased
+    double uniform();                      ///< in (0, 1), 53 bits
+    std::uint32_t below(std::uint32_t n);  ///< integer in [0, n), unbiased
 
   private:
     void refill();

@@ -15,8 +15,8 @@ struct Csv {
     std::string file;                  ///< for messages
     std::vector<std::string> columns;  ///< names in the first line
     std::vector<int> lines;            ///< [n_rows] line of the file, from 1
-    std::vector<std::string_view>
-        cells;  ///< [n_rows x n_columns], quotes and blanks taken off
+    /// [n_rows x n_columns], quotes and blanks taken off.
+    std::vector<std::string_view> cells;
 
     std::size_t n_rows() const { return lines.size(); }
     std::string_view cell(std::size_t row, std::size_t column) const {

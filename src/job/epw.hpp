@@ -28,8 +28,8 @@ struct EpwOptions {
 struct EpwFile {
     physics::Weather weather;  ///< irradiance complete, temperature without gaps
     std::string place;         ///< as in the header
-    std::vector<std::string>
-        decisions;  ///< what was filled, derived or ignored: one sentence each
+    /// What was filled, derived or ignored: one sentence each.
+    std::vector<std::string> decisions;
 };
 
 /// Reads a file of one or more whole years. Throws UserError with file:row:column, what

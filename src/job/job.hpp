@@ -48,12 +48,12 @@ struct Job {
     std::vector<study::Case> buildings;
     std::vector<StudySpec> studies;  ///< in the order of the file
     std::vector<InputFile> inputs;   ///< every file read, the job's own first
-    std::filesystem::path
-        output;  ///< default result file; empty = beside the working folder
-    std::vector<std::string>
-        hourly_outputs;  ///< quantities of nominal and best to store by hour
-    double max_failed_share =
-        0.05;  ///< more failed points than this and the batch has failed
+    /// Default result file; empty = beside the working folder.
+    std::filesystem::path output;
+    /// Quantities of nominal and best to store by hour.
+    std::vector<std::string> hourly_outputs;
+    /// More failed points than this and the batch has failed.
+    double max_failed_share = 0.05;
 };
 
 /// Throws UserError with file:line:key, what is wrong, why, and what to write instead.

@@ -56,9 +56,9 @@ struct PointAnswer {
     std::vector<double> annual;     ///< [annual.size()] kWh or degC
     std::vector<double> monthly;    ///< [monthly.size() x n_months]
     std::vector<ErrorSums> errors;  ///< [readings.size()] at the reading's interval
-    std::vector<ErrorSums>
-        monthly_errors;  ///< [readings.size()]; a month counts where all of
-                         ///< its readings' intervals compared are summed
+    /// [readings.size()]; a month counts where all of its readings' intervals compared
+    /// are summed.
+    std::vector<ErrorSums> monthly_errors;
 };
 
 /// What mixed rows of a Sobol design are compared with while they run: rows

@@ -40,8 +40,8 @@ struct Glazing {
     double frame_fraction = 0.2;    ///< F_F [-]
     double emissivity = 0.9;
     double external_resistance = 0.04;
-    std::vector<double>
-        angle_modifier;  ///< Plane::modifier of the windows with this glazing
+    /// Plane::modifier of the windows with this glazing.
+    std::vector<double> angle_modifier;
 };
 
 struct Boundary {  ///< a temperature other than that of the outdoor air

@@ -1,15 +1,19 @@
-/// The time loops, written once over a vector type V of `lanes` doubles (load, store, broadcast,
-/// add, sub, mul, fma, fnma, min, max): the instruction sets differ in V only, so they give the
-/// same bits. Included inside an anonymous namespace.
+/// The time loops, written once over a vector type V of `lanes` doubles (load, store,
+/// broadcast, add, sub, mul, fma, fnma, min, max): the instruction sets differ in V only,
+/// so they give the same bits. Included inside an anonymous namespace.
 ///
 /// A thermostat asks for the power that is missing to its set-point, linear in the mass
-/// temperature (C.13 solved once), and gets what the plant can give: two clamps. Hooks are a
-/// compile-time list of further terms of a step; the plain model has none and pays for none.
+/// temperature (C.13 solved once), and gets what the plant can give: two clamps. Hooks
+/// are a compile-time list of further terms of a step; the plain model has none and pays
+/// for none.
 
-inline V column(const double* columns, int index) { return load(columns + index * lanes); }
+inline V column(const double* columns, int index) {
+    return load(columns + index * lanes);
+}
 
-/// Coefficients stay operands of the arithmetic, read from the first-level cache: there are more of
-/// them than registers, and to hoist them out of a short loop means to copy them to the stack.
+/// Coefficients stay operands of the arithmetic, read from the first-level cache: there
+/// are more of them than registers, and to hoist them out of a short loop means to copy
+/// them to the stack.
 inline const double* as_operands(const double* columns) {
     asm("" : "+r"(columns));
     return columns;
@@ -17,7 +21,8 @@ inline const double* as_operands(const double* columns) {
 
 /// phi_sol [W]: the sum of aperture times irradiance. planes < 0: known at run time only.
 template <int planes>
-[[gnu::always_inline]] inline V sunshine(const double* apertures, const double* irradiance, int n_planes) {
+[[gnu::always_inline]] inline V sunshine(const double* apertures,
+                                         const double* irradiance, int n_planes) {
     const int n = planes < 0 ? n_planes : planes;
     V sum = mul(load(apertures), broadcast(irradiance[0]));
     for (int p = 1; p < n; ++p)
@@ -32,8 +37,9 @@ struct Terms {
 
 /// Irradiance is not looked at where planes = 0.
 template <int planes, bool more_drivers>
-[[gnu::always_inline]] inline Terms terms_of_step(const ZoneTime& zone, const double* regime,
-                                                  const double* row, const double* drivers) {
+[[gnu::always_inline]] inline Terms terms_of_step(const ZoneTime& zone,
+                                                  const double* regime, const double* row,
+                                                  const double* drivers) {
     using C = StandardColumn;
     const V theta_e = broadcast(drivers[0]);
     Terms terms{fma(column(regime, C::drivers), theta_e, column(row, 0)),
@@ -42,7 +48,8 @@ template <int planes, bool more_drivers>
         for (int k = 1; k < zone.n_drivers; ++k) {
             const V driver = broadcast(drivers[k]);
             terms.mass = fma(column(regime, C::drivers + 2 * k), driver, terms.mass);
-            terms.asked = fma(column(regime, C::drivers + 2 * k + 1), driver, terms.asked);
+            terms.asked =
+                fma(column(regime, C::drivers + 2 * k + 1), driver, terms.asked);
         }
     if constexpr (planes != 0) {
         const int n_drivers = more_drivers ? zone.n_drivers : 1;
@@ -62,9 +69,12 @@ struct Standard {
     V theta_m, heating, cooling;
 
     Standard(const ZoneTime& time, const ZoneLanes& points, int begin)
-        : zone(time), group(points),
-          drivers(time.drivers + static_cast<long>(begin) * (time.n_drivers + time.n_planes)),
-          theta_m(load(points.state)), heating(load(points.sums)),
+        : zone(time),
+          group(points),
+          drivers(time.drivers +
+                  static_cast<long>(begin) * (time.n_drivers + time.n_planes)),
+          theta_m(load(points.state)),
+          heating(load(points.sums)),
           cooling(load(points.sums + lanes)) {}
 
     void write() const {
@@ -76,7 +86,8 @@ struct Standard {
     /// One segment. `watch` sees the powers of every step.
     /// \param stride  from one step's drivers to the next
     template <int planes, bool more_drivers, class Watch, class... Hooks>
-    [[gnu::always_inline]] inline void advance(const Segment& segment, long stride, Watch& watch) {
+    [[gnu::always_inline]] inline void advance(const Segment& segment, long stride,
+                                               Watch& watch) {
         using C = StandardColumn;
         const double* regime = group.regimes + segment.regime * zone.regime_size;
         const V zero = broadcast(0);
@@ -89,7 +100,8 @@ struct Standard {
             const V heat = min(max(asked, zero), column(regime, C::most_heating));
             const V cool = max(min(add(asked, column(regime, C::gap)), zero),
                                column(regime, C::most_cooling));
-            theta_m = add(add(fma(column(regime, C::keep), theta_m, terms.mass), heat), cool);
+            theta_m =
+                add(add(fma(column(regime, C::keep), theta_m, terms.mass), heat), cool);
             if constexpr (Watch::sums_powers) {
                 heating = fma(column(regime, C::watts), heat, heating);
                 cooling = fnma(column(regime, C::watts), cool, cooling);
@@ -128,8 +140,8 @@ struct Written {
 
 /// Calls action(segment) for the pieces of segments in [begin, end).
 template <class Action>
-[[gnu::always_inline]] inline void for_pieces(const ZoneTime& zone, int segment, int begin,
-                                              int end, Action action) {
+[[gnu::always_inline]] inline void for_pieces(const ZoneTime& zone, int segment,
+                                              int begin, int end, Action action) {
     for (; begin < end; ++segment) {
         Segment piece = zone.segments[segment];
         if (piece.begin < begin) piece.begin = begin;
@@ -141,8 +153,8 @@ template <class Action>
 
 /// Steps [begin, end); in the dark the sun's terms are left out.
 template <int planes, bool more_drivers, class Watch>
-void run_pieces(const ZoneTime& zone, const ZoneLanes& group, int segment, int begin, int end,
-                Watch watch) {
+void run_pieces(const ZoneTime& zone, const ZoneLanes& group, int segment, int begin,
+                int end, Watch watch) {
     const long stride = planes > 0 ? 1 + planes : zone.n_drivers + zone.n_planes;
     Standard standard(zone, group, begin);
     for_pieces(zone, segment, begin, end, [&](const Segment& piece) {
@@ -157,18 +169,25 @@ void run_pieces(const ZoneTime& zone, const ZoneLanes& group, int segment, int b
 
 /// The sun's planes are counted at compile time up to 6.
 template <class Watch>
-void run_standard(const ZoneTime& zone, const ZoneLanes& group, int segment, int begin, int end,
-                  const Watch& watch) {
+void run_standard(const ZoneTime& zone, const ZoneLanes& group, int segment, int begin,
+                  int end, const Watch& watch) {
     if (zone.n_drivers > 1)
         return run_pieces<-1, true>(zone, group, segment, begin, end, watch);
     switch (zone.n_planes) {
-        case 1: return run_pieces<1, false>(zone, group, segment, begin, end, watch);
-        case 2: return run_pieces<2, false>(zone, group, segment, begin, end, watch);
-        case 3: return run_pieces<3, false>(zone, group, segment, begin, end, watch);
-        case 4: return run_pieces<4, false>(zone, group, segment, begin, end, watch);
-        case 5: return run_pieces<5, false>(zone, group, segment, begin, end, watch);
-        case 6: return run_pieces<6, false>(zone, group, segment, begin, end, watch);
-        default: return run_pieces<-1, false>(zone, group, segment, begin, end, watch);
+        case 1:
+            return run_pieces<1, false>(zone, group, segment, begin, end, watch);
+        case 2:
+            return run_pieces<2, false>(zone, group, segment, begin, end, watch);
+        case 3:
+            return run_pieces<3, false>(zone, group, segment, begin, end, watch);
+        case 4:
+            return run_pieces<4, false>(zone, group, segment, begin, end, watch);
+        case 5:
+            return run_pieces<5, false>(zone, group, segment, begin, end, watch);
+        case 6:
+            return run_pieces<6, false>(zone, group, segment, begin, end, watch);
+        default:
+            return run_pieces<-1, false>(zone, group, segment, begin, end, watch);
     }
 }
 
@@ -192,10 +211,9 @@ Forms<n> forms_of_step(const ZoneTime& zone, const double* forms, const double* 
     for (int k = 0; k < zone.n_drivers; ++k)
         result.add_column(forms, 3 + n + k, broadcast(drivers[k]));
     if (in_sun)
-        result.add_column(
-            forms, 2 + n,
-            sunshine<-1>(forms + (3 + n + zone.n_drivers) * (n + 1) * lanes,
-                         drivers + zone.n_drivers, zone.n_planes));
+        result.add_column(forms, 2 + n,
+                          sunshine<-1>(forms + (3 + n + zone.n_drivers) * (n + 1) * lanes,
+                                       drivers + zone.n_drivers, zone.n_planes));
     for (int s = 0; s < n; ++s) result.add_column(forms, 2 + s, state[s]);
     return result;
 }
@@ -250,18 +268,23 @@ void general_segment(const ZoneTime& zone, const ZoneLanes& group, const Segment
     store(group.sums + lanes, cool);
 }
 
-inline void run_general(const ZoneTime& zone, const ZoneLanes& group, const Segment& segment,
-                        Show show, const PowerRows& out, int first) {
+inline void run_general(const ZoneTime& zone, const ZoneLanes& group,
+                        const Segment& segment, Show show, const PowerRows& out,
+                        int first) {
     switch (zone.n_states) {
-        case 1: return general_segment<1>(zone, group, segment, show, out, first);
-        case 2: return general_segment<2>(zone, group, segment, show, out, first);
-        case 3: return general_segment<3>(zone, group, segment, show, out, first);
-        default: return general_segment<4>(zone, group, segment, show, out, first);
+        case 1:
+            return general_segment<1>(zone, group, segment, show, out, first);
+        case 2:
+            return general_segment<2>(zone, group, segment, show, out, first);
+        case 3:
+            return general_segment<3>(zone, group, segment, show, out, first);
+        default:
+            return general_segment<4>(zone, group, segment, show, out, first);
     }
 }
 
-void run(const ZoneTime& zone, const ZoneLanes& group, int segment, int begin, int end, Show show,
-         const PowerRows& out) {
+void run(const ZoneTime& zone, const ZoneLanes& group, int segment, int begin, int end,
+         Show show, const PowerRows& out) {
     if (zone.n_states > 0)
         for_pieces(zone, segment, begin, end, [&](const Segment& piece) {
             run_general(zone, group, piece, show, out, begin);

@@ -1,6 +1,6 @@
-/// Sums over the base points of a Sobol design, step by step and lane by lane: what the indices of
-/// every step are made of (Saltelli et al. 2010, Comput. Phys. Commun. 181: sums of b (y - a) and
-/// (y - a)^2). Included by kernel_reduce.inl.
+/// Sums over the base points of a Sobol design, step by step and lane by lane: what the
+/// indices of every step are made of (Saltelli et al. 2010, Comput. Phys. Commun. 181:
+/// sums of b (y - a) and (y - a)^2). Included by kernel_reduce.inl.
 
 /// Adds one step. \param sums  [3 x lanes]
 [[gnu::always_inline]] inline void add_difference(V y, V a, V b, double* sums) {
@@ -16,9 +16,11 @@ void add_differences(const double* shown, int n_steps, const DifferenceLanes& to
                        to.sums + 3L * step * lanes);
 }
 
-void add_base(const double* shift, int n_steps, const double* a, double* b, double* sums) {
+void add_base(const double* shift, int n_steps, const double* a, double* b,
+              double* sums) {
     for (int step = 0; step < n_steps; ++step, sums += 3 * lanes) {
-        const V s = broadcast(shift[step]), x = sub(column(a, step), s), y = sub(column(b, step), s);
+        const V s = broadcast(shift[step]), x = sub(column(a, step), s),
+                y = sub(column(b, step), s);
         store(b + step * lanes, y);
         store(sums, add(x, load(sums)));
         store(sums + lanes, add(y, load(sums + lanes)));
@@ -44,8 +46,8 @@ struct Mixed {
     MeterLanes meter_lanes;
     DifferenceLanes to;
     void see(int step, const double* regime, V, V heat, V cool) {
-        add_difference(metered(meter_lanes, step, regime, heat, cool), load(to.a), load(to.b),
-                       to.sums);
+        add_difference(metered(meter_lanes, step, regime, heat, cool), load(to.a),
+                       load(to.b), to.sums);
         to.a += lanes;
         to.b += lanes;
         to.sums += 3 * lanes;
@@ -53,12 +55,12 @@ struct Mixed {
     void end() {}
 };
 
-void run_metered(const ZoneTime& zone, const ZoneLanes& group, int segment, int begin, int end,
-                 const MeterLanes& meter_lanes, double* shown) {
+void run_metered(const ZoneTime& zone, const ZoneLanes& group, int segment, int begin,
+                 int end, const MeterLanes& meter_lanes, double* shown) {
     run_standard(zone, group, segment, begin, end, Metered{meter_lanes, shown});
 }
 
-void run_differences(const ZoneTime& zone, const ZoneLanes& group, int segment, int begin, int end,
-                     const MeterLanes& meter_lanes, const DifferenceLanes& to) {
+void run_differences(const ZoneTime& zone, const ZoneLanes& group, int segment, int begin,
+                     int end, const MeterLanes& meter_lanes, const DifferenceLanes& to) {
     run_standard(zone, group, segment, begin, end, Mixed{meter_lanes, to});
 }

@@ -1,6 +1,6 @@
-/// Two registers side by side as one vector: two independent chains of arithmetic hide each
-/// other's latency. Included inside an anonymous namespace, after the operations on `Register`
-/// (of `width` doubles) have been declared.
+/// Two registers side by side as one vector: two independent chains of arithmetic hide
+/// each other's latency. Included inside an anonymous namespace, after the operations on
+/// `Register` (of `width` doubles) have been declared.
 
 constexpr int lanes = 2 * width;
 
@@ -8,7 +8,9 @@ struct V {
     Register a, b;
 };
 
-inline V load(const double* at) { return {load_register(at), load_register(at + width)}; }
+inline V load(const double* at) {
+    return {load_register(at), load_register(at + width)};
+}
 inline void store(double* at, V x) {
     store_register(at, x.a);
     store_register(at + width, x.b);
@@ -17,12 +19,30 @@ inline V broadcast(double value) {
     const Register x = broadcast_register(value);
     return {x, x};
 }
-inline V add(V x, V y) { return {add(x.a, y.a), add(x.b, y.b)}; }
-inline V sub(V x, V y) { return {sub(x.a, y.a), sub(x.b, y.b)}; }
-inline V mul(V x, V y) { return {mul(x.a, y.a), mul(x.b, y.b)}; }
-inline V min(V x, V y) { return {min(x.a, y.a), min(x.b, y.b)}; }
-inline V max(V x, V y) { return {max(x.a, y.a), max(x.b, y.b)}; }
-inline V fma(V x, V y, V z) { return {fma(x.a, y.a, z.a), fma(x.b, y.b, z.b)}; }
-inline V fms(V x, V y, V z) { return {fms(x.a, y.a, z.a), fms(x.b, y.b, z.b)}; }
-inline V fnma(V x, V y, V z) { return {fnma(x.a, y.a, z.a), fnma(x.b, y.b, z.b)}; }
-inline V magnitude(V x) { return {magnitude(x.a), magnitude(x.b)}; }
+inline V add(V x, V y) {
+    return {add(x.a, y.a), add(x.b, y.b)};
+}
+inline V sub(V x, V y) {
+    return {sub(x.a, y.a), sub(x.b, y.b)};
+}
+inline V mul(V x, V y) {
+    return {mul(x.a, y.a), mul(x.b, y.b)};
+}
+inline V min(V x, V y) {
+    return {min(x.a, y.a), min(x.b, y.b)};
+}
+inline V max(V x, V y) {
+    return {max(x.a, y.a), max(x.b, y.b)};
+}
+inline V fma(V x, V y, V z) {
+    return {fma(x.a, y.a, z.a), fma(x.b, y.b, z.b)};
+}
+inline V fms(V x, V y, V z) {
+    return {fms(x.a, y.a, z.a), fms(x.b, y.b, z.b)};
+}
+inline V fnma(V x, V y, V z) {
+    return {fnma(x.a, y.a, z.a), fnma(x.b, y.b, z.b)};
+}
+inline V magnitude(V x) {
+    return {magnitude(x.a), magnitude(x.b)};
+}

@@ -1,5 +1,5 @@
-/// What is made of the powers: meters, sums and errors against readings. Over the same vector
-/// type as kernel_body.inl, which it brings along.
+/// What is made of the powers: meters, sums and errors against readings. Over the same
+/// vector type as kernel_body.inl, which it brings along.
 #include "physics/kernel_body.inl"
 
 void add_zone(const PowerRows& zone, const double* floor_share, int n_steps,
@@ -60,7 +60,8 @@ struct Errors {
     }
 };
 
-void compare(const ReadingTime& reading, const double* shown, int begin, int end, double* errors) {
+void compare(const ReadingTime& reading, const double* shown, int begin, int end,
+             double* errors) {
     Errors sums(errors);
     for (int step = begin; step < end; ++step) {
         sums.open = add(sums.open, column(shown, step - begin));
@@ -73,8 +74,8 @@ void compare(const ReadingTime& reading, const double* shown, int begin, int end
 }
 
 /// What a meter reads [W] while the powers are in registers.
-[[gnu::always_inline]] inline V metered(const MeterLanes& meter_lanes, int step, const double* regime,
-                                        V heat, V cool) {
+[[gnu::always_inline]] inline V metered(const MeterLanes& meter_lanes, int step,
+                                        const double* regime, V heat, V cool) {
     const double* row = meter_lanes.rows + meter_lanes.row_offset[step];
     const V watts = column(regime, StandardColumn::watts);
     const V heated = fma(mul(column(row, 1), watts), heat, load(row));
@@ -86,25 +87,27 @@ struct Compared {
     static constexpr bool sums_powers = true;
     MeterLanes meter_lanes;
     ReadingTime reading;
-    int first;       ///< step of the first reading
+    int first;  ///< step of the first reading
     double factor;
     double* errors;
     Errors sums;
     void see(int step, const double* regime, V, V heat, V cool) {
-        sums.close(reading, step - first, factor, metered(meter_lanes, step, regime, heat, cool));
+        sums.close(reading, step - first, factor,
+                   metered(meter_lanes, step, regime, heat, cool));
     }
     void end() const { sums.write(errors); }
 };
 
-void run_compared(const ZoneTime& zone, const ZoneLanes& group, int segment, int begin, int end,
-                  const MeterLanes& meter_lanes, const ReadingTime& reading, double* errors) {
+void run_compared(const ZoneTime& zone, const ZoneLanes& group, int segment, int begin,
+                  int end, const MeterLanes& meter_lanes, const ReadingTime& reading,
+                  double* errors) {
     run_standard(zone, group, segment, begin, end,
-                 Compared{meter_lanes, reading, begin - reading.closes[begin], reading.factor[0],
-                          errors, Errors(errors)});
+                 Compared{meter_lanes, reading, begin - reading.closes[begin],
+                          reading.factor[0], errors, Errors(errors)});
 }
 
 #include "physics/kernel_differences.inl"
 
-constexpr Table table{lanes,           run,      run_compared, run_metered, run_differences,
-                      add_differences, add_base, add_zone,     meter,       add_up,
-                      compare};
+constexpr Table table{
+    lanes,    run,      run_compared, run_metered, run_differences, add_differences,
+    add_base, add_zone, meter,        add_up,      compare};

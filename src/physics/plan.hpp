@@ -65,8 +65,8 @@ struct MeterPlan {
     Partition rows;
     bool plant_varies = false;    ///< the plant's efficiency follows a profile
     std::vector<int> row_offset;  ///< [n_steps]
-    std::vector<std::vector<double>>
-        row_counts;  ///< [n_months x n_rows] steps of the period
+    /// [n_months x n_rows] steps of the period.
+    std::vector<std::vector<double>> row_counts;
 };
 MeterPlan plan_meter(const Building& nominal, const Drive& drive, Quantity quantity,
                      const std::vector<Span>& months, int lanes);

@@ -22,8 +22,8 @@ struct Schedule {
         std::array<Day, 7> week{};
     };
     std::vector<Period> periods;  ///< the last that contains the day wins
-    std::string summer_time =
-        "none";  ///< "none", "eu" or "us": hours follow the wall clock
+    /// "none", "eu" or "us": hours follow the wall clock.
+    std::string summer_time = "none";
 };
 
 /// The schedule's value for every step of the axis: that of the hour in which the step

@@ -33,8 +33,8 @@ struct DistributeOptions {
 };
 
 struct Distributed {
-    std::vector<study::ItemAnswer>
-        answers;              ///< rank 0: in item order, complete unless stopped
+    /// Rank 0: in item order, complete unless stopped.
+    std::vector<study::ItemAnswer> answers;
     bool stopped = false;     ///< the same on every rank
     double seconds = 0;       ///< of this rank
     double busy_seconds = 0;  ///< of this rank's compute threads, in items

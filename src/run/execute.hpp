@@ -26,8 +26,8 @@ struct Work {
     std::vector<std::unique_ptr<study::Stage>> stages;
     Identity identity;        ///< execute adds the stages
     store::ResultFile frame;  ///< what is known before the first simulation
-    double max_failed_share =
-        1;  ///< more failed points than this and the batch has failed
+    /// More failed points than this and the batch has failed.
+    double max_failed_share = 1;
 };
 
 /// What to do about a result, or an unfinished one, that is there already.
@@ -44,8 +44,8 @@ struct ExecuteOptions {
 };
 
 struct Outcome {
-    ExitCode code =
-        ExitCode::ok;  ///< more_to_do after a signal; data: too many points failed
+    /// more_to_do after a signal; data: too many points failed.
+    ExitCode code = ExitCode::ok;
     std::string hash;  ///< rank 0, where a result was written
 };
 

@@ -6,14 +6,14 @@
 namespace bemcal::stats {
 
 struct FitMetrics {
-    double n = 0;             ///< pairs compared
-    double nmbe = 0;          ///< sum of errors / sum of measured [-]
-    double cv_rmse = 0;       ///< sqrt(mean squared error) / mean of measured, with n [-]
-    double cv_rmse_n1 = 0;    ///< the same with n - 1 (Guideline 14 with p = 1) [-]
-    double mape = 0;          ///< mean |error| / |measured| over non-zero readings [-]
-    double n_left_out = 0;    ///< readings of zero, left out of mape
-    double r2 = 0;            ///< squared correlation [-]
-    double rmse = 0;          ///< [unit of the meter]
+    double n = 0;           ///< pairs compared
+    double nmbe = 0;        ///< sum of errors / sum of measured [-]
+    double cv_rmse = 0;     ///< sqrt(mean squared error) / mean of measured, with n [-]
+    double cv_rmse_n1 = 0;  ///< the same with n - 1 (Guideline 14 with p = 1) [-]
+    double mape = 0;        ///< mean |error| / |measured| over non-zero readings [-]
+    double n_left_out = 0;  ///< readings of zero, left out of mape
+    double r2 = 0;          ///< squared correlation [-]
+    double rmse = 0;        ///< [unit of the meter]
 };
 
 /// From sums over pairs, see physics::ErrorSums.
@@ -25,9 +25,11 @@ struct PairSums {
 };
 FitMetrics metrics_of(const PairSums& sums);
 /// Pairs with a NaN on either side are left out.
-FitMetrics metrics_of(std::span<const double> simulated, std::span<const double> measured);
+FitMetrics metrics_of(std::span<const double> simulated,
+                      std::span<const double> measured);
 
-/// ASHRAE Guideline 14-2014 limits: hourly 10 % NMBE and 30 % CV(RMSE), monthly 5 % and 15 %.
+/// ASHRAE Guideline 14-2014: at most 10 % NMBE and 30 % CV(RMSE) hourly, 5 % and 15 %
+/// monthly.
 enum class Resolution { hourly, monthly };
 bool meets_guideline_14(const FitMetrics& metrics, Resolution resolution);
 

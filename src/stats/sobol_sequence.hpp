@@ -1,9 +1,9 @@
 /// Sobol points (Joe and Kuo 2008) and their scrambling.
 #pragma once
 
-#include <cstdint>
-
 #include "base/matrix.hpp"
+
+#include <cstdint>
 
 namespace bemcal::stats {
 
@@ -13,8 +13,8 @@ constexpr int max_sobol_dimension = 3667;
 /// Unscrambled points equal SciPy's qmc.Sobol(scramble=False) bit for bit.
 Matrix sobol_points(std::size_t first, std::size_t n, int dimension);
 
-/// The same with a random linear matrix scramble and a digital shift (Matousek 1998), a pure
-/// function of the seed; any block of points can be made anywhere.
+/// The same with a random linear matrix scramble and a digital shift (Matousek 1998), a
+/// pure function of the seed; any block of points can be made anywhere.
 Matrix scrambled_sobol_points(std::size_t first, std::size_t n, int dimension,
                               std::uint64_t seed);
 

@@ -27,8 +27,8 @@ using Shape = std::vector<std::size_t>;
 
 struct Array {
     Shape shape;
-    std::vector<std::string>
-        dims;                    ///< names of the attached scales, "" where there is none
+    /// Names of the attached scales, "" where there is none.
+    std::vector<std::string> dims;
     std::vector<double> values;  ///< row-major; empty where texts is used
     std::vector<std::string> texts;
 };

@@ -15,8 +15,8 @@
 namespace bemcal::store {
 
 struct ResultFile {
-    std::map<std::string, std::string>
-        attributes;                          ///< of the root: job, seed, versions, ...
+    /// Of the root: job, seed, versions, ...
+    std::map<std::string, std::string> attributes;
     std::map<std::string, std::string> run;  ///< attributes of /run: outside the hash
     std::vector<study::Dataset> datasets;  ///< each dimension has a coordinate or a size
     bool complete = false;

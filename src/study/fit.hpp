@@ -37,8 +37,8 @@ struct MeterSeries {
 /// A building over a period by the plain simulation: every meter, and quantities by step.
 struct CloseLook {
     std::vector<MeterSeries> meters;
-    std::vector<std::vector<double>>
-        hourly;  ///< [quantities x n_steps]; NaN where it failed
+    /// [quantities x n_steps]; NaN where it failed.
+    std::vector<std::vector<double>> hourly;
 };
 CloseLook look_closely(const Case& building, const Period& period,
                        const physics::Drive& drive, std::span<const double> point,

@@ -17,8 +17,8 @@ struct ScreeningOptions {
     std::uint64_t seed = 0;
     bool keep_points = true;  ///< store every point with its errors, not the best only
     std::size_t n_best = 20;
-    std::vector<physics::Quantity>
-        hourly_outputs;  ///< of nominal and best, stored by step
+    /// Of nominal and best, stored by step.
+    std::vector<physics::Quantity> hourly_outputs;
 };
 
 /// Point 0 is the nominal building, points 1 to n_points are a scrambled Sobol sample.
