@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -118,6 +119,27 @@ void check_ascii(std::string_view text, const std::string& file) {
     }
 }
 
+/// The text with every byte beyond ASCII as two hexadecimal digits.
+std::string in_ascii(std::string_view text) {
+    std::string ascii;
+    ascii.reserve(text.size());
+    for (const char c : text)
+        if (const auto byte = static_cast<unsigned char>(c); byte > 127)
+            fmt::format_to(std::back_inserter(ascii), "{:02x}", byte);
+        else
+            ascii += c;
+    return ascii;
+}
+
+/// Parsed twice: what is wrong with the syntax is found in ASCII alone, since the parser
+/// looks letters up in that same table when it words an error.
+toml::table parse(std::string_view text, const std::string& file) {
+    check_ascii(text, file);
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    static_cast<void>(toml::parse(in_ascii(text), file));
+    return toml::parse(text, file);
+}
+
 }  // namespace
 
 const char* name_of(Node::Kind kind) {
@@ -139,9 +161,8 @@ const char* name_of(Node::Kind kind) {
 }
 
 Node parse_document(std::string_view text, const std::string& file) {
-    check_ascii(text, file);
     try {
-        return convert(toml::parse(text, file));
+        return convert(parse(text, file));
     } catch (const toml::parse_error& error) {
         throw UserError(ExitCode::config,
                         fmt::format("{}:{}: {}; expected TOML (key = value, [section])",
