@@ -80,16 +80,4 @@ RegularSeries hourly_means(const RegularSeries& series, const std::string& file)
     return hours;
 }
 
-std::vector<double> values_on(const RegularSeries& series,
-                              const physics::TimeAxis& axis) {
-    std::vector<double> values(static_cast<std::size_t>(axis.n_steps), missing);
-    for (int k = 0; k < axis.n_steps; ++k) {
-        const int from = series.axis.step_of(axis.begin_of(k));
-        if (from >= 0 && from < series.axis.n_steps)
-            values[static_cast<std::size_t>(k)] =
-                series.values[static_cast<std::size_t>(from)];
-    }
-    return values;
-}
-
 }  // namespace bemcal::job

@@ -36,7 +36,4 @@ RegularSeries series_of(const TimedCsv& source, const std::string& column);
 /// hour.
 RegularSeries hourly_means(const RegularSeries& series, const std::string& file);
 
-/// The series' values on the steps of `axis` (the same step), NaN outside it.
-std::vector<double> values_on(const RegularSeries& series, const physics::TimeAxis& axis);
-
 }  // namespace bemcal::job
