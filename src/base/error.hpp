@@ -11,6 +11,7 @@ namespace bemcal {
 
 enum class ExitCode {
     ok = 0,
+    not_reached = 1,     ///< all is written, but a target was missed: not converged
     usage = 64,          ///< the command line
     data = 65,           ///< the content of a data file
     no_input = 66,       ///< a file that cannot be opened

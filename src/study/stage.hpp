@@ -3,11 +3,16 @@
 /// Stages are pure: they know no ranks, threads, files or terminal. An item's answer
 /// depends on its index, the stage and the job's seed only. `run/` computes the items, in
 /// any order, on any rank; `conclude` sees all of them in item order.
+///
+/// A stage may go on in rounds: when all of its items are answered, it can ask for more,
+/// which depend on those answers (chains go on from their last state). What the items of
+/// the next round need is handed to every rank.
 #pragma once
 
 #include "base/matrix.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,16 +39,34 @@ struct Dataset {
     std::vector<std::string> texts;
 };
 
+/// The items that follow when all before are answered.
+struct Round {
+    int n_items = 0;             ///< so many more
+    std::vector<double> needed;  ///< what their computation starts from
+};
+
 class Stage {
   public:
     virtual ~Stage() = default;
     virtual std::string name() const = 0;  ///< "office/sensitivity": unique in the job
-    virtual int n_items() const = 0;
+    virtual int n_items() const = 0;       ///< of the first round
     virtual long long n_simulations() const = 0;   ///< over all items
     virtual std::size_t answer_bytes() const = 0;  ///< of one item, about: for the plan
     virtual ItemAnswer run(int item) const = 0;    ///< thread-safe
+    /// After a round, on rank 0, from the answers of all rounds so far; none: it is done.
+    virtual std::optional<Round> next_round(const std::vector<ItemAnswer>&) const {
+        return std::nullopt;
+    }
+    /// Every rank, before the items of that round. Its first item is `first_item`.
+    virtual void begin_round(int first_item, const Round& round) {
+        static_cast<void>(first_item);
+        static_cast<void>(round);
+    }
     virtual std::vector<Dataset> conclude(
         const std::vector<ItemAnswer>& answers) const = 0;
+    /// A target that was not reached, in a sentence ("not converged: ..."); empty = none.
+    /// The result is written all the same; the exit code says so.
+    virtual std::string shortfall(const std::vector<ItemAnswer>&) const { return {}; }
 };
 
 }  // namespace bemcal::study

@@ -1,0 +1,18 @@
+/// The words for methods and statistics.
+#include "sampling/chains.hpp"
+
+namespace bemcal::sampling {
+
+const char* name_of(Method method) {
+    constexpr const char* names[] = {"nuts", "random_walk", "gibbs"};
+    return names[static_cast<int>(method)];
+}
+
+const char* name_of(Statistic statistic) {
+    constexpr const char* names[n_statistics] = {
+        "log_prior", "log_likelihood", "acceptance_rate", "step_size",
+        "n_steps",   "tree_depth",     "diverging",       "swap_rate"};
+    return names[static_cast<int>(statistic)];
+}
+
+}  // namespace bemcal::sampling

@@ -1,0 +1,55 @@
+/// What is believed of a parameter before the data: a distribution on an interval.
+///
+/// Sampling happens on the whole real line: `Transform` maps it onto the prior's support
+/// (logit for an interval, log for a half line), with the logarithm of its Jacobian.
+#pragma once
+
+#include <limits>
+#include <string>
+
+namespace bemcal::stats {
+
+enum class PriorKind { fixed, uniform, normal, lognormal, beta, gamma };
+const char* name_of(PriorKind kind);
+
+/// A distribution, truncated to [least, most] where that is narrower than its support.
+struct Prior {
+    PriorKind kind = PriorKind::uniform;
+    /// normal: mean, sd; lognormal: mean and sd of the logarithm; beta: its two
+    /// exponents; gamma: shape, rate; fixed: the value; uniform: unused.
+    double a = 0, b = 1;
+    double least = -std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
+    /// The distribution is that of (x - least) / (most - least): paper 1, Table 6. A beta
+    /// always is.
+    bool is_normalised = false;
+
+    /// Log density at x, with its normalisation over [least, most]; -inf outside.
+    double log_density(double x) const;
+    double log_density_derivative(double x) const;
+    double cdf(double x) const;
+    double quantile(double p) const;
+    double mean() const;
+    double sd() const;
+};
+
+/// What is wrong with a prior (no mass in its range, sd <= 0, ...); empty = nothing.
+std::string complaint_about(const Prior& prior);
+
+/// A point of the real line seen from the support.
+struct Mapped {
+    double x = 0;                     ///< in the support
+    double slope = 1;                 ///< dx/du
+    double log_slope = 0;             ///< log |dx/du|
+    double log_slope_derivative = 0;  ///< of log |dx/du| by u
+};
+
+/// From the real line onto (least, most): logit, log, or itself.
+struct Transform {
+    double least, most;
+    Mapped at(double u) const;
+    double inverse(double x) const;
+};
+Transform transform_of(const Prior& prior);
+
+}  // namespace bemcal::stats

@@ -1,0 +1,71 @@
+/// The likelihood of a meter: how far readings may stray from predictions, and how that
+/// hangs together in time.
+///
+/// A reading y_t of a prediction f_t has the scale s_t^2 = (constant scale)^2 +
+/// (proportional f_t)^2. The scaled residual z_t = (y_t - f_t) / s_t has variance 1: a
+/// short memory (white, or AR(1) with the correlation phi from one reading to the next),
+/// and, with `discrepancy`, a slow part: a share of its variance is a Gaussian process in
+/// time with the Matern-3/2 covariance, in state-space form (Hartikainen and Sarkka 2010,
+/// doi:10.1109/MLSP.2010.5589113), O(n) in the readings. Missing readings are gaps: time
+/// goes on through them.
+///
+/// All arrays are [rows x lanes]; a lane's bits depend on that lane only.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace bemcal::stats {
+
+struct ResidualOptions {
+    bool autocorrelated = true;  ///< AR(1) in place of white
+    bool discrepancy = false;    ///< and a share of Matern-3/2
+    /// The filter's gain is held once it has settled (again after each gap).
+    bool steady_state = true;
+};
+
+/// Names in the order of the parameters: constant, proportional, then phi, then share and
+/// timescale [readings' intervals], as the options have them.
+std::vector<std::string> residual_parameters(const ResidualOptions& options);
+
+class ResidualModel {
+  public:
+    /// \param measured  NaN = missing   \param scale  of the constant part, in the
+    /// meter's unit: a typical reading, or 1 K
+    ResidualModel(std::vector<double> measured, double scale, ResidualOptions options);
+
+    std::size_t n_readings() const { return measured_.size(); }
+    std::size_t n_present() const;  ///< readings that are not missing
+    std::size_t n_parameters() const;
+    const ResidualOptions& options() const { return options_; }
+
+    /// Scratch of a thread.
+    struct Work {
+        std::vector<double> doubles;
+    };
+
+    /// \param predictions  [n_readings x lanes]   \param parameters  [n_parameters x
+    /// lanes]
+    /// \param values  [lanes] log likelihood; -inf where a scale is not above 0
+    /// \param by_prediction  [n_readings x lanes] d value / d prediction, or nullptr
+    /// \param by_parameter  [n_parameters x lanes] d value / d parameter, or nullptr
+    void log_likelihood(const double* predictions, const double* parameters, int lanes,
+                        double* values, double* by_prediction, double* by_parameter,
+                        Work& work) const;
+
+    /// Readings as the model would draw them: prediction plus residual, at every time,
+    /// missing or not. \param normals  [n_normals()] independent standard normals
+    std::vector<double> draw(std::span<const double> prediction,
+                             std::span<const double> parameters,
+                             std::span<const double> normals) const;
+    std::size_t n_normals() const;
+
+  private:
+    std::vector<double> measured_;
+    double scale_;
+    ResidualOptions options_;
+};
+
+}  // namespace bemcal::stats
