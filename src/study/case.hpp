@@ -3,6 +3,7 @@
 #pragma once
 
 #include "physics/batch.hpp"
+#include "stats/prior.hpp"
 
 #include <string>
 #include <vector>
@@ -16,6 +17,13 @@ struct Meter {
     physics::TimeAxis axis;  ///< steps of the readings (hourly, daily: 3600 s steps are
                              ///< used and a day's reading stands at its first step)
     std::vector<double> values;  ///< [axis.n_steps] kWh or degC; NaN = missing or masked
+};
+
+/// What is believed of a parameter beforehand; a discrete one takes one of `values`, all
+/// alike, and has no prior.
+struct ParameterPrior {
+    stats::Prior prior;
+    std::vector<double> values;
 };
 
 struct Period {
@@ -34,6 +42,7 @@ struct Case {
     std::string name;
     physics::Building building;  ///< nominal
     std::vector<physics::Parameter> parameters;
+    std::vector<ParameterPrior> priors;  ///< [parameters]; empty = uniform in the ranges
     physics::Weather weather;
     std::vector<physics::Profile> profiles;
     std::vector<Meter> meters;

@@ -1,0 +1,44 @@
+/// What a job says of a calibration by MCMC.
+#pragma once
+
+#include "sampling/chains.hpp"
+#include "stats/residual_model.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace bemcal::study {
+
+/// Chains, and when they are enough: checked at fixed counts of draws only.
+struct ChainOptions {
+    sampling::SamplerOptions sampler;
+    std::uint64_t seed = 0;
+    int n_chains = 16;
+    int first_chain = 0;      ///< number of the first one: arrays of a job differ in it
+    int chains_per_item = 8;  ///< in lockstep
+    int draws_per_round = 100;
+    int most_draws = 4000;  ///< per chain: the budget
+    double target_rhat = 1.01, target_ess = 400;
+};
+
+/// How buildings of one posterior hang together.
+enum class Pooling {
+    none,    ///< each building has a posterior of its own
+    full,    ///< one value of each parameter for all
+    partial  ///< hierarchical: each building has its own, drawn from a common population
+};
+
+struct PosteriorOptions {
+    ChainOptions chains;
+    stats::ResidualOptions residuals;
+    std::string period;               ///< for training; empty = the case's first
+    std::vector<std::string> meters;  ///< empty = all with readings in the period
+    double hold_out_weeks = 0;        ///< share of whole weeks kept from the likelihood
+    double hold_out_hours = 0;        ///< share of the other readings, drawn at random
+    int n_predictive = 200;           ///< draws that are simulated for predictions
+    Pooling pooling = Pooling::none;
+    std::vector<std::string> unseen;  ///< buildings that are predicted only
+};
+
+}  // namespace bemcal::study
