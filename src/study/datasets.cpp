@@ -5,13 +5,18 @@
 namespace bemcal::study {
 
 void DatasetBuilder::array(const std::string& leaf, std::vector<std::string> dims,
-                           std::vector<std::size_t> shape, std::vector<double> values) {
+                           std::vector<std::size_t> shape, std::vector<double> values,
+                           std::string unit) {
     std::size_t size = 1;
     for (const std::size_t extent : shape) size *= extent;
     require(size == values.size() && dims.size() == shape.size(),
             "dataset of a wrong shape");
-    datasets_.push_back(
-        {stage_ + "/" + leaf, std::move(dims), std::move(shape), std::move(values), {}});
+    datasets_.push_back({stage_ + "/" + leaf,
+                         std::move(dims),
+                         std::move(shape),
+                         std::move(values),
+                         {},
+                         std::move(unit)});
 }
 
 void DatasetBuilder::scalar(const std::string& leaf, double value) {

@@ -21,7 +21,8 @@ class DatasetBuilder {
     void vector(const std::string& leaf, const std::string& dim,
                 std::vector<double> values);
     void array(const std::string& leaf, std::vector<std::string> dims,
-               std::vector<std::size_t> shape, std::vector<double> values);
+               std::vector<std::size_t> shape, std::vector<double> values,
+               std::string unit = {});
 
     /// Names, units and ranges.
     void parameters(const std::vector<physics::Parameter>& parameters);

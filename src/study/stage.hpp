@@ -37,6 +37,7 @@ struct Dataset {
     std::vector<std::size_t> shape;
     std::vector<double> values;  ///< row-major; empty where texts is used
     std::vector<std::string> texts;
+    std::string unit{};  ///< where the table's does not say it; empty = the table's
 };
 
 /// The items that follow when all before are answered.

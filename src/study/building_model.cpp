@@ -1,0 +1,252 @@
+#include "study/building_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace bemcal::study {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+bool is_named(const MeterChoice& choice, const Meter& meter) {
+    return std::ranges::find(choice.names, meter.name) != choice.names.end();
+}
+
+bool has_reading(const physics::Readings& readings) {
+    return !std::ranges::all_of(readings.values, [](double v) { return std::isnan(v); });
+}
+
+void check_names(const Case& building, const MeterChoice& choice) {
+    for (const std::string& name : choice.names)
+        if (std::ranges::none_of(building.meters,
+                                 [&](const Meter& meter) { return meter.name == name; }))
+            throw std::invalid_argument(building.name + " has no meter \"" + name + "\"");
+}
+
+/// The mean size of the readings; a temperature strays by kelvins, whatever it is.
+double scale_of(const physics::Readings& readings) {
+    if (readings.quantity == physics::Quantity::air_temperature) return 1;
+    double sum = 0, n = 0;
+    for (const double value : readings.values)
+        if (!std::isnan(value)) sum += std::abs(value), n += 1;
+    return sum > 0 ? sum / n : 1;
+}
+
+std::vector<physics::Seconds> begins_of(const physics::TimeAxis& axis,
+                                        physics::Interval interval) {
+    const std::vector<int> bounds = physics::interval_bounds(axis, interval);
+    std::vector<physics::Seconds> begins;
+    begins.reserve(bounds.size());
+    for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
+        begins.push_back(axis.begin_of(bounds[k]));
+    return begins;
+}
+
+std::vector<double> training_readings(const std::vector<double>& values,
+                                      const MeterChoice& choice, std::size_t meter) {
+    std::vector<double> kept = values;
+    if (meter >= choice.trains.size() || choice.trains[meter].empty()) return kept;
+    for (std::size_t k = 0; k < kept.size(); ++k)
+        if (!choice.trains[meter][k]) kept[k] = std::numeric_limits<double>::quiet_NaN();
+    return kept;
+}
+
+/// Few readings tell nothing of how their residuals hang together.
+stats::ResidualOptions options_for(physics::Interval interval,
+                                   const stats::ResidualOptions& wanted) {
+    stats::ResidualOptions options = wanted;
+    if (interval == physics::Interval::monthly || interval == physics::Interval::annual)
+        options.autocorrelated = options.discrepancy = false;
+    return options;
+}
+
+std::vector<MeterModel> meter_models(const Case& building, const Period& period,
+                                     const MeterChoice& choice) {
+    check_names(building, choice);
+    const auto readings = readings_of(building, period);
+    std::vector<MeterModel> models;
+    for (std::size_t m = 0; m < readings.size(); ++m) {
+        const Meter& meter = building.meters[m];
+        if (choice.names.empty() ? !has_reading(readings[m]) : !is_named(choice, meter))
+            continue;
+        const auto options = options_for(meter.interval, choice.residuals);
+        const double scale = scale_of(readings[m]);
+        models.push_back(
+            {m,
+             meter.name,
+             physics::unit_of(meter.quantity),
+             scale,
+             begins_of(axis_of(building, period), meter.interval),
+             readings[m].values,
+             {training_readings(readings[m].values, choice, m), scale, options},
+             residual_unknowns(meter, options)});
+    }
+    return models;
+}
+
+std::vector<physics::Channel> channels_of(const Case& building,
+                                          const std::vector<MeterModel>& meters) {
+    std::vector<physics::Channel> channels;
+    channels.reserve(meters.size());
+    for (const MeterModel& model : meters)
+        channels.push_back({building.meters[model.meter].quantity,
+                            building.meters[model.meter].interval});
+    return channels;
+}
+
+stats::Prior lognormal(double median, double sd_log) {
+    stats::Prior prior;
+    prior.kind = stats::PriorKind::lognormal;
+    prior.a = std::log(median);
+    prior.b = sd_log;
+    prior.least = 0;
+    return prior;
+}
+
+stats::Prior fixed(double value) {
+    stats::Prior prior;
+    prior.kind = stats::PriorKind::fixed;
+    prior.a = value;
+    return prior;
+}
+
+stats::Prior beta(double a, double b) {
+    stats::Prior prior;
+    prior.kind = stats::PriorKind::beta;
+    prior.a = a;
+    prior.b = b;
+    prior.least = 0;
+    prior.most = 1;
+    return prior;
+}
+
+/// A fortnight, in readings.
+double fortnight(physics::Interval interval) {
+    return interval == physics::Interval::daily ? 14 : 14 * 24;
+}
+
+stats::Prior residual_prior(const std::string& name, const Meter& meter) {
+    const bool is_air = meter.quantity == physics::Quantity::air_temperature;
+    if (name == "constant") return is_air ? lognormal(0.5, 1) : lognormal(0.1, 1);
+    if (name == "proportional") return is_air ? fixed(0) : lognormal(0.1, 1);
+    if (name == "phi") return beta(1, 1);
+    if (name == "share") return beta(1, 1);
+    return lognormal(fortnight(meter.interval), 0.7);
+}
+
+}  // namespace
+
+std::vector<Coordinate> residual_unknowns(const Meter& meter,
+                                          const stats::ResidualOptions& options) {
+    std::vector<Coordinate> unknowns;
+    for (const std::string& name : stats::residual_parameters(options))
+        unknowns.push_back({meter.name + "_" + name,
+                            name == "timescale" ? "readings" : "-",
+                            residual_prior(name, meter)});
+    return unknowns;
+}
+
+BuildingModel::BuildingModel(const Case& building, const Period& period,
+                             const MeterChoice& choice)
+    : building_(building),
+      drive_(drive_of(building_, period)),
+      batch_(std::make_unique<physics::Batch>(building_.building, building_.parameters,
+                                              drive_)),
+      meters_(meter_models(building_, period, choice)) {
+    response_ =
+        std::make_unique<physics::Response>(*batch_, channels_of(building_, meters_));
+}
+
+std::size_t BuildingModel::n_residual_parameters() const {
+    std::size_t n = 0;
+    for (const MeterModel& model : meters_) n += model.unknowns.size();
+    return n;
+}
+
+BuildingModel::Work BuildingModel::make_work() const {
+    return {response_->make_run(), {}, {}, {}, {}};
+}
+
+void BuildingModel::evaluate(const Points& points, bool derivatives, Likelihood& out,
+                             Work& work) const {
+    const std::size_t n = points.parameters.rows;
+    out.value.assign(n, 0);
+    out.by_parameter = Matrix(n, n_parameters());
+    out.by_residual = Matrix(n, n_residual_parameters());
+    for (std::size_t first = 0; first < n; first += static_cast<std::size_t>(lanes()))
+        evaluate_group(points, first, derivatives, out, work);
+}
+
+void BuildingModel::evaluate_group(const Points& points, std::size_t first,
+                                   bool derivatives, Likelihood& out, Work& work) const {
+    const std::size_t count =
+        std::min(points.parameters.rows - first, static_cast<std::size_t>(lanes()));
+    const auto failures = response_->predict(points.parameters, first, count, *work.run);
+    for (std::size_t meter = 0; meter < meters_.size(); ++meter)
+        add_meter(meter, points, first, derivatives, out, work);
+    if (derivatives) {
+        Matrix gradient(count, n_parameters());
+        response_->pull_back(*work.run, gradient);
+        std::ranges::copy(gradient.values, out.by_parameter.row(first).begin());
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        if (failures[k].empty()) continue;
+        out.value[first + k] = -infinity;
+        std::ranges::fill(out.by_parameter.row(first + k), 0);
+        std::ranges::fill(out.by_residual.row(first + k), 0);
+    }
+}
+
+/// Unused lanes repeat the last row.
+void BuildingModel::add_meter(std::size_t meter, const Points& points, std::size_t first,
+                              bool derivatives, Likelihood& out, Work& work) const {
+    const MeterModel& model = meters_[meter];
+    const auto n_lanes = static_cast<std::size_t>(lanes());
+    const std::size_t n = model.unknowns.size(), n_rows = points.parameters.rows;
+    std::size_t column = 0;
+    for (std::size_t m = 0; m < meter; ++m) column += meters_[m].unknowns.size();
+    work.parameters.resize(n * n_lanes);
+    work.by_parameter.resize(n * n_lanes);
+    work.values.resize(n_lanes);
+    for (std::size_t q = 0; q < n; ++q)
+        for (std::size_t lane = 0; lane < n_lanes; ++lane)
+            work.parameters[q * n_lanes + lane] =
+                points.residuals(std::min(first + lane, n_rows - 1), column + q);
+    model.residuals.log_likelihood(
+        response_->readings(*work.run, meter), work.parameters.data(), lanes(),
+        work.values.data(),
+        derivatives ? response_->sensitivities(*work.run, meter) : nullptr,
+        derivatives ? work.by_parameter.data() : nullptr, work.residuals);
+    for (std::size_t lane = 0; lane < n_lanes && first + lane < n_rows; ++lane) {
+        out.value[first + lane] += work.values[lane];
+        if (!derivatives) continue;
+        for (std::size_t q = 0; q < n; ++q)
+            out.by_residual(first + lane, column + q) =
+                work.by_parameter[q * n_lanes + lane];
+    }
+}
+
+std::vector<Matrix> BuildingModel::predict(const Matrix& parameters) const {
+    std::vector<Matrix> predictions;
+    predictions.reserve(meters_.size());
+    for (const MeterModel& model : meters_)
+        predictions.emplace_back(parameters.rows, model.measured.size(),
+                                 std::numeric_limits<double>::quiet_NaN());
+    const auto run = response_->make_run();
+    const auto n_lanes = static_cast<std::size_t>(lanes());
+    for (std::size_t first = 0; first < parameters.rows; first += n_lanes) {
+        const std::size_t count = std::min(parameters.rows - first, n_lanes);
+        const auto failures = response_->predict(parameters, first, count, *run);
+        for (std::size_t m = 0; m < meters_.size(); ++m)
+            for (std::size_t k = 0; k < count; ++k)
+                for (std::size_t r = 0; failures[k].empty() && r < predictions[m].cols;
+                     ++r)
+                    predictions[m](first + k, r) =
+                        response_->readings(*run, m)[r * n_lanes + k];
+    }
+    return predictions;
+}
+
+}  // namespace bemcal::study

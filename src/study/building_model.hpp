@@ -1,0 +1,89 @@
+/// A building over a period, held against its meters: the log likelihood of its
+/// parameters and of each meter's residual parameters, with derivatives; and what it
+/// predicts.
+#pragma once
+
+#include "physics/response.hpp"
+#include "stats/residual_model.hpp"
+#include "study/case.hpp"
+#include "study/space.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bemcal::study {
+
+/// A meter with what is believed of its residuals.
+struct MeterModel {
+    std::size_t meter = 0;  ///< of the case
+    std::string name, unit;
+    double scale = 1;                      ///< of the constant part of its noise [unit]
+    std::vector<physics::Seconds> begins;  ///< of its readings
+    std::vector<double> measured;          ///< all of the period's
+    stats::ResidualModel residuals;        ///< of those that train
+    std::vector<Coordinate> unknowns;      ///< of its residuals
+};
+
+/// How a case is held against its meters.
+struct MeterChoice {
+    std::vector<std::string> names;  ///< empty = all with a reading in the period
+    stats::ResidualOptions residuals;
+    /// Training readings of a meter, by its index in the case; empty = all readings.
+    std::vector<std::vector<bool>> trains;
+};
+
+class BuildingModel {
+  public:
+    /// A copy of the case is kept. A meter without readings stays where it is named: it
+    /// is predicted. Throws std::invalid_argument for a name that is not a meter's.
+    BuildingModel(const Case& building, const Period& period, const MeterChoice& choice);
+
+    const Case& building() const { return building_; }
+    const std::vector<MeterModel>& meters() const { return meters_; }
+    std::size_t n_parameters() const { return building_.parameters.size(); }
+    std::size_t n_residual_parameters() const;  ///< of all meters together
+    int lanes() const { return response_->lanes(); }
+
+    /// Of a thread.
+    struct Work {
+        physics::Response::RunPointer run;
+        stats::ResidualModel::Work residuals;
+        std::vector<double> parameters, values, by_parameter;
+    };
+    Work make_work() const;
+
+    /// Rows of parameters and of residual parameters, meter after meter.
+    struct Points {
+        Matrix parameters;  ///< [n x parameters]
+        Matrix residuals;   ///< [n x residual parameters]
+    };
+    /// Of the same shapes; value -inf, and derivatives 0, where a point is impossible.
+    struct Likelihood {
+        std::vector<double> value;  ///< [n]
+        Matrix by_parameter, by_residual;
+    };
+    void evaluate(const Points& points, bool derivatives, Likelihood& out,
+                  Work& work) const;
+
+    /// [n x readings] of each meter; NaN rows where a point is impossible.
+    std::vector<Matrix> predict(const Matrix& parameters) const;
+
+  private:
+    void evaluate_group(const Points& points, std::size_t first, bool derivatives,
+                        Likelihood& out, Work& work) const;
+    void add_meter(std::size_t meter, const Points& points, std::size_t first,
+                   bool derivatives, Likelihood& out, Work& work) const;
+
+    Case building_;
+    physics::Drive drive_;
+    std::unique_ptr<physics::Batch> batch_;
+    std::unique_ptr<physics::Response> response_;
+    std::vector<MeterModel> meters_;
+};
+
+/// What is believed of a meter's residuals before the data.
+std::vector<Coordinate> residual_unknowns(const Meter& meter,
+                                          const stats::ResidualOptions& options);
+
+}  // namespace bemcal::study
