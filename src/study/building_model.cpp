@@ -72,7 +72,8 @@ std::vector<MeterModel> meter_models(const Case& building, const Period& period,
         if (choice.names.empty() ? !has_reading(readings[m]) : !is_named(choice, meter))
             continue;
         const auto options = options_for(meter.interval, choice.residuals);
-        const double scale = scale_of(readings[m]);
+        const double scale = choice.scales.empty() ? scale_of(readings[m])
+                                                   : choice.scales.at(models.size());
         models.push_back(
             {m,
              meter.name,

@@ -31,6 +31,9 @@ struct MeterChoice {
     stats::ResidualOptions residuals;
     /// Training readings of a meter, by its index in the case; empty = all readings.
     std::vector<std::vector<bool>> trains;
+    /// Of the constant part of the noise [meter's unit], for each meter that is chosen;
+    /// empty = the mean size of its readings.
+    std::vector<double> scales;
 };
 
 class BuildingModel {

@@ -1,0 +1,150 @@
+#include "study/posterior.hpp"
+
+#include "study/chain_stage.hpp"
+#include "study/posterior_density.hpp"
+#include "study/posterior_results.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace bemcal::study {
+namespace {
+
+/// The prior of a parameter; without one, uniform in its range.
+Coordinate coordinate_of(const Case& building, std::size_t k) {
+    const physics::Parameter& parameter = building.parameters[k];
+    Coordinate coordinate{parameter.name, parameter.unit, {}};
+    coordinate.prior.least = parameter.least;
+    coordinate.prior.most = parameter.most;
+    if (building.priors.empty()) return coordinate;
+    coordinate.prior = building.priors[k].prior;
+    coordinate.values = building.priors[k].values;
+    return coordinate;
+}
+
+std::shared_ptr<const Space> space_of(const BuildingModel& model) {
+    std::vector<Coordinate> coordinates;
+    for (std::size_t k = 0; k < model.n_parameters(); ++k)
+        coordinates.push_back(coordinate_of(model.building(), k));
+    for (const MeterModel& meter : model.meters())
+        coordinates.insert(coordinates.end(), meter.unknowns.begin(),
+                           meter.unknowns.end());
+    return std::make_shared<const Space>(std::move(coordinates));
+}
+
+/// Buildings of one posterior measure their noise by what their descriptions predict,
+/// which is known of unseen ones too.
+std::unique_ptr<BuildingModel> model_of(const Case& building, const Period& period,
+                                        MeterChoice choice,
+                                        const PosteriorOptions& options) {
+    auto model = std::make_unique<BuildingModel>(building, period, choice);
+    if (options.pooling == Pooling::none) return model;
+    choice.scales = nominal_scales(*model);
+    return std::make_unique<BuildingModel>(building, period, choice);
+}
+
+bool is_unseen(const Case& building, const PosteriorOptions& options) {
+    return std::ranges::find(options.unseen, building.name) != options.unseen.end();
+}
+
+void check_alike(const BuildingModel& first, const BuildingModel& other) {
+    const auto fail = [&](const std::string& what) {
+        throw std::invalid_argument(
+            fmt::format("{} and {} have other {}; a pooled posterior needs the same in "
+                        "every building",
+                        first.building().name, other.building().name, what));
+    };
+    const auto name = [](const auto& thing) { return thing.name; };
+    if (!std::ranges::equal(first.building().parameters, other.building().parameters, {},
+                            name, name))
+        fail("parameters");
+    if (!std::ranges::equal(first.meters(), other.meters(), {}, name, name))
+        fail("meters");
+}
+
+std::shared_ptr<PosteriorParts> parts_of(const std::vector<Case>& buildings,
+                                         const PosteriorOptions& options) {
+    auto parts = std::make_shared<PosteriorParts>();
+    std::vector<std::string> names;
+    for (const Case& building : buildings) {
+        if (is_unseen(building, options)) continue;
+        const Period& period = training_period(building, options);
+        parts->buildings.push_back(model_of(
+            building, period, training_choice(building, period, options), options));
+        names.push_back(building.name);
+        if (parts->buildings.back()->meters().empty())
+            throw std::invalid_argument(fmt::format("{}: no meter has a reading in {}",
+                                                    building.name, period.name));
+        check_alike(*parts->buildings[0], *parts->buildings.back());
+    }
+    if (parts->buildings.empty())
+        throw std::invalid_argument(
+            "all buildings are unseen: none is left to learn from");
+    parts->space = space_of(*parts->buildings[0]);
+    parts->arrangement = make_arrangement(options.pooling, parts->space, names);
+    return parts;
+}
+
+class DirectPosterior : public Posterior {
+  public:
+    DirectPosterior(const std::vector<Case>& buildings, const PosteriorOptions& options)
+        : parts_(parts_of(buildings, options)), options_(options) {
+        for (const Case& building : buildings)
+            if (is_unseen(building, options)) unseen_.push_back(building);
+        reported_ = parts_->arrangement->reported();
+        for (const Coordinate& coordinate : reported_)
+            unknowns_.push_back({coordinate.name, coordinate.unit});
+    }
+
+    std::unique_ptr<sampling::Density> make_density() const override {
+        return make_posterior_density(parts_);
+    }
+    const std::vector<Unknown>& unknowns() const override { return unknowns_; }
+    void read(std::span<const double> position, std::span<double> values) const override {
+        parts_->arrangement->read(position, values);
+    }
+    Matrix prior_draws(std::size_t n, Stream& random) const override {
+        Matrix draws(n, unknowns_.size());
+        for (std::size_t r = 0; r < n; ++r)
+            read(parts_->arrangement->draw_start(random), draws.row(r));
+        return draws;
+    }
+    void conclude(const ChainDraws& draws, DatasetBuilder& datasets) const override {
+        add_predictions({*parts_, unseen_, options_}, draws, datasets);
+    }
+
+  private:
+    std::shared_ptr<const PosteriorParts> parts_;
+    PosteriorOptions options_;
+    std::vector<Case> unseen_;
+    std::vector<Coordinate> reported_;
+    std::vector<Unknown> unknowns_;
+};
+
+void check_differentiable(const std::vector<Case>& buildings,
+                          const PosteriorOptions& options) {
+    if (options.chains.sampler.method != sampling::Method::nuts) return;
+    for (const Case& building : buildings)
+        for (const physics::Zone& zone : building.building.zones)
+            if (!zone.couplings.empty())
+                throw std::invalid_argument(
+                    building.name +
+                    " has coupled zones, which have no derivatives; "
+                    "choose sampler = \"random_walk\" or \"gibbs\"");
+}
+
+}  // namespace
+
+std::unique_ptr<Stage> make_posterior(std::string name,
+                                      const std::vector<Case>& buildings,
+                                      const PosteriorOptions& options) {
+    check_differentiable(buildings, options);
+    return make_chain_stage(std::move(name),
+                            std::make_shared<DirectPosterior>(buildings, options),
+                            options.chains);
+}
+
+}  // namespace bemcal::study

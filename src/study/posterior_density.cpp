@@ -1,0 +1,97 @@
+#include "study/posterior_density.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace bemcal::study {
+namespace {
+
+class PosteriorDensity : public sampling::Density {
+  public:
+    explicit PosteriorDensity(std::shared_ptr<const PosteriorParts> parts)
+        : parts_(std::move(parts)), own_(parts_->space->n_free()) {
+        for (const auto& building : parts_->buildings)
+            works_.push_back(building->make_work());
+    }
+
+    std::size_t dimension() const override { return parts_->arrangement->dimension(); }
+    std::vector<int> levels() const override { return parts_->arrangement->levels(); }
+    std::size_t width() const override {
+        return static_cast<std::size_t>(parts_->buildings.at(0)->lanes());
+    }
+    std::vector<double> draw_start(Stream& random) const override {
+        return parts_->arrangement->draw_start(random);
+    }
+    void evaluate(const Matrix& points, bool gradients,
+                  sampling::Evaluations& out) override;
+
+  private:
+    void write_points(const Matrix& positions, std::size_t building);
+    void add_gradients(const Matrix& positions, std::size_t building,
+                       sampling::Evaluations& out);
+
+    std::shared_ptr<const PosteriorParts> parts_;
+    std::vector<BuildingModel::Work> works_;  ///< [buildings]
+    BuildingModel::Points points_;
+    BuildingModel::Likelihood likelihood_;
+    std::vector<double> own_, values_, slopes_;
+};
+
+void PosteriorDensity::write_points(const Matrix& positions, std::size_t building) {
+    const std::size_t n = parts_->n_parameters(), size = parts_->space->size();
+    points_.parameters = Matrix(positions.rows, n);
+    points_.residuals = Matrix(positions.rows, size - n);
+    values_.resize(size);
+    for (std::size_t r = 0; r < positions.rows; ++r) {
+        parts_->arrangement->take(positions.row(r), building, own_);
+        parts_->space->read(own_, values_);
+        std::copy_n(values_.begin(), n, points_.parameters.row(r).begin());
+        std::copy(values_.begin() + static_cast<std::ptrdiff_t>(n), values_.end(),
+                  points_.residuals.row(r).begin());
+    }
+}
+
+void PosteriorDensity::add_gradients(const Matrix& positions, std::size_t building,
+                                     sampling::Evaluations& out) {
+    const std::size_t n = parts_->n_parameters(), n_free = own_.size();
+    slopes_.resize(n_free);
+    std::vector<double> gradient(n_free);
+    for (std::size_t r = 0; r < positions.rows; ++r) {
+        parts_->arrangement->take(positions.row(r), building, own_);
+        parts_->space->slopes(own_, slopes_);
+        for (std::size_t f = 0; f < n_free; ++f) {
+            const std::size_t k = parts_->space->index_of(f);
+            gradient[f] = slopes_[f] * (k < n ? likelihood_.by_parameter(r, k)
+                                              : likelihood_.by_residual(r, k - n));
+        }
+        parts_->arrangement->give(gradient, building, out.likelihood_gradient.row(r));
+    }
+}
+
+void PosteriorDensity::evaluate(const Matrix& points, bool gradients,
+                                sampling::Evaluations& out) {
+    out.prior.assign(points.rows, 0);
+    out.likelihood.assign(points.rows, 0);
+    out.prior_gradient = Matrix(points.rows, dimension());
+    out.likelihood_gradient = Matrix(points.rows, dimension());
+    for (std::size_t r = 0; r < points.rows; ++r)
+        out.prior[r] =
+            parts_->arrangement->log_prior(points.row(r), out.prior_gradient.row(r));
+    for (std::size_t b = 0; b < parts_->buildings.size(); ++b) {
+        write_points(points, b);
+        parts_->buildings[b]->evaluate(points_, gradients, likelihood_, works_[b]);
+        for (std::size_t r = 0; r < points.rows; ++r)
+            out.likelihood[r] += likelihood_.value[r];
+        if (gradients) add_gradients(points, b, out);
+    }
+}
+
+}  // namespace
+
+std::unique_ptr<sampling::Density> make_posterior_density(
+    std::shared_ptr<const PosteriorParts> parts) {
+    return std::make_unique<PosteriorDensity>(std::move(parts));
+}
+
+}  // namespace bemcal::study

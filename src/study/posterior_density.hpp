@@ -1,0 +1,26 @@
+/// The log posterior density of one or several buildings' unknowns, for a sampler.
+#pragma once
+
+#include "sampling/density.hpp"
+#include "study/arrangement.hpp"
+#include "study/building_model.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace bemcal::study {
+
+/// What a posterior is made of, shared by all threads. Each building's unknowns are its
+/// parameters, then the residual parameters of its meters.
+struct PosteriorParts {
+    std::vector<std::unique_ptr<BuildingModel>> buildings;
+    std::shared_ptr<const Space> space;
+    std::unique_ptr<Arrangement> arrangement;
+
+    std::size_t n_parameters() const { return buildings.at(0)->n_parameters(); }
+};
+
+std::unique_ptr<sampling::Density> make_posterior_density(
+    std::shared_ptr<const PosteriorParts> parts);
+
+}  // namespace bemcal::study

@@ -1,0 +1,238 @@
+#include "study/posterior_results.hpp"
+
+#include "study/points.hpp"
+#include "study/predictive.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace bemcal::study {
+namespace {
+
+using physics::Quantity;
+
+constexpr std::uint32_t predictive_stream = 0x70726564;
+/// Draws of readings that are stored whole; the others go into intervals.
+constexpr std::size_t n_stored_draws = 64;
+
+/// Draws of one building's unknowns.
+struct BuildingDraws {
+    Matrix parameters, residuals;
+};
+
+/// Some of all draws, evenly spread.
+std::vector<std::size_t> chosen_rows(std::size_t n_rows, int n_wanted) {
+    const std::size_t n = std::min(n_rows, static_cast<std::size_t>(n_wanted));
+    std::vector<std::size_t> rows;
+    rows.reserve(n);
+    for (std::size_t k = 0; k < n; ++k) rows.push_back(k * n_rows / n);
+    return rows;
+}
+
+/// \param take  (position, own): the position of the building's unknowns in their space
+template <class Take>
+BuildingDraws draws_of_building(const PosteriorParts& parts, const ChainDraws& draws,
+                                const std::vector<std::size_t>& rows, const Take& take) {
+    const std::size_t n = parts.n_parameters(), size = parts.space->size();
+    BuildingDraws out{Matrix(rows.size(), n), Matrix(rows.size(), size - n)};
+    std::vector<double> own(parts.space->n_free()), values(size);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        take(draws.positions.row(rows[k]), own);
+        parts.space->read(own, values);
+        std::copy_n(values.begin(), n, out.parameters.row(k).begin());
+        std::copy(values.begin() + static_cast<std::ptrdiff_t>(n), values.end(),
+                  out.residuals.row(k).begin());
+    }
+    return out;
+}
+
+std::vector<double> seconds_of(const std::vector<physics::Seconds>& begins) {
+    std::vector<double> seconds;
+    seconds.reserve(begins.size());
+    for (const auto begin : begins)
+        seconds.push_back(static_cast<double>(begin.time_since_epoch().count()));
+    return seconds;
+}
+
+/// Of each reading over the draws.
+std::vector<double> quantiles(const Matrix& draws, double p) {
+    std::vector<double> result(draws.cols), column(draws.rows);
+    for (std::size_t k = 0; k < draws.cols; ++k) {
+        for (std::size_t d = 0; d < draws.rows; ++d) column[d] = draws(d, k);
+        const auto at =
+            static_cast<std::ptrdiff_t>(p * static_cast<double>(draws.rows - 1) + 0.5);
+        std::ranges::nth_element(column, column.begin() + at);
+        result[k] = column[static_cast<std::size_t>(at)];
+    }
+    return result;
+}
+
+void add_series(const MeterPrediction& meter, const std::string& folder,
+                DatasetBuilder& datasets) {
+    const auto add = [&](const char* leaf, std::vector<double> values) {
+        const std::size_t n = values.size();
+        datasets.array(folder + leaf, {"time"}, {n}, std::move(values), meter.unit);
+    };
+    datasets.times(folder + "time", meter.begins);
+    add("measured", meter.measured);
+    add("nominal", meter.nominal);
+    add("predicted_mean", meter.mean);
+    if (meter.draws.rows == 0) return;
+    add("predicted_q05", quantiles(meter.draws, 0.05));
+    add("predicted_q95", quantiles(meter.draws, 0.95));
+}
+
+/// ArviZ's groups, of the training period.
+void add_inference_data(const MeterPrediction& meter, DatasetBuilder& datasets) {
+    const std::string time = "time_" + meter.name;
+    const std::size_t n = meter.measured.size();
+    const std::size_t n_draws = std::min(n_stored_draws, meter.draws.rows);
+    for (const char* group : {"observed_data/", "posterior_predictive/"})
+        datasets.vector(group + time, time, seconds_of(meter.begins));
+    datasets.array("observed_data/" + meter.name, {time}, {n}, meter.measured,
+                   meter.unit);
+    std::vector<double> stored;
+    stored.reserve(n_draws * n);
+    for (const std::size_t row :
+         chosen_rows(meter.draws.rows, static_cast<int>(n_draws))) {
+        const auto draw = meter.draws.row(row);
+        stored.insert(stored.end(), draw.begin(), draw.end());
+    }
+    datasets.array("posterior_predictive/" + meter.name, {"chain", "draw", time},
+                   {1, n_draws, n}, std::move(stored), meter.unit);
+}
+
+/// The same meters as in training, with the same scale, held against another period.
+MeterChoice choice_like(const BuildingModel& trained) {
+    MeterChoice choice;
+    for (const MeterModel& meter : trained.meters()) {
+        choice.names.push_back(meter.name);
+        choice.residuals.autocorrelated |= meter.residuals.options().autocorrelated;
+        choice.residuals.discrepancy |= meter.residuals.options().discrepancy;
+        choice.scales.push_back(meter.scale);
+    }
+    return choice;
+}
+
+class Conclusion {
+  public:
+    Conclusion(const CalibratedBuildings& of, const ChainDraws& draws,
+               DatasetBuilder& datasets)
+        : of_(of),
+          draws_(draws),
+          datasets_(datasets),
+          rows_(chosen_rows(draws.positions.rows, of.options.n_predictive)) {}
+
+    void add_all() {
+        for (std::size_t b = 0; b < of_.parts.buildings.size(); ++b) add_seen(b);
+        for (const Case& building : of_.unseen) add_unseen(building);
+    }
+
+  private:
+    bool is_alone() const { return of_.options.pooling == Pooling::none; }
+    std::string folder_of(const Case& building) const {
+        return is_alone() ? std::string() : building.name + "/";
+    }
+
+    void add_seen(std::size_t b) {
+        const BuildingModel& model = *of_.parts.buildings[b];
+        const Case& building = model.building();
+        const BuildingDraws of_building = draws_of_building(
+            of_.parts, draws_, rows_, [&](auto position, std::span<double> own) {
+                of_.parts.arrangement->take(position, b, own);
+            });
+        const Period& training = training_period(building, of_.options);
+        for (const Period& period : building.periods) {
+            if (&period == &training || period.name == training.name)
+                add_period(model, of_building, period);
+            else
+                add_period(BuildingModel(building, period, choice_like(model)),
+                           of_building, period);
+        }
+    }
+
+    void add_unseen(const Case& building) {
+        Stream random(of_.options.chains.seed, predictive_stream, ++n_streams_);
+        const BuildingDraws of_building = draws_of_building(
+            of_.parts, draws_, rows_, [&](auto position, std::span<double> own) {
+                of_.parts.arrangement->take_unseen(position, random, own);
+            });
+        for (const Period& period : building.periods) {
+            MeterChoice choice = choice_like(*of_.parts.buildings[0]);
+            choice.scales.clear();
+            choice.scales = nominal_scales(BuildingModel(building, period, choice));
+            add_period(BuildingModel(building, period, choice), of_building, period);
+        }
+    }
+
+    void add_period(const BuildingModel& model, const BuildingDraws& of_building,
+                    const Period& period) {
+        Stream random(of_.options.chains.seed, predictive_stream, ++n_streams_);
+        const std::string folder = folder_of(model.building()) + period.name + "/";
+        for (const MeterPrediction& meter : predict_meters(
+                 model, of_building.parameters, of_building.residuals, random)) {
+            add_series(meter, folder + meter.name + "/", datasets_);
+            if (is_alone() && period.name == model.building().periods[0].name)
+                add_inference_data(meter, datasets_);
+        }
+    }
+
+    const CalibratedBuildings& of_;
+    const ChainDraws& draws_;
+    DatasetBuilder& datasets_;
+    std::vector<std::size_t> rows_;
+    std::uint64_t n_streams_ = 0;
+};
+
+}  // namespace
+
+const Period& training_period(const Case& building, const PosteriorOptions& options) {
+    for (const Period& period : building.periods)
+        if (period.name == options.period) return period;
+    return building.periods.at(0);
+}
+
+std::vector<double> nominal_scales(const BuildingModel& model) {
+    const std::vector<double> values = nominal_point(model.building().parameters);
+    Matrix row(1, values.size());
+    row.values = values;
+    std::vector<double> scales;
+    const auto nominal = model.predict(row);
+    for (std::size_t m = 0; m < nominal.size(); ++m) {
+        const Meter& meter = model.building().meters[model.meters()[m].meter];
+        double sum = 0;
+        for (const double value : nominal[m].values) sum += std::abs(value);
+        const double mean = sum / static_cast<double>(nominal[m].cols);
+        const bool is_air = meter.quantity == Quantity::air_temperature;
+        scales.push_back(is_air || !(mean > 0) ? 1 : mean);
+    }
+    return scales;
+}
+
+MeterChoice training_choice(const Case& building, const Period& period,
+                            const PosteriorOptions& options) {
+    MeterChoice choice{options.meters, options.residuals, {}, {}};
+    const HoldOut hold_out{options.hold_out_weeks, options.hold_out_hours,
+                           options.chains.seed};
+    if (hold_out.weeks <= 0 && hold_out.hours <= 0) return choice;
+    const auto axis = axis_of(building, period);
+    for (std::size_t m = 0; m < building.meters.size(); ++m) {
+        const auto bounds = physics::interval_bounds(axis, building.meters[m].interval);
+        std::vector<physics::Seconds> begins;
+        for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
+            begins.push_back(axis.begin_of(bounds[k]));
+        choice.trains.emplace_back();
+        for (const Role role : draw_roles(begins, m, hold_out))
+            choice.trains.back().push_back(role == Role::training);
+    }
+    return choice;
+}
+
+void add_predictions(const CalibratedBuildings& buildings, const ChainDraws& draws,
+                     DatasetBuilder& datasets) {
+    Conclusion(buildings, draws, datasets).add_all();
+}
+
+}  // namespace bemcal::study

@@ -1,0 +1,83 @@
+#include "study/predictive.hpp"
+
+#include "sampling/normal.hpp"
+#include "study/points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bemcal::study {
+namespace {
+
+Matrix nominal_row(const Case& building) {
+    const std::vector<double> values = nominal_point(building.parameters);
+    Matrix row(1, values.size());
+    row.values = values;
+    return row;
+}
+
+/// Rows without a NaN.
+std::vector<std::size_t> possible_rows(const Matrix& simulated) {
+    std::vector<std::size_t> rows;
+    rows.reserve(simulated.rows);
+    for (std::size_t r = 0; r < simulated.rows; ++r)
+        if (simulated.cols > 0 && !std::isnan(simulated(r, 0))) rows.push_back(r);
+    return rows;
+}
+
+std::vector<double> mean_of(const Matrix& simulated,
+                            const std::vector<std::size_t>& rows) {
+    std::vector<double> mean(simulated.cols, 0);
+    for (const std::size_t r : rows)
+        for (std::size_t k = 0; k < simulated.cols; ++k) mean[k] += simulated(r, k);
+    for (double& value : mean) value /= static_cast<double>(rows.size());
+    return mean;
+}
+
+/// Where the residual parameters of a meter begin.
+std::size_t first_residual(const BuildingModel& model, std::size_t meter) {
+    std::size_t column = 0;
+    for (std::size_t m = 0; m < meter; ++m) column += model.meters()[m].unknowns.size();
+    return column;
+}
+
+Matrix draw_readings(const BuildingModel& model, std::size_t meter,
+                     const Matrix& simulated, const std::vector<std::size_t>& rows,
+                     const Matrix& residuals, Stream& random) {
+    const MeterModel& of = model.meters()[meter];
+    std::vector<double> normals(of.residuals.n_normals());
+    Matrix draws(rows.size(), simulated.cols);
+    for (std::size_t d = 0; d < rows.size(); ++d) {
+        sampling::fill_standard_normal(random, normals);
+        const auto drawn =
+            of.residuals.draw(simulated.row(rows[d]),
+                              residuals.row(rows[d]).subspan(first_residual(model, meter),
+                                                             of.unknowns.size()),
+                              normals);
+        std::ranges::copy(drawn, draws.row(d).begin());
+    }
+    return draws;
+}
+
+}  // namespace
+
+std::vector<MeterPrediction> predict_meters(const BuildingModel& model,
+                                            const Matrix& parameters,
+                                            const Matrix& residuals, Stream& random) {
+    const auto nominal = model.predict(nominal_row(model.building()));
+    const auto simulated = model.predict(parameters);
+    std::vector<MeterPrediction> predictions;
+    predictions.reserve(simulated.size());
+    for (std::size_t m = 0; m < simulated.size(); ++m) {
+        const MeterModel& meter = model.meters()[m];
+        const Meter& described = model.building().meters[meter.meter];
+        const auto rows = possible_rows(simulated[m]);
+        predictions.push_back(
+            {meter.name, meter.unit, described.quantity, described.interval, meter.begins,
+             meter.measured, nominal[m].values, mean_of(simulated[m], rows),
+             draw_readings(model, m, simulated[m], rows, residuals, random)});
+    }
+    return predictions;
+}
+
+}  // namespace bemcal::study
