@@ -12,6 +12,8 @@
 /// All arrays are [rows x lanes]; a lane's bits depend on that lane only.
 #pragma once
 
+#include "stats/residual_model_times.hpp"
+
 #include <cstddef>
 #include <span>
 #include <string>
@@ -37,7 +39,7 @@ class ResidualModel {
     ResidualModel(std::vector<double> measured, double scale, ResidualOptions options);
 
     std::size_t n_readings() const { return measured_.size(); }
-    std::size_t n_present() const;  ///< readings that are not missing
+    std::size_t n_present() const { return times_.n_present(); }  ///< not missing
     std::size_t n_parameters() const;
     const ResidualOptions& options() const { return options_; }
 
@@ -48,7 +50,9 @@ class ResidualModel {
 
     /// \param predictions  [n_readings x lanes]   \param parameters  [n_parameters x
     /// lanes]
-    /// \param values  [lanes] log likelihood; -inf where a scale is not above 0
+    /// \param values  [lanes] log likelihood, 0 where all readings are missing; -inf,
+    /// with derivatives of 0, where a scale is not above 0, a prediction not finite, or a
+    /// parameter out of range
     /// \param by_prediction  [n_readings x lanes] d value / d prediction, or nullptr
     /// \param by_parameter  [n_parameters x lanes] d value / d parameter, or nullptr
     void log_likelihood(const double* predictions, const double* parameters, int lanes,
@@ -66,6 +70,7 @@ class ResidualModel {
     std::vector<double> measured_;
     double scale_;
     ResidualOptions options_;
+    ReadingTimes times_;
 };
 
 }  // namespace bemcal::stats
