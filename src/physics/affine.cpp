@@ -1,7 +1,7 @@
 /// The step's linear forms, in the order of the kernel's columns.
 #include "physics/affine.hpp"
 
-#include "physics/hour.hpp"
+#include "physics/regime.hpp"
 
 namespace bemcal::physics {
 
@@ -16,100 +16,6 @@ struct Columns {
         next += lanes;
     }
 };
-
-/// All that the coefficients of one regime follow from.
-struct Regime {
-    const ZonePlan& plan;
-    const Building& building;
-    const Zone& zone;
-    const Drive& drive;
-    const Network& network;
-    RadiantSplit split;
-    StepMap map;
-    Control control;
-
-    double per_sol(const LinearForm& form) const {
-        return split.to_st * form[Term::phi_st] + split.to_m * form[Term::phi_m];
-    }
-    double per_int(const LinearForm& form) const {
-        return 0.5 * (form[Term::phi_ia] + per_sol(form));
-    }
-    /// \param place  0 = outdoors behind elements and as supply, 1 + b = boundary b
-    double per_temperature(const LinearForm& form, std::size_t place) const {
-        return form[Term::theta_em] * network.em_share[place] +
-               form[Term::theta_sup] * network.ve_share[place];
-    }
-    /// What does not change with time: constant boundaries, and the loss to the sky.
-    double fixed(const LinearForm& form) const {
-        double sum = -per_sol(form) * network.phi_sky;
-        for (std::size_t b = 0; b < building.boundaries.size(); ++b) {
-            const Input& theta = building.boundaries[b].temperature;
-            sum += per_temperature(form, b + 1) *
-                   (theta.profile < 0 ? theta.value : theta.low);
-        }
-        return sum;
-    }
-};
-
-/// Of make_step_map's forms the two that the standard hour needs, from C.4 to C.11
-/// written out: a twentieth of the work.
-StepMap standard_step_map(const Network& n, double dt) {
-    const double per_air = 1 / (n.H_tr_is + n.H_ve), k_1 = n.H_tr_is * per_air;
-    const double H_1 = k_1 * n.H_ve, H_2 = H_1 + n.H_tr_w;
-    const double per_surface = 1 / (n.H_tr_ms + H_2), to_mass = n.H_tr_ms * per_surface;
-    const double C = n.C_m / dt, H = 0.5 * (to_mass * H_2 + n.H_tr_em),
-                 per_mass = 1 / (C + H);
-    const double air_per_theta_m = k_1 * to_mass;
-    const auto write = [&](double per_m, double per_st, double per_ia, LinearForm& form) {
-        const auto set = [&](Term term, double weight) {
-            form.weight[static_cast<std::size_t>(term)] = weight;
-        };
-        set(Term::theta_em, n.H_tr_em * per_m);
-        set(Term::theta_e, n.H_tr_w * per_st);
-        set(Term::theta_sup, H_1 * per_st + n.H_ve * per_ia);
-        set(Term::phi_m, per_m);
-        set(Term::phi_st, per_st);
-        set(Term::phi_ia, k_1 * per_st + per_ia);
-        set(Term::phi_h, k_1 * per_st + per_ia);
-    };
-    const double m = per_mass, air_m = 0.5 * air_per_theta_m * m;
-    StepMap map;
-    write(m, to_mass * m, 0, map.theta_m_after);
-    write(air_m, to_mass * air_m + k_1 * per_surface, per_air, map.theta_air);
-    map.theta_m_after.weight[0] = (C - H) * m;
-    map.theta_air.weight[0] = 0.5 * air_per_theta_m * (1 + (C - H) * m);
-    return map;
-}
-
-double span_of(const Input& input) {
-    return input.value - input.low;
-}
-
-bool is_driver(const ZonePlan& plan, const Input& input) {
-    for (int profile : plan.load_drivers)
-        if (profile == input.profile) return true;
-    return false;
-}
-
-/// phi_int per value of a profile that is a driver [W].
-double per_load_driver(const Regime& regime, int profile) {
-    double sum = 0;
-    for (const Load& load : regime.zone.loads)
-        if (load.density.profile == profile)
-            sum += regime.network.A_f * span_of(load.density) * load.heat_fraction;
-    return sum;
-}
-
-/// phi_int at a step, without the part that drivers bring [W].
-double tabled_gain(const Regime& regime, int step) {
-    double sum = 0;
-    for (const Load& load : regime.zone.loads)
-        sum +=
-            regime.network.A_f * load.heat_fraction *
-            (is_driver(regime.plan, load.density) ? load.density.low
-                                                  : regime.drive.at(load.density, step));
-    return sum;
-}
 
 /// Calls write(weight of a form per value of the driver) for every driver but an imposed
 /// power.
@@ -135,16 +41,6 @@ void add_apertures(const Regime& regime, Columns& columns) {
     for (int plane : regime.plan.planes)
         columns.add(regime.network.aperture[static_cast<std::size_t>(plane)]);
 }
-
-/// What converts the standard hour's power into the change of the mass temperature it
-/// causes.
-struct StandardScale {
-    double kelvin_per_watt;   ///< of the mass after the step
-    double asked_per_kelvin;  ///< power, in those units, per kelvin of the air
-    explicit StandardScale(const StepMap& map)
-        : kelvin_per_watt(map.theta_m_after[Term::phi_h]),
-          asked_per_kelvin(kelvin_per_watt / map.theta_air[Term::phi_h]) {}
-};
 
 /// In the order of kernel::StandardColumn.
 void write_standard_regime(const Regime& regime, Columns columns) {
@@ -186,50 +82,11 @@ class StandardRows {
     double asked_, mass_, mass_per_int_, missing_, air_per_int_;
 };
 
-const LinearForm& form_of(const StepMap& map, Term state) {
-    switch (state) {
-        case Term::theta_m:
-            return map.theta_m_after;
-        case Term::theta_m2:
-            return map.theta_m2_after;
-        case Term::phi_emitter:
-            return map.phi_emitter_after;
-        default:
-            return map.theta_air;
-    }
-}
-
 /// Calls use(form) for the free air temperature and each state after the step.
 template <class Use>
 void for_forms(const Regime& regime, Use use) {
     use(regime.map.theta_air);
     for (Term state : regime.plan.states) use(form_of(regime.map, state));
-}
-
-/// The thermostat as a line in the air temperature (structure.hpp): asked - gain
-/// theta_free.
-struct Line {
-    double asked, gain;
-};
-
-Line line_of(double theta_set, double slope, double band, double limit) {
-    if (limit <= 0) return {0, 0};
-    const double gain = 1 / (slope + band / limit);
-    return {theta_set * gain, gain};
-}
-
-Line heating_line(const Regime& regime) {
-    if (regime.control.imposed) return {0, 0};
-    return line_of(regime.control.theta_H_set + 0.5 * regime.network.band,
-                   regime.map.theta_air[Term::phi_h], regime.network.band,
-                   regime.control.phi_H_max);
-}
-
-Line cooling_line(const Regime& regime) {
-    if (regime.control.imposed) return {0, 0};
-    return line_of(regime.control.theta_C_set - 0.5 * regime.network.band,
-                   -regime.map.theta_air[Term::phi_c], regime.network.band,
-                   regime.control.phi_C_max);
 }
 
 /// In the order of kernel::GeneralColumn.
@@ -282,11 +139,6 @@ void for_rows(const Regime& regime, int index, const LaneTables& tables, Write w
     }
 }
 
-StepMap map_of(const ZonePlan& plan, const Network& network, double dt) {
-    return plan.is_standard() ? standard_step_map(network, dt)
-                              : make_step_map(network, dt);
-}
-
 void write_regime(const Regime& regime, int index, const LaneTables& tables) {
     const ZonePlan& plan = regime.plan;
     const Columns columns{
@@ -309,15 +161,8 @@ void write_regime(const Regime& regime, int index, const LaneTables& tables) {
 
 void write_coefficients(const ZonePlan& plan, const Building& building,
                         const Drive& drive, Network& network, const LaneTables& tables) {
-    const Zone& zone = building.zones[plan.zone];
-    for (int index = 0; index < plan.regimes.size(); ++index) {
-        const int step = plan.regimes.first[static_cast<std::size_t>(index)];
-        make_network(building, zone, drive, step, network);
-        write_regime(
-            {plan, building, zone, drive, network, radiant_split(network),
-             map_of(plan, network, drive.axis.step_s), control_at(zone, drive, step)},
-            index, tables);
-    }
+    for (int index = 0; index < plan.regimes.size(); ++index)
+        write_regime(make_regime(plan, index, building, drive, network), index, tables);
 }
 
 void write_start(const ZonePlan& plan, double theta_start, double* state, int lanes) {

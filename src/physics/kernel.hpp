@@ -107,6 +107,59 @@ struct ErrorColumn {
     enum : int { open_interval, error, square, product, relative, count };
 };
 
+/// The interval of each step, and what makes the interval's reading of the sum over its
+/// steps of W or degC.
+struct IntervalTime {
+    const int* interval;   ///< [n_steps] -1 before the period
+    const double* factor;  ///< [n_intervals]
+};
+
+/// Steps [begin, end) and the segments of the first and the last of them.
+struct Stretch {
+    int begin, end, first_segment, last_segment;
+};
+
+/// d objective / d each element of a zone's coefficients and state: their shapes.
+struct ZoneAdjoint {
+    double *regimes, *rows, *state;
+};
+
+/// Columns of a step's tape: what the way back needs of the way forward. The last two
+/// columns of the standard hour's are adjoints once it has been there.
+struct StandardTape {
+    enum : int { theta_m, asked, mass, count };
+};
+constexpr int general_tape_columns(int n_states) {
+    return n_states + 3;
+}  ///< states before, air with no power, heating, cooling
+
+/// The way back (kernel_adjoint.inl). Adjoints are added to; rows of a stretch are
+/// [steps x lanes].
+struct AdjointTable {
+    /// Readings [n_intervals x lanes] from what a meter shows.
+    void (*collect)(const IntervalTime&, const double* shown, int begin, int end,
+                    double* readings);
+    /// Runs the stretch and keeps its tape; group.sums is not used. Writes what is shown.
+    void (*keep)(const ZoneTime&, const ZoneLanes& group, const Stretch&, Show,
+                 const PowerRows&, double* tape);
+    /// From sensitivities [n_intervals x lanes] to the powers' adjoints and to those of
+    /// the meter's rows: of their sources only where powers.heating is nullptr.
+    void (*seed_meter)(const IntervalTime&, const double* sensitivities,
+                       const MeterLanes&, const PowerRows& powers, int begin, int end,
+                       const PowerRows& adjoints, double* meter_rows);
+    /// The same for the air temperature.
+    void (*seed_air)(const IntervalTime&, const double* sensitivities, int begin, int end,
+                     double* adjoints);
+    /// A zone's part of the building's air. \param of_share  [lanes]
+    void (*share_air)(const double* adjoints, const double* air,
+                      const double* floor_share, int n_steps, double* zone_adjoints,
+                      double* of_share);
+    /// Back through a stretch that was kept: the powers' adjoints (air may be nullptr)
+    /// and the adjoint of the state after it to all others.
+    void (*pull)(const ZoneTime&, const ZoneLanes& group, const Stretch&,
+                 const PowerRows& adjoints, double* tape, const ZoneAdjoint&);
+};
+
 struct Table {
     int lanes;
     /// Steps [begin, end) of a zone, whose first segment is `segment`.
@@ -134,6 +187,7 @@ struct Table {
     void (*add_up)(const double* shown, int n_steps, double* sum);
     void (*compare)(const ReadingTime&, const double* shown, int begin, int end,
                     double* errors);
+    AdjointTable adjoint;
 };
 
 const Table& scalar_table();

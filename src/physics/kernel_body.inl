@@ -96,6 +96,7 @@ struct Standard {
             const double* row = group.rows + zone.row_offset[step];
             Terms terms = terms_of_step<planes, more_drivers>(zone, regime, row, drivers);
             (Hooks::act(group, step, terms), ...);
+            if constexpr (requires { watch.keep(theta_m); }) watch.keep(theta_m);
             const V asked = fnma(column(regime, C::gain), theta_m, terms.asked);
             const V heat = min(max(asked, zero), column(regime, C::most_heating));
             const V cool = max(min(add(asked, column(regime, C::gap)), zero),
@@ -239,9 +240,23 @@ Powers powers_of_step(const ZoneTime& zone, const double* regime, const double* 
             min(max(cool, zero), column(regime, C::most_cooling))};
 }
 
-template <int n>
+/// Writes what is to be shown of a general zone's step.
+struct GeneralWritten {
+    Show show;
+    PowerRows out;
+    int first;
+    void see(int step, const V*, V, Powers power, V air) const {
+        const long at = static_cast<long>(step - first) * lanes;
+        if (show != Show::sums) store(out.heating + at, power.heating);
+        if (show != Show::sums) store(out.cooling + at, power.cooling);
+        if (show == Show::powers_and_air) store(out.air + at, air);
+    }
+};
+
+/// `watch` sees the state before each step, the air with no power, the powers, the air.
+template <int n, class Watch>
 void general_segment(const ZoneTime& zone, const ZoneLanes& group, const Segment& segment,
-                     Show show, const PowerRows& out, int first) {
+                     const Watch& watch) {
     const int stride = zone.n_drivers + zone.n_planes;
     const double* regime = group.regimes + segment.regime * zone.regime_size;
     const double* forms = regime + GeneralColumn::forms * lanes;
@@ -252,43 +267,41 @@ void general_segment(const ZoneTime& zone, const ZoneLanes& group, const Segment
         const double* row = group.rows + zone.row_offset[step];
         Forms<n> form =
             forms_of_step<n>(zone, forms, row, drivers, state, segment.in_sun != 0);
-        const Powers power = powers_of_step<n>(zone, regime, row, drivers, form.value[0]);
+        const V free = form.value[0];
+        const Powers power = powers_of_step<n>(zone, regime, row, drivers, free);
         form.add_column(forms, 0, power.heating);
         form.add_column(forms, 1, power.cooling);
+        watch.see(step, state, free, power, form.value[0]);
         for (int s = 0; s < n; ++s) state[s] = form.value[s + 1];
         heat = add(heat, power.heating);
         cool = add(cool, power.cooling);
-        const long at = static_cast<long>(step - first) * lanes;
-        if (show != Show::sums) store(out.heating + at, power.heating);
-        if (show != Show::sums) store(out.cooling + at, power.cooling);
-        if (show == Show::powers_and_air) store(out.air + at, form.value[0]);
     }
     for (int s = 0; s < n; ++s) store(group.state + s * lanes, state[s]);
     store(group.sums, heat);
     store(group.sums + lanes, cool);
 }
 
-inline void run_general(const ZoneTime& zone, const ZoneLanes& group,
-                        const Segment& segment, Show show, const PowerRows& out,
-                        int first) {
-    switch (zone.n_states) {
-        case 1:
-            return general_segment<1>(zone, group, segment, show, out, first);
-        case 2:
-            return general_segment<2>(zone, group, segment, show, out, first);
-        case 3:
-            return general_segment<3>(zone, group, segment, show, out, first);
-        default:
-            return general_segment<4>(zone, group, segment, show, out, first);
-    }
+template <class Watch>
+void run_general(const ZoneTime& zone, const ZoneLanes& group, int segment, int begin,
+                 int end, const Watch& watch) {
+    for_pieces(zone, segment, begin, end, [&](const Segment& piece) {
+        switch (zone.n_states) {
+            case 1:
+                return general_segment<1>(zone, group, piece, watch);
+            case 2:
+                return general_segment<2>(zone, group, piece, watch);
+            case 3:
+                return general_segment<3>(zone, group, piece, watch);
+            default:
+                return general_segment<4>(zone, group, piece, watch);
+        }
+    });
 }
 
 void run(const ZoneTime& zone, const ZoneLanes& group, int segment, int begin, int end,
          Show show, const PowerRows& out) {
     if (zone.n_states > 0)
-        for_pieces(zone, segment, begin, end, [&](const Segment& piece) {
-            run_general(zone, group, piece, show, out, begin);
-        });
+        run_general(zone, group, segment, begin, end, GeneralWritten{show, out, begin});
     else if (show == Show::sums)
         run_standard(zone, group, segment, begin, end, Unwatched{});
     else if (show == Show::powers)

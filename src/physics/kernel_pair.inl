@@ -46,3 +46,7 @@ inline V fnma(V x, V y, V z) {
 inline V magnitude(V x) {
     return {magnitude(x.a), magnitude(x.b)};
 }
+/// value where x < y, else 0
+inline V if_less(V x, V y, V value) {
+    return {if_less(x.a, y.a, value.a), if_less(x.b, y.b, value.b)};
+}

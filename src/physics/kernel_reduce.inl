@@ -106,8 +106,13 @@ void run_compared(const ZoneTime& zone, const ZoneLanes& group, int segment, int
                           reading.factor[0], errors, Errors(errors)});
 }
 
+#include "physics/kernel_adjoint.inl"
 #include "physics/kernel_differences.inl"
 
 constexpr Table table{
-    lanes,    run,      run_compared, run_metered, run_differences, add_differences,
-    add_base, add_zone, meter,        add_up,      compare};
+    lanes,           run,
+    run_compared,    run_metered,
+    run_differences, add_differences,
+    add_base,        add_zone,
+    meter,           add_up,
+    compare,         {collect, keep, seed_meter, seed_air, share_air, pull}};

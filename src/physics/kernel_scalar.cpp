@@ -46,6 +46,11 @@ inline V magnitude(V x) {
     return __builtin_fabs(x);
 }
 
+/// value where x < y, else 0
+inline V if_less(V x, V y, V value) {
+    return x < y ? value : 0;
+}
+
 #include "physics/kernel_reduce.inl"
 
 }  // namespace

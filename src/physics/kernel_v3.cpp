@@ -47,6 +47,10 @@ inline Register magnitude(Register x) {
     return _mm256_and_pd(x, _mm256_castsi256_pd(_mm256_set1_epi64x(0x7fffffffffffffff)));
 }
 
+inline Register if_less(Register x, Register y, Register value) {
+    return _mm256_and_pd(_mm256_cmp_pd(x, y, _CMP_LT_OQ), value);
+}
+
 #include "physics/kernel_pair.inl"
 #include "physics/kernel_reduce.inl"
 

@@ -47,6 +47,10 @@ inline Register magnitude(Register x) {
     return _mm512_abs_pd(x);
 }
 
+inline Register if_less(Register x, Register y, Register value) {
+    return _mm512_maskz_mov_pd(_mm512_cmp_pd_mask(x, y, _CMP_LT_OQ), value);
+}
+
 #include "physics/kernel_pair.inl"
 #include "physics/kernel_reduce.inl"
 

@@ -42,6 +42,7 @@ struct TermValues {
 /// A quantity as a weighted sum of the terms.
 struct LinearForm {
     std::array<double, n_terms> weight{};
+    double& operator[](Term term) { return weight[static_cast<std::size_t>(term)]; }
     double operator[](Term term) const { return weight[static_cast<std::size_t>(term)]; }
     double at(const TermValues& terms) const;  ///< summed in the order of the terms
 };
@@ -56,5 +57,9 @@ struct StepMap {
 
 /// \param dt  [s]
 StepMap make_step_map(const Network& network, double dt);
+
+/// Of the same forms the two that the standard hour needs (theta_m_after, theta_air) at
+/// the terms that it has, from C.4 to C.11 written out: a twentieth of the work.
+StepMap standard_step_map(const Network& network, double dt);
 
 }  // namespace bemcal::physics

@@ -1,0 +1,128 @@
+/// The way back through a zone with refinements. Included by kernel_adjoint.inl.
+
+/// Keeps the tape, and writes what is to be shown.
+struct GeneralKept {
+    GeneralWritten written;
+    int n;
+    double* tape;
+    void see(int step, const V* state, V free, Powers power, V air) const {
+        double* row = tape + static_cast<long>(step - written.first) *
+                                 general_tape_columns(n) * lanes;
+        for (int s = 0; s < n; ++s) store(row + s * lanes, state[s]);
+        store(row + n * lanes, free);
+        store(row + (n + 1) * lanes, power.heating);
+        store(row + (n + 2) * lanes, power.cooling);
+        written.see(step, state, free, power, air);
+    }
+};
+
+/// Adjoints of the forms of a step: form 0 is the air, the others the states after it.
+template <int n>
+struct FormAdjoints {
+    V value[n + 1];
+    /// Column `index` of the forms meets `factor`: adds to the column's adjoint, returns
+    /// the factor's.
+    V pull(const double* forms, int index, V factor, double* of_forms) const {
+        V sum = broadcast(0);
+        for (int f = 0; f <= n; ++f) {
+            add_to(of_forms, index * (n + 1) + f, mul(value[f], factor));
+            sum = fma(column(forms, index * (n + 1) + f), value[f], sum);
+        }
+        return sum;
+    }
+    void add_to_column(double* of_forms, int index, V factor) const {
+        for (int f = 0; f <= n; ++f)
+            add_to(of_forms, index * (n + 1) + f, mul(value[f], factor));
+    }
+};
+
+/// A power within its limit: the adjoint of what was asked; that of the limit is added.
+inline V pull_clamp(V power, V of_power, const double* regime, int limit,
+                    double* of_regime) {
+    const V on = if_less(broadcast(0), power, of_power);
+    const V freely = if_less(power, column(regime, limit), on);
+    add_to(of_regime, limit, sub(on, freely));
+    return freely;
+}
+
+/// Back through the powers: returns the adjoint of the air temperature that would be
+/// without them.
+template <int n>
+V pull_powers(const ZoneTime& zone, const double* regime, const double* row,
+              const double* drivers, V of_heating, V of_cooling, double* of_regime,
+              double* of_row) {
+    using C = GeneralColumn;
+    const V free = column(row, n);
+    const V heat =
+        pull_clamp(column(row, n + 1), of_heating, regime, C::most_heating, of_regime);
+    const V cool =
+        pull_clamp(column(row, n + 2), of_cooling, regime, C::most_cooling, of_regime);
+    add_to(of_row, n + 1, heat);
+    add_to(of_row, n + 2, cool);
+    if (zone.imposed != 0)
+        add_to(of_regime, C::imposed,
+               mul(broadcast(drivers[zone.n_drivers - 1]), sub(heat, cool)));
+    add_to(of_regime, C::gain_heating, sub(broadcast(0), mul(heat, free)));
+    add_to(of_regime, C::gain_cooling, mul(cool, free));
+    return fnma(column(regime, C::gain_heating), heat,
+                mul(column(regime, C::gain_cooling), cool));
+}
+
+/// The sun's part of a step: adjoints of its column and of the apertures.
+template <int n>
+void pull_sun(const ZoneTime& zone, const FormAdjoints<n>& of_form, const double* forms,
+              const double* irradiance, double* of_forms) {
+    const int planes = (3 + n + zone.n_drivers) * (n + 1);
+    const V sun = sunshine<-1>(forms + planes * lanes, irradiance, zone.n_planes);
+    const V of_sun = of_form.pull(forms, 2 + n, sun, of_forms);
+    for (int p = 0; p < zone.n_planes; ++p)
+        add_to(of_forms, planes + p, mul(of_sun, broadcast(irradiance[p])));
+}
+
+/// The way back through one segment.
+/// \param state  adjoints of the states after it, then before it
+template <int n>
+void pull_segment(const ZoneTime& zone, const ZoneLanes& group, const Segment& segment,
+                  const PowerRows& adjoints, int first, const double* tape,
+                  const ZoneAdjoint& to, V* state) {
+    const double* regime = group.regimes + segment.regime * zone.regime_size;
+    double* of_regime = to.regimes + segment.regime * zone.regime_size;
+    const double* forms = regime + GeneralColumn::forms * lanes;
+    double* of_forms = of_regime + GeneralColumn::forms * lanes;
+    const int stride = zone.n_drivers + zone.n_planes;
+    for (int step = segment.end - 1; step >= segment.begin; --step) {
+        const long at = step - first;
+        const double* row = tape + at * general_tape_columns(n) * lanes;
+        const double* drivers = zone.drivers + static_cast<long>(step) * stride;
+        double* of_row = to.rows + zone.row_offset[step];
+        FormAdjoints<n> of_form;
+        of_form.value[0] =
+            adjoints.air == nullptr ? broadcast(0) : load(adjoints.air + at * lanes);
+        for (int s = 0; s < n; ++s) of_form.value[s + 1] = state[s];
+        const V of_heating = add(load(adjoints.heating + at * lanes),
+                                 of_form.pull(forms, 0, column(row, n + 1), of_forms));
+        const V of_cooling = add(load(adjoints.cooling + at * lanes),
+                                 of_form.pull(forms, 1, column(row, n + 2), of_forms));
+        of_form.value[0] =
+            add(of_form.value[0], pull_powers<n>(zone, regime, row, drivers, of_heating,
+                                                 of_cooling, of_regime, of_row));
+        for (int f = 0; f <= n; ++f) add_to(of_row, f, of_form.value[f]);
+        for (int k = 0; k < zone.n_drivers; ++k)
+            of_form.add_to_column(of_forms, 3 + n + k, broadcast(drivers[k]));
+        if (segment.in_sun != 0)
+            pull_sun<n>(zone, of_form, forms, drivers + zone.n_drivers, of_forms);
+        for (int s = 0; s < n; ++s)
+            state[s] = of_form.pull(forms, 2 + s, column(row, s), of_forms);
+    }
+}
+
+template <int n>
+void pull_general(const ZoneTime& zone, const ZoneLanes& group, const Stretch& stretch,
+                  const PowerRows& adjoints, double* tape, const ZoneAdjoint& to) {
+    V state[n];
+    for (int s = 0; s < n; ++s) state[s] = column(to.state, s);
+    for_pieces_back(zone, stretch, [&](const Segment& piece) {
+        pull_segment<n>(zone, group, piece, adjoints, stretch.begin, tape, to, state);
+    });
+    for (int s = 0; s < n; ++s) store(to.state + s * lanes, state[s]);
+}
