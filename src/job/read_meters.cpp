@@ -56,18 +56,26 @@ class MeterReader {
     }
 
     Meter read() {
-        const TimedCsv source = open_csv(section_, "file", section_.text("file"), files_,
-                                         building_.weather.site, nominal_step());
-        const Interval rows = interval_of_rows(source.stamps.step_s);
-        RegularSeries series =
-            rows < Interval::monthly ? even_rows(source) : rows_by_calendar(source, rows);
+        const std::vector<TimedCsv> sources = open_files();
+        const Interval rows = interval_of_rows(sources[0].stamps.step_s);
+        RegularSeries series = rows < Interval::monthly ? even_rows(sources)
+                                                        : rows_by_calendar(sources, rows);
         meter_.axis = series.axis;
         meter_.values = std::move(series.values);
-        check_readings(source.csv->file);
+        check_readings(sources[0].csv->file);
         return std::move(meter_);
     }
 
   private:
+    std::vector<TimedCsv> open_files() {
+        std::vector<TimedCsv> sources;
+        for (const std::string& file : section_.texts("file"))
+            sources.push_back(open_csv(section_, "file", file, files_,
+                                       building_.weather.site, nominal_step()));
+        if (sources.empty()) section_.fail("file", "is empty; expected a CSV file");
+        return sources;
+    }
+
     int nominal_step() const {
         constexpr int steps[] = {3600, 3600, day_s, 31 * day_s, 365 * day_s};
         return steps[static_cast<int>(meter_.interval)];
@@ -78,8 +86,10 @@ class MeterReader {
             {meter_.name, std::move(finding), std::move(action)});
     }
 
-    RegularSeries even_rows(const TimedCsv& source) {
-        RegularSeries series = series_of(source, column_);
+    RegularSeries even_rows(const std::vector<TimedCsv>& sources) {
+        RegularSeries series = series_of(sources[0], column_);
+        for (std::size_t k = 1; k < sources.size(); ++k)
+            append(series, series_of(sources[k], column_), sources[k].csv->file);
         note_gaps(series);
         correct(series);
         if (series.axis.step_s <= 3600) {
@@ -91,7 +101,11 @@ class MeterReader {
         return on_intervals(std::move(series));
     }
 
-    RegularSeries rows_by_calendar(const TimedCsv& source, Interval rows) {
+    RegularSeries rows_by_calendar(const std::vector<TimedCsv>& sources, Interval rows) {
+        if (sources.size() > 1)
+            section_.fail("file",
+                          "has several files of months or years; put them into one");
+        const TimedCsv& source = sources[0];
         if (rows != meter_.interval) refuse_rows(source.stamps.step_s);
         const Csv& csv = *source.csv;
         RegularSeries series = calendar_rows(

@@ -52,6 +52,36 @@ RegularSeries lay(const Csv& csv, const Stamps& stamps,
     return series;
 }
 
+void append(RegularSeries& series, const RegularSeries& next, const std::string& file) {
+    const auto fail = [&](const std::string& what) {
+        throw UserError(ExitCode::data, fmt::format("{}: {}", file, what));
+    };
+    if (next.axis.step_s != series.axis.step_s)
+        fail(fmt::format("its rows are {} s apart, those of the file before it {} s",
+                         next.axis.step_s, series.axis.step_s));
+    const long long seconds = (next.axis.start - series.axis.end()).count();
+    if (seconds < 0)
+        fail(fmt::format(
+            "begins at {}, before the end of the file before it, {}; expected "
+            "files in the order of time",
+            physics::format_time(next.axis.start),
+            physics::format_time(series.axis.end())));
+    if (seconds % series.axis.step_s != 0 || seconds / series.axis.step_s > most_steps)
+        fail(
+            fmt::format("begins {} s after the file before it, not a number of its steps "
+                        "of {} s",
+                        seconds, series.axis.step_s));
+    const int between = static_cast<int>(seconds / series.axis.step_s);
+    const int begin = series.axis.n_steps + between;
+    if (between > 0) series.gaps.push_back({series.axis.n_steps, between, 0});
+    series.values.resize(static_cast<std::size_t>(begin),
+                         std::numeric_limits<double>::quiet_NaN());
+    series.values.insert(series.values.end(), next.values.begin(), next.values.end());
+    for (const Gap& gap : next.gaps)
+        series.gaps.push_back({begin + gap.first, gap.n, gap.row});
+    series.axis.n_steps = begin + next.axis.n_steps;
+}
+
 std::string words_of(const Gap& gap, const physics::TimeAxis& axis) {
     const double hours = gap.n * axis.step_s / 3600.0;
     return fmt::format("{:g} h from {}", hours,

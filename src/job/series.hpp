@@ -25,6 +25,11 @@ struct RegularSeries {
 RegularSeries lay(const Csv& csv, const Stamps& stamps,
                   const std::vector<double>& values);
 
+/// Puts the next file's readings behind those before it; steps between them are missing.
+/// Throws UserError (data) naming `file` where its steps are of another length or grid,
+/// or it begins before the end of what is there.
+void append(RegularSeries& series, const RegularSeries& next, const std::string& file);
+
 /// Throws UserError (data) for the first gap; says how to accept it.
 void refuse_gaps(const Csv& csv, const RegularSeries& series);
 
