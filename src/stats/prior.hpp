@@ -24,7 +24,8 @@ struct Prior {
     /// always is.
     bool is_normalised = false;
 
-    /// Log density at x, with its normalisation over [least, most]; -inf outside.
+    /// Log density at x, with its normalisation over [least, most]; -inf outside. Where
+    /// it is wanted often, PriorDensity has the constant at hand.
     double log_density(double x) const;
     double log_density_derivative(double x) const;
     double cdf(double x) const;
@@ -44,12 +45,37 @@ struct Mapped {
     double log_slope_derivative = 0;  ///< of log |dx/du| by u
 };
 
-/// From the real line onto (least, most): logit, log, or itself.
+/// From the real line onto (least, most), rising: logit, log, or itself. Where both are
+/// the same (a fixed value) every u is mapped there.
 struct Transform {
     double least, most;
     Mapped at(double u) const;
     double inverse(double x) const;
 };
 Transform transform_of(const Prior& prior);
+
+/// A log density and its derivative.
+struct LogDensity {
+    double value = 0, derivative = 0;
+};
+
+/// A prior made ready for many evaluations.
+class PriorDensity {
+  public:
+    explicit PriorDensity(const Prior& prior);
+
+    /// Of x, by x; -inf and 0 outside the support.
+    LogDensity at(double x) const;
+    /// Of u, by u, on the real line of the prior's Transform: the Jacobian is in it.
+    /// Exact also where x(u) is so near an end of its range that it is rounded to it.
+    LogDensity on_the_line(double u) const;
+    const Transform& transform() const { return transform_; }
+
+  private:
+    Prior prior_;
+    Transform transform_;
+    double offset_ = 0, scale_ = 1;  ///< the distribution is that of (x - offset) / scale
+    double constant_ = 0;
+};
 
 }  // namespace bemcal::stats

@@ -1,0 +1,36 @@
+/// Distribution functions by Boost.Math: the only door to it.
+///
+/// Everything is computed in double, without the wider types that differ from machine to
+/// machine. What is not defined is NaN; nothing throws.
+#pragma once
+
+namespace bemcal::stats {
+
+enum class Family { normal, lognormal, beta, gamma, student_t };
+
+/// A distribution on its full support.
+struct Distribution {
+    Family family = Family::normal;
+    /// normal: mean, sd; lognormal: mean and sd of the logarithm; beta: its two
+    /// exponents; gamma: shape, rate; student_t: degrees of freedom, unused.
+    double a = 0, b = 1;
+
+    double least() const;  ///< of the support
+    double most() const;
+
+    double density(double x) const;
+    double cdf(double x) const;
+    double upper(double x) const;  ///< 1 - cdf, without cancellation
+    double quantile(double p) const;
+    double upper_quantile(double p) const;  ///< x with upper(x) = p
+    double mean() const;
+    double sd() const;
+};
+
+double normal_cdf(double z);       ///< of the standard normal
+double normal_quantile(double p);  ///< of the standard normal
+/// Of Fisher's F with d1 and d2 degrees of freedom.
+double fisher_f_quantile(double p, double d1, double d2);
+double log_gamma(double x);  ///< log |Gamma(x)|
+
+}  // namespace bemcal::stats

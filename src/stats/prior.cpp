@@ -1,0 +1,49 @@
+/// What is asked of a prior now and then: probabilities, quantiles, moments.
+#include "stats/prior.hpp"
+
+#include "stats/prior_standard.hpp"
+
+#include <algorithm>
+
+namespace bemcal::stats {
+
+const char* name_of(PriorKind kind) {
+    constexpr const char* names[] = {"fixed",     "uniform", "normal",
+                                     "lognormal", "beta",    "gamma"};
+    return names[static_cast<int>(kind)];
+}
+
+double Prior::log_density(double x) const {
+    return PriorDensity(*this).at(x).value;
+}
+
+double Prior::log_density_derivative(double x) const {
+    return PriorDensity(*this).at(x).derivative;
+}
+
+double Prior::cdf(double x) const {
+    if (kind == PriorKind::fixed) return x >= fixed_value(*this) ? 1 : 0;
+    const StandardPrior standard(*this);
+    const double t = std::clamp(standard.t(x), standard.least, standard.most);
+    return standard.mass_between(standard.least, t) / standard.mass();
+}
+
+double Prior::quantile(double p) const {
+    if (kind == PriorKind::fixed) return fixed_value(*this);
+    const StandardPrior standard(*this);
+    return std::clamp(standard.x(standard.quantile(p)), least, most);
+}
+
+double Prior::mean() const {
+    if (kind == PriorKind::fixed) return fixed_value(*this);
+    const StandardPrior standard(*this);
+    return standard.x(standard.mean());
+}
+
+double Prior::sd() const {
+    if (kind == PriorKind::fixed) return 0;
+    const StandardPrior standard(*this);
+    return standard.scale * standard.sd();
+}
+
+}  // namespace bemcal::stats
