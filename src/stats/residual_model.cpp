@@ -1,5 +1,6 @@
 #include "stats/residual_model.hpp"
 
+#include "stats/residual_model_filter.hpp"
 #include "stats/residual_model_memory.hpp"
 #include "stats/residual_model_parameters.hpp"
 #include "stats/residual_model_scale.hpp"
@@ -28,6 +29,9 @@ struct Call {
     double* by_prediction;
     double* by_parameter;
     Scaled scaled;
+    FilterScratch filter;
+
+    bool wants_derivatives() const { return by_prediction || by_parameter; }
 };
 
 ParameterLanes load_parameters(const Call& call, const Block& block) {
@@ -37,9 +41,22 @@ ParameterLanes load_parameters(const Call& call, const Block& block) {
     return lanes;
 }
 
+/// Relative change of the gain from one reading to the next that counts as settled.
+constexpr double settled_change = 1e-10;
+
+Lanes filter_density(const Call& call, const ParameterLanes& parameters,
+                     ParameterLanes& derivative) {
+    const double tolerance = call.options.steady_state ? settled_change : -1;
+    Filter filter(call.times, parameters, tolerance, call.scaled, call.filter);
+    const Lanes value = filter.log_density();
+    if (call.wants_derivatives()) filter.pull_back(derivative);
+    return value;
+}
+
 /// Log density of the z, and its derivative by the parameters it has.
 Lanes density_of_z(const Call& call, const ParameterLanes& parameters,
                    ParameterLanes& derivative) {
+    if (call.options.discrepancy) return filter_density(call, parameters, derivative);
     if (!call.options.autocorrelated)
         return white_log_density(call.times.n_present(), call.scaled);
     const auto density = ar1_log_density(call.times, parameters[phi], call.scaled);
@@ -75,11 +92,11 @@ void evaluate(const Call& call, const Block& block) {
     const Scale scale{parameters[constant], parameters[proportional], call.unit};
     Lanes value = scale_residuals(call.times, call.measured, scale, block,
                                   call.predictions, call.scaled);
-    ParameterLanes derivative;
+    ParameterLanes derivative{all(0), all(0), all(0), all(0), all(0)};
     value += density_of_z(call, parameters, derivative);
     value -= 0.5 * static_cast<double>(call.times.n_present()) *
              std::log(2 * std::numbers::pi);
-    if (call.by_prediction || call.by_parameter) {
+    if (call.wants_derivatives()) {
         const auto by_scale = pull_back_scale(call.times, scale, block, call.predictions,
                                               call.scaled, call.by_prediction);
         derivative[constant] = by_scale.constant;
@@ -116,19 +133,19 @@ void ResidualModel::log_likelihood(const double* predictions, const double* para
     clear(by_parameter, n_parameters() * n_lanes);
     if (n_present() == 0) return;
     const std::size_t size = n_present() * width;
-    work.doubles.resize(3 * size);
+    const std::size_t filter_rows =
+        options_.discrepancy ? FilterScratch::rows_for(n_present()) : 0;
+    work.doubles.resize(3 * size + filter_rows * width);
+    work.indices.resize(times_.stretches.size());
     double* scratch = work.doubles.data();
-    const Call call{times_,
-                    measured_,
-                    scale_,
-                    options_,
-                    parameters_of(options_),
-                    predictions,
-                    parameters,
-                    values,
-                    by_prediction,
-                    by_parameter,
-                    {scratch, scratch + size, scratch + 2 * size}};
+    const Scaled scaled{scratch, scratch + size, scratch + 2 * size};
+    double* states = scratch + 3 * size;
+    const FilterScratch filter{states, states + 3 * (n_present() + 1) * width,
+                               work.indices.data()};
+    const Call call{
+        times_,      measured_,  scale_, options_,      parameters_of(options_),
+        predictions, parameters, values, by_prediction, by_parameter,
+        scaled,      filter};
     for (std::size_t first = 0; first < n_lanes; first += width)
         evaluate(call, {first, std::min<std::size_t>(width, n_lanes - first), n_lanes});
 }

@@ -46,6 +46,7 @@ class ResidualModel {
     /// Scratch of a thread.
     struct Work {
         std::vector<double> doubles;
+        std::vector<std::size_t> indices;
     };
 
     /// \param predictions  [n_readings x lanes]   \param parameters  [n_parameters x

@@ -11,9 +11,13 @@ using namespace residual_cases;
 
 const ResidualOptions white{false, false, false};
 const ResidualOptions ar1{true, false, false};
+const ResidualOptions slow{false, true, false};
+const ResidualOptions ar1_slow{true, true, false};
+const ResidualOptions ar1_steady{true, true, true};
 
 class EveryModel : public testing::TestWithParam<ResidualOptions> {};
-INSTANTIATE_TEST_SUITE_P(Residuals, EveryModel, testing::Values(white, ar1));
+INSTANTIATE_TEST_SUITE_P(Residuals, EveryModel,
+                         testing::Values(white, ar1, slow, ar1_slow, ar1_steady));
 
 TEST_P(EveryModel, IsTheDenseGaussianProcess) {
     for (const bool has_gaps : {false, true}) {
