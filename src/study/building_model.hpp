@@ -42,6 +42,9 @@ class BuildingModel {
     /// is predicted. Throws std::invalid_argument for a name that is not a meter's.
     BuildingModel(const Case& building, const Period& period, const MeterChoice& choice);
 
+    BuildingModel(const BuildingModel&) = delete;
+    BuildingModel& operator=(const BuildingModel&) = delete;
+
     const Case& building() const { return building_; }
     const std::vector<MeterModel>& meters() const { return meters_; }
     std::size_t n_parameters() const { return building_.parameters.size(); }

@@ -13,28 +13,6 @@
 namespace bemcal::study {
 namespace {
 
-/// The prior of a parameter; without one, uniform in its range.
-Coordinate coordinate_of(const Case& building, std::size_t k) {
-    const physics::Parameter& parameter = building.parameters[k];
-    Coordinate coordinate{parameter.name, parameter.unit, {}};
-    coordinate.prior.least = parameter.least;
-    coordinate.prior.most = parameter.most;
-    if (building.priors.empty()) return coordinate;
-    coordinate.prior = building.priors[k].prior;
-    coordinate.values = building.priors[k].values;
-    return coordinate;
-}
-
-std::shared_ptr<const Space> space_of(const BuildingModel& model) {
-    std::vector<Coordinate> coordinates;
-    for (std::size_t k = 0; k < model.n_parameters(); ++k)
-        coordinates.push_back(coordinate_of(model.building(), k));
-    for (const MeterModel& meter : model.meters())
-        coordinates.insert(coordinates.end(), meter.unknowns.begin(),
-                           meter.unknowns.end());
-    return std::make_shared<const Space>(std::move(coordinates));
-}
-
 /// Buildings of one posterior measure their noise by what their descriptions predict,
 /// which is known of unseen ones too.
 std::unique_ptr<BuildingModel> model_of(const Case& building, const Period& period,

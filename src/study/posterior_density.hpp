@@ -20,6 +20,9 @@ struct PosteriorParts {
     std::size_t n_parameters() const { return buildings.at(0)->n_parameters(); }
 };
 
+/// A building's unknowns with their priors.
+std::shared_ptr<const Space> space_of(const BuildingModel& model);
+
 std::unique_ptr<sampling::Density> make_posterior_density(
     std::shared_ptr<const PosteriorParts> parts);
 
