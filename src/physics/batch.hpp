@@ -109,6 +109,7 @@ class Batch {
                   double* sums) const;
 
     struct Plan;
+    const Plan& plan() const { return *plan_; }
 
   private:
     std::unique_ptr<Plan> plan_;

@@ -83,4 +83,7 @@ struct Batch::Group {
 /// What a run has to show for a quantity.
 kernel::Show show_for(Quantity quantity);
 
+/// Why a lane went wrong: the plain version says where.
+std::string why_not_finite(const Building& building, const Drive& drive);
+
 }  // namespace bemcal::physics

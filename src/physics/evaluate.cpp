@@ -24,16 +24,6 @@ bool is_finite(const PointAnswer& answer) {
                        [](const ErrorSums& errors) { return is_finite(errors); });
 }
 
-/// Why a lane went wrong: the plain version says where.
-std::string why_not_finite(const Building& building, const Drive& drive) {
-    try {
-        simulate(building, drive, start_temperature);
-        return not_finite;
-    } catch (const std::domain_error& error) {
-        return error.what();
-    }
-}
-
 PointAnswer failed(const std::string& failure) {
     PointAnswer answer;
     answer.failure = failure;
@@ -70,6 +60,15 @@ std::vector<PointAnswer> evaluate_plain(const Batch::Plan& batch, const Matrix& 
 }
 
 }  // namespace
+
+std::string why_not_finite(const Building& building, const Drive& drive) {
+    try {
+        simulate(building, drive, start_temperature);
+        return not_finite;
+    } catch (const std::domain_error& error) {
+        return error.what();
+    }
+}
 
 std::vector<PointAnswer> Batch::evaluate(const Matrix& points,
                                          const Request& request) const {

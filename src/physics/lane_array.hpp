@@ -23,6 +23,7 @@ class LaneArray {
         return values_[column * lanes_ + static_cast<std::size_t>(lane)];
     }
     std::size_t columns() const { return size_ / lanes_; }
+    std::size_t size() const { return size_; }
     bool empty() const { return size_ == 0; }
     void clear() { std::fill_n(data(), size_, 0.0); }
     void clear_lane(int lane) {

@@ -94,6 +94,10 @@ const char* unit_of(Quantity quantity) {
     return row_of(quantity).unit;
 }
 
+Carrier carrier_of(Quantity quantity) {
+    return row_of(quantity).carrier;
+}
+
 const char* name_of(Interval interval) {
     constexpr const char* names[] = {"step", "hourly", "daily", "monthly", "annual"};
     return names[static_cast<std::size_t>(interval)];
@@ -146,7 +150,7 @@ MeterForm meter_form(const Building& building, const Drive& drive, Quantity quan
                      int step) {
     if (quantity == Quantity::heating) return {1, 0, 0};
     if (quantity == Quantity::cooling) return {0, 1, 0};
-    const Carrier carrier = row_of(quantity).carrier;
+    const Carrier carrier = carrier_of(quantity);
     if (carrier == Carrier::none) return {};
     const Plant& plant = building.plant;
     MeterForm form;

@@ -224,19 +224,6 @@ std::vector<int> plant_profiles(const Building& building, Carrier carrier) {
     return profiles;
 }
 
-Carrier carrier_of(Quantity quantity) {
-    switch (quantity) {
-        case Quantity::electricity:
-            return Carrier::electricity;
-        case Quantity::gas:
-            return Carrier::gas;
-        case Quantity::district:
-            return Carrier::district;
-        default:
-            return Carrier::none;
-    }
-}
-
 }  // namespace
 
 Partition one_class(int n_steps) {

@@ -1,0 +1,407 @@
+/// The columns in the order in which affine.cpp writes them, each handed on to the forms,
+/// gains and set-points that it was made of.
+#include "physics/affine_adjoint.hpp"
+
+#include "physics/network_adjoint.hpp"
+#include "physics/regime.hpp"
+#include "physics/step_map_adjoint.hpp"
+
+namespace bemcal::physics {
+
+namespace {
+
+/// Consecutive columns of one lane.
+struct Columns {
+    const double* next;
+    int lanes;
+    double take() {
+        const double value = *next;
+        next += lanes;
+        return value;
+    }
+};
+
+/// A regime with the adjoints of what it is made of. The functions without a result add
+/// the adjoint g of the regime's function of the same name to the form's and the others.
+struct RegimeBack {
+    const Regime& regime;
+    PlaceBack place;
+    Network& of_network;
+    StepMap of_map{};
+    RadiantSplit of_split{0, 0};
+    Control of_control{0, 0, 0, 0};
+
+    void per_sol(const LinearForm& form, double g, LinearForm& of_form) {
+        of_form[Term::phi_st] += g * regime.split.to_st;
+        of_form[Term::phi_m] += g * regime.split.to_m;
+        of_split.to_st += g * form[Term::phi_st];
+        of_split.to_m += g * form[Term::phi_m];
+    }
+
+    void per_int(const LinearForm& form, double g, LinearForm& of_form) {
+        of_form[Term::phi_ia] += 0.5 * g;
+        per_sol(form, 0.5 * g, of_form);
+    }
+
+    void per_temperature(const LinearForm& form, std::size_t at, double g,
+                         LinearForm& of_form) {
+        of_form[Term::theta_em] += g * regime.network.em_share[at];
+        of_form[Term::theta_sup] += g * regime.network.ve_share[at];
+        of_network.em_share[at] += g * form[Term::theta_em];
+        of_network.ve_share[at] += g * form[Term::theta_sup];
+    }
+
+    void fixed(const LinearForm& form, double g, LinearForm& of_form) {
+        per_sol(form, -g * regime.network.phi_sky, of_form);
+        of_network.phi_sky -= g * regime.per_sol(form);
+        for (std::size_t b = 0; b < regime.building.boundaries.size(); ++b) {
+            const Input& theta = regime.building.boundaries[b].temperature;
+            Input& of_theta = place.of_building.boundaries[b].temperature;
+            const bool varies = theta.profile >= 0;
+            per_temperature(form, b + 1, g * (varies ? theta.low : theta.value), of_form);
+            (varies ? of_theta.low : of_theta.value) +=
+                g * regime.per_temperature(form, b + 1);
+        }
+    }
+};
+
+/// value - low times a factor.
+void pull_span(double of_span, Input& of_input) {
+    of_input.value += of_span;
+    of_input.low -= of_span;
+}
+
+/// Of per_load_driver.
+void pull_load_driver(RegimeBack& back, int profile, double of_gain) {
+    const Zone& zone = back.regime.zone;
+    const double A_f = back.regime.network.A_f;
+    for (std::size_t k = 0; k < zone.loads.size(); ++k) {
+        const Load& load = zone.loads[k];
+        if (load.density.profile != profile) continue;
+        Load& of_load = back.place.of_here().loads[k];
+        const double span = span_of(load.density);
+        pull_span(of_gain * A_f * load.heat_fraction, of_load.density);
+        of_load.heat_fraction += of_gain * A_f * span;
+        back.of_network.A_f += of_gain * span * load.heat_fraction;
+    }
+}
+
+/// Of tabled_gain.
+void pull_tabled_gain(RegimeBack& back, int step, double of_gain) {
+    const Regime& regime = back.regime;
+    const double A_f = regime.network.A_f;
+    for (std::size_t k = 0; k < regime.zone.loads.size(); ++k) {
+        const Load& load = regime.zone.loads[k];
+        Load& of_load = back.place.of_here().loads[k];
+        const bool only_low = is_driver(regime.plan, load.density);
+        const double density =
+            only_low ? load.density.low : regime.drive.at(load.density, step);
+        const double of_density = of_gain * A_f * load.heat_fraction;
+        if (only_low)
+            of_load.density.low += of_density;
+        else
+            pull_input(load.density, regime.drive, step, of_density, of_load.density);
+        of_load.heat_fraction += of_gain * A_f * density;
+        back.of_network.A_f += of_gain * density * load.heat_fraction;
+    }
+}
+
+/// Calls each(weight of a form per value of the driver, its way back) for every driver
+/// but an imposed power, as for_drivers of affine.cpp.
+template <class Each>
+void for_drivers(RegimeBack& back, Each each) {
+    const Regime& regime = back.regime;
+    each(
+        [&](const LinearForm& form) {
+            return regime.per_temperature(form, 0) + form[Term::theta_e];
+        },
+        [&](const LinearForm& form, double g, LinearForm& of_form) {
+            back.per_temperature(form, 0, g, of_form);
+            of_form[Term::theta_e] += g;
+        });
+    for (int boundary : regime.plan.boundary_drivers) {
+        const auto b = static_cast<std::size_t>(boundary);
+        const double span = span_of(regime.building.boundaries[b].temperature);
+        Input& of_theta = back.place.of_building.boundaries[b].temperature;
+        each(
+            [&](const LinearForm& form) {
+                return span * regime.per_temperature(form, b + 1);
+            },
+            [&](const LinearForm& form, double g, LinearForm& of_form) {
+                back.per_temperature(form, b + 1, g * span, of_form);
+                pull_span(g * regime.per_temperature(form, b + 1), of_theta);
+            });
+    }
+    for (int profile : regime.plan.load_drivers) {
+        const double gain = per_load_driver(regime, profile);
+        double of_gain = 0;
+        each([&](const LinearForm& form) { return gain * regime.per_int(form); },
+             [&](const LinearForm& form, double g, LinearForm& of_form) {
+                 back.per_int(form, g * gain, of_form);
+                 of_gain += g * regime.per_int(form);
+             });
+        pull_load_driver(back, profile, of_gain);
+    }
+}
+
+void pull_apertures(RegimeBack& back, Columns& columns) {
+    for (int plane : back.regime.plan.planes)
+        back.of_network.aperture[static_cast<std::size_t>(plane)] += columns.take();
+}
+
+/// Calls pull(phi_int, the row's columns), which returns the adjoint of phi_int.
+template <class Pull>
+void for_rows(RegimeBack& back, int index, const LaneAdjoints& tables, Pull pull) {
+    const ZonePlan& plan = back.regime.plan;
+    for (int row : plan.rows_of_regime[static_cast<std::size_t>(index)]) {
+        const double* at =
+            tables.rows + static_cast<long>(row) * plan.row_columns() * tables.lanes;
+        const int step = plan.rows.first[static_cast<std::size_t>(row)];
+        pull_tabled_gain(back, step,
+                         pull(tabled_gain(back.regime, step), Columns{at, tables.lanes}));
+    }
+}
+
+/// The regime of a standard hour: columns that are functions of two forms, mass and air,
+/// and of two scales.
+class StandardBack {
+  public:
+    explicit StandardBack(RegimeBack& back)
+        : back_(back),
+          mass_(back.regime.map.theta_m_after),
+          air_(back.regime.map.theta_air),
+          of_mass_(back.of_map.theta_m_after),
+          of_air_(back.of_map.theta_air),
+          scale_(back.regime.map) {}
+
+    /// In the order of kernel::StandardColumn.
+    void pull_columns(Columns columns) {
+        of_mass_[Term::theta_m] += columns.take();
+        const double of_gain = columns.take();
+        of_asked_ += of_gain * air_[Term::theta_m];
+        of_air_[Term::theta_m] += of_gain * scale_.asked_per_kelvin;
+        pull_control(columns);
+        const double of_sun_mass = columns.take();
+        back_.per_sol(mass_, of_sun_mass, of_mass_);
+        back_.per_sol(air_, asked(back_.regime.per_sol(air_), columns.take()), of_air_);
+        for_drivers(back_, [&](auto weight, auto pull_weight) {
+            pull_weight(mass_, columns.take(), of_mass_);
+            pull_weight(air_, asked(weight(air_), columns.take()), of_air_);
+        });
+        pull_apertures(back_, columns);
+    }
+
+    void pull_rows(int index, const LaneAdjoints& tables) {
+        const Regime& regime = back_.regime;
+        const double mass_per_int = regime.per_int(mass_),
+                     air_per_int = regime.per_int(air_);
+        double of_mass = 0, of_mass_int = 0, of_asked = 0, of_asked_int = 0;
+        for_rows(back_, index, tables, [&](double phi_int, Columns row) {
+            const double g_mass = row.take(), g_asked = row.take();
+            of_mass += g_mass;
+            of_mass_int += g_mass * phi_int;
+            of_asked += g_asked;
+            of_asked_int += g_asked * phi_int;
+            return g_mass * mass_per_int -
+                   g_asked * scale_.asked_per_kelvin * air_per_int;
+        });
+        back_.fixed(mass_, of_mass, of_mass_);
+        back_.per_int(mass_, of_mass_int, of_mass_);
+        back_.fixed(air_, asked(regime.fixed(air_), of_asked), of_air_);
+        back_.per_int(air_, asked(air_per_int, of_asked_int), of_air_);
+        of_asked_ += of_asked * regime.control.theta_H_set;
+        back_.of_control.theta_H_set += of_asked * scale_.asked_per_kelvin;
+    }
+
+    void pull_map(double dt) {
+        const double kelvin = scale_.kelvin_per_watt, per_air = air_[Term::phi_h];
+        of_mass_[Term::phi_h] += of_kelvin_ + of_asked_ / per_air;
+        of_air_[Term::phi_h] -= of_asked_ * kelvin / (per_air * per_air);
+        pull_standard_step_map(back_.regime.network, dt, back_.of_map, back_.of_network);
+    }
+
+  private:
+    /// Of a column -asked_per_kelvin value: returns the value's adjoint.
+    double asked(double value, double g) {
+        of_asked_ -= g * value;
+        return -g * scale_.asked_per_kelvin;
+    }
+
+    /// kelvin_per_watt limit; an unlimited one has no adjoint.
+    double limit(double value, double g) {
+        if (g == 0) return 0;
+        of_kelvin_ += g * value;
+        return g * scale_.kelvin_per_watt;
+    }
+
+    void pull_control(Columns& columns) {
+        const Control& control = back_.regime.control;
+        Control& of = back_.of_control;
+        of.phi_H_max += limit(control.phi_H_max, columns.take());
+        const double of_gap = columns.take();
+        of_asked_ += of_gap * (control.theta_C_set - control.theta_H_set);
+        of.theta_C_set += of_gap * scale_.asked_per_kelvin;
+        of.theta_H_set -= of_gap * scale_.asked_per_kelvin;
+        of.phi_C_max += limit(control.phi_C_max, -columns.take());
+        of_kelvin_ -= columns.take() / (scale_.kelvin_per_watt * scale_.kelvin_per_watt);
+        of_asked_ -= columns.take() / (scale_.asked_per_kelvin * scale_.asked_per_kelvin);
+        of.theta_H_set += columns.take();
+    }
+
+    RegimeBack& back_;
+    const LinearForm &mass_, &air_;
+    LinearForm &of_mass_, &of_air_;
+    StandardScale scale_;
+    double of_kelvin_ = 0, of_asked_ = 0;  ///< adjoints of the scales
+};
+
+/// Of line_of: the adjoint of a thermostat's line to its set-point, slope, band, limit.
+struct LineBack {
+    double theta_set = 0, slope = 0, band = 0, limit = 0;
+    LineBack(const Line& line, const Line& of_line, double theta, double width,
+             double most) {
+        if (line.gain == 0) return;
+        theta_set = of_line.asked * line.gain;
+        slope = -line.gain * line.gain * (of_line.gain + of_line.asked * theta);
+        band = slope / most;
+        limit = -slope * width / most / most;
+    }
+};
+
+/// The regime of any other zone: columns for each form.
+class GeneralBack {
+  public:
+    explicit GeneralBack(RegimeBack& back) : back_(back) {}
+
+    /// In the order of kernel::GeneralColumn.
+    void pull_columns(Columns columns) {
+        back_.of_control.phi_H_max += columns.take();
+        back_.of_control.phi_C_max += columns.take();
+        of_heating_.gain += columns.take();
+        of_cooling_.gain += columns.take();
+        pull_imposed_span(columns.take());
+        pull_term(Term::phi_h, columns);
+        pull_term(Term::phi_c, columns);
+        for (Term state : back_.regime.plan.states) pull_term(state, columns);
+        for_forms([&](const LinearForm& form, LinearForm& of_form) {
+            back_.per_sol(form, columns.take(), of_form);
+        });
+        for_drivers(back_, [&](auto, auto pull_weight) {
+            for_forms([&](const LinearForm& form, LinearForm& of_form) {
+                pull_weight(form, columns.take(), of_form);
+            });
+        });
+        if (back_.regime.plan.imposed_driver)
+            for_forms([&](const LinearForm&, LinearForm&) { columns.take(); });
+        pull_apertures(back_, columns);
+    }
+
+    void pull_rows(int index, const LaneAdjoints& tables) {
+        for_rows(back_, index, tables, [&](double phi_int, Columns row) {
+            double of_phi_int = 0;
+            for_forms([&](const LinearForm& form, LinearForm& of_form) {
+                const double g = row.take();
+                of_phi_int += g * back_.regime.per_int(form);
+                back_.fixed(form, g, of_form);
+                back_.per_int(form, g * phi_int, of_form);
+            });
+            const double of_heating = row.take(), of_cooling = row.take();
+            of_heating_.asked += of_heating;
+            of_cooling_.asked -= of_cooling;
+            pull_imposed_base(of_heating - of_cooling);
+            return of_phi_int;
+        });
+    }
+
+    void pull_map(double dt) {
+        pull_lines();
+        pull_step_map(back_.regime.network, dt, back_.of_map, back_.of_network);
+    }
+
+  private:
+    template <class Use>
+    void for_forms(Use use) {
+        const StepMap& map = back_.regime.map;
+        use(map.theta_air, back_.of_map.theta_air);
+        for (Term state : back_.regime.plan.states)
+            use(form_of(map, state), form_of(back_.of_map, state));
+    }
+
+    void pull_term(Term term, Columns& columns) {
+        for_forms([&](const LinearForm&, LinearForm& of_form) {
+            of_form[term] += columns.take();
+        });
+    }
+
+    void pull_imposed_span(double g) {
+        const Input& power = back_.regime.zone.thermostat.imposed_power;
+        pull_span(g * back_.regime.network.A_f,
+                  back_.place.of_here().thermostat.imposed_power);
+        back_.of_network.A_f += g * span_of(power);
+    }
+
+    void pull_imposed_base(double g) {
+        if (!back_.regime.control.imposed) return;
+        const Input& power = back_.regime.zone.thermostat.imposed_power;
+        Input& of_power = back_.place.of_here().thermostat.imposed_power;
+        const bool varies = power.profile >= 0;
+        (varies ? of_power.low : of_power.value) += g * back_.regime.network.A_f;
+        back_.of_network.A_f += g * (varies ? power.low : power.value);
+    }
+
+    void pull_lines() {
+        const Control& control = back_.regime.control;
+        const double band = back_.regime.network.band;
+        const LineBack heating(heating_line(back_.regime), of_heating_,
+                               control.theta_H_set + 0.5 * band, band, control.phi_H_max);
+        const LineBack cooling(cooling_line(back_.regime), of_cooling_,
+                               control.theta_C_set - 0.5 * band, band, control.phi_C_max);
+        Control& of = back_.of_control;
+        of.theta_H_set += heating.theta_set;
+        of.theta_C_set += cooling.theta_set;
+        of.phi_H_max += heating.limit;
+        of.phi_C_max += cooling.limit;
+        back_.of_network.band +=
+            heating.band + cooling.band + 0.5 * (heating.theta_set - cooling.theta_set);
+        back_.of_map.theta_air[Term::phi_h] += heating.slope;
+        back_.of_map.theta_air[Term::phi_c] -= cooling.slope;
+    }
+
+    RegimeBack& back_;
+    Line of_heating_, of_cooling_;
+};
+
+template <class Back>
+void pull_regime(RegimeBack& regime, int index, const LaneAdjoints& tables) {
+    const ZonePlan& plan = regime.regime.plan;
+    Back back(regime);
+    back.pull_columns(
+        {tables.regimes + static_cast<long>(index) * plan.regime_columns() * tables.lanes,
+         tables.lanes});
+    back.pull_rows(index, tables);
+    back.pull_map(regime.regime.drive.axis.step_s);
+}
+
+}  // namespace
+
+void pull_coefficients(const ZonePlan& plan, const Building& building, const Drive& drive,
+                       NetworkPair& scratch, const LaneAdjoints& tables,
+                       Building& of_building) {
+    auto& [network, of_network] = scratch;
+    for (int index = 0; index < plan.regimes.size(); ++index) {
+        const Regime regime = make_regime(plan, index, building, drive, network);
+        clear_adjoints(network, of_network);
+        const PlaceBack place{building, plan.zone, drive,
+                              plan.regimes.first[static_cast<std::size_t>(index)],
+                              of_building};
+        RegimeBack back{regime, place, of_network};
+        const auto pull =
+            plan.is_standard() ? pull_regime<StandardBack> : pull_regime<GeneralBack>;
+        pull(back, index, tables);
+        pull_radiant_split(network, back.of_split, of_network);
+        pull_control(place, back.of_control);
+        pull_network(place, network, of_network);
+    }
+}
+
+}  // namespace bemcal::physics

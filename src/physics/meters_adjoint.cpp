@@ -1,0 +1,59 @@
+/// Quotients in reverse: the plant's efficiencies, and every load on the carrier.
+#include "physics/meters_adjoint.hpp"
+
+#include "physics/network_adjoint.hpp"
+
+namespace bemcal::physics {
+
+namespace {
+
+/// Of power / efficiency.
+struct QuotientBack {
+    double power, efficiency;
+};
+
+QuotientBack pull_quotient(double power, double efficiency, double g) {
+    return {g / efficiency, -g * power / (efficiency * efficiency)};
+}
+
+/// Of floor_area density / efficiency.
+void pull_load(const Zone& zone, const Load& load, const Drive& drive, int step,
+               double of_source, Zone& of_zone, Load& of_load) {
+    const double density = drive.at(load.density, step);
+    const QuotientBack of = pull_quotient(zone.floor_area * density,
+                                          drive.at(load.efficiency, step), of_source);
+    of_zone.floor_area += of.power * density;
+    pull_input(load.density, drive, step, of.power * zone.floor_area, of_load.density);
+    pull_input(load.efficiency, drive, step, of.efficiency, of_load.efficiency);
+}
+
+void pull_efficiency(const Input& efficiency, const Drive& drive, int step,
+                     double of_inverse, Input& of_efficiency) {
+    pull_input(efficiency, drive, step,
+               pull_quotient(1, drive.at(efficiency, step), of_inverse).efficiency,
+               of_efficiency);
+}
+
+}  // namespace
+
+void pull_meter_form(const Building& building, const Drive& drive, Quantity quantity,
+                     int step, const MeterForm& of_form, Building& of_building) {
+    const Carrier carrier = carrier_of(quantity);
+    if (carrier == Carrier::none) return;
+    const Plant& plant = building.plant;
+    Plant& of_plant = of_building.plant;
+    if (plant.heating_carrier == carrier)
+        pull_efficiency(plant.heating_efficiency, drive, step, of_form.per_heating,
+                        of_plant.heating_efficiency);
+    if (plant.cooling_carrier == carrier)
+        pull_efficiency(plant.cooling_cop, drive, step, of_form.per_cooling,
+                        of_plant.cooling_cop);
+    for (std::size_t z = 0; z < building.zones.size(); ++z)
+        for (std::size_t k = 0; k < building.zones[z].loads.size(); ++k)
+            if (building.zones[z].loads[k].carrier == carrier)
+                pull_load(building.zones[z], building.zones[z].loads[k], drive, step,
+                          of_form.source, of_building.zones[z],
+                          of_building.zones[z].loads[k]);
+}
+
+}  // namespace bemcal::physics

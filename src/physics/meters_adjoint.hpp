@@ -1,0 +1,12 @@
+/// The way back from a meter's form to the plant and the loads: meters.cpp in reverse.
+#pragma once
+
+#include "physics/meters.hpp"
+
+namespace bemcal::physics {
+
+/// Of meter_form at a step: adds to the building's adjoints. \param of_form  adjoints
+void pull_meter_form(const Building& building, const Drive& drive, Quantity quantity,
+                     int step, const MeterForm& of_form, Building& of_building);
+
+}  // namespace bemcal::physics
