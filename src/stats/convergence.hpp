@@ -3,14 +3,15 @@
 /// Gelman and Rubin 1992 (paper 1, eq. 14-15); split, rank-normalised and folded R-hat,
 /// bulk and tail effective sample size and the Monte Carlo errors of Vehtari, Gelman,
 /// Simpson, Carpenter and Burkner 2021 (doi:10.1214/20-BA1221), as the R package
-/// posterior computes them.
+/// posterior computes them (1.4).
 #pragma once
 
 #include "base/matrix.hpp"
 
 namespace bemcal::stats {
 
-/// NaN where a statistic is not defined: one chain, too few draws, all draws equal.
+/// NaN where a statistic is not defined: one chain, too few draws, all draws equal, a
+/// draw that is not finite.
 struct Convergence {
     double gelman_rubin = 0;  ///< eq. 15: R
     double rhat_split = 0, rhat_rank = 0;
@@ -21,5 +22,20 @@ struct Convergence {
 
 /// \param draws  [chains x draws] of one quantity
 Convergence convergence_of(const Matrix& draws);
+
+/// The two R-hats of which rhat_rank is the larger one: of the ranks (do the chains lie
+/// at the same place), and of the ranks of the distances from the median (are they as
+/// wide).
+struct RankRhat {
+    double bulk = 0, folded = 0;
+};
+RankRhat rank_rhat(const Matrix& draws);
+
+/// Effective sample sizes of estimates other than the mean.
+double ess_of_sd(const Matrix& draws);
+double ess_of_quantile(const Matrix& draws, double p);
+
+/// Monte Carlo standard error of the quantile p of all draws.
+double mcse_of_quantile(const Matrix& draws, double p);
 
 }  // namespace bemcal::stats

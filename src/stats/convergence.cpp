@@ -1,0 +1,143 @@
+/// Convergence from ranks, indicators and squares of the draws.
+#include "stats/convergence.hpp"
+
+#include "stats/chain_moments.hpp"
+#include "stats/distributions.hpp"
+#include "stats/effective_size.hpp"
+#include "stats/gelman_rubin.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace bemcal::stats {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<double> sorted(const Matrix& draws) {
+    std::vector<double> values = draws.values;
+    std::sort(values.begin(), values.end());
+    return values;
+}
+
+/// Between order statistics, with (n - 1) p + 1 as place (Hyndman and Fan's type 7).
+double quantile_of_sorted(const std::vector<double>& values, double p) {
+    const double place = p * static_cast<double>(values.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, values.size() - 1);
+    const double share = place - static_cast<double>(below);
+    return values[below] + share * (values[above] - values[below]);
+}
+
+template <class F>
+Matrix each(Matrix draws, F f) {
+    for (double& value : draws.values) value = f(value);
+    return draws;
+}
+
+Matrix indicators(const Matrix& draws, double limit) {
+    return each(draws, [limit](double x) { return x <= limit ? 1.0 : 0.0; });
+}
+
+Matrix folded(const Matrix& draws, double median) {
+    return each(draws, [median](double x) { return std::abs(x - median); });
+}
+
+/// Normal scores of the ranks among all draws (Blom 1958); equal draws share the mean of
+/// their ranks.
+Matrix normal_scores(const Matrix& draws) {
+    const auto& x = draws.values;
+    std::vector<std::size_t> order(x.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&x](std::size_t a, std::size_t b) { return x[a] < x[b]; });
+    Matrix scores(draws.rows, draws.cols);
+    for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
+        while (end < order.size() && x[order[end]] == x[order[first]]) ++end;
+        const double rank = 0.5 * static_cast<double>(first + 1 + end);
+        const double score =
+            normal_quantile((rank - 0.375) / (static_cast<double>(x.size()) + 0.25));
+        for (std::size_t k = first; k < end; ++k) scores.values[order[k]] = score;
+    }
+    return scores;
+}
+
+/// About the median of the halves: without the draws that splitting leaves out.
+double folded_rhat(const Matrix& halves) {
+    const double median = quantile_of_sorted(sorted(halves), 0.5);
+    return basic_rhat(normal_scores(folded(halves, median)));
+}
+
+double ess_below(const Matrix& draws, double limit) {
+    return effective_size(split_chains(indicators(draws, limit)));
+}
+
+double mcse_of_sd(const Matrix& draws, double mean) {
+    const Matrix squares =
+        each(draws, [mean](double x) { return (x - mean) * (x - mean); });
+    const double variance = mean_of(squares.values);
+    const double fourth = mean_of(each(squares, [](double s) { return s * s; }).values);
+    const double of_variance =
+        (fourth - variance * variance) / effective_size(split_chains(squares));
+    return std::sqrt(of_variance / variance / 4);
+}
+
+/// The fields that need halves of chains, of draws that are finite and not all equal. Of
+/// whole numbers, one tail or the distances may be all equal: the other counts.
+void fill(Convergence& c, const Matrix& draws) {
+    const Matrix halves = split_chains(draws);
+    const std::vector<double> values = sorted(draws);
+    const Matrix scores = normal_scores(halves);
+    c.rhat_split = basic_rhat(halves);
+    c.rhat_rank = std::fmax(basic_rhat(scores), folded_rhat(halves));
+    c.ess_bulk = effective_size(scores);
+    c.ess_mean = effective_size(halves);
+    c.ess_tail = std::fmin(ess_below(draws, quantile_of_sorted(values, 0.05)),
+                           ess_below(draws, quantile_of_sorted(values, 0.95)));
+    c.mcse_mean = c.sd / std::sqrt(c.ess_mean);
+    c.mcse_sd = mcse_of_sd(draws, c.mean);
+}
+
+}  // namespace
+
+Convergence convergence_of(const Matrix& draws) {
+    Convergence c{nan, nan, nan, nan, nan, nan, nan, nan, nan, nan};
+    c.mean = mean_of(draws.values);
+    c.sd = std::sqrt(variance_of(draws.values));
+    if (!is_finite_and_varied(draws)) return c;
+    c.gelman_rubin = gelman_rubin_of(draws).r;
+    fill(c, draws);
+    return c;
+}
+
+RankRhat rank_rhat(const Matrix& draws) {
+    if (!is_finite_and_varied(draws)) return {nan, nan};
+    const Matrix halves = split_chains(draws);
+    return {basic_rhat(normal_scores(halves)), folded_rhat(halves)};
+}
+
+double ess_of_sd(const Matrix& draws) {
+    return effective_size(split_chains(folded(draws, mean_of(draws.values))));
+}
+
+double ess_of_quantile(const Matrix& draws, double p) {
+    if (!is_finite_and_varied(draws)) return nan;
+    return ess_below(draws, quantile_of_sorted(sorted(draws), p));
+}
+
+double mcse_of_quantile(const Matrix& draws, double p) {
+    const double size = ess_of_quantile(draws, p);
+    if (std::isnan(size)) return nan;
+    const Distribution share{Family::beta, size * p + 1, size * (1 - p) + 1};
+    const std::vector<double> values = sorted(draws);
+    const double n = static_cast<double>(values.size());
+    const double first = std::max(std::floor(share.quantile(0.1586553) * n), 1.0);
+    const double last = std::min(std::ceil(share.quantile(0.8413447) * n), n);
+    return (values[static_cast<std::size_t>(last) - 1] -
+            values[static_cast<std::size_t>(first) - 1]) /
+           2;
+}
+
+}  // namespace bemcal::stats
