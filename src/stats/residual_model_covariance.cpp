@@ -34,9 +34,18 @@ Covariance operator+(const Covariance& p, const Covariance& q) {
 
 Covariance choose(const Eigen::Array<bool, width, 1>& where, const Covariance& yes,
                   const Covariance& no) {
+    if (!where.any()) return no;
     return {choose(where, yes.aa, no.aa), choose(where, yes.am, no.am),
             choose(where, yes.ad, no.ad), choose(where, yes.mm, no.mm),
             choose(where, yes.md, no.md), choose(where, yes.dd, no.dd)};
+}
+
+GainSlope choose(const Eigen::Array<bool, width, 1>& where, const GainSlope& yes,
+                 const GainSlope& no) {
+    if (!where.any()) return no;
+    return {{choose(where, yes.k.a, no.k.a), choose(where, yes.k.m, no.k.m),
+             choose(where, yes.k.d, no.k.d)},
+            choose(where, yes.variance, no.variance)};
 }
 
 Covariance predicted(const Motion& motion, const Covariance& filtered) {

@@ -35,6 +35,8 @@ struct GainSlope {
     State k;
     Lanes variance;
 };
+GainSlope choose(const Eigen::Array<bool, width, 1>& where, const GainSlope& yes,
+                 const GainSlope& no);
 
 /// Before a reading, from after the reading before.
 Covariance predicted(const Motion& motion, const Covariance& filtered);

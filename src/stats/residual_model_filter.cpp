@@ -113,21 +113,27 @@ Lanes Filter::log_density() {
     return -0.5 * (now.squares + now.variances.log());
 }
 
-/// Derivatives of all that comes later, by what stands here.
+/// Where the way back stands: a record with its gain, and the derivatives of all that
+/// comes later.
 struct Filter::Backward {
-    State state = no_state();                ///< after the reading before
-    Covariance filtered = no_covariance();   ///< likewise
-    Covariance predicted = no_covariance();  ///< by the record's covariance
-    GainSlope gain{no_state(), all(0)};      ///< by its gain
+    Record record{no_covariance(), Flags::Constant(false)};
+    Gain gain{no_state(), all(0), all(0)};
+    State by_state = no_state();                 ///< after the reading before
+    Covariance by_covariance = no_covariance();  ///< the record's
+    GainSlope by_gain{no_state(), all(0)};
+
+    void look_at(const Record& other) {
+        record = other;
+        gain = gain_of(other.covariance);
+    }
 };
 
-void Filter::unread(std::size_t begin, std::size_t end, const Gain& gain,
-                    std::size_t kind, Backward& now) {
+void Filter::unread(std::size_t begin, std::size_t end, std::size_t kind, Backward& now) {
     const Transition t = motions_[kind].transition;
-    const Gain g = gain;
+    const Gain g = now.gain;
     Transition by_t = slopes_[kind].transition;
-    GainSlope by_gain = now.gain;
-    State s = now.state;
+    GainSlope by_gain = now.by_gain;
+    State s = now.by_state;
     for (std::size_t k = end; k-- > begin;) {
         const Lanes innovation = row(scaled_.slope, k);
         const Lanes expected = innovation * g.precision;
@@ -148,28 +154,24 @@ void Filter::unread(std::size_t begin, std::size_t end, const Gain& gain,
         s = {t.rho * by.a, t.mm * by.m + t.dm * by.d, t.md * by.m + t.dd * by.d};
     }
     slopes_[kind].transition = by_t;
-    now.gain = by_gain;
-    now.state = s;
+    now.by_gain = by_gain;
+    now.by_state = s;
 }
 
-/// From the record's covariance to that before it; a repeated one passes all on.
+/// From a record's covariance to that of the record before; a repeated one passes all on.
+/// The first came from nothing: its transition is 0.
 void Filter::undo_prediction(std::size_t index, std::size_t kind, Backward& now) {
-    const Record record = load(scratch_.records, index);
-    const Flags& is_repeated = record.is_repeated;
-    const Covariance whole =
-        now.predicted + gain_back(gain_of(record.covariance), now.gain);
-    const Covariance slope = choose(is_repeated, no_covariance(), whole);
+    const Flags is_repeated = now.record.is_repeated;
+    const Covariance slope = choose(is_repeated, no_covariance(),
+                                    now.by_covariance + gain_back(now.gain, now.by_gain));
+    now.by_gain = choose(is_repeated, now.by_gain, {no_state(), all(0)});
+    now.look_at(load(scratch_.records, index == 0 ? 0 : index - 1));
     const Transition& transition = motions_[kind].transition;
-    const Covariance before =
-        index == 0 ? no_covariance() : load(scratch_.records, index - 1).covariance;
-    const Gain gain = index == 0 ? Gain{no_state(), all(0), all(0)} : gain_of(before);
-    add_motion_slope(transition, filtered(before, gain), slope, slopes_[kind]);
-    now.filtered = predicted_back(transition, slope);
-    now.predicted = choose(is_repeated, now.predicted, filtered_back(gain, now.filtered));
-    now.gain = {{choose(is_repeated, now.gain.k.a, all(0)),
-                 choose(is_repeated, now.gain.k.m, all(0)),
-                 choose(is_repeated, now.gain.k.d, all(0))},
-                choose(is_repeated, now.gain.variance, all(0))};
+    add_motion_slope(transition, filtered(now.record.covariance, now.gain), slope,
+                     slopes_[kind]);
+    const Covariance by_filtered = predicted_back(transition, slope);
+    now.by_covariance =
+        choose(is_repeated, now.by_covariance, filtered_back(now.gain, by_filtered));
 }
 
 void Filter::unread_stretch(std::size_t index, Backward& now) {
@@ -179,9 +181,8 @@ void Filter::unread_stretch(std::size_t index, Backward& now) {
     for (std::size_t record = scratch_.records_end[index]; record-- > first;) {
         const std::size_t reading = stretch.begin + (record - first);
         const std::size_t kind = record == first ? stretch.gap : ReadingTimes::unit;
-        const Gain gain = gain_of(load(scratch_.records, record).covariance);
-        unread(reading + 1, end, gain, ReadingTimes::unit, now);
-        unread(reading, reading + 1, gain, kind, now);
+        unread(reading + 1, end, ReadingTimes::unit, now);
+        unread(reading, reading + 1, kind, now);
         undo_prediction(record, kind, now);
         end = reading;
     }
@@ -189,6 +190,8 @@ void Filter::unread_stretch(std::size_t index, Backward& now) {
 
 void Filter::pull_back(ParameterLanes& derivative) {
     Backward now;
+    now.look_at(
+        load(scratch_.records, scratch_.records_end[times_.stretches.size() - 1] - 1));
     for (std::size_t k = times_.stretches.size(); k-- > 0;) unread_stretch(k, now);
     for (std::size_t k = 0; k < times_.gaps.size(); ++k)
         pull_back_motion(parameters_, times_.gaps[k], slopes_[k], derivative);

@@ -40,8 +40,7 @@ class Filter {
     void read(std::size_t begin, std::size_t end, const Transition& transition,
               const Gain& gain, Forward& now) const;
     void read_stretch(const ReadingTimes::Stretch& stretch, Forward& now) const;
-    void unread(std::size_t begin, std::size_t end, const Gain& gain, std::size_t kind,
-                Backward& now);
+    void unread(std::size_t begin, std::size_t end, std::size_t kind, Backward& now);
     void unread_stretch(std::size_t index, Backward& now);
     void undo_prediction(std::size_t record, std::size_t kind, Backward& now);
 
