@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -135,6 +134,35 @@ TEST(SplitRhat, IsThatOfTheHalvesByHand) {
     const double within = (2.5 + 2.5 + 3.2 + 7.5) / 4;
     EXPECT_NEAR(convergence_of(short_chains()).rhat_split,
                 std::sqrt((between / within + 4) / 5), 1e-13);
+}
+
+/// Three chains of 24 draws by a formula.
+Matrix formula_chains() {
+    Matrix draws(3, 24);
+    for (std::size_t c = 0; c < draws.rows; ++c)
+        for (std::size_t k = 0; k < draws.cols; ++k)
+            draws(c, k) = static_cast<double>((7 * k * k + 3 * k + 5 * c) % 23) +
+                          0.5 * static_cast<double>(k);
+    return draws;
+}
+
+// The numbers are those of the definitions in numpy and scipy 1.10 (rankdata, norm.ppf,
+// beta.ppf), with plain sums of products for the autocovariance.
+TEST(Convergence, OfTypedDrawsIsThatOfNumpyAndScipy) {
+    EXPECT_NEAR(rank_rhat(short_chains()).bulk, 1.450485001550848, 1e-12);
+    EXPECT_NEAR(rank_rhat(short_chains()).folded, 1.0608412784859613, 1e-12);
+    const Matrix draws = formula_chains();
+    const Convergence c = convergence_of(draws);
+    EXPECT_NEAR(c.rhat_rank, 1.1032236862844365, 1e-12);
+    EXPECT_NEAR(c.ess_bulk, 23.600573597592106, 1e-10);
+    EXPECT_NEAR(c.ess_mean, 23.81762509124303, 1e-10);
+    EXPECT_NEAR(c.ess_tail, 60.76190476190477, 1e-10);
+    EXPECT_NEAR(c.mcse_sd, 0.4844887349809892, 1e-12);
+    EXPECT_NEAR(effective_size(draws), 26.903751268915755, 1e-10);
+    EXPECT_NEAR(ess_of_sd(draws), 97.63773076247944, 1e-10);
+    EXPECT_NEAR(ess_of_quantile(draws, 0.5), 22.064068383360272, 1e-10);
+    EXPECT_DOUBLE_EQ(mcse_of_quantile(draws, 0.5), 2.25);
+    EXPECT_DOUBLE_EQ(mcse_of_quantile(draws, 0.05), 1.75);
 }
 
 std::vector<double> slow_autocovariance(const Matrix& draws) {
