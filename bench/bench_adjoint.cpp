@@ -1,0 +1,180 @@
+/// What the derivative of a year costs, beside the value: an hourly gas meter of the
+/// office of bench_office.hpp, 10 and 30 parameters.
+///
+/// The value is Response::predict, and Batch::evaluate with the meter's errors; the
+/// derivative is predict and pull_back, all points with sensitivities of their own.
+/// Instructions are the difference of two runs of this program under callgrind.
+#include "bench_office.hpp"
+#include "physics/response.hpp"
+
+#include <cstring>
+
+namespace bemcal::physics {
+
+namespace {
+
+/// The first ten: what a calibration would vary.
+constexpr std::array paths = {"construction.wall.u_value",
+                              "glazing.double.u_value",
+                              "glazing.double.solar_transmittance",
+                              "zone.office.flow.ventilation.air_change",
+                              "zone.office.flow.infiltration.air_change",
+                              "zone.office.heat_capacity",
+                              "zone.office.heating_capacity",
+                              "zone.office.heating_set_point",
+                              "zone.office.load.*.density",
+                              "plant.heating_efficiency",
+                              "construction.wall.solar_absorptance",
+                              "construction.wall.emissivity",
+                              "construction.wall.external_resistance",
+                              "glazing.double.incidence_factor",
+                              "glazing.double.frame_fraction",
+                              "glazing.double.emissivity",
+                              "glazing.double.external_resistance",
+                              "zone.office.floor_area",
+                              "zone.office.volume",
+                              "zone.office.mass_area_ratio",
+                              "zone.office.surface_area_ratio",
+                              "zone.office.surface_film",
+                              "zone.office.mass_film",
+                              "zone.office.sky_temperature_difference",
+                              "zone.office.cooling_set_point",
+                              "zone.office.cooling_capacity",
+                              "zone.office.surface.wall.area",
+                              "zone.office.window.window.area",
+                              "zone.office.window.window.shading_factor",
+                              "zone.office.load.*.heat_fraction"};
+
+std::vector<Parameter> first_parameters(const Building& building, std::size_t n) {
+    std::vector<Parameter> parameters;
+    for (std::size_t k = 0; k < n; ++k)
+        parameters.push_back(
+            {paths[k], "-", 0.95, 1.05, Effect::factor, resolve(building, paths[k]), 1});
+    return parameters;
+}
+
+/// Factors from 0.95 to 1.05, spread by the golden section.
+Matrix points_near(std::size_t n, std::size_t d) {
+    Matrix points(n, d);
+    for (std::size_t k = 0; k < n * d; ++k) {
+        const double position = 0.618033988749895 * static_cast<double>(k);
+        points.values[k] = 0.95 + 0.1 * (position - std::floor(position));
+    }
+    return points;
+}
+
+struct Bench {
+    Building building = bench_building();
+    Drive drive = bench_drive();
+    std::vector<Parameter> parameters;
+    Batch batch;
+    Response response;
+    Response::RunPointer run;
+    Request request;
+    Matrix gradient;
+
+    Bench(InstructionSet set, std::size_t n_parameters)
+        : parameters(first_parameters(building, n_parameters)),
+          batch(building, parameters, drive, set),
+          response(batch, {{Quantity::gas, Interval::hourly}}),
+          run(response.make_run()),
+          request{{}, {}, {readings()}},
+          gradient(static_cast<std::size_t>(batch.lanes()), n_parameters) {
+        double* sensitivities = response.sensitivities(*run, 0);
+        const std::size_t n = response.n_readings(0) * gradient.rows;
+        for (std::size_t k = 0; k < n; ++k)
+            sensitivities[k] = 1 + 0.5 * std::sin(static_cast<double>(k));
+    }
+
+    Readings readings() const {
+        return {Quantity::gas, Interval::hourly,
+                predict(building, drive, simulate(building, drive), Quantity::gas)};
+    }
+    Matrix points(std::size_t n) const { return points_near(n, parameters.size()); }
+
+    void evaluate(const Matrix& points) { batch.evaluate(points, request); }
+    void predict_all(const Matrix& points, bool pull) {
+        for (std::size_t k = 0; k < points.rows; k += gradient.rows) {
+            response.predict(points, k, gradient.rows, *run);
+            if (pull) response.pull_back(*run, gradient);
+        }
+    }
+    void work(const std::string& name, const Matrix& points) {
+        if (name == "evaluate")
+            evaluate(points);
+        else
+            predict_all(points, name == "derivative");
+    }
+};
+
+/// Per simulated hour and point.
+double instructions_per_hour(const std::string& self, const char* work,
+                             std::size_t n_parameters) {
+    const int few = 16, many = 48;
+    const auto count = [&](int n) {
+        return instructions(self, fmt::format("{} {} {}", work, n_parameters, n));
+    };
+    const long long a = count(few), b = count(many);
+    return a < 0 || b < 0
+               ? std::nan("")
+               : static_cast<double>(b - a) / (static_cast<double>(many - few) * hours);
+}
+
+void print_instructions(const std::string& self) {
+    const double evaluate = instructions_per_hour(self, "evaluate", 10),
+                 predict = instructions_per_hour(self, "predict", 10),
+                 ten = instructions_per_hour(self, "derivative", 10),
+                 thirty = instructions_per_hour(self, "derivative", 30);
+    if (std::isnan(evaluate)) {
+        fmt::print("instructions: valgrind is not there or failed\n");
+        return;
+    }
+    print("instructions_per_hour_errors", evaluate, "1/h");
+    print("instructions_per_hour_predict", predict, "1/h");
+    print("instructions_per_hour_derivative", ten, "1/h", evaluate);
+    print("instructions_derivative_over_errors", ten / evaluate, "-", 4);
+    print("instructions_derivative_over_predict", ten / predict, "-", 4);
+    print("instructions_30_over_10_parameters", thirty / ten, "-", 1.15);
+}
+
+void print_times(InstructionSet set) {
+    constexpr std::size_t n = 64;
+    Bench few(set, 10), many(set, 30);
+    const Matrix points = few.points(n), wide = many.points(n);
+    const auto [evaluate, predict, ten, thirty] = medians<4>(
+        {[&] { few.work("evaluate", points); }, [&] { few.work("predict", points); },
+         [&] { few.work("derivative", points); },
+         [&] { many.work("derivative", wide); }});
+    const std::string suffix = fmt::format("_{}", name_of(set));
+    print("year_errors" + suffix, evaluate / n, "us");
+    print("year_predict" + suffix, predict / n, "us");
+    print("year_derivative" + suffix, ten / n, "us");
+    print("derivative_over_errors" + suffix, ten / evaluate, "-", 4);
+    print("derivative_over_predict" + suffix, ten / predict, "-", 4);
+    print("derivative_30_over_10_parameters" + suffix, thirty / ten, "-", 1.15);
+}
+
+}  // namespace
+
+/// What callgrind counts: bench_adjoint WORK PARAMETERS POINTS.
+int run_counted(char** arguments) {
+    Bench bench(InstructionSet::v3, static_cast<std::size_t>(std::atoi(arguments[1])));
+    bench.work(arguments[0],
+               bench.points(static_cast<std::size_t>(std::atoi(arguments[2]))));
+    return 0;
+}
+
+int run_all(const std::string& self) {
+    print_instructions(self);
+    for (InstructionSet set :
+         {InstructionSet::scalar, InstructionSet::v3, InstructionSet::v4})
+        if (is_supported(set)) print_times(set);
+    return 0;
+}
+
+}  // namespace bemcal::physics
+
+int main(int argc, char** argv) {
+    return argc == 4 ? bemcal::physics::run_counted(argv + 1)
+                     : bemcal::physics::run_all(argv[0]);
+}
