@@ -1,5 +1,7 @@
 #include "stats/residual_model_memory.hpp"
 
+#include <vector>
+
 namespace bemcal::stats::residual {
 
 Power power_of(const Lanes& phi, std::size_t n) {
