@@ -54,9 +54,10 @@ bool Adaptation::learn_metric(Walker& walker) {
     covariance_.add(walker.metric.real_part(walker.current.x));
     if (n_transitions_ < windows_.ends[next_window_]) return false;
     ++next_window_;
+    const bool is_walk = walker.method == Method::random_walk;
     if (walker.method != Method::gibbs)
-        walker.metric.set_covariance(covariance_.regularised());
-    if (walker.method == Method::nuts) covariance_.forget();
+        walker.metric.set_covariance(covariance_.regularised(is_walk ? 10 : 3));
+    if (!is_walk) covariance_.forget();
     return true;
 }
 

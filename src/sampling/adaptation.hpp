@@ -4,7 +4,7 @@
 /// warm-ups in the ratio 15 : 75 : 10).
 ///
 /// A random walk learns its covariance from all windows so far, since its points follow
-/// each other closely.
+/// each other closely, and its scale without a restart.
 #pragma once
 
 #include "sampling/dual_averaging.hpp"
@@ -25,8 +25,8 @@ Windows windows_of(int n_warm_up);
 class Adaptation {
   public:
     Adaptation(const Walker& walker, const SamplerOptions& options);
-    /// After each transition. True: the metric is a new one, the step size is to be
-    /// found again before restart().
+    /// After each transition. True: the metric is a new one, for which nuts finds its
+    /// step size again before restart().
     bool learn(Walker& walker);
     /// Starts from the walker's step sizes.
     void restart(const Walker& walker);

@@ -123,8 +123,9 @@ Task<> Ladder::warm_up(Walker& walker) {
     adaptation.restart(walker);
     for (int i = 0; i < setting_.options.n_warm_up; ++i) {
         co_await transition_of(walker);
-        if (adaptation.learn(walker)) {
-            if (is_nuts) co_await find_step_size(walker);
+        const bool is_new_metric = adaptation.learn(walker);
+        if (is_new_metric && is_nuts) {
+            co_await find_step_size(walker);
             adaptation.restart(walker);
         }
         co_await meet();

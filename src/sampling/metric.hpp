@@ -20,8 +20,10 @@ class RunningCovariance {
     void forget();
     int count() const { return count_; }
     /// [size] variances or [size x size] covariances, row-major, shrunk towards 1e-3 as
-    /// Stan does: n/(n+5) sample + 5/(n+5) 1e-3.
-    std::vector<double> regularised() const;
+    /// Stan does: n/(n+5) sample + 5/(n+5) 1e-3. Unlike Stan's, covariances are 0 as long
+    /// as there are fewer than `least_each` points for each coordinate: a matrix near
+    /// singular by chance is worse than none.
+    std::vector<double> regularised(int least_each) const;
 
   private:
     MetricShape shape_;

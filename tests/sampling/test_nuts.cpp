@@ -56,5 +56,48 @@ TEST(Nuts, CorrelatedGaussian) {
     }
 }
 
+/// x_0 normal, x_1 about x_0^2: moments by hand.
+TEST(Nuts, Banana) {
+    constexpr double spread = 0.3;
+    test::PlainDensity density(2, [](auto x, auto& out) {
+        const double z = (x[1] - x[0] * x[0]) / spread;
+        out.prior = -0.5 * x[0] * x[0];
+        out.prior_gradient[0] = -x[0];
+        out.likelihood = -0.5 * z * z;
+        out.likelihood_gradient[0] = z * 2 * x[0] / spread;
+        out.likelihood_gradient[1] = -z / spread;
+    });
+    SamplerOptions options;
+    options.target_acceptance = 0.95;
+    const auto parts = test::sample(density, options, 4, 4000);
+    // 4 z-scores, |z| < 4.5: false alarm 3e-5.
+    const auto z = [&](double truth, const test::Quantity& quantity) {
+        return std::abs(test::z_score(parts, truth, quantity));
+    };
+    EXPECT_LT(z(0, [](auto x) { return x[0]; }), 4.5);
+    EXPECT_LT(z(1, [](auto x) { return x[1]; }), 4.5);
+    EXPECT_LT(z(2 + spread * spread, [](auto x) { return std::pow(x[1] - 1, 2); }), 4.5);
+    EXPECT_LT(z(3, [](auto x) { return x[0] * x[0] * x[1]; }), 4.5);
+}
+
+/// A probability with a beta(2, 2) prior and 3 of 20 successes, sampled through the
+/// logit: beta(5, 19).
+TEST(Nuts, BoundedParameterThroughItsLogit) {
+    test::PlainDensity density(1, [](auto u, auto& out) {
+        const double p = 1 / (1 + std::exp(-u[0])), q = 1 - p;
+        out.prior = std::log(p * q) + std::log(p * q);  // the second: Jacobian
+        out.prior_gradient[0] = 2 * (q - p);
+        out.likelihood = 3 * std::log(p) + 17 * std::log(q);
+        out.likelihood_gradient[0] = 3 * q - 17 * p;
+    });
+    const auto parts = test::sample(density, {}, 4, 4000);
+    const auto p = [](auto u) { return 1 / (1 + std::exp(-u[0])); };
+    constexpr double a = 5, b = 19, mean = a / (a + b);
+    EXPECT_LT(std::abs(test::z_score(parts, mean, p)), 4.5);
+    EXPECT_LT(std::abs(test::z_score(parts, mean * (1 - mean) / (a + b + 1),
+                                     [&](auto u) { return std::pow(p(u) - mean, 2); })),
+              4.5);
+}
+
 }  // namespace
 }  // namespace bemcal::sampling
