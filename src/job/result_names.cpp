@@ -9,6 +9,16 @@ namespace {
 
 /// Beside the buildings in a result.
 constexpr const char* of_result[] = {"run", "inputs", "input_file"};
+/// Beside the periods of a posterior, and the buildings of a pooled one.
+constexpr const char* of_posterior[] = {
+    "unknown",        "unknown_unit",  "posterior",
+    "posterior_mean", "posterior_sd",  "posterior_q05",
+    "posterior_q50",  "posterior_q95", "posterior_predictive",
+    "observed_data",  "prior",         "sample_stats",
+    "gelman_rubin",   "rhat_split",    "rhat_rank",
+    "ess_bulk",       "ess_tail",      "mcse_mean",
+    "convergence",    "shortfall",     "target_rhat",
+    "target_ess"};
 /// Beside the studies of a building.
 constexpr const char* of_building[] = {"data"};
 /// Beside the periods of a screening: its datasets and dimensions. A test holds the list
@@ -55,6 +65,10 @@ constexpr const char* of_screening[] = {"parameter",
 /// Beside the meters of a period.
 constexpr const char* of_period[] = {"hourly"};
 
+bool has(std::span<const char* const> names, const std::string& name) {
+    return std::ranges::find(names, name) != names.end();
+}
+
 std::span<const char* const> taken(Named kind) {
     switch (kind) {
         case Named::building:
@@ -74,8 +88,9 @@ std::span<const char* const> taken(Named kind) {
 std::string refusal_of_name(Named kind, const std::string& name) {
     if (name.find('/') != std::string::npos)
         return "has a slash, which parts the names of a result; expected another name";
-    const auto names = taken(kind);
-    if (name == "." || name == ".." || std::ranges::find(names, name) != names.end())
+    const bool in_posterior = kind == Named::building || kind == Named::period;
+    if (name == "." || name == ".." || has(taken(kind), name) ||
+        (in_posterior && has(of_posterior, name)))
         return "something else in a result has this name; expected another name";
     return {};
 }

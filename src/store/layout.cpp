@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 
-#include <algorithm>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -31,6 +31,7 @@ constexpr LayoutRow rows[] = {
     {"n_failed", "", number, "1", "simulations that failed"},
     {"failed_point", "failure", number, "1", "index in the study of each that failed"},
     {"failed_reason", "failure", text, "", "why it failed"},
+    {"shortfall", "", text, "", "the target that was missed; absent where none was"},
     // sensitivity
     {"output", "output", text, "", "names of the outputs"},
     {"output_unit", "output", text, "", "their units"},
@@ -116,6 +117,39 @@ constexpr LayoutRow rows[] = {
     {"measured", "time", number, "of the meter", "readings; NaN = missing or masked"},
     {"simulated", "candidate time", number, "of the meter",
      "the nominal and the best point"},
+    // posterior: a table of the unknowns, and of the chains
+    {"unknown", "unknown", text, "", "names of the unknowns; the log density last"},
+    {"unknown_unit", "unknown", text, "", "their units"},
+    {"posterior_mean", "unknown", number, own, "mean of the draws"},
+    {"posterior_sd", "unknown", number, own, "their standard deviation"},
+    {"posterior_q05", "unknown", number, own, "their 5 % quantile"},
+    {"posterior_q50", "unknown", number, own, "their median"},
+    {"posterior_q95", "unknown", number, own, "their 95 % quantile"},
+    {"gelman_rubin", "unknown", number, "1", "R of Gelman and Rubin 1992"},
+    {"rhat_split", "unknown", number, "1", "split R-hat"},
+    {"rhat_rank", "unknown", number, "1",
+     "split R-hat of ranks, the larger of plain and folded: Vehtari et al. 2021"},
+    {"ess_bulk", "unknown", number, "1", "effective draws in the bulk"},
+    {"ess_tail", "unknown", number, "1", "effective draws of the 5 % and 95 % quantiles"},
+    {"mcse_mean", "unknown", number, own, "Monte Carlo error of the mean"},
+    {"convergence", "", text, "", "converged, or what is missing"},
+    {"target_rhat", "", number, "1", "R-hat is to be at most this"},
+    {"target_ess", "", number, "1", "effective draws are to be at least so many"},
+    // posterior: a meter in a period
+    {"nominal", "time", number, "of the meter", "the building as described"},
+    {"predicted_mean", "time", number, "of the meter", "mean of the posterior's draws"},
+    {"predicted_q05", "time", number, "of the meter",
+     "5 % quantile of a reading, with its residual"},
+    {"predicted_q95", "time", number, "of the meter",
+     "95 % quantile of a reading, with its residual"},
+    // posterior: ArviZ's groups
+    {"posterior/*", "chain draw", number, own, "draws of an unknown"},
+    {"sample_stats/*", "chain draw", number, "1", "the sampler, draw by draw"},
+    {"prior/*", "chain draw", number, own, "independent draws of its prior"},
+    {"time_*", "time_*", number, seconds, "begins of the meter's readings"},
+    {"observed_data/*", "time_*", number, "of the meter", "readings in training"},
+    {"posterior_predictive/*", "chain draw time_*", number, "of the meter",
+     "readings as the posterior would draw them"},
     // by step
     {"outdoor_temperature", "time", number, "degC",
      "mean outdoor temperature of the step"},
@@ -127,6 +161,14 @@ constexpr LayoutRow rows[] = {
     {"gas", "candidate time", number, "kWh", "gas drawn in the step"},
     {"district", "candidate time", number, "kWh", "district heat drawn in the step"},
 };
+
+/// A * at the end of a pattern stands for anything but another level.
+bool matches(std::string_view pattern, std::string_view name) {
+    if (!pattern.ends_with('*')) return pattern == name;
+    pattern.remove_suffix(1);
+    return name.starts_with(pattern) &&
+           name.find('/', pattern.size()) == std::string_view::npos;
+}
 
 }  // namespace
 
@@ -145,12 +187,17 @@ std::string group_of(const std::string& path) {
 
 const LayoutRow& layout_of(const study::Dataset& dataset) {
     const std::string leaf = leaf_of(dataset.path);
-    const auto row =
-        std::ranges::find_if(rows, [&](const LayoutRow& r) { return r.leaf == leaf; });
+    const std::string inner = leaf_of(group_of(dataset.path)) + "/" + leaf;
     const std::string dims = fmt::format("{}", fmt::join(dataset.dims, " "));
-    if (row == std::end(rows))
+    const LayoutRow* row = nullptr;
+    for (const LayoutRow& each : rows) {
+        if (!matches(each.leaf, leaf) && !matches(each.leaf, inner)) continue;
+        row = &each;
+        if (matches(each.dims, dims)) break;
+    }
+    if (row == nullptr)
         throw std::logic_error("no row in the layout table for dataset " + dataset.path);
-    if (dims != row->dims)
+    if (!matches(row->dims, dims))
         throw std::logic_error(fmt::format("dataset {} has dimensions '{}', not '{}'",
                                            dataset.path, dims, row->dims));
     if (row->kind == text ? !dataset.values.empty() : !dataset.texts.empty())

@@ -1,8 +1,11 @@
 /// What a result may hold: ONE table of dataset names, dimensions, units and meanings.
 ///
-/// A dataset is known by the last part of its path. The writer takes `units` and
-/// `long_name` from here, `describe results` prints it, and a dataset that is not in it
-/// is a program error.
+/// A dataset is known by the last part of its path, or, where the user named it (an
+/// unknown, a meter), by its group: "posterior/*". The groups posterior, sample_stats,
+/// prior, observed_data and posterior_predictive are ArviZ's InferenceData
+/// (https://python.arviz.org/en/stable/schema/schema.html), with dimensions chain and
+/// draw. The writer takes `units` and `long_name` from here, `describe results` prints
+/// it, and a dataset that is not in it is a program error.
 #pragma once
 
 #include "study/stage.hpp"
@@ -15,7 +18,7 @@ namespace bemcal::store {
 enum class Kind { number, text };
 
 struct LayoutRow {
-    const char* leaf;
+    const char* leaf;  ///< or "group/*"; a name that ends with * stands for all such
     const char* dims;  ///< names, separated by spaces; "" = a single value
     Kind kind;
     const char* unit;  ///< "" for texts

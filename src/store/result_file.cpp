@@ -90,7 +90,8 @@ void write_values(hdf5::File& file, const Dataset& dataset) {
                    std::span<const std::string>(dataset.texts));
     else
         file.write(dataset.path, dataset.shape, std::span<const double>(dataset.values));
-    file.write_attribute(dataset.path, "units", row.unit);
+    file.write_attribute(dataset.path, "units",
+                         dataset.unit.empty() ? row.unit : dataset.unit);
     file.write_attribute(dataset.path, "long_name", row.meaning);
     if (Dimensions::is_coordinate(dataset)) file.make_scale(dataset.path);
 }
@@ -140,8 +141,13 @@ void write_and_sync(const std::filesystem::path& file, const ResultFile& result,
 
 Dataset read_dataset(const hdf5::File& file, const std::string& path) {
     hdf5::Array array = file.read(path);
-    return {path, std::move(array.dims), std::move(array.shape), std::move(array.values),
-            std::move(array.texts)};
+    auto attributes = file.attributes(path);
+    return {path,
+            std::move(array.dims),
+            std::move(array.shape),
+            std::move(array.values),
+            std::move(array.texts),
+            attributes["units"]};
 }
 
 std::string take(std::map<std::string, std::string>& attributes, const char* name) {

@@ -40,7 +40,33 @@ TEST(Layout, NoPeriodMayBeCalledAsWhatAScreeningStores) {
     };
     check(at("parameter"), at("failed_reason"));
     check(at("meter"), at("n_points"));
+    check(at("unknown"), at("target_ess"));
     EXPECT_EQ(job::refusal_of_name(job::Named::period, "heating"), "");
+}
+
+TEST(Layout, NoPeriodOrBuildingMayBeCalledAsAGroupOfAPosterior) {
+    for (const LayoutRow& row : layout()) {
+        const std::string group = group_of(row.leaf);
+        if (group.empty()) continue;
+        EXPECT_NE(job::refusal_of_name(job::Named::period, group), "") << group;
+        EXPECT_NE(job::refusal_of_name(job::Named::building, group), "") << group;
+    }
+}
+
+TEST(Layout, WhatTheUserNamesIsFoundByItsGroupAndDimensions) {
+    const auto meaning = [](const char* path, std::vector<std::string> dims) {
+        return std::string(layout_of({path, std::move(dims), {}, {}, {}}).leaf);
+    };
+    EXPECT_EQ(meaning("office/posterior/posterior/U_wall", {"chain", "draw"}),
+              "posterior/*");
+    EXPECT_EQ(meaning("office/posterior/posterior/heating", {"chain", "draw"}),
+              "posterior/*");
+    EXPECT_EQ(meaning("office/posterior/target_ess", {}), "target_ess");
+    EXPECT_EQ(meaning("a/b/posterior_predictive/gas", {"chain", "draw", "time_gas"}),
+              "posterior_predictive/*");
+    EXPECT_EQ(meaning("a/b/observed_data/time_gas", {"time_gas"}), "time_*");
+    EXPECT_THROW(meaning("a/b/posterior/U_wall", {"draw", "chain"}), std::logic_error);
+    EXPECT_THROW(meaning("a/b/elsewhere/U_wall", {"chain", "draw"}), std::logic_error);
 }
 
 TEST(Layout, NoRowHasADimensionTwiceSinceNetcdfReadersRefuseThat) {

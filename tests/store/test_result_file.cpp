@@ -161,6 +161,73 @@ assert group("").attrs["COMPLETE"] == "yes"
     EXPECT_EQ(code, 0);
 }
 
+/// Draws of two chains, as a posterior stores them.
+ResultFile posterior_example() {
+    ResultFile result;
+    result.attributes = {{"program", "bemcal-batch"}};
+    const std::string g = "office/posterior/";
+    result.datasets = {
+        {g + "unknown", {"unknown"}, {2}, {}, {"U_wall", "log_density"}},
+        {g + "convergence", {}, {}, {}, {"converged"}},
+        {g + "posterior/U_wall",
+         {"chain", "draw"},
+         {2, 3},
+         {1, 2, 3, 4, 5, 6},
+         {},
+         "W/K"},
+        {g + "sample_stats/lp", {"chain", "draw"}, {2, 3}, {6, 5, 4, 3, 2, 1}, {}},
+        {g + "prior/U_wall", {"chain", "draw"}, {1, 5}, {1, 2, 3, 4, 5}, {}, "W/K"},
+        {g + "observed_data/time_gas", {"time_gas"}, {2}, {0, 3600}, {}},
+        {g + "observed_data/gas", {"time_gas"}, {2}, {7, 8}, {}, "kWh"},
+        {g + "posterior_predictive/time_gas", {"time_gas"}, {2}, {0, 3600}, {}},
+        {g + "posterior_predictive/gas",
+         {"chain", "draw", "time_gas"},
+         {1, 2, 2},
+         {7, 8, 9, 10},
+         {},
+         "kWh"}};
+    return result;
+}
+
+TEST(ResultFile, AUnitOfTheDatasetsOwnIsWrittenAndReadAgain) {
+    const test::TemporaryFolder folder;
+    write_result(folder / "a.h5", posterior_example());
+    for (const auto& dataset : read_result(folder / "a.h5").datasets) {
+        if (dataset.path.ends_with("posterior/U_wall")) EXPECT_EQ(dataset.unit, "W/K");
+        if (dataset.path.ends_with("lp")) EXPECT_EQ(dataset.unit, "1");
+    }
+}
+
+TEST(ResultFile, XarrayAndArvizOpenAPosteriorsGroups) {
+    const test::TemporaryFolder folder;
+    write_result(folder / "a.h5", posterior_example());
+    const int code = run_python(folder / "a.h5", R"(
+import sys
+try:
+    import xarray, netCDF4
+except ImportError:
+    sys.exit(77)
+def group(name):
+    return xarray.open_dataset(sys.argv[1], group="office/posterior/" + name)
+draws = group("posterior")
+assert draws.U_wall.dims == ("chain", "draw") and draws.U_wall.shape == (2, 3), draws
+assert float(draws.U_wall[1, 0]) == 4 and draws.U_wall.attrs["units"] == "W/K"
+assert group("sample_stats").lp.dims == ("chain", "draw")
+assert group("prior").U_wall.shape == (1, 5)
+assert group("observed_data").gas.dims == ("time_gas",)
+assert group("posterior_predictive").gas.dims == ("chain", "draw", "time_gas")
+try:
+    import arviz
+except ImportError:
+    sys.exit(0)
+names = ["posterior", "sample_stats", "prior", "observed_data", "posterior_predictive"]
+data = arviz.InferenceData(**{name: group(name) for name in names})
+assert float(arviz.summary(data)["mean"]["U_wall"]) == 3.5
+)");
+    if (code == 77) GTEST_SKIP() << "no xarray with netCDF4";
+    EXPECT_EQ(code, 0);
+}
+
 TEST(ResultFile, XarrayOpensItThroughNetcdf4) {
     expect_opened_by_xarray("netcdf4", "netCDF4");
 }
