@@ -52,7 +52,7 @@ study::Case read_case(const Sources& sources, InputFiles& files) {
     building.building = read_building(sources, building.profiles);
     building.building.name = building.name;
     check_building(sources, building);
-    building.parameters = read_parameters(sources, building.building);
+    read_parameters(sources, building);
     read_meters(sources, files, building);
     check_meter_steps(sources, building);
     return building;
@@ -126,6 +126,8 @@ void check_study(const Section& section, const StudySpec& study, const Job& job)
             section.fail_value("period",
                                fmt::format("{} has no such period", building.name));
     }
+    if (study.kind == StudyKind::posterior)
+        check_posterior(section, study.posterior, job.buildings);
 }
 
 }  // namespace

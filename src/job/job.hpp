@@ -3,6 +3,7 @@
 #pragma once
 
 #include "study/case.hpp"
+#include "study/posterior.hpp"
 #include "study/screening.hpp"
 #include "study/sensitivity.hpp"
 #include "study/stage.hpp"
@@ -20,7 +21,8 @@ enum class StudyKind {
     sensitivity,
     hourly_sensitivity,
     office_hour_sensitivity,
-    screening
+    screening,
+    posterior
 };
 
 struct StudySpec {
@@ -28,7 +30,8 @@ struct StudySpec {
     std::string name;
     study::SensitivityOptions sensitivity;
     study::ScreeningOptions screening;
-    std::string period;  ///< of a sensitivity; empty = the first one
+    study::PosteriorOptions posterior;
+    std::string period;  ///< of a sensitivity or posterior; empty = the first one
     std::vector<physics::Quantity> quantities;  ///< outputs of a sensitivity study
     /// office_hour_sensitivity: each case fixes the named inputs of
     /// physics/office_hour.hpp

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -53,10 +54,35 @@ Stages office_hour_stages(const StudySpec& study) {
     return stages;
 }
 
+/// One stage for each building, or one for all.
+Stages posterior_stages(const StudySpec& study, const Job& job) {
+    Stages stages;
+    if (study.posterior.pooling != study::Pooling::none) {
+        stages.push_back(make_posterior(study.name, job.buildings, study.posterior));
+        return stages;
+    }
+    for (const Case& building : job.buildings)
+        stages.push_back(make_posterior(building.name + "/" + study.name, {building},
+                                        study.posterior));
+    return stages;
+}
+
+/// What only shows when a posterior is put together is a mistake in the job.
+Stages checked_posterior_stages(const StudySpec& study, const Job& job) {
+    try {
+        return posterior_stages(study, job);
+    } catch (const std::invalid_argument& error) {
+        throw UserError(ExitCode::config,
+                        fmt::format("{}: the study {}: {}", job.file.string(), study.name,
+                                    error.what()));
+    }
+}
+
 /// The stages of one study, over all buildings.
 Stages stages_of(const StudySpec& study, const Job& job) {
     if (study.kind == StudyKind::office_hour_sensitivity)
         return office_hour_stages(study);
+    if (study.kind == StudyKind::posterior) return checked_posterior_stages(study, job);
     Stages stages;
     for (const Case& building : job.buildings)
         stages.push_back(stage_of(study, building));
@@ -91,8 +117,44 @@ bool is_coupled(const Case& building) {
 constexpr double sums_step_s = 1e-9, errors_step_s = 2e-9, coupled_step_s = 3e-7;
 constexpr double office_hour_s = 1e-6;
 
-double seconds_of(const StudySpec& study, const Case* building, const Stage& stage) {
-    const auto n = static_cast<double>(stage.n_simulations());
+/// Rough numbers of simulations for one transition of a chain: a nuts trajectory has
+/// about 2^4 gradients, at three times the cost of a simulation.
+double simulations_per_transition(const StudySpec& study, const Case& building) {
+    switch (study.posterior.chains.sampler.method) {
+        case sampling::Method::nuts:
+            return 48;
+        case sampling::Method::random_walk:
+            return 1;
+        case sampling::Method::gibbs:
+            return static_cast<double>(building.parameters.size());
+    }
+    return 1;
+}
+
+/// Of a posterior, where it uses its whole budget; else what the stage says.
+double most_simulations(const StudySpec& study, const Job& job, const Stage& stage) {
+    if (study.kind != StudyKind::posterior)
+        return static_cast<double>(stage.n_simulations());
+    const study::ChainOptions& chains = study.posterior.chains;
+    const double transitions =
+        chains.sampler.n_warm_up +
+        static_cast<double>(chains.most_draws) * chains.sampler.thin;
+    const std::size_t n_buildings =
+        study.posterior.pooling == study::Pooling::none ? 1 : job.buildings.size();
+    return chains.n_chains * transitions *
+           static_cast<double>(chains.sampler.inverse_temperatures.size()) *
+           static_cast<double>(n_buildings) *
+           simulations_per_transition(study, job.buildings.at(0));
+}
+
+/// A posterior's stage keeps the answers of all its rounds.
+double rounds_of(const StudySpec& study) {
+    if (study.kind != StudyKind::posterior) return 1;
+    const study::ChainOptions& chains = study.posterior.chains;
+    return std::ceil(static_cast<double>(chains.most_draws) / chains.draws_per_round);
+}
+
+double seconds_of(const StudySpec& study, const Case* building, double n) {
     if (building == nullptr) return n * office_hour_s;
     const double steps = n * steps_of(study, *building);
     if (is_coupled(*building)) return steps * coupled_step_s;
@@ -113,7 +175,7 @@ std::string words_of_seconds(double seconds) {
 }
 
 struct Total {
-    long long items = 0, simulations = 0;
+    double items = 0, simulations = 0;
     double answers = 0;  ///< bytes on rank 0, and about those of the result
     double seconds = 0;  ///< on one core
 };
@@ -133,15 +195,15 @@ std::string stage_lines(const Job& job, Total& total) {
         for (const auto& stage : stages_of(study, job)) {
             const bool office = study.kind == StudyKind::office_hour_sensitivity;
             const Case* building = office ? nullptr : &job.buildings.at(number++);
-            const double bytes =
-                static_cast<double>(stage->answer_bytes()) * stage->n_items();
-            text += fmt::format("{:<44} {:>8} {:>14} {:>10}\n", stage->name(),
-                                stage->n_items(), stage->n_simulations(),
-                                words_of_bytes(bytes));
-            total.items += stage->n_items();
-            total.simulations += stage->n_simulations();
+            const double items = stage->n_items() * rounds_of(study);
+            const double bytes = static_cast<double>(stage->answer_bytes()) * items;
+            const double simulations = most_simulations(study, job, *stage);
+            text += fmt::format("{:<44} {:>8.0f} {:>14.0f} {:>10}\n", stage->name(),
+                                items, simulations, words_of_bytes(bytes));
+            total.items += items;
+            total.simulations += simulations;
             total.answers += bytes;
-            total.seconds += seconds_of(study, building, *stage);
+            total.seconds += seconds_of(study, building, simulations);
         }
     }
     return text;
@@ -165,6 +227,12 @@ std::string building_lines(const Job& job) {
                                 decision.action);
     }
     return text;
+}
+
+bool has_posterior(const Job& job) {
+    return std::any_of(
+        job.studies.begin(), job.studies.end(),
+        [](const StudySpec& study) { return study.kind == StudyKind::posterior; });
 }
 
 /// A job without studies can be read, but there is nothing to plan.
@@ -196,8 +264,12 @@ std::string plan_text(const Job& job, int cores) {
     text += building_lines(job) + "\n" + stage_lines(job, total);
     double data = 0;
     for (const Case& building : job.buildings) data += series_bytes(building);
-    text += fmt::format("{:<44} {:>8} {:>14} {:>10}\n\n", "total", total.items,
+    text += fmt::format("{:<44} {:>8.0f} {:>14.0f} {:>10}\n\n", "total", total.items,
                         total.simulations, words_of_bytes(total.answers));
+    if (has_posterior(job))
+        text +=
+            "a posterior is counted with its whole budget; it ends when it has "
+            "converged\n\n";
     text += fmt::format("memory: about {} on rank 0, {} on the others\n",
                         words_of_bytes(2 * total.answers + 3 * data),
                         words_of_bytes(3 * data));

@@ -43,23 +43,43 @@ double effect_of(const Parameter& parameter, double nominal, double value) {
     return parameter.effect == Effect::offset ? nominal + value : value;
 }
 
-void check_range(const Section& section, const Building& building,
-                 const Parameter& parameter) {
+/// Min and max, or the first and last of its values.
+void read_range(const Section& section, Parameter& parameter) {
+    if (section.has("values")) {
+        const std::vector<double> values = read_values(section);
+        parameter.least = values.front();
+        parameter.most = values.back();
+        return;
+    }
+    for (const char* key : {"min", "max"}) section.node(key);
+    parameter.least = section.number("min");
+    parameter.most = section.number("max");
     if (parameter.least >= parameter.most)
         section.fail("min", fmt::format("is {:g}, but max = {:g}; expected min < max",
                                         parameter.least, parameter.most));
+}
+
+/// One end of the range, which a key says.
+void check_end(const Section& section, const char* key, const Building& building,
+               const Parameter& parameter, double end) {
     for (const Target& target : parameter.targets) {
         const Field& field = field_of(target);
-        const double nominal = physics::number_at(building, target);
-        for (const char* key : {"min", "max"}) {
-            const double value = effect_of(parameter, nominal, section.number(key));
-            if (value >= field.least && value <= field.most) continue;
-            section.fail_value(
-                key,
-                fmt::format("makes {} = {:g}: expected {:g} to {:g} {} ({})", field.key,
-                            value, field.least, field.most, field.unit, field.sentence));
-        }
+        const double value =
+            effect_of(parameter, physics::number_at(building, target), end);
+        if (value >= field.least && value <= field.most) continue;
+        section.fail_value(
+            key, fmt::format("makes {} = {:g}: expected {:g} to {:g} {} ({})", field.key,
+                             value, field.least, field.most, field.unit, field.sentence));
     }
+}
+
+void check_range(const Section& section, const Building& building,
+                 const Parameter& parameter) {
+    const bool has_values = section.has("values");
+    check_end(section, has_values ? "values" : "min", building, parameter,
+              parameter.least);
+    check_end(section, has_values ? "values" : "max", building, parameter,
+              parameter.most);
 }
 
 /// A factor has none, and a shift of a temperature is a difference.
@@ -98,8 +118,7 @@ Parameter read_parameter(const Section& section, const Building& building) {
     Parameter parameter;
     parameter.name = section.text("name");
     parameter.effect = section.choice_as<Effect>("mode");
-    parameter.least = section.number("min");
-    parameter.most = section.number("max");
+    read_range(section, parameter);
     read_targets(section, building, parameter);
     check_range(section, building, parameter);
     parameter.unit = unit_of(parameter);
@@ -109,16 +128,14 @@ Parameter read_parameter(const Section& section, const Building& building) {
 
 }  // namespace
 
-std::vector<physics::Parameter> read_parameters(const Sources& sources,
-                                                const physics::Building& building) {
-    std::vector<Parameter> parameters;
+void read_parameters(const Sources& sources, study::Case& building) {
     for (const Section& section :
          sources.with("parameter").tables("parameter", "parameter")) {
-        Parameter parameter = read_parameter(section, building);
-        check_overlap(section, parameters, parameter);
-        parameters.push_back(std::move(parameter));
+        Parameter parameter = read_parameter(section, building.building);
+        check_overlap(section, building.parameters, parameter);
+        building.priors.push_back(read_prior(section, parameter));
+        building.parameters.push_back(std::move(parameter));
     }
-    return parameters;
 }
 
 }  // namespace bemcal::job

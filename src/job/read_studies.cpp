@@ -93,10 +93,14 @@ StudySpec read_study(const Section& section, std::uint64_t seed) {
     study.name = section.has("name") ? section.text("name") : section.choice("kind");
     study.sensitivity.seed = study.screening.seed = seed;
     check_name(section, "name", Named::study, study.name);
-    if (study.kind == StudyKind::screening)
+    if (study.kind == StudyKind::posterior) {
+        study.posterior = read_posterior(section, seed);
+        study.period = study.posterior.period;
+    } else if (study.kind == StudyKind::screening) {
         read_screening(section, study.screening);
-    else
+    } else {
         read_sensitivity(section, study);
+    }
     if (study.kind == StudyKind::office_hour_sensitivity) read_fixed(section, study);
     return study;
 }

@@ -49,13 +49,25 @@ physics::Building read_building(const Sources& sources,
 /// the periods.
 void check_building(const Sources& sources, const study::Case& building);
 
-std::vector<physics::Parameter> read_parameters(const Sources& sources,
-                                                const physics::Building& building);
+/// Parameters and their priors, into the case.
+void read_parameters(const Sources& sources, study::Case& building);
+
+/// What is believed of a parameter: uniform in its range where its section does not say.
+study::ParameterPrior read_prior(const Section& section,
+                                 const physics::Parameter& parameter);
+/// Of a discrete parameter, rising.
+std::vector<double> read_values(const Section& section);
 
 /// Readings, corrected as the job says; findings and what was done go to case.decisions.
 void read_meters(const Sources& sources, InputFiles& files, study::Case& building);
 
 std::vector<StudySpec> read_studies(const Section& job, std::uint64_t seed);
+
+study::PosteriorOptions read_posterior(const Section& section, std::uint64_t seed);
+/// Throws UserError where the study names a meter or building that is not there, or a
+/// building it learns from has no reading in the period.
+void check_posterior(const Section& section, const study::PosteriorOptions& options,
+                     const std::vector<study::Case>& buildings);
 
 /// The quantities that words name; throws UserError at `key`.
 std::vector<physics::Quantity> read_quantities(const Section& section,

@@ -1,0 +1,150 @@
+/// The keys of a [[study]] of kind "posterior", and what it needs of the buildings.
+#include "job/readers.hpp"
+#include "job/suggest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace bemcal::job {
+
+namespace {
+
+using study::Case;
+using study::PosteriorOptions;
+
+int whole(const Section& section, std::string_view key) {
+    return static_cast<int>(section.integer(key));
+}
+
+/// Temperatures as the job has them, 1 first, rising, become their inverses.
+std::vector<double> read_temperatures(const Section& section) {
+    std::vector<double> temperatures = section.numbers("temperatures");
+    if (temperatures.empty()) return {1};
+    if (temperatures[0] != 1 ||
+        std::ranges::adjacent_find(temperatures, std::greater_equal<>()) !=
+            temperatures.end())
+        section.fail("temperatures",
+                     "expected 1 first, then numbers that rise: [1, 2, 4, 8]");
+    for (double& temperature : temperatures) temperature = 1 / temperature;
+    return temperatures;
+}
+
+void read_chains(const Section& section, study::ChainOptions& chains) {
+    chains.sampler.method = section.choice_as<sampling::Method>("sampler");
+    chains.sampler.n_warm_up = whole(section, "warm_up");
+    chains.sampler.thin = whole(section, "thin");
+    chains.sampler.inverse_temperatures = read_temperatures(section);
+    chains.n_chains = whole(section, "n_chains");
+    chains.draws_per_round = whole(section, "draws_per_round");
+    chains.most_draws = whole(section, "most_draws");
+    chains.target_rhat = section.number("target_rhat");
+    chains.target_ess = section.number("target_ess");
+    if (chains.most_draws < chains.draws_per_round)
+        section.fail(
+            "most_draws",
+            fmt::format("is {}, less than draws_per_round = {}; expected as many "
+                        "at least",
+                        chains.most_draws, chains.draws_per_round));
+}
+
+std::string names_of(const std::vector<std::string>& names) {
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// A word that must be one of some names.
+void check_word(const Section& section, std::string_view key, const std::string& word,
+                const std::vector<std::string>& names, const std::string& what) {
+    if (std::ranges::find(names, word) != names.end()) return;
+    section.fail(key, fmt::format("\"{}\" is no {}{}; expected some of {}", word, what,
+                                  suggestion(word, names), names_of(names)));
+}
+
+bool has_reading(const Case& building, const study::Period& period,
+                 const std::string& meter) {
+    const auto readings = study::readings_of(building, period);
+    for (std::size_t m = 0; m < building.meters.size(); ++m) {
+        if (!meter.empty() && building.meters[m].name != meter) continue;
+        if (std::ranges::any_of(readings[m].values,
+                                [](double value) { return !std::isnan(value); }))
+            return true;
+    }
+    return false;
+}
+
+const study::Period& period_of(const Case& building, const std::string& name) {
+    const auto found = std::ranges::find(building.periods, name, &study::Period::name);
+    return found == building.periods.end() ? building.periods.at(0) : *found;
+}
+
+void check_meters(const Section& section, const PosteriorOptions& options,
+                  const Case& building) {
+    std::vector<std::string> names;
+    for (const study::Meter& meter : building.meters) names.push_back(meter.name);
+    const study::Period& period = period_of(building, options.period);
+    for (const std::string& meter : options.meters) {
+        check_word(section, "meters", meter, names, "meter of " + building.name);
+        if (!has_reading(building, period, meter))
+            section.fail("meters",
+                         fmt::format("{} of {} has no reading in the period {}; expected "
+                                     "a meter with data",
+                                     meter, building.name, period.name));
+    }
+    if (options.meters.empty() && !has_reading(building, period, ""))
+        section.fail("kind", fmt::format("needs readings, and no meter of {} has one in "
+                                         "the period {}",
+                                         building.name, period.name));
+}
+
+/// Draws are stored under the parameter's name, beside their dimensions.
+void check_parameter_names(const Section& section, const Case& building) {
+    for (const physics::Parameter& parameter : building.parameters)
+        if (parameter.name.find('/') != std::string::npos || parameter.name == "chain" ||
+            parameter.name == "draw" || parameter.name == "." || parameter.name == "..")
+            section.fail("kind",
+                         fmt::format("stores draws by parameter, and cannot for one "
+                                     "called \"{}\"; expected another name",
+                                     parameter.name));
+}
+
+void check_unseen(const Section& section, const PosteriorOptions& options,
+                  const std::vector<Case>& buildings) {
+    std::vector<std::string> names;
+    for (const Case& building : buildings) names.push_back(building.name);
+    for (const std::string& name : options.unseen)
+        check_word(section, "unseen", name, names, "building of this job");
+    if (!options.unseen.empty() && options.unseen.size() >= buildings.size())
+        section.fail("unseen", "has every building: none is left to learn from");
+}
+
+}  // namespace
+
+PosteriorOptions read_posterior(const Section& section, std::uint64_t seed) {
+    PosteriorOptions options;
+    read_chains(section, options.chains);
+    options.chains.seed = seed;
+    options.residuals.autocorrelated = section.flag("autocorrelated");
+    options.residuals.discrepancy = section.flag("discrepancy");
+    options.period = section.text("period");
+    options.meters = section.texts("meters");
+    options.hold_out_weeks = section.number("hold_out_weeks");
+    options.hold_out_hours = section.number("hold_out_hours");
+    options.n_predictive = whole(section, "n_predictive");
+    options.pooling = section.choice_as<study::Pooling>("pooling");
+    if (options.pooling != study::Pooling::none) options.unseen = section.texts("unseen");
+    return options;
+}
+
+void check_posterior(const Section& section, const PosteriorOptions& options,
+                     const std::vector<Case>& buildings) {
+    check_unseen(section, options, buildings);
+    for (const Case& building : buildings) check_parameter_names(section, building);
+    for (const Case& building : buildings)
+        if (std::ranges::find(options.unseen, building.name) == options.unseen.end())
+            check_meters(section, options, building);
+}
+
+}  // namespace bemcal::job
