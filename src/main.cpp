@@ -1,6 +1,7 @@
 /// The command line: one command for each thing a user does; rank 0 speaks for all ranks.
 #include "base/error.hpp"
 #include "job/plan.hpp"
+#include "report/merge_chains.hpp"
 #include "report/tables.hpp"
 #include "run/find_job.hpp"
 #include "run/run_job.hpp"
@@ -9,8 +10,11 @@
 #include "run/together.hpp"
 #include "store/layout.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +25,7 @@ namespace {
 
 using namespace bemcal;
 namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
 
 struct CommandLine {
     fs::path job, output, file;
@@ -28,15 +33,16 @@ struct CommandLine {
     std::string topic;
     bool force = false, resume = false;
     int n_threads = 0;
+    double stop_after_s = 0;  ///< 0 = no limit
+    int first_chain = 0;
 };
 
 constexpr const char* footer =
     "Without an argument it runs the quickstart. In front of it, `mpirun -np N` starts N "
     "ranks.\n"
-    "Exit codes: 0 done, 64 command line, 65 data, 66 input missing, 70 program error,\n"
-    "73 output exists or cannot be made, 74 reading or writing failed, 75 stopped (go on "
-    "with "
-    "--resume),\n78 job file.";
+    "Exit codes: 0 done, 1 written but a target was missed (not converged), 64 command "
+    "line,\n65 data, 66 input missing, 70 program error, 73 output exists or cannot be "
+    "made,\n74 reading or writing failed, 75 stopped (go on with --resume), 78 job file.";
 
 void add_run(CLI::App& app, CommandLine& line) {
     CLI::App* run =
@@ -53,6 +59,16 @@ void add_run(CLI::App& app, CommandLine& line) {
     run->add_option("--threads", line.n_threads,
                     "compute threads of each rank; default: its share of the cores")
         ->check(CLI::Range(1, 4096));
+    run->add_option("--stop-after", line.stop_after_s,
+                    "begin nothing more after so many seconds, finish what is running, "
+                    "and exit with 75; --resume goes on")
+        ->type_name("SECONDS")
+        ->check(CLI::PositiveNumber);
+    run->add_option(
+           "--first-chain", line.first_chain,
+           "number of the first chain of a posterior: runs of one job with other "
+           "chains, say an array of a batch system, are put together by report")
+        ->check(CLI::Range(0, 1000000000));
 }
 
 void add_others(CLI::App& app, CommandLine& line) {
@@ -69,7 +85,8 @@ void add_others(CLI::App& app, CommandLine& line) {
         ->add_option("FILE", line.file, "result file, also of a run that is not complete")
         ->required();
     app.add_subcommand("report", "print results as tables")
-        ->add_option("FILE", line.files, "result files")
+        ->add_option("FILE", line.files,
+                     "result files; those of one job with other chains become one")
         ->required();
 }
 
@@ -98,6 +115,13 @@ void print_tables(const store::ResultFile& result) {
     std::fflush(stdout);
 }
 
+/// From now, which is the program's start.
+std::optional<Clock::time_point> stop_at(const CommandLine& line) {
+    if (line.stop_after_s <= 0) return std::nullopt;
+    const std::chrono::duration<double> limit(std::min(line.stop_after_s, 1e9));
+    return Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
+}
+
 ExitCode run_command(run::Comm& comm, const CommandLine& line) {
     const run::SignalWatch watch;  // already while the job is read
     run::JobOptions options;
@@ -107,6 +131,8 @@ ExitCode run_command(run::Comm& comm, const CommandLine& line) {
                        : line.resume ? run::Existing::resume
                                      : run::Existing::refuse;
     options.n_threads = line.n_threads;
+    options.stop_at = stop_at(line);
+    options.first_chain = line.first_chain;
     options.version = BEMCAL_VERSION;
     options.say = print_warning;
     options.on_stage = print_tables;
@@ -144,12 +170,24 @@ ExitCode status_command(const CommandLine& line) {
     return ExitCode::ok;
 }
 
+/// Each file with its tables; where chains were put together, all files come first.
 ExitCode report_command(const CommandLine& line) {
-    for (const fs::path& file : line.files) {
-        const store::ResultFile result = store::read_result(file);
-        fmt::print("{}: {}\n", file.string(), report::status_of(result));
-        print_tables(result);
+    std::vector<store::ResultFile> results;
+    results.reserve(line.files.size());
+    for (const fs::path& file : line.files) results.push_back(store::read_result(file));
+    std::vector<std::string> lines;
+    lines.reserve(results.size());
+    for (std::size_t k = 0; k < results.size(); ++k)
+        lines.push_back(fmt::format("{}: {}\n", line.files[k].string(),
+                                    report::status_of(results[k])));
+    const std::size_t n_files = results.size();
+    const auto merged = report::merge_chains(std::move(results));
+    for (std::size_t k = 0; k < n_files; ++k) {
+        fmt::print("{}", lines[k]);
+        if (merged.size() == n_files) print_tables(merged[k]);
     }
+    if (merged.size() == n_files) return ExitCode::ok;
+    for (const store::ResultFile& result : merged) print_tables(result);
     return ExitCode::ok;
 }
 

@@ -33,15 +33,15 @@ void send(Comm& comm, int to, Tag tag, Bytes data) {
 /// Rank 0's other half: hands out items, collects answers, decides when it is over.
 class Master {
   public:
-    Master(Comm& comm, std::vector<study::ItemAnswer> known, const std::vector<bool>& has,
-           int n_items, const DistributeOptions& options)
+    Master(Comm& comm, Items items, const DistributeOptions& options)
         : comm_(comm),
           options_(options),
-          answers_(std::move(known)),
-          schedule_(missing(has, n_items), comm.size()) {
-        answers_.resize(static_cast<std::size_t>(n_items));
-        progress_.items_total = n_items;
-        progress_.items_known = static_cast<int>(std::ranges::count(has, true));
+          first_(items.first),
+          answers_(std::move(items.known)),
+          schedule_(missing(items), comm.size()) {
+        answers_.resize(static_cast<std::size_t>(items.count));
+        progress_.items_total = items.count;
+        progress_.items_known = static_cast<int>(std::ranges::count(items.has, true));
         progress_.items_done = progress_.items_known;
         for (const auto& answer : answers_) count_failures(answer);
     }
@@ -88,12 +88,12 @@ class Master {
     std::vector<study::ItemAnswer> take() { return std::move(answers_); }
 
   private:
-    static std::vector<int> missing(const std::vector<bool>& has, int n_items) {
-        std::vector<int> items;
-        for (int item = 0; item < n_items; ++item)
-            if (has.empty() || !has[static_cast<std::size_t>(item)])
-                items.push_back(item);
-        return items;
+    static std::vector<int> missing(const Items& items) {
+        std::vector<int> todo;
+        for (int k = 0; k < items.count; ++k)
+            if (items.has.empty() || !items.has[static_cast<std::size_t>(k)])
+                todo.push_back(items.first + k);
+        return todo;
     }
 
     void count_failures(const study::ItemAnswer& answer) {
@@ -102,14 +102,14 @@ class Master {
     }
 
     void take_answers(const Comm::Message& message) {
-        for_each_answer(message.data,
-                        [&](int item, const std::byte* data, std::size_t bytes) {
-                            auto& answer = answers_[static_cast<std::size_t>(item)];
-                            answer = store::unpack(data, bytes);
-                            count_failures(answer);
-                            ++progress_.items_done;
-                            schedule_.finished(message.source);
-                        });
+        for_each_answer(
+            message.data, [&](int item, const std::byte* data, std::size_t bytes) {
+                auto& answer = answers_[static_cast<std::size_t>(item - first_)];
+                answer = store::unpack(data, bytes);
+                count_failures(answer);
+                ++progress_.items_done;
+                schedule_.finished(message.source);
+            });
     }
 
     void stop(const Stop& reason) {
@@ -127,6 +127,7 @@ class Master {
 
     Comm& comm_;
     const DistributeOptions& options_;
+    int first_;
     std::vector<study::ItemAnswer> answers_;
     Schedule schedule_;
     Progress progress_;
@@ -274,14 +275,12 @@ Stop run_team(Talker& talker, Pool& pool, int n_threads) {
 
 }  // namespace
 
-Distributed distribute(Comm& comm, const study::Stage& stage,
-                       std::vector<study::ItemAnswer> known, const std::vector<bool>& has,
+Distributed distribute(Comm& comm, const study::Stage& stage, Items items,
                        const DistributeOptions& options) {
     const auto begin = Clock::now();
     std::unique_ptr<Master> master;
     if (comm.rank() == 0)
-        master = std::make_unique<Master>(comm, std::move(known), has, stage.n_items(),
-                                          options);
+        master = std::make_unique<Master>(comm, std::move(items), options);
     Pool pool(stage);
     Talker talker(comm, pool, master.get(), options);
     const Stop reason = run_team(talker, pool, options.n_threads);

@@ -16,7 +16,7 @@ namespace bemcal::run {
 struct Progress {
     int items_done = 0, items_known = 0, items_total = 0;  ///< done includes known
     long long points_failed = 0;
-    double seconds = 0;  ///< since the stage began
+    double seconds = 0;  ///< since these items began
 };
 
 /// Callbacks are called by main threads, never at the same time on a rank; each may be
@@ -32,6 +32,13 @@ struct DistributeOptions {
     std::function<bool()> should_stop;  ///< polled on every rank
 };
 
+/// Items [first, first + count) of a stage, and on rank 0 what is known of their answers.
+struct Items {
+    int first = 0, count = 0;
+    std::vector<study::ItemAnswer> known;  ///< [count] from an earlier run; empty = none
+    std::vector<bool> has;  ///< [count]: where false, the item is done again; empty = all
+};
+
 struct Distributed {
     /// Rank 0: in item order, complete unless stopped.
     std::vector<study::ItemAnswer> answers;
@@ -42,11 +49,7 @@ struct Distributed {
 
 /// All ranks call it together; a UserError from a callback of any rank is thrown on all
 /// of them.
-/// \param known  rank 0: answers from an earlier run, by item; empty vector = none. An
-/// item is
-///               done again where `has[item]` is false.
-Distributed distribute(Comm& comm, const study::Stage& stage,
-                       std::vector<study::ItemAnswer> known, const std::vector<bool>& has,
+Distributed distribute(Comm& comm, const study::Stage& stage, Items items,
                        const DistributeOptions& options);
 
 }  // namespace bemcal::run

@@ -1,41 +1,51 @@
 #include "run/execute.hpp"
 
-#include "run/distribute.hpp"
 #include "run/output_place.hpp"
 #include "run/progress.hpp"
+#include "run/rounds.hpp"
+#include "run/run_record.hpp"
 #include "run/signals.hpp"
 #include "run/synced_log.hpp"
 #include "run/threads.hpp"
+#include "run/timer.hpp"
 #include "run/together.hpp"
+#include "run/verdict.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <cstring>
-#include <numeric>
+#include <iterator>
 #include <optional>
 #include <utility>
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 namespace bemcal::run {
 namespace {
 
-std::string utc_now() {
-    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
-                       fmt::gmtime(std::chrono::system_clock::to_time_t(
-                           std::chrono::system_clock::now())));
+/// "3 ranks"
+std::string counted(int n, const char* noun) {
+    return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
 }
 
-/// What a rank has spent, for /run. Doubles only, so that ranks can send it as it is.
-struct Spent {
-    double simulate = 0, conclude = 0, store = 0, log = 0, busy = 0, n_threads = 0;
-};
+/// An error on the way, a full disk say, does not lose what is finished; says so.
+template <class Result>
+Result keeping(const std::function<Result()>& step) {
+    try {
+        return step();
+    } catch (const UserError& error) {
+        throw UserError(
+            error.exit_code(),
+            fmt::format("{}; what is finished is kept: mend that and go on with --resume",
+                        error.what()));
+    }
+}
 
 class Execution {
   public:
     Execution(Comm& comm, Work work, const ExecuteOptions& options)
-        : comm_(comm), work_(std::move(work)), options_(options) {
+        : comm_(comm),
+          work_(std::move(work)),
+          options_(options),
+          verdict_(work_.max_failed_share) {
         for (const auto& stage : work_.stages)
             work_.identity.emplace_back("stage " + stage->name(),
                                         fmt::format("{} items", stage->n_items()));
@@ -48,7 +58,7 @@ class Execution {
         together(comm_, [&] {
             if (is_first()) open_place();
         });
-        if (is_complete_already()) return {};
+        if (is_complete_already()) return {agreed_code(), {}};
         announce();
         together(comm_, [&] { open_log(); });
         for (std::size_t stage = 0; stage < work_.stages.size(); ++stage)
@@ -65,7 +75,10 @@ class Execution {
 
     void open_place() {
         place_ = prepare_output(options_.output, options_.existing, work_.identity);
-        if (place_.is_complete) return;
+        if (place_.is_complete) {
+            verdict_.take_shortfalls(store::read_result(options_.output).datasets);
+            return;
+        }
         lock_.emplace(part_folder_of(options_.output));
         n_resumed_ = place_.logs.records.size();
         if (n_resumed_ > 0 || place_.logs.n_damaged > 0)
@@ -87,16 +100,26 @@ class Execution {
         return found == work_.frame.attributes.end() ? "job" : found->second;
     }
 
+    /// A stage that goes on in rounds may not know how many it will need.
+    std::string simulations() const {
+        long long n = 0;
+        bool all_known = true;
+        for (const auto& stage : work_.stages) {
+            n += stage->n_simulations();
+            all_known = all_known && stage->n_simulations() > 0;
+        }
+        if (all_known) return fmt::format("{} simulations", n);
+        return n > 0 ? fmt::format("{} simulations and as many more as it takes", n)
+                     : "as many simulations as it takes";
+    }
+
     void announce() {
         threads_ = plan_threads(comm_, options_.n_threads);
-        long long n_simulations = 0;
-        for (const auto& stage : work_.stages) n_simulations += stage->n_simulations();
-        say(fmt::format(
-            "{}: {} stage{}, {} simulations; {} rank{}, {} compute thread{}; writing {}",
-            title(), work_.stages.size(), work_.stages.size() == 1 ? "" : "s",
-            n_simulations, comm_.size(), comm_.size() == 1 ? "" : "s",
-            threads_.n_threads_total, threads_.n_threads_total == 1 ? "" : "s",
-            options_.output.string()));
+        say(fmt::format("{}: {}, {}; {}, {}; writing {}", title(),
+                        counted(static_cast<int>(work_.stages.size()), "stage"),
+                        simulations(), counted(comm_.size(), "rank"),
+                        counted(threads_.n_threads_total, "compute thread"),
+                        options_.output.string()));
         for (const std::string& warning : threads_.warnings) say("warning: " + warning);
         if (is_first() && options_.on_stage) options_.on_stage(work_.frame);
     }
@@ -111,21 +134,26 @@ class Execution {
         log_.emplace(folder, comm_.rank());
     }
 
-    /// Answers of an earlier run to a stage's items.
-    std::vector<bool> known_answers(int stage, std::vector<study::ItemAnswer>& known) {
-        const auto n = static_cast<std::size_t>(
-            work_.stages[static_cast<std::size_t>(stage)]->n_items());
-        std::vector<bool> has(n, false);
-        if (place_.logs.records.empty()) return has;
-        known.resize(n);
+    /// Answers of an earlier run to items of a stage.
+    Items known_items(int stage, int first, int count) {
+        Items items{first, count, {}, {}};
+        if (place_.logs.records.empty()) return items;
+        items.known.resize(static_cast<std::size_t>(count));
+        items.has.resize(static_cast<std::size_t>(count), false);
         for (auto& record : place_.logs.records) {
-            const auto item = static_cast<std::size_t>(record.item);
-            if (record.stage != stage || item >= n) continue;
-            known[item] = store::unpack(record.packed.data(), record.packed.size());
-            has[item] = true;
+            const int k = record.item - first;
+            if (record.stage != stage || k < 0 || k >= count) continue;
+            const auto at = static_cast<std::size_t>(k);
+            items.known[at] = store::unpack(record.packed.data(), record.packed.size());
+            items.has[at] = true;
             record.packed = {};
         }
-        return has;
+        return items;
+    }
+
+    bool is_time_over() const {
+        return is_first() && options_.stop_at &&
+               std::chrono::steady_clock::now() >= *options_.stop_at;
     }
 
     DistributeOptions distribute_options(int stage, ProgressLine& line) {
@@ -138,36 +166,27 @@ class Execution {
         options.on_progress = [&line](const Progress& progress) { line.show(progress); };
         options.on_stopping = [this, &line] {
             line.clear();
-            say("stopping: waiting for the items that are running");
+            say(fmt::format("stopping{}: waiting for the items that are running",
+                            is_time_over() ? ", the time is over" : ""));
         };
-        options.should_stop = SignalWatch::stop_requested;
+        options.should_stop = [this] {
+            return SignalWatch::stop_requested() || is_time_over();
+        };
         return options;
-    }
-
-    /// An error on the way, a full disk say, does not lose what is finished; says so.
-    template <class Result>
-    static Result keeping(const std::function<Result()>& step) {
-        try {
-            return step();
-        } catch (const UserError& error) {
-            throw UserError(
-                error.exit_code(),
-                fmt::format("{}; what is finished is kept: mend that and go on with "
-                            "--resume",
-                            error.what()));
-        }
     }
 
     /// \return false where it was stopped
     bool run_stage(int index) {
-        const study::Stage& stage = *work_.stages[static_cast<std::size_t>(index)];
-        std::vector<study::ItemAnswer> known;
-        const std::vector<bool> has = known_answers(index, known);
+        study::Stage& stage = *work_.stages[static_cast<std::size_t>(index)];
         ProgressLine line(stage.name(), stage.n_simulations());
-        Distributed done = keeping<Distributed>([&] {
-            return distribute(comm_, stage, std::move(known), has,
-                              distribute_options(index, line));
-        });
+        RoundOptions rounds;
+        rounds.distribute = distribute_options(index, line);
+        rounds.known = [&](int first, int count) {
+            return known_items(index, first, count);
+        };
+        rounds.on_round = [&](int round) { line.begin_round(round); };
+        const Distributed done =
+            keeping<Distributed>([&] { return run_rounds(comm_, stage, rounds); });
         line.clear();
         spent_.simulate += done.seconds;
         spent_.busy += done.busy_seconds;
@@ -181,28 +200,15 @@ class Execution {
     void conclude(const study::Stage& stage,
                   const std::vector<study::ItemAnswer>& answers) {
         const Timer timer(spent_.conclude);
-        count_failures(stage, answers);
+        verdict_.count(stage, answers);
         store::ResultFile part;
         part.attributes = result_.attributes;
         part.datasets = stage.conclude(answers);
+        const std::string missed = stage.shortfall(answers);
+        if (!missed.empty()) part.datasets.push_back(shortfall_dataset(stage, missed));
+        verdict_.take_shortfalls(part.datasets);
         if (options_.on_stage) options_.on_stage(part);
         std::ranges::move(part.datasets, std::back_inserter(result_.datasets));
-    }
-
-    void count_failures(const study::Stage& stage,
-                        const std::vector<study::ItemAnswer>& answers) {
-        const double per_item =
-            static_cast<double>(stage.n_simulations()) / stage.n_items();
-        n_points_ += static_cast<double>(stage.n_simulations());
-        for (const auto& answer : answers) {
-            n_failed_ += answer.error.empty()
-                             ? static_cast<double>(answer.failures.size())
-                             : per_item;
-            if (!answer.error.empty() && first_error_.empty())
-                first_error_ = answer.error;
-            if (!answer.failures.empty() && first_error_.empty())
-                first_error_ = answer.failures[0].reason;
-        }
     }
 
     Outcome stopped() {
@@ -214,68 +220,38 @@ class Execution {
 
     Outcome finish() {
         spent_.n_threads = threads_.n_threads;
-        if (log_) spent_.log = log_->seconds();
-        describe_run();
+        spent_.log = log_->seconds();
+        result_.run["items_resumed"] = std::to_string(n_resumed_);
+        describe_run(comm_, threads_, spent_, result_.run);
         Outcome outcome;
         keeping<void>([&] {
             together(comm_, [&] {
-                if (is_first()) outcome.hash = write();
+                if (is_first())
+                    outcome.hash = store::write_result(options_.output, result_);
             });
         });
         log_.reset();
         comm_.barrier();
-        if (!is_first()) return {budget(), {}};
+        if (is_first()) remove_part(outcome.hash);
+        outcome.code = agreed_code();
+        return outcome;
+    }
+
+    void remove_part(const std::string& hash) {
         lock_.reset();
         std::error_code ignored;
         std::filesystem::remove_all(part_folder_of(options_.output), ignored);
         say(
             fmt::format("wrote {0}, result hash {1}; its tables again: bemcal-batch "
                         "report {0}",
-                        options_.output.string(), outcome.hash));
-        outcome.code = budget();
-        return outcome;
+                        options_.output.string(), hash));
     }
 
-    std::string write() {
-        const Timer timer(spent_.store);
-        return store::write_result(options_.output, result_);
-    }
-
-    /// Too many failures must not look like success, on any rank.
-    ExitCode budget() {
-        const bool is_over = is_first() && n_failed_ > work_.max_failed_share * n_points_;
-        if (is_over)
-            say(fmt::format(
-                "{:.0f} of {:.0f} simulations failed, more than the share of {} that "
-                "the job accepts; the first: {}",
-                n_failed_, n_points_, work_.max_failed_share, first_error_));
-        return is_over ? ExitCode::data : ExitCode::ok;
-    }
-
-    void describe_run() {
-        Bytes mine(sizeof spent_);
-        std::memcpy(mine.data(), &spent_, sizeof spent_);
-        double busy = 0, available = 0, log = 0;
-        for (const Bytes& bytes : comm_.all_gather(mine)) {
-            Spent spent;
-            std::memcpy(&spent, bytes.data(), sizeof spent);
-            busy += spent.busy;
-            available += spent.simulate * spent.n_threads;
-            log = std::max(log, spent.log);
-        }
-        auto& run = result_.run;
-        run["finished"] = utc_now();
-        run["host"] = host_name();
-        run["mpi"] = mpi_version();
-        run["n_hosts"] = std::to_string(threads_.n_hosts);
-        run["n_ranks"] = std::to_string(comm_.size());
-        run["n_threads"] = std::to_string(threads_.n_threads_total);
-        run["items_resumed"] = std::to_string(n_resumed_);
-        run["seconds_simulate"] = fmt::format("{:.3f}", spent_.simulate);
-        run["seconds_conclude"] = fmt::format("{:.3f}", spent_.conclude);
-        run["seconds_log"] = fmt::format("{:.3f}", log);
-        run["idle_share"] =
-            fmt::format("{:.4f}", available > 0 ? 1 - busy / available : 0);
+    /// Rank 0's verdict, on every rank: what failed must not look like success on any.
+    ExitCode agreed_code() {
+        for (const std::string& sentence : verdict_.sentences()) say(sentence);
+        const Bytes mine{static_cast<std::byte>(verdict_.code())};
+        return static_cast<ExitCode>(comm_.all_gather(mine)[0][0]);
     }
 
     Comm& comm_;
@@ -288,8 +264,7 @@ class Execution {
     store::ResultFile result_;
     Spent spent_;
     std::size_t n_resumed_ = 0;
-    double n_points_ = 0, n_failed_ = 0;
-    std::string first_error_;
+    Verdict verdict_;
 };
 
 }  // namespace

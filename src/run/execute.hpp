@@ -1,5 +1,5 @@
 /// All stages of a job, over ranks and threads, to one result file; safe against signals,
-/// crashes and full disks.
+/// time limits, crashes and full disks.
 ///
 /// Every finished item is in a rank's log before it counts (store/item_log.hpp). The
 /// result is written once, at the end, from the answers in item order; then the logs are
@@ -12,10 +12,11 @@
 #include "store/result_file.hpp"
 #include "study/stage.hpp"
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,9 @@ enum class Existing { refuse, force, resume };
 struct ExecuteOptions {
     std::filesystem::path output;
     Existing existing = Existing::refuse;
-    int n_threads = 0;                            ///< 0 = see plan_threads
+    int n_threads = 0;  ///< 0 = see plan_threads
+    /// Rank 0's time to begin no more items, as after a signal; none: no limit.
+    std::optional<std::chrono::steady_clock::time_point> stop_at = std::nullopt;
     std::function<void(const std::string&)> say;  ///< rank 0: one line for the user
     /// rank 0: before the first stage with the frame, then after each with its datasets
     /// only
@@ -44,7 +47,8 @@ struct ExecuteOptions {
 };
 
 struct Outcome {
-    /// more_to_do after a signal; data: too many points failed.
+    /// more_to_do after a signal or `stop_at`; data: too many points failed; not_reached:
+    /// a stage missed its target. The same on all ranks.
     ExitCode code = ExitCode::ok;
     std::string hash;  ///< rank 0, where a result was written
 };

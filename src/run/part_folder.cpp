@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <map>
@@ -60,6 +61,14 @@ std::map<int, int> items_by_stage(const store::LogContent& logs) {
     std::map<int, int> counts;
     for (const auto& record : logs.records) ++counts[record.stage];
     return counts;
+}
+
+/// \param items  "16 items": of the first round
+std::string stage_status(int n_done, const std::string& items) {
+    if (n_done <= std::atoi(items.c_str()))
+        return fmt::format("{} of {} done", n_done, items);
+    return fmt::format("{} items done, {} of them in its first round", n_done,
+                       std::atoi(items.c_str()));
 }
 
 }  // namespace
@@ -128,8 +137,8 @@ std::string part_status(const std::filesystem::path& folder) {
     int stage = 0;
     for (const auto& [key, value] : identity)
         if (key.starts_with(stage_prefix))
-            text += fmt::format("  {}: {} of {} done\n", key.substr(stage_prefix.size()),
-                                done[stage++], value);
+            text += fmt::format("  {}: {}\n", key.substr(stage_prefix.size()),
+                                stage_status(done[stage++], value));
     if (logs.n_damaged > 0)
         text += fmt::format("  {} damaged record{} in the logs: to be done again\n",
                             logs.n_damaged, logs.n_damaged == 1 ? "" : "s");

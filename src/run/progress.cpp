@@ -11,7 +11,7 @@
 namespace bemcal::run {
 namespace {
 
-constexpr double log_interval = 10;  ///< [s]
+constexpr std::chrono::seconds log_interval{10};
 
 }  // namespace
 
@@ -23,19 +23,23 @@ std::string format_duration(double seconds) {
 }
 
 std::string progress_text(const std::string& stage, double n_simulations,
-                          const Progress& progress) {
+                          const Progress& progress, int round) {
+    const bool is_known = n_simulations > 0;
     const double per_item = n_simulations / std::max(1, progress.items_total);
     const double done = progress.items_done - progress.items_known;
     const double left = progress.items_total - progress.items_done;
     const auto n_failed = static_cast<double>(progress.points_failed);
-    std::string text =
-        fmt::format("{}: {} of {} items, {:.0f} ok, {:.0f} failed", stage,
-                    progress.items_done, progress.items_total,
-                    std::max(0.0, per_item * progress.items_done - n_failed), n_failed);
-    if (done > 0 && progress.seconds > 0)
-        text += fmt::format(", {:.0f}/s, {} left", per_item * done / progress.seconds,
-                            format_duration(progress.seconds * left / done));
-    return text;
+    std::string text = stage + ": ";
+    if (!is_known) text += fmt::format("round {}: ", round);
+    text += fmt::format("{} of {} items, ", progress.items_done, progress.items_total);
+    if (is_known)
+        text += fmt::format("{:.0f} ok, ",
+                            std::max(0.0, per_item * progress.items_done - n_failed));
+    text += fmt::format("{:.0f} failed", n_failed);
+    if (!(done > 0 && progress.seconds > 0)) return text;
+    if (is_known) text += fmt::format(", {:.0f}/s", per_item * done / progress.seconds);
+    text += fmt::format(", {} left", format_duration(progress.seconds * left / done));
+    return is_known ? text : text + " in this round";
 }
 
 ProgressLine::ProgressLine(std::string stage, long long n_simulations)
@@ -44,9 +48,10 @@ ProgressLine::ProgressLine(std::string stage, long long n_simulations)
       is_terminal_(::isatty(STDERR_FILENO) != 0) {}
 
 void ProgressLine::show(const Progress& progress) {
-    if (!is_terminal_ && progress.seconds - shown_ < log_interval) return;
-    shown_ = progress.seconds;
-    const std::string text = progress_text(stage_, n_simulations_, progress);
+    const auto now = std::chrono::steady_clock::now();
+    if (!is_terminal_ && now - shown_ < log_interval) return;
+    shown_ = now;
+    const std::string text = progress_text(stage_, n_simulations_, progress, round_);
     if (is_terminal_)
         fmt::print(stderr, "\r\x1b[K{:.100}", text);
     else

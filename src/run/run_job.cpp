@@ -67,10 +67,29 @@ fs::path choose_output(Comm& comm, const job::Job& job, const JobOptions& option
     return std::string(reinterpret_cast<const char*>(chosen.data()), chosen.size());
 }
 
-Work work_of(const job::Job& job, const std::string& version) {
+/// Arrays of a job: every run has chains of its own.
+void set_first_chain(job::Job& job, int first_chain) {
+    bool has_posterior = false;
+    for (job::StudySpec& study : job.studies) {
+        study.posterior.chains.first_chain = first_chain;
+        has_posterior = has_posterior || study.kind == job::StudyKind::posterior;
+    }
+    if (first_chain > 0 && !has_posterior)
+        throw UserError(ExitCode::usage,
+                        fmt::format("--first-chain {}: {} has no study of kind "
+                                    "\"posterior\"; leave it out",
+                                    first_chain, job.file.string()));
+}
+
+Work work_of(const job::Job& job, const JobOptions& options) {
     Work work;
-    work.frame = frame_of(job, version);
-    work.identity = identity_of(job, version);
+    work.frame = frame_of(job, options.version);
+    work.identity = identity_of(job, options.version);
+    if (options.first_chain > 0) {
+        const std::string first = std::to_string(options.first_chain);
+        work.frame.attributes["first_chain"] = first;
+        work.identity.emplace_back("first chain", first);
+    }
     work.max_failed_share = job.max_failed_share;
     return work;
 }
@@ -106,18 +125,19 @@ Outcome run_job(Comm& comm, const JobOptions& options) {
     together(comm, [&] {
         const Timer timer(seconds_read);
         job = job::read_job(options.job);
+        set_first_chain(job, options.first_chain);
     });
     together(comm, [&] {
         const Timer timer(seconds_plan);
-        work = work_of(job, options.version);
+        work = work_of(job, options);
         work.stages = job::make_plan(job);
     });
     work.frame.run["seconds_read"] = fmt::format("{:.3f}", seconds_read);
     work.frame.run["seconds_plan"] = fmt::format("{:.3f}", seconds_plan);
     const fs::path output = choose_output(comm, job, options);
-    return execute(
-        comm, std::move(work),
-        {output, options.existing, options.n_threads, options.say, options.on_stage});
+    return execute(comm, std::move(work),
+                   {output, options.existing, options.n_threads, options.stop_at,
+                    options.say, options.on_stage});
 }
 
 }  // namespace bemcal::run

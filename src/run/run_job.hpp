@@ -16,6 +16,9 @@ struct JobOptions {
     bool is_numbered = false;      ///< NAME-001.h5, or the next number that is free
     Existing existing = Existing::refuse;
     int n_threads = 0;
+    /// See ExecuteOptions.
+    std::optional<std::chrono::steady_clock::time_point> stop_at = std::nullopt;
+    int first_chain = 0;  ///< number of the first chain of every posterior
     std::string version;
     std::function<void(const std::string&)> say;             ///< rank 0
     std::function<void(const store::ResultFile&)> on_stage;  ///< rank 0

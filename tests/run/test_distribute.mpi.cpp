@@ -14,7 +14,7 @@ using test::FakeStage;
 using test::world;
 
 Distributed distribute_all(const study::Stage& stage, const DistributeOptions& options) {
-    return distribute(world(), stage, {}, {}, options);
+    return distribute(world(), stage, {0, stage.n_items(), {}, {}}, options);
 }
 
 void expect_complete(const Distributed& done, const study::Stage& stage) {
@@ -83,8 +83,18 @@ TEST(Distribute, KnownAnswersAreNotComputedAgain) {
     options.on_finished = [&](int item, const Bytes&) {
         repeated = repeated || item % 2 == 0;
     };
-    expect_complete(distribute(world(), stage, known, has, options), stage);
+    expect_complete(distribute(world(), stage, {0, 100, known, has}, options), stage);
     EXPECT_FALSE(repeated);
+}
+
+TEST(Distribute, ALaterRangeOfItemsKeepsItsNumbers) {
+    const FakeStage stage("a", {100});
+    const Distributed done = distribute(world(), stage, {60, 25, {}, {}}, {});
+    if (world().rank() != 0) return;
+    ASSERT_EQ(done.answers.size(), 25U);
+    for (int k = 0; k < 25; ++k)
+        EXPECT_EQ(done.answers[static_cast<std::size_t>(k)].values,
+                  stage.run(60 + k).values);
 }
 
 TEST(Distribute, AnItemThatThrowsBecomesAnAnswerWithItsReason) {

@@ -3,12 +3,10 @@
 #include "run/together.hpp"
 #include "support/fake_stage.hpp"
 #include "support/mpi_world.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/shared_folder.hpp"
 
 #include <atomic>
-#include <cstring>
 #include <fstream>
-#include <optional>
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -18,6 +16,7 @@ namespace bemcal::run {
 namespace {
 
 using test::FakeStage;
+using test::SharedFolder;
 using test::world;
 
 bool is_first() {
@@ -26,25 +25,6 @@ bool is_first() {
 bool is_last() {
     return world().rank() == world().size() - 1;
 }
-
-/// One folder for all ranks, made and removed by rank 0.
-class SharedFolder {
-  public:
-    SharedFolder() {
-        std::string path;
-        if (is_first()) path = own_.emplace().path();
-        Bytes bytes(path.size());
-        std::memcpy(bytes.data(), path.data(), path.size());
-        const Bytes shared = world().all_gather(bytes)[0];
-        path_ = std::string(reinterpret_cast<const char*>(shared.data()), shared.size());
-    }
-    ~SharedFolder() { world().barrier(); }
-    std::filesystem::path operator/(const char* name) const { return path_ / name; }
-
-  private:
-    std::optional<test::TemporaryFolder> own_;
-    std::filesystem::path path_;
-};
 
 using Sleep = std::chrono::microseconds;
 
@@ -150,6 +130,17 @@ TEST(Execute, AfterASignalOnTheLastRankResumeGivesTheSameHash) {
     }
 }
 
+TEST(Execute, AfterItsTimeItStopsOnAllRanksAndResumeGivesTheSameHash) {
+    const SharedFolder folder;
+    ExecuteOptions options = options_of(folder / "a.h5", Existing::refuse);
+    options.stop_at = std::chrono::steady_clock::now() + std::chrono::milliseconds(100);
+    EXPECT_EQ(code_of(work_of(std::chrono::milliseconds(10)), options),
+              ExitCode::more_to_do);
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.h5"));
+    expect_complete(folder, execute(world(), work_of(),
+                                    options_of(folder / "a.h5", Existing::resume)));
+}
+
 TEST(Execute, ResumeDoesNotRepeatWhatIsFinished) {
     const SharedFolder folder;
     stop_early(folder, SIGTERM);
@@ -240,7 +231,7 @@ TEST(Execute, MoreFailuresThanTheJobAcceptsAreNoSuccessButTheResultIsThere) {
     work.max_failed_share = 0.001;
     const ExitCode code =
         code_of(std::move(work), options_of(folder / "a.h5", Existing::refuse));
-    EXPECT_EQ(code, is_first() ? ExitCode::data : ExitCode::ok);
+    EXPECT_EQ(code, ExitCode::data);
     if (is_first()) {
         EXPECT_TRUE(store::read_result(folder / "a.h5").complete);
     }
