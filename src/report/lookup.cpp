@@ -26,6 +26,25 @@ const std::vector<std::string>& Group::texts(const std::string& leaf) const {
     return dataset ? dataset->texts : none;
 }
 
+std::vector<std::size_t> Group::shape(const std::string& leaf) const {
+    const study::Dataset* dataset = find(leaf);
+    return dataset ? dataset->shape : std::vector<std::size_t>{};
+}
+
+std::vector<Group> Group::groups_below(const std::string& leaf) const {
+    std::vector<Group> below = groups_with(*result_, leaf);
+    std::erase_if(below, [&](const Group& group) {
+        return !group.path().starts_with(path_ + "/");
+    });
+    return below;
+}
+
+const std::string& Group::unit(const std::string& leaf) const {
+    static const std::string none;
+    const study::Dataset* dataset = find(leaf);
+    return dataset ? dataset->unit : none;
+}
+
 double Group::value(const std::string& leaf) const {
     const auto& found = values(leaf);
     return found.empty() ? std::numeric_limits<double>::quiet_NaN() : found[0];

@@ -19,6 +19,10 @@ class Group {
     /// Empty where the dataset is not there.
     const std::vector<double>& values(const std::string& leaf) const;
     const std::vector<std::string>& texts(const std::string& leaf) const;
+    std::vector<std::size_t> shape(const std::string& leaf) const;
+    /// Groups anywhere below this one that have a dataset of that name.
+    std::vector<Group> groups_below(const std::string& leaf) const;
+    const std::string& unit(const std::string& leaf) const;  ///< as it is stored
     double value(const std::string& leaf) const;  ///< NaN where it is not there
     Group inner(const std::string& name) const { return {*result_, path_ + "/" + name}; }
 

@@ -19,6 +19,11 @@ std::string hourly_section(const Group& study);
 /// how many points meet ASHRAE Guideline 14; the best point.
 std::string screening_section(const Group& study);
 
+/// Whether the chains have converged, first of all; each unknown before and after;
+/// how well the description and the posterior's mean predict every meter, and how many
+/// readings lie within its intervals. Convergence is computed again from the draws.
+std::string posterior_section(const Group& study);
+
 /// What was found in a building's data, and what was done about it.
 std::string decision_section(const Group& data);
 

@@ -65,8 +65,16 @@ std::string failure_lines(const Group& study) {
     return text;
 }
 
-std::string tables_of(const store::ResultFile& result) {
+std::string shortfall_lines(const store::ResultFile& result) {
     std::string text;
+    for (const Group& study : groups_with(result, "shortfall"))
+        for (const std::string& sentence : study.texts("shortfall"))
+            text += fmt::format("NOT REACHED: {}: {}\n", study.path(), sentence);
+    return text;
+}
+
+std::string tables_of(const store::ResultFile& result) {
+    std::string text = shortfall_lines(result);
     for (const Group& data : groups_with(result, "finding"))
         text += decision_section(data);
     for (const Group& study : groups_with(result, "total_order"))
@@ -75,12 +83,17 @@ std::string tables_of(const store::ResultFile& result) {
         text += hourly_section(study);
     for (const Group& study : groups_with(result, "candidate_parameters"))
         text += screening_section(study);
+    for (const Group& study : groups_with(result, "unknown"))
+        text += posterior_section(study);
     return text;
 }
 
 std::string status_of(const store::ResultFile& result) {
     const std::string now = store::result_hash(result);
-    std::string text = result.complete ? "complete\n" : "NOT complete\n";
+    const std::string missed = shortfall_lines(result);
+    std::string text = !result.complete ? "NOT complete\n"
+                       : missed.empty() ? "complete\n"
+                                        : "complete, but a target was missed\n" + missed;
     if (now != result.hash)
         text += fmt::format("  DAMAGED: its content has hash {}\n", now);
     text += fmt::format("  result hash {}\n", result.hash);

@@ -1,3 +1,5 @@
+#include "base/random.hpp"
+#include "report/merge_chains.hpp"
 #include "report/tables.hpp"
 #include "report/text_table.hpp"
 #include "store/layout.hpp"
@@ -74,6 +76,45 @@ store::ResultFile screening_result() {
         {g + "training/gas/measured", {"time"}, {48}, measured, {}},
         {g + "training/gas/simulated", {"candidate", "time"}, {2, 48}, simulated, {}},
     };
+    return result;
+}
+
+/// Two chains of independent draws around 1 and 2, a meter that the posterior gets right.
+/// \param distance  by which the second chain lies above the first
+store::ResultFile posterior_result(double distance) {
+    constexpr std::size_t n = 500;
+    Stream random(3, 0, 0);
+    std::vector<double> draws, density, prior, time, measured, nominal, low, high;
+    for (std::size_t k = 0; k < 2 * n; ++k) {
+        const double sum = random.uniform() + random.uniform() + random.uniform();
+        draws.push_back(sum + (k < n ? 0 : distance));
+        density.push_back(random.uniform() + random.uniform());
+        prior.push_back(10 * random.uniform());
+    }
+    for (int hour = 0; hour < 48; ++hour) {
+        time.push_back(3600.0 * hour);
+        measured.push_back(10.0 + hour % 24);
+        nominal.push_back(1.1 * measured.back());
+        low.push_back(measured.back() + (hour < 12 ? 1 : -1));
+        high.push_back(measured.back() + 2);
+    }
+    measured[5] = std::nan("");
+    store::ResultFile result;
+    result.attributes = {{"job", "seed = 1"}};
+    const std::string g = "office/posterior/", m = g + "training/gas/";
+    result.datasets = {{g + "unknown", {"unknown"}, {2}, {}, {"U_wall", "log_density"}},
+                       {g + "unknown_unit", {"unknown"}, {2}, {}, {"W/(m2 K)", "-"}},
+                       {g + "target_rhat", {}, {}, {1.01}, {}},
+                       {g + "target_ess", {}, {}, {400}, {}},
+                       {g + "posterior/U_wall", {"chain", "draw"}, {2, n}, draws, {}},
+                       {g + "sample_stats/lp", {"chain", "draw"}, {2, n}, density, {}},
+                       {g + "prior/U_wall", {"chain", "draw"}, {1, 2 * n}, prior, {}},
+                       {m + "time", {"time"}, {48}, time, {}},
+                       {m + "measured", {"time"}, {48}, measured, {}, "kWh"},
+                       {m + "nominal", {"time"}, {48}, nominal, {}, "kWh"},
+                       {m + "predicted_mean", {"time"}, {48}, measured, {}, "kWh"},
+                       {m + "predicted_q05", {"time"}, {48}, low, {}, "kWh"},
+                       {m + "predicted_q95", {"time"}, {48}, high, {}, "kWh"}};
     return result;
 }
 
@@ -158,6 +199,67 @@ TEST(TextTable, ColumnsAreAlignedByCharactersNotBytes) {
     table.add({"miller", "1"});
     const std::string text = table.text();
     EXPECT_NE(text.find("m\xc3\xbcller  1\n"), std::string::npos) << text;
+}
+
+TEST(Tables, OfAPosteriorBeginWithItsConvergenceAndShowBeforeAndAfter) {
+    const std::string text = tables_of(posterior_result(0));
+    EXPECT_EQ(text.find("\noffice/posterior: converged: 2 chains of 500 draws"), 0U)
+        << text;
+    for (const char* part : {"U_wall", "W/(m2 K)", "training/gas", "10.0 ->   0.0",
+                             "daily", "monthly", "no -> yes"})
+        EXPECT_NE(text.find(part), std::string::npos) << part << text;
+    EXPECT_LE(widest_line(text), 100U) << text;
+}
+
+TEST(Tables, OfChainsThatDisagreeSayNotConvergedFirst) {
+    const std::string text = tables_of(posterior_result(0.5));
+    EXPECT_EQ(text.find("\noffice/posterior: NOT CONVERGED: "), 0U) << text;
+}
+
+/// 36 of the 47 readings: the intervals of the first 12 hours lie above them, one is
+/// missing.
+TEST(Tables, OfAPosteriorCountTheReadingsWithinItsIntervals) {
+    const std::string text = tables_of(posterior_result(0));
+    EXPECT_NE(text.find("76.6 %"), std::string::npos) << text;
+}
+
+TEST(Tables, AMissedTargetIsTheFirstLine) {
+    store::ResultFile result = posterior_result(0.5);
+    result.datasets.push_back(
+        {"office/posterior/shortfall", {}, {}, {}, {"not converged: R-hat 1.4"}});
+    result.complete = true;
+    const std::string sentence =
+        "NOT REACHED: office/posterior: not converged: R-hat 1.4";
+    EXPECT_EQ(tables_of(result).find(sentence), 0U);
+    EXPECT_NE(status_of(result).find(sentence), std::string::npos);
+}
+
+TEST(MergeChains, PutsOtherChainsOfOneJobTogetherAndNoOthers) {
+    store::ResultFile second = posterior_result(0), third = posterior_result(0),
+                      other = posterior_result(0);
+    second.attributes["first_chain"] = "2";
+    third.attributes["first_chain"] = "1";  // its first chain is the second of the first
+    other.attributes = {{"job", "seed = 2"}, {"first_chain", "2"}};
+    const auto merged = merge_chains({posterior_result(0), second, third, other});
+    ASSERT_EQ(merged.size(), 3U);
+    EXPECT_NE(tables_of(merged[0]).find("4 chains of 500 draws"), std::string::npos);
+    EXPECT_NE(tables_of(merged[1]).find("2 chains of 500 draws"), std::string::npos);
+}
+
+TEST(MergeChains, CutsToTheDrawsThatAllHave) {
+    store::ResultFile second = posterior_result(0);
+    second.attributes["first_chain"] = "2";
+    for (Dataset& dataset : second.datasets)
+        if (dataset.dims.size() == 2 && !dataset.path.ends_with("prior/U_wall"))
+            dataset = {dataset.path, dataset.dims, {2, 2}, {1, 2, 3, 4}, {}};
+    const auto merged = merge_chains({posterior_result(0), second});
+    ASSERT_EQ(merged.size(), 1U);
+    for (const Dataset& dataset : merged[0].datasets)
+        if (dataset.path.ends_with("sample_stats/lp")) {
+            EXPECT_EQ(dataset.shape, (std::vector<std::size_t>{4, 2}));
+            EXPECT_EQ(std::vector<double>(dataset.values.end() - 4, dataset.values.end()),
+                      (std::vector<double>{1, 2, 3, 4}));
+        }
 }
 
 }  // namespace
