@@ -33,9 +33,13 @@ void plan_zones(Batch::Plan& plan) {
 }
 
 void plan_meters(Batch::Plan& plan) {
-    for (std::size_t q = 0; q < n_quantities; ++q)
-        plan.meters[q] = plan_meter(plan.nominal, plan.drive, static_cast<Quantity>(q),
-                                    plan.months, plan.table.lanes);
+    for (std::size_t q = 0; q < n_quantities; ++q) {
+        const auto quantity = static_cast<Quantity>(q);
+        plan.meters[q] =
+            plan_meter(plan.nominal, plan.drive, quantity, plan.months, plan.table.lanes);
+        if (plan.is_metered_in_one_pass(quantity))
+            plan_mixed(plan.zones[0], plan.table.lanes, plan.meters[q]);
+    }
 }
 
 /// A coupled building's lane: the whole period at once.

@@ -14,6 +14,7 @@
 #include "physics/parameters.hpp"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -61,14 +62,6 @@ struct PointAnswer {
     std::vector<ErrorSums> monthly_errors;
 };
 
-/// What mixed rows of a Sobol design are compared with while they run: rows
-/// [steps x lanes] of its matrices A and B, of the same base points; and sums
-/// [steps x 3 x lanes], lane by lane, of b (y - a), y - a and (y - a)^2.
-struct Differences {
-    const double *a = nullptr, *b = nullptr;
-    double* sums = nullptr;
-};
-
 class Batch {
   public:
     /// The plan that all points share: regimes, schedule rows, segments. The building and
@@ -100,9 +93,16 @@ class Batch {
     /// Steps [begin, end) of the period, in order. Writes one row of lanes() doubles for
     /// each step: the quantity's power on the meter [W], or temperature [degC].
     void advance(Group& group, int begin, int end, Quantity quantity, double* out) const;
-    /// The same steps, not written but added to sums of a Sobol design.
-    void advance(Group& group, int begin, int end, Quantity quantity,
-                 const Differences& differences) const;
+    /// Mixed rows of a Sobol design, and what they are compared with: rows
+    /// [steps x lanes()] of its matrices A and B, of the same base points.
+    struct Mixed {
+        Group* group;
+        const double *a, *b;
+    };
+    /// The same steps of groups that nothing is written of but sums [steps x 3 x lanes()]
+    /// over the groups, lane by lane: of b (y - a), y - a and (y - a)^2.
+    void sum_differences(std::span<const Mixed> groups, int begin, int end,
+                         Quantity quantity, double* sums) const;
     /// Takes the shift [n_steps] off rows a and b [n_steps x lanes()], b in place; adds
     /// a, b and a^2 + b^2 to the sums [n_steps x 3 x lanes()].
     void add_base(const double* shift, int n_steps, const double* a, double* b,

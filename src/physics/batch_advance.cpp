@@ -27,6 +27,19 @@ int segment_at(const Batch::Group& group, int step) {
     return group.plan.zones[0].segment_of[static_cast<std::size_t>(step)];
 }
 
+void run_differences(std::span<const Batch::Mixed> groups, int begin, int end,
+                     Quantity quantity, double* sums) {
+    const Batch::Group& first = *groups.front().group;
+    kernel::ZoneTime time = first.zones[0].time;
+    time.row_offset = first.plan.meter(quantity).mixed_offset.data();
+    std::vector<kernel::MixedLanes> lanes;
+    lanes.reserve(groups.size());
+    for (const Batch::Mixed& mixed : groups)
+        lanes.push_back({mixed.group->mixed(quantity), mixed.a, mixed.b});
+    first.plan.table.run_differences(time, segment_at(first, begin), begin, end,
+                                     lanes.data(), static_cast<int>(lanes.size()), sums);
+}
+
 }  // namespace
 
 void Batch::advance(Group& group, int begin, int end, Quantity quantity,
@@ -43,22 +56,23 @@ void Batch::advance(Group& group, int begin, int end, Quantity quantity,
     });
 }
 
-void Batch::advance(Group& group, int begin, int end, Quantity quantity,
-                    const Differences& differences) const {
-    if (begin >= end) return;
+void Batch::sum_differences(std::span<const Mixed> groups, int begin, int end,
+                            Quantity quantity, double* sums) const {
+    if (begin >= end || groups.empty()) return;
     begin += plan_->drive.n_warm_up;
     end += plan_->drive.n_warm_up;
-    kernel::DifferenceLanes to{differences.a, differences.b, differences.sums};
     if (plan_->is_metered_in_one_pass(quantity))
-        return plan_->table.run_differences(group.zones[0].time, group.zones[0].lanes(),
-                                            segment_at(group, begin), begin, end,
-                                            group.meter(quantity), to);
-    see_rows(group, begin, end, quantity, [&](const double* rows, int n) {
-        plan_->table.add_differences(rows, n, to);
-        to.a += n * lanes();
-        to.b += n * lanes();
-        to.sums += 3 * n * lanes();
-    });
+        return run_differences(groups, begin, end, quantity, sums);
+    std::fill_n(sums, 3 * (end - begin) * lanes(), 0.0);
+    for (const Mixed& mixed : groups) {
+        kernel::DifferenceLanes to{mixed.a, mixed.b, sums};
+        see_rows(*mixed.group, begin, end, quantity, [&](const double* rows, int n) {
+            plan_->table.add_differences(rows, n, to);
+            to.a += n * lanes();
+            to.b += n * lanes();
+            to.sums += 3 * n * lanes();
+        });
+    }
 }
 
 void Batch::add_base(const double* shift, int n_steps, const double* a, double* b,

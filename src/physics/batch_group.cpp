@@ -51,6 +51,7 @@ void Batch::Group::write_lane(std::span<const double> point, int lane) {
     Building& building = buildings[static_cast<std::size_t>(lane)];
     apply(plan.nominal, plan.parameters, point, building);
     meter_is_made_.fill(false);
+    mixed_is_of_.reset();
     for (std::size_t z = 0; z < zones.size(); ++z) {
         Zone& zone = zones[z];
         write_coefficients(plan.zones[z], building, plan.drive, network_,
@@ -120,6 +121,43 @@ kernel::MeterLanes Batch::Group::meter(Quantity quantity) {
         }
     meter_is_made_[q] = true;
     return {table.data(), meter.row_offset.data()};
+}
+
+void Batch::Group::write_mixed(Quantity quantity) {
+    using C = kernel::MixedColumn;
+    const ZonePlan& zone = plan.zones[0];
+    const MeterPlan& meter_plan = plan.meter(quantity);
+    const kernel::MeterLanes form = meter(quantity);
+    const auto lanes = static_cast<std::size_t>(plan.table.lanes);
+    double* to = mixed_.data();
+    for (const int first : meter_plan.mixed.first) {
+        const auto step = static_cast<std::size_t>(first);
+        const double* row = zones[0].rows.data() + zone.row_offset[step];
+        const double* of_meter = form.rows + form.row_offset[step];
+        const double* watts = zones[0].regimes.data() +
+                              zone.regimes.class_of[step] * zones[0].time.regime_size +
+                              kernel::StandardColumn::watts * plan.table.lanes;
+        std::copy_n(row, 2 * lanes, to);
+        std::copy_n(of_meter, lanes, to + C::source * lanes);
+        for (std::size_t k = 0; k < lanes; ++k) {
+            to[C::per_heating * lanes + k] = of_meter[lanes + k] * watts[k];
+            to[C::per_cooling * lanes + k] = of_meter[2 * lanes + k] * watts[k];
+        }
+        to += C::count * lanes;
+    }
+}
+
+kernel::ZoneLanes Batch::Group::mixed(Quantity quantity) {
+    if (mixed_is_of_ != quantity) {
+        const auto n_rows = static_cast<std::size_t>(plan.meter(quantity).mixed.size());
+        if (mixed_.empty() || mixed_.columns() != n_rows * kernel::MixedColumn::count)
+            mixed_ = LaneArray(n_rows * kernel::MixedColumn::count, plan.table.lanes);
+        write_mixed(quantity);
+        mixed_is_of_ = quantity;
+    }
+    kernel::ZoneLanes zone = zones[0].lanes();
+    zone.rows = mixed_.data();
+    return zone;
 }
 
 const double* Batch::Group::show(Quantity quantity, const kernel::PowerRows& rows,

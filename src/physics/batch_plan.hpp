@@ -6,6 +6,7 @@
 #include "physics/lane_array.hpp"
 
 #include <array>
+#include <optional>
 
 namespace bemcal::physics {
 
@@ -61,6 +62,8 @@ struct Batch::Group {
     /// Steps that a run may show.
     int most_steps() const { return static_cast<int>(shown_.columns()); }
     kernel::MeterLanes meter(Quantity quantity);
+    /// The only zone, a standard one, with the meter's form in its rows.
+    kernel::ZoneLanes mixed(Quantity quantity);
     /// W or degC of a chunk's steps [steps x lanes], after run() with `show` for that
     /// quantity.
     const double* show(Quantity quantity, const kernel::PowerRows& rows, int begin,
@@ -72,12 +75,16 @@ struct Batch::Group {
     std::array<LaneArray, n_quantities> plain;  ///< of coupled buildings, over the period
 
   private:
+    void write_mixed(Quantity quantity);
+
     Network network_;                                 ///< scratch
     LaneArray floor_share_;                           ///< [zones x lanes]
     Rows of_zone_, of_building_;                      ///< of a chunk
     LaneArray shown_;                                 ///< a quantity over a chunk
     std::array<LaneArray, n_quantities> meters_;      ///< coefficients,
     std::array<bool, n_quantities> meter_is_made_{};  ///< written when first needed
+    LaneArray mixed_;                                 ///< rows of kernel::MixedLanes,
+    std::optional<Quantity> mixed_is_of_;
 };
 
 /// What a run has to show for a quantity.

@@ -93,6 +93,19 @@ struct DifferenceLanes {
     double* sums;
 };
 
+/// Columns of a row of MixedLanes: a standard row, then a meter's form: its source [W]
+/// and its shares of the powers [W/K].
+struct MixedColumn {
+    enum : int { mass, asked, source, per_heating, per_cooling, count };
+};
+
+/// A group of mixed rows of a Sobol design; its rows are [n_rows x MixedColumn x lanes].
+/// a, b: what it is compared with [steps x lanes].
+struct MixedLanes {
+    ZoneLanes zone;
+    const double *a, *b;
+};
+
 /// Readings of a meter, the same for all points.
 struct ReadingTime {
     const int* closes;       ///< [n_steps] interval that ends with the step, or -1
@@ -171,9 +184,11 @@ struct Table {
     /// The same in one pass with the rows of a meter [W].
     void (*run_metered)(const ZoneTime&, const ZoneLanes&, int segment, int begin,
                         int end, const MeterLanes&, double* shown);
-    /// The same in one pass with a meter's differences; no sums of powers.
-    void (*run_differences)(const ZoneTime&, const ZoneLanes&, int segment, int begin,
-                            int end, const MeterLanes&, const DifferenceLanes&);
+    /// Steps of n > 0 groups of mixed rows in one pass with a meter and its differences:
+    /// writes the sums over the groups, in their order; no sums of powers. The zone's
+    /// row_offset is that of MixedLanes' rows.
+    void (*run_differences)(const ZoneTime&, int segment, int begin, int end,
+                            const MixedLanes* groups, int n, double* sums);
     /// Differences of rows that are shown.
     void (*add_differences)(const double* shown, int n_steps, const DifferenceLanes&);
     /// Takes the shift [n_steps] off a and, in place, b; adds a, b, a^2 + b^2 to the sums

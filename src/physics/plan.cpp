@@ -202,6 +202,20 @@ std::vector<int> offsets_of(const Partition& rows, int doubles_per_row) {
     return offsets;
 }
 
+/// The classes in which both are constant.
+Partition both(const Partition& a, const Partition& b) {
+    std::map<std::pair<int, int>, int> known;
+    Partition classes;
+    classes.class_of.reserve(a.class_of.size());
+    for (std::size_t step = 0; step < a.class_of.size(); ++step) {
+        const auto [entry, is_new] =
+            known.try_emplace({a.class_of[step], b.class_of[step]}, classes.size());
+        if (is_new) classes.first.push_back(static_cast<int>(step));
+        classes.class_of.push_back(entry->second);
+    }
+    return classes;
+}
+
 /// Profiles that a meter's form follows: the plant's, if the carrier is its own, and the
 /// loads'.
 std::vector<int> meter_profiles(const Building& building, Carrier carrier) {
@@ -334,6 +348,11 @@ MeterPlan plan_meter(const Building& nominal, const Drive& drive, Quantity quant
                 plan.rows.class_of[static_cast<std::size_t>(step)])] += 1;
     }
     return plan;
+}
+
+void plan_mixed(const ZonePlan& zone, int lanes, MeterPlan& meter) {
+    meter.mixed = both(zone.rows, meter.rows);
+    meter.mixed_offset = offsets_of(meter.mixed, kernel::MixedColumn::count * lanes);
 }
 
 }  // namespace bemcal::physics

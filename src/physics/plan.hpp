@@ -67,7 +67,13 @@ struct MeterPlan {
     std::vector<int> row_offset;  ///< [n_steps]
     /// [n_months x n_rows] steps of the period.
     std::vector<std::vector<double>> row_counts;
+    /// Steps in which the rows of a single standard zone are the same, too: the rows of
+    /// kernel::MixedLanes. Empty for other buildings.
+    Partition mixed;
+    std::vector<int> mixed_offset;  ///< [n_steps]
 };
+/// Fills what is said of mixed rows.
+void plan_mixed(const ZonePlan& zone, int lanes, MeterPlan& meter);
 MeterPlan plan_meter(const Building& nominal, const Drive& drive, Quantity quantity,
                      const std::vector<Span>& months, int lanes);
 

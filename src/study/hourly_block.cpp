@@ -115,13 +115,6 @@ void Company::add_base(std::size_t begin, std::size_t n, const double* shift,
     }
 }
 
-void Company::add_input(std::size_t i, std::size_t k, std::size_t begin, std::size_t n,
-                        LaneSums& sums) {
-    batch_->advance(*rows_[1 + i][k], static_cast<int>(begin),
-                    static_cast<int>(begin + n), quantity_,
-                    physics::Differences{a_[k].data(), b_[k].data(), sums.group(k)});
-}
-
 Block::Block(const physics::Batch& batch, physics::Quantity quantity, std::size_t n_steps)
     : batch_(batch),
       quantity_(quantity),
@@ -174,10 +167,13 @@ void Block::run_chunk(std::size_t begin, std::size_t n, std::span<Company> compa
         company.add_base(begin, n, shift_.data() + begin, of_chunk_);
     sums_.add_base(begin, n, of_chunk_);
     for (std::size_t i = 0; i < batch_.parameters().size(); ++i) {
-        of_chunk_.clear();
-        for (std::size_t k = 0; k < of_chunk_.n_groups(); ++k)
-            for (Company& company : companies)
-                company.add_input(i, k, begin, n, of_chunk_);
+        for (std::size_t k = 0; k < of_chunk_.n_groups(); ++k) {
+            mixed_.clear();
+            for (Company& company : companies) mixed_.push_back(company.mixed(i, k));
+            batch_.sum_differences(mixed_, static_cast<int>(begin),
+                                   static_cast<int>(begin + n), quantity_,
+                                   of_chunk_.group(k));
+        }
         sums_.add_input(i, begin, n, of_chunk_);
     }
 }

@@ -25,9 +25,10 @@ class Company {
     void warm_up();
     /// Rows A and B of steps [begin, begin + n), shifted; adds them to the sums.
     void add_base(std::size_t begin, std::size_t n, const double* shift, LaneSums& sums);
-    /// The same steps of the rows of input i, group k.
-    void add_input(std::size_t i, std::size_t k, std::size_t begin, std::size_t n,
-                   LaneSums& sums);
+    /// Group k of the rows of input i, against the chunk of add_base.
+    physics::Batch::Mixed mixed(std::size_t i, std::size_t k) const {
+        return {rows_[1 + i][k].get(), a_[k].data(), b_[k].data()};
+    }
 
   private:
     using Groups = std::vector<physics::Batch::GroupPointer>;
@@ -66,6 +67,7 @@ class Block {
     HourlySums sums_;
     LaneSums of_chunk_;
     std::vector<Company> companies_;
+    std::vector<physics::Batch::Mixed> mixed_;  ///< scratch
     std::string error_;
     std::size_t n_used_ = 0;
 };
