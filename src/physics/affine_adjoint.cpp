@@ -181,14 +181,13 @@ class StandardBack {
         of_asked_ += of_gain * air_[Term::theta_m];
         of_air_[Term::theta_m] += of_gain * scale_.asked_per_kelvin;
         pull_control(columns);
-        const double of_sun_mass = columns.take();
-        back_.per_sol(mass_, of_sun_mass, of_mass_);
-        back_.per_sol(air_, asked(back_.regime.per_sol(air_), columns.take()), of_air_);
+        columns.take();
+        columns.take();
         for_drivers(back_, [&](auto weight, auto pull_weight) {
             pull_weight(mass_, columns.take(), of_mass_);
             pull_weight(air_, asked(weight(air_), columns.take()), of_air_);
         });
-        pull_apertures(back_, columns);
+        pull_planes(columns);
     }
 
     void pull_rows(int index, const LaneAdjoints& tables) {
@@ -232,6 +231,25 @@ class StandardBack {
         if (g == 0) return 0;
         of_kelvin_ += g * value;
         return g * scale_.kelvin_per_watt;
+    }
+
+    /// Columns sun_mass, sun_asked and the aperture of each plane, which meet in the sum
+    /// over planes of sun_mass aperture irradiance.
+    void pull_planes(Columns& columns) {
+        const double sun_mass = back_.regime.per_sol(mass_),
+                     sun_air = back_.regime.per_sol(air_),
+                     sun_asked = -scale_.asked_per_kelvin * sun_air;
+        double of_sun_mass = 0, of_sun_asked = 0;
+        for (int plane : back_.regime.plan.planes) {
+            const auto p = static_cast<std::size_t>(plane);
+            const double aperture = back_.regime.network.aperture[p];
+            const double mass = columns.take(), asked_too = columns.take();
+            of_sun_mass += aperture * mass;
+            of_sun_asked += aperture * asked_too;
+            back_.of_network.aperture[p] += sun_mass * mass + sun_asked * asked_too;
+        }
+        back_.per_sol(mass_, of_sun_mass, of_mass_);
+        back_.per_sol(air_, asked(sun_air, of_sun_asked), of_air_);
     }
 
     void pull_control(Columns& columns) {
@@ -375,9 +393,9 @@ template <class Back>
 void pull_regime(RegimeBack& regime, int index, const LaneAdjoints& tables) {
     const ZonePlan& plan = regime.regime.plan;
     Back back(regime);
-    back.pull_columns(
-        {tables.regimes + static_cast<long>(index) * plan.regime_columns() * tables.lanes,
-         tables.lanes});
+    back.pull_columns({tables.regimes + static_cast<long>(index) *
+                                            plan.of_regime_columns() * tables.lanes,
+                       tables.lanes});
     back.pull_rows(index, tables);
     back.pull_map(regime.regime.drive.axis.step_s);
 }

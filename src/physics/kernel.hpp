@@ -62,6 +62,7 @@ struct ZoneTime {
     int imposed;   ///< 1 = power imposed from the last driver and the rows
     int n_drivers, n_planes;
     int regime_size;        ///< doubles, all lanes
+    int of_regime_size;     ///< of a regime's adjoints
     const double* drivers;  ///< [n_steps x (n_drivers + n_planes)], theta_e first
     const int* row_offset;  ///< [n_steps] from ZoneLanes::rows, in doubles
     const Segment* segments;
@@ -132,7 +133,10 @@ struct Stretch {
     int begin, end, first_segment, last_segment;
 };
 
-/// d objective / d each element of a zone's coefficients and state: their shapes.
+/// d objective / d each element of a zone's coefficients and state, in their shapes; but
+/// in a regime of the standard hour the planes are pairs (mass, asked) as the drivers
+/// are: sums of their irradiance with both adjoints. sun_mass, sun_asked and the
+/// apertures follow from them (affine_adjoint.cpp).
 struct ZoneAdjoint {
     double *regimes, *rows, *state;
 };
@@ -145,6 +149,9 @@ struct StandardTape {
 constexpr int general_tape_columns(int n_states) {
     return n_states + 3;
 }  ///< states before, air with no power, heating, cooling
+
+/// Whether rows are written or added to.
+enum class Seed { write, add };
 
 /// The way back (kernel_adjoint.inl). Adjoints are added to; rows of a stretch are
 /// [steps x lanes].
@@ -159,10 +166,10 @@ struct AdjointTable {
     /// the meter's rows: of their sources only where powers.heating is nullptr.
     void (*seed_meter)(const IntervalTime&, const double* sensitivities,
                        const MeterLanes&, const PowerRows& powers, int begin, int end,
-                       const PowerRows& adjoints, double* meter_rows);
+                       Seed, const PowerRows& adjoints, double* meter_rows);
     /// The same for the air temperature.
     void (*seed_air)(const IntervalTime&, const double* sensitivities, int begin, int end,
-                     double* adjoints);
+                     Seed, double* adjoints);
     /// A zone's part of the building's air. \param of_share  [lanes]
     void (*share_air)(const double* adjoints, const double* air,
                       const double* floor_share, int n_steps, double* zone_adjoints,

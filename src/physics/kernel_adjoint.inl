@@ -44,38 +44,64 @@ inline V sensitivity_at(const IntervalTime& time, const double* sensitivities, i
                broadcast(time.factor[interval]));
 }
 
-template <bool powers_too>
+/// Adjoints of a meter's row: they stay in registers while the row holds.
+struct MeterSums {
+    V source, heating, cooling;
+    explicit MeterSums(const double* row)
+        : source(load(row)), heating(column(row, 1)), cooling(column(row, 2)) {}
+    void write(double* row) const {
+        store(row, source);
+        store(row + lanes, heating);
+        store(row + 2 * lanes, cooling);
+    }
+};
+
+template <bool adds, bool powers_too>
 void seed_meter_rows(const IntervalTime& time, const double* sensitivities,
                      const MeterLanes& meter_lanes, const PowerRows& powers, int begin,
                      int end, const PowerRows& adjoints, double* meter_rows) {
+    int offset = meter_lanes.row_offset[begin];
+    MeterSums sums(meter_rows + offset);
     for (int step = begin; step < end; ++step) {
+        if (meter_lanes.row_offset[step] != offset) {
+            sums.write(meter_rows + offset);
+            offset = meter_lanes.row_offset[step];
+            sums = MeterSums(meter_rows + offset);
+        }
+        const double* row = meter_lanes.rows + offset;
+        const long at = static_cast<long>(step - begin) * lanes;
         const V s = sensitivity_at(time, sensitivities, step);
-        const double* row = meter_lanes.rows + meter_lanes.row_offset[step];
-        double* of_row = meter_rows + meter_lanes.row_offset[step];
-        double* heating = adjoints.heating + static_cast<long>(step - begin) * lanes;
-        double* cooling = adjoints.cooling + static_cast<long>(step - begin) * lanes;
-        store(heating, fma(column(row, 1), s, load(heating)));
-        store(cooling, fma(column(row, 2), s, load(cooling)));
-        add_to(of_row, 0, s);
+        const V heating = mul(column(row, 1), s), cooling = mul(column(row, 2), s);
+        double *of_heating = adjoints.heating + at, *of_cooling = adjoints.cooling + at;
+        store(of_heating, adds ? add(load(of_heating), heating) : heating);
+        store(of_cooling, adds ? add(load(of_cooling), cooling) : cooling);
+        sums.source = add(sums.source, s);
         if constexpr (powers_too) {
-            add_to(of_row, 1, mul(s, column(powers.heating, step - begin)));
-            add_to(of_row, 2, mul(s, column(powers.cooling, step - begin)));
+            sums.heating = fma(s, load(powers.heating + at), sums.heating);
+            sums.cooling = fma(s, load(powers.cooling + at), sums.cooling);
         }
     }
+    sums.write(meter_rows + offset);
 }
 
 void seed_meter(const IntervalTime& time, const double* sensitivities,
                 const MeterLanes& meter_lanes, const PowerRows& powers, int begin,
-                int end, const PowerRows& adjoints, double* meter_rows) {
+                int end, Seed how, const PowerRows& adjoints, double* meter_rows) {
+    const bool adds = how == Seed::add, powers_too = powers.heating != nullptr;
     const auto seed =
-        powers.heating == nullptr ? seed_meter_rows<false> : seed_meter_rows<true>;
+        adds ? powers_too ? seed_meter_rows<true, true> : seed_meter_rows<true, false>
+        : powers_too ? seed_meter_rows<false, true>
+                     : seed_meter_rows<false, false>;
     seed(time, sensitivities, meter_lanes, powers, begin, end, adjoints, meter_rows);
 }
 
 void seed_air(const IntervalTime& time, const double* sensitivities, int begin, int end,
-              double* adjoints) {
-    for (int step = begin; step < end; ++step)
-        add_to(adjoints, step - begin, sensitivity_at(time, sensitivities, step));
+              Seed how, double* adjoints) {
+    for (int step = begin; step < end; ++step) {
+        double* of_air = adjoints + static_cast<long>(step - begin) * lanes;
+        const V s = sensitivity_at(time, sensitivities, step);
+        store(of_air, how == Seed::add ? add(load(of_air), s) : s);
+    }
 }
 
 void share_air(const double* adjoints, const double* air, const double* floor_share,
@@ -91,33 +117,38 @@ void share_air(const double* adjoints, const double* air, const double* floor_sh
 }
 
 /// Keeps the standard hour's tape, and writes what is to be shown.
+template <Show show>
 struct StandardKept {
     static constexpr bool sums_powers = false;
-    Show show;
-    Written<true> written;
+    Written<show == Show::powers_and_air> written;
     double* tape;
     void keep(V theta_m) { store(tape + StandardTape::theta_m * lanes, theta_m); }
     void see(int step, const double* regime, V asked, V heat, V cool) {
         store(tape + StandardTape::asked * lanes, asked);
         tape += StandardTape::count * lanes;
-        if (show != Show::sums) written.see(step, regime, asked, heat, cool);
+        if constexpr (show != Show::sums) written.see(step, regime, asked, heat, cool);
     }
     void end() {}
 };
 
-/// Sums over the steps of a segment that do not need the drivers.
-struct StandardSums {
-    V watts, most_heating, gap, most_cooling, kelvin, set_point;
-    void write(double* regime) const {
-        using C = StandardColumn;
-        add_to(regime, C::watts, watts);
-        add_to(regime, C::most_heating, most_heating);
-        add_to(regime, C::gap, gap);
-        add_to(regime, C::most_cooling, most_cooling);
-        add_to(regime, C::kelvin, kelvin);
-        add_to(regime, C::set_point, set_point);
-    }
-};
+/// What the powers at their limits leave: few steps have any.
+inline void pull_limits(V asked, V over, V heats, V cools, const double* regime,
+                        double* of_regime) {
+    using C = StandardColumn;
+    add_to(of_regime, C::most_heating,
+           sub(heats, if_less(asked, column(regime, C::most_heating), heats)));
+    add_to(of_regime, C::most_cooling,
+           sub(cools, if_less(column(regime, C::most_cooling), over, cools)));
+}
+
+/// The air temperature's part of the powers' adjoints; adds to those of its columns.
+inline V pull_air(V per_air, V asked, V heat, V cool, const double* regime,
+                  double* of_regime) {
+    using C = StandardColumn;
+    add_to(of_regime, C::set_point, per_air);
+    add_to(of_regime, C::kelvin, mul(per_air, add(sub(heat, asked), cool)));
+    return mul(per_air, column(regime, C::kelvin));
+}
 
 /// The chain from step to step: leaves the adjoints of each step's power asked and of the
 /// mass after it on the tape; returns that of the mass before the segment.
@@ -127,55 +158,55 @@ V pull_chain(const Segment& segment, const double* regime, const PowerRows& adjo
              int first, double* tape, V theta_m, double* of_regime) {
     using C = StandardColumn;
     const V zero = broadcast(0);
-    StandardSums sums{zero, zero, zero, zero, zero, zero};
+    V watts = column(of_regime, C::watts), gap = column(of_regime, C::gap);
     for (int step = segment.end - 1; step >= segment.begin; --step) {
         regime = as_operands(regime);
-        double* row =
-            tape + static_cast<long>(step - first) * StandardTape::count * lanes;
+        const long at = static_cast<long>(step - first) * lanes;
+        double* row = tape + at * StandardTape::count;
         const V asked = column(row, StandardTape::asked);
         const V over = add(asked, column(regime, C::gap));
         const V heat = min(max(asked, zero), column(regime, C::most_heating));
         const V cool = max(min(over, zero), column(regime, C::most_cooling));
-        const V per_heating = column(adjoints.heating, step - first);
-        const V per_cooling = column(adjoints.cooling, step - first);
-        V of_heat = fma(per_heating, column(regime, C::watts), theta_m);
-        V of_cool = fnma(per_cooling, column(regime, C::watts), theta_m);
-        V of_asked = zero;
-        sums.watts = fnma(per_cooling, cool, fma(per_heating, heat, sums.watts));
+        watts = fma(load(adjoints.heating + at), heat, watts);
+        watts = fnma(load(adjoints.cooling + at), cool, watts);
+        V of_heat = fma(load(adjoints.heating + at), column(regime, C::watts), theta_m);
+        V of_cool = fnma(load(adjoints.cooling + at), column(regime, C::watts), theta_m);
+        V of_air = zero;
         if constexpr (air) {
-            const V per_air = column(adjoints.air, step - first);
-            const V excess = mul(per_air, column(regime, C::kelvin));
-            sums.kelvin = fnma(per_air, sub(sub(asked, heat), cool), sums.kelvin);
-            sums.set_point = add(sums.set_point, per_air);
-            of_heat = add(of_heat, excess);
-            of_cool = add(of_cool, excess);
-            of_asked = sub(of_asked, excess);
+            of_air =
+                pull_air(load(adjoints.air + at), asked, heat, cool, regime, of_regime);
+            of_heat = add(of_heat, of_air);
+            of_cool = add(of_cool, of_air);
         }
         const V heats = if_less(zero, asked, of_heat),
                 cools = if_less(over, zero, of_cool);
+        if (!all_less(asked, column(regime, C::most_heating)) ||
+            !all_less(column(regime, C::most_cooling), over))
+            pull_limits(asked, over, heats, cools, regime, of_regime);
         const V heats_freely = if_less(asked, column(regime, C::most_heating), heats);
         const V cools_freely = if_less(column(regime, C::most_cooling), over, cools);
-        sums.most_heating = add(sums.most_heating, sub(heats, heats_freely));
-        sums.most_cooling = add(sums.most_cooling, sub(cools, cools_freely));
-        sums.gap = add(sums.gap, cools_freely);
-        of_asked = add(add(of_asked, heats_freely), cools_freely);
+        gap = add(gap, cools_freely);
+        V of_asked = add(heats_freely, cools_freely);
+        if constexpr (air) of_asked = sub(of_asked, of_air);
         store(row + StandardTape::asked * lanes, of_asked);
         store(row + StandardTape::mass * lanes, theta_m);
         theta_m = fnma(column(regime, C::gain), of_asked,
                        mul(column(regime, C::keep), theta_m));
     }
-    sums.write(of_regime);
+    store(of_regime + C::watts * lanes, watts);
+    store(of_regime + C::gap * lanes, gap);
     return theta_m;
 }
 
 /// Adds to the adjoints of the rows, and of what meets the mass temperature and the first
 /// driver.
 void pull_constants(const ZoneTime& zone, const Segment& segment, const double* tape,
-                    const double* drivers, long stride, double* of_regime,
-                    double* of_rows) {
+                    const double* drivers, double* of_regime, double* of_rows) {
     using C = StandardColumn;
-    V keep_sum = broadcast(0), gain_sum = keep_sum, mass_sum = keep_sum,
-      asked_sum = keep_sum;
+    const long stride = zone.n_drivers + zone.n_planes;
+    V keep_sum = column(of_regime, C::keep), gain_sum = column(of_regime, C::gain),
+      mass_sum = column(of_regime, C::drivers),
+      asked_sum = column(of_regime, C::drivers + 1);
     for (int step = segment.begin; step < segment.end; ++step) {
         const V of_mass = column(tape, StandardTape::mass),
                 of_asked = column(tape, StandardTape::asked),
@@ -190,89 +221,69 @@ void pull_constants(const ZoneTime& zone, const Segment& segment, const double* 
         tape += StandardTape::count * lanes;
         drivers += stride;
     }
-    add_to(of_regime, C::keep, keep_sum);
-    add_to(of_regime, C::gain, gain_sum);
-    add_to(of_regime, C::drivers, mass_sum);
-    add_to(of_regime, C::drivers + 1, asked_sum);
+    store(of_regime + C::keep * lanes, keep_sum);
+    store(of_regime + C::gain * lanes, gain_sum);
+    store(of_regime + C::drivers * lanes, mass_sum);
+    store(of_regime + (C::drivers + 1) * lanes, asked_sum);
 }
 
-/// Sums of the two adjoints times `n` neighbouring drivers or planes.
+/// Adds the products of `n` neighbouring drivers or planes with both adjoints.
+/// \param sums  [n x 2 x lanes]
 template <int n>
-struct Products {
+void add_products(const double* tape, const double* drivers, long stride, int n_steps,
+                  double* sums) {
     V mass[n], asked[n];
-};
-
-template <int n>
-Products<n> products(const double* tape, const double* drivers, long stride,
-                     int n_steps) {
-    Products<n> sums;
-    for (int k = 0; k < n; ++k) sums.mass[k] = sums.asked[k] = broadcast(0);
+    for (int k = 0; k < n; ++k) mass[k] = column(sums, 2 * k);
+    for (int k = 0; k < n; ++k) asked[k] = column(sums, 2 * k + 1);
     for (int step = 0; step < n_steps; ++step) {
         for (int k = 0; k < n; ++k) {
             const V driver = broadcast(drivers[k]);
-            sums.mass[k] = fma(column(tape, StandardTape::mass), driver, sums.mass[k]);
-            sums.asked[k] = fma(column(tape, StandardTape::asked), driver, sums.asked[k]);
+            mass[k] = fma(column(tape, StandardTape::mass), driver, mass[k]);
+            asked[k] = fma(column(tape, StandardTape::asked), driver, asked[k]);
         }
         tape += StandardTape::count * lanes;
         drivers += stride;
     }
-    return sums;
+    for (int k = 0; k < n; ++k) store(sums + 2 * k * lanes, mass[k]);
+    for (int k = 0; k < n; ++k) store(sums + (2 * k + 1) * lanes, asked[k]);
 }
 
-/// Calls use(k, sum with the mass, sum with the power asked) for n neighbouring drivers,
-/// two at a time: as many as the registers hold.
-template <class Use>
-void for_products(const double* tape, const double* drivers, long stride, int n_steps,
-                  int n, Use use) {
-    int k = 0;
-    for (; k + 1 < n; k += 2) {
-        const Products<2> two = products<2>(tape, drivers + k, stride, n_steps);
-        use(k, two.mass[0], two.asked[0]);
-        use(k + 1, two.mass[1], two.asked[1]);
-    }
-    if (k == n) return;
-    const Products<1> one = products<1>(tape, drivers + k, stride, n_steps);
-    use(k, one.mass[0], one.asked[0]);
-}
-
-/// Adds to the adjoints of the further drivers and of the sun.
+/// The same for drivers or planes [from, to) of all, two at a time: as many as the
+/// registers hold.
 void pull_drivers(const ZoneTime& zone, const Segment& segment, const double* tape,
-                  const double* drivers, long stride, const double* regime,
-                  double* of_regime) {
-    using C = StandardColumn;
+                  const double* drivers, int from, int to, double* of_regime) {
+    const long stride = zone.n_drivers + zone.n_planes;
     const int n_steps = segment.end - segment.begin;
-    for_products(tape, drivers + 1, stride, n_steps, zone.n_drivers - 1,
-                 [&](int k, V mass, V asked) {
-                     add_to(of_regime, C::drivers + 2 * (k + 1), mass);
-                     add_to(of_regime, C::drivers + 2 * (k + 1) + 1, asked);
-                 });
-    if (segment.in_sun == 0) return;
-    const int planes = C::drivers + 2 * zone.n_drivers;
-    for_products(tape, drivers + zone.n_drivers, stride, n_steps, zone.n_planes,
-                 [&](int p, V mass, V asked) {
-                     const V aperture = column(regime, planes + p);
-                     add_to(of_regime, C::sun_mass, mul(aperture, mass));
-                     add_to(of_regime, C::sun_asked, mul(aperture, asked));
-                     add_to(of_regime, planes + p,
-                            fma(column(regime, C::sun_mass), mass,
-                                mul(column(regime, C::sun_asked), asked)));
-                 });
+    double* sums = of_regime + StandardColumn::drivers * lanes;
+    for (; from + 1 < to; from += 2)
+        add_products<2>(tape, drivers + from, stride, n_steps, sums + 2 * from * lanes);
+    if (from < to)
+        add_products<1>(tape, drivers + from, stride, n_steps, sums + 2 * from * lanes);
+}
+
+/// All sums over the steps of a segment, once the chain has been through it.
+void pull_sums(const ZoneTime& zone, const Segment& segment, const double* tape,
+               const ZoneAdjoint& to) {
+    const int first_plane = zone.n_drivers, end = first_plane + zone.n_planes;
+    const double* drivers = zone.drivers + static_cast<long>(segment.begin) * end;
+    double* of_regime = to.regimes + segment.regime * zone.of_regime_size;
+    pull_constants(zone, segment, tape, drivers, of_regime, to.rows);
+    pull_drivers(zone, segment, tape, drivers, 1, first_plane, of_regime);
+    if (segment.in_sun != 0)
+        pull_drivers(zone, segment, tape, drivers, first_plane, end, of_regime);
 }
 
 void pull_standard(const ZoneTime& zone, const ZoneLanes& group, const Stretch& stretch,
                    const PowerRows& adjoints, double* tape, const ZoneAdjoint& to) {
-    const long stride = zone.n_drivers + zone.n_planes;
+    const auto chain = adjoints.air == nullptr ? pull_chain<false> : pull_chain<true>;
     for_pieces_back(zone, stretch, [&](const Segment& piece) {
-        const double* regime = group.regimes + piece.regime * zone.regime_size;
-        double* of_regime = to.regimes + piece.regime * zone.regime_size;
-        const auto chain = adjoints.air == nullptr ? pull_chain<false> : pull_chain<true>;
-        store(to.state, chain(piece, regime, adjoints, stretch.begin, tape,
-                              load(to.state), of_regime));
-        const double* of_piece = tape + static_cast<long>(piece.begin - stretch.begin) *
-                                            StandardTape::count * lanes;
-        const double* drivers = zone.drivers + piece.begin * stride;
-        pull_constants(zone, piece, of_piece, drivers, stride, of_regime, to.rows);
-        pull_drivers(zone, piece, of_piece, drivers, stride, regime, of_regime);
+        store(to.state, chain(piece, group.regimes + piece.regime * zone.regime_size,
+                              adjoints, stretch.begin, tape, load(to.state),
+                              to.regimes + piece.regime * zone.of_regime_size));
+        pull_sums(zone, piece,
+                  tape + static_cast<long>(piece.begin - stretch.begin) *
+                             StandardTape::count * lanes,
+                  to);
     });
 }
 
@@ -281,12 +292,18 @@ void pull_standard(const ZoneTime& zone, const ZoneLanes& group, const Stretch& 
 void keep(const ZoneTime& zone, const ZoneLanes& group, const Stretch& stretch, Show show,
           const PowerRows& out, double* tape) {
     const auto [begin, end, segment, last] = stretch;
+    const auto run_kept = [&](const auto& watch) {
+        run_standard(zone, group, segment, begin, end, watch);
+    };
     if (zone.n_states > 0)
         run_general(zone, group, segment, begin, end,
                     GeneralKept{{show, out, begin}, zone.n_states, tape});
+    else if (show == Show::sums)
+        run_kept(StandardKept<Show::sums>{{out, begin}, tape});
+    else if (show == Show::powers)
+        run_kept(StandardKept<Show::powers>{{out, begin}, tape});
     else
-        run_standard(zone, group, segment, begin, end,
-                     StandardKept{show, {out, begin}, tape});
+        run_kept(StandardKept<Show::powers_and_air>{{out, begin}, tape});
 }
 
 void pull(const ZoneTime& zone, const ZoneLanes& group, const Stretch& stretch,

@@ -86,7 +86,7 @@ void pull_segment(const ZoneTime& zone, const ZoneLanes& group, const Segment& s
                   const PowerRows& adjoints, int first, const double* tape,
                   const ZoneAdjoint& to, V* state) {
     const double* regime = group.regimes + segment.regime * zone.regime_size;
-    double* of_regime = to.regimes + segment.regime * zone.regime_size;
+    double* of_regime = to.regimes + segment.regime * zone.of_regime_size;
     const double* forms = regime + GeneralColumn::forms * lanes;
     double* of_forms = of_regime + GeneralColumn::forms * lanes;
     const int stride = zone.n_drivers + zone.n_planes;

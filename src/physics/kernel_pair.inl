@@ -50,3 +50,6 @@ inline V magnitude(V x) {
 inline V if_less(V x, V y, V value) {
     return {if_less(x.a, y.a, value.a), if_less(x.b, y.b, value.b)};
 }
+inline bool all_less(V x, V y) {
+    return all_less(x.a, y.a) && all_less(x.b, y.b);
+}

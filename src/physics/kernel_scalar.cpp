@@ -51,6 +51,10 @@ inline V if_less(V x, V y, V value) {
     return x < y ? value : 0;
 }
 
+inline bool all_less(V x, V y) {
+    return x < y;
+}
+
 #include "physics/kernel_reduce.inl"
 
 }  // namespace

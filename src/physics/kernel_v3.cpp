@@ -51,6 +51,10 @@ inline Register if_less(Register x, Register y, Register value) {
     return _mm256_and_pd(_mm256_cmp_pd(x, y, _CMP_LT_OQ), value);
 }
 
+inline bool all_less(Register x, Register y) {
+    return _mm256_movemask_pd(_mm256_cmp_pd(x, y, _CMP_LT_OQ)) == 0xf;
+}
+
 #include "physics/kernel_pair.inl"
 #include "physics/kernel_reduce.inl"
 

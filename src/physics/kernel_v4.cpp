@@ -51,6 +51,10 @@ inline Register if_less(Register x, Register y, Register value) {
     return _mm512_maskz_mov_pd(_mm512_cmp_pd_mask(x, y, _CMP_LT_OQ), value);
 }
 
+inline bool all_less(Register x, Register y) {
+    return _mm512_cmp_pd_mask(x, y, _CMP_LT_OQ) == 0xff;
+}
+
 #include "physics/kernel_pair.inl"
 #include "physics/kernel_reduce.inl"
 

@@ -274,6 +274,10 @@ int ZonePlan::regime_columns() const {
     return kernel::GeneralColumn::forms + (3 + n + n_drivers()) * (1 + n) + n_planes;
 }
 
+int ZonePlan::of_regime_columns() const {
+    return regime_columns() + (is_standard() ? static_cast<int>(planes.size()) : 0);
+}
+
 int ZonePlan::row_columns() const {
     return is_standard() ? kernel::standard_row_columns
                          : kernel::general_row_columns(static_cast<int>(states.size()));
@@ -285,6 +289,7 @@ kernel::ZoneTime ZonePlan::time(int lanes) const {
             n_drivers(),
             static_cast<int>(planes.size()),
             regime_columns() * lanes,
+            of_regime_columns() * lanes,
             drivers.data(),
             row_offset.data(),
             segments.data()};

@@ -44,6 +44,7 @@ struct ZonePlan {
     bool is_standard() const { return states.empty(); }
     int n_drivers() const;
     int regime_columns() const;
+    int of_regime_columns() const;  ///< of its adjoints, see kernel::ZoneAdjoint
     int row_columns() const;
     kernel::ZoneTime time(int lanes) const;
 };

@@ -154,7 +154,7 @@ Response::Run::OfZone make_zone(const Response::Plan& plan, const ZonePlan& zone
             LaneArray(n_states, lanes),
             LaneArray(n_steps * static_cast<std::size_t>(tape_columns(zone)), lanes),
             make_rows(n_steps, lanes),
-            like(zone.regimes, zone.regime_columns(), lanes),
+            like(zone.regimes, zone.of_regime_columns(), lanes),
             like(zone.rows, zone.row_columns(), lanes),
             LaneArray(n_states, lanes),
             LaneArray(n_steps, lanes)};
@@ -289,6 +289,7 @@ Response::Run::Run(const Plan& plan)
     for (const ZonePlan& zone : plan.shared.zones)
         zones.push_back(make_zone(plan, zone, n_steps));
     shown = LaneArray(n_steps, lanes);
+    zeros = LaneArray(n_steps, lanes);
     rows = make_rows(n_steps, lanes);
     of_rows = make_rows(n_steps, lanes);
     floor_share = LaneArray(zones.size(), lanes);
@@ -298,8 +299,11 @@ Response::Run::Run(const Plan& plan)
 Response::Response(const Batch& batch, std::vector<Channel> channels)
     : plan_(new Plan{batch, batch.plan(), std::move(channels), {}, {}, {}, {}}) {
     for (const Channel& channel : plan_->channels) {
+        const bool air = channel.quantity == Quantity::air_temperature;
+        bool& is_seen = air ? plan_->shows_air : plan_->shows_powers;
         plan_->of_channels.push_back(plan_channel(channel, plan_->shared));
-        if (channel.quantity == Quantity::air_temperature) plan_->shows_air = true;
+        plan_->of_channels.back().is_first = !is_seen;
+        is_seen = true;
     }
     plan_->stretches = plan_stretches(plan_->shared);
     plan_->written = plan_written(plan_->shared);

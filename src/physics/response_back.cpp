@@ -22,9 +22,6 @@ class StretchBack {
 
     void pull() {
         keep();
-        for (LaneArray* rows :
-             {&run_.of_rows.heating, &run_.of_rows.cooling, &run_.of_rows.air})
-            rows->clear();
         if (in_period_)
             for (std::size_t k = 0; k < plan_.channels.size(); ++k) seed(k);
         for (std::size_t z = 0; z < run_.zones.size(); ++z) pull_zone(z);
@@ -85,30 +82,37 @@ class StretchBack {
 
     void seed(std::size_t channel) {
         const auto [begin, end, month] = stretch_;
-        const Quantity quantity = plan_.channels[channel].quantity;
-        const kernel::IntervalTime time = plan_.of_channels[channel].time();
+        const ChannelPlan& of_channel = plan_.of_channels[channel];
         const double* sensitivities = run_.channels[channel].sensitivities.data();
-        if (quantity == Quantity::air_temperature)
-            return table().adjoint.seed_air(time, sensitivities, begin, end,
-                                            run_.of_rows.air.data());
-        table().adjoint.seed_meter(time, sensitivities, run_.meter_lanes(quantity),
-                                   powers(), begin, end, run_.of_rows.pointers(),
-                                   run_.meter(quantity).of_rows.data());
+        const auto how = of_channel.is_first ? kernel::Seed::write : kernel::Seed::add;
+        if (of_channel.quantity == Quantity::air_temperature)
+            return table().adjoint.seed_air(of_channel.time(), sensitivities, begin, end,
+                                            how, run_.of_rows.air.data());
+        table().adjoint.seed_meter(of_channel.time(), sensitivities,
+                                   run_.meter_lanes(of_channel.quantity), powers(), begin,
+                                   end, how, run_.of_rows.pointers(),
+                                   run_.meter(of_channel.quantity).of_rows.data());
+    }
+
+    /// Adjoints of what a zone shows.
+    kernel::PowerRows of_shown(std::size_t index) {
+        if (!in_period_) return {run_.zeros.data(), run_.zeros.data(), nullptr};
+        kernel::PowerRows of_rows = run_.of_rows.pointers();
+        if (!plan_.shows_air) of_rows.air = nullptr;
+        if (!shares_air()) return of_rows;
+        Response::Run::OfZone& zone = run_.zones[index];
+        table().adjoint.share_air(of_rows.air, zone.rows.air.data(),
+                                  run_.floor_share.column(index), n_steps(),
+                                  zone.of_air.data(), run_.of_floor_share.column(index));
+        of_rows.air = zone.of_air.data();
+        return of_rows;
     }
 
     void pull_zone(std::size_t index) {
         Response::Run::OfZone& zone = run_.zones[index];
-        kernel::PowerRows of_rows = run_.of_rows.pointers();
-        if (!in_period_ || !plan_.shows_air) of_rows.air = nullptr;
-        if (shares_air()) {
-            table().adjoint.share_air(
-                of_rows.air, zone.rows.air.data(), run_.floor_share.column(index),
-                n_steps(), zone.of_air.data(), run_.of_floor_share.column(index));
-            of_rows.air = zone.of_air.data();
-        }
         table().adjoint.pull(
-            run_.group->zones[index].time, lanes_of(index), in_segments(index), of_rows,
-            zone.tape.data(),
+            run_.group->zones[index].time, lanes_of(index), in_segments(index),
+            of_shown(index), zone.tape.data(),
             {zone.of_regimes.data(), zone.of_rows.data(), zone.of_state.data()});
     }
 

@@ -10,6 +10,7 @@ namespace bemcal::physics {
 /// A channel laid on the drive's steps.
 struct ChannelPlan {
     Quantity quantity = Quantity::heating;
+    bool is_first = true;        ///< of those that see the powers, or the air
     std::vector<int> interval;   ///< [n_steps] -1 before the period
     std::vector<double> factor;  ///< [n_readings] see kernel::IntervalTime
     kernel::IntervalTime time() const { return {interval.data(), factor.data()}; }
@@ -32,6 +33,7 @@ struct Response::Plan {
     Building zeros;  ///< adjoints to start from
 
     bool shows_air = false;     ///< any channel is the air temperature
+    bool shows_powers = false;  ///< any other channel
     bool pulls_powers = false;  ///< the way back needs the powers: the plant is varied
 
     int lanes() const { return shared.table.lanes; }
@@ -73,6 +75,7 @@ struct Response::Run {
     std::array<OfMeter, n_quantities> meters;
     std::vector<OfZone> zones;
     LaneArray shown;                        ///< a quantity over a stretch
+    LaneArray zeros;                        ///< adjoints of the powers in the warm-up
     Batch::Group::Rows rows, of_rows;       ///< of the building over a stretch
     LaneArray floor_share, of_floor_share;  ///< [n_zones]
     NetworkPair networks;
