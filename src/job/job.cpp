@@ -109,6 +109,13 @@ bool has_period(const study::Case& building, const std::string& name) {
     return name.empty();
 }
 
+bool has_readings(const study::Case& building) {
+    for (const study::Meter& meter : building.meters)
+        for (const double value : meter.values)
+            if (!std::isnan(value)) return true;
+    return false;
+}
+
 /// What a study needs of a building: parameters, meters, the period that it names.
 void check_study(const Section& section, const StudySpec& study, const Job& job) {
     if (study.kind == StudyKind::office_hour_sensitivity) return;
@@ -118,7 +125,7 @@ void check_study(const Section& section, const StudySpec& study, const Job& job)
                 "kind",
                 fmt::format("needs parameters, and {} has none; add [[parameter]]",
                             building.name));
-        if (study.kind == StudyKind::screening && building.meters.empty())
+        if (study.kind == StudyKind::screening && !has_readings(building))
             section.fail("kind",
                          fmt::format("needs readings, and {} has none; add [[meter]]",
                                      building.name));

@@ -49,13 +49,15 @@ class MeterReader {
         : section_(section),
           files_(files),
           building_(building),
-          column_(section.text("column")) {
+          column_(section.has("column") ? section.text("column") : "") {
         meter_.name = section.text("name");
         meter_.quantity = section.choice_as<Quantity>("quantity");
         meter_.interval = section.choice_as<Interval>("interval");
     }
 
     Meter read() {
+        if (!section_.has("file")) return without_readings();
+        section_.node("column");
         const std::vector<TimedCsv> sources = open_files();
         const Interval rows = interval_of_rows(sources[0].stamps.step_s);
         RegularSeries series = rows < Interval::monthly ? even_rows(sources)
@@ -67,6 +69,21 @@ class MeterReader {
     }
 
   private:
+    /// A meter that is predicted only.
+    Meter without_readings() {
+        Seconds from = building_.periods.front().from, to = from;
+        for (const study::Period& period : building_.periods) {
+            from = std::min(from, period.from);
+            to = std::max(to, period.to);
+        }
+        unit_of(section_, meter_.quantity);
+        const int step_s = meter_.interval == Interval::step ? building_.step_s : 3600;
+        meter_.axis = {from, step_s, static_cast<int>((to - from).count() / step_s)};
+        meter_.values.assign(static_cast<std::size_t>(meter_.axis.n_steps), missing);
+        decide("no file", "predicted only");
+        return std::move(meter_);
+    }
+
     std::vector<TimedCsv> open_files() {
         std::vector<TimedCsv> sources;
         for (const std::string& file : section_.texts("file"))
