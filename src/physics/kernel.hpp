@@ -141,10 +141,20 @@ struct ZoneAdjoint {
     double *regimes, *rows, *state;
 };
 
-/// Columns of a step's tape: what the way back needs of the way forward. The last two
-/// columns of the standard hour's are adjoints once it has been there.
+/// Columns of a step's tape, what the way back needs of the way forward: the mass before
+/// the step, the powers [K], what they leave of the power asked. Where the way back has
+/// been, the adjoints of the mass after the step and of the power asked stand in place of
+/// the powers.
 struct StandardTape {
-    enum : int { theta_m, asked, mass, count };
+    enum : int {
+        theta_m,
+        heating,
+        cooling,
+        excess,
+        count,
+        mass = heating,
+        asked = cooling
+    };
 };
 constexpr int general_tape_columns(int n_states) {
     return n_states + 3;
@@ -159,7 +169,8 @@ struct AdjointTable {
     /// Readings [n_intervals x lanes] from what a meter shows.
     void (*collect)(const IntervalTime&, const double* shown, int begin, int end,
                     double* readings);
-    /// Runs the stretch and keeps its tape; group.sums is not used. Writes what is shown.
+    /// Runs the stretch and keeps its tape; group.sums is not used. Writes what is shown:
+    /// the air too, where its adjoints are not 0.
     void (*keep)(const ZoneTime&, const ZoneLanes& group, const Stretch&, Show,
                  const PowerRows&, double* tape);
     /// From sensitivities [n_intervals x lanes] to the powers' adjoints and to those of

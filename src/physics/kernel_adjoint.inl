@@ -26,11 +26,13 @@ template <class Action>
 
 void collect(const IntervalTime& time, const double* shown, int begin, int end,
              double* readings) {
-    int before = begin > 0 ? time.interval[begin - 1] : -1;
-    for (int step = begin; step < end; ++step) {
-        const int interval = time.interval[step];
+    const int* interval_of = time.interval;
+    const double* factor = time.factor;
+    int before = begin > 0 ? interval_of[begin - 1] : -1;
+    for (int step = begin; step < end; ++step, shown += lanes) {
+        const int interval = interval_of[step];
         double* reading = readings + static_cast<long>(interval) * lanes;
-        V sum = mul(column(shown, step - begin), broadcast(time.factor[interval]));
+        V sum = mul(load(shown), broadcast(factor[interval]));
         if (interval == before) sum = add(load(reading), sum);
         store(reading, sum);
         before = interval;
@@ -60,25 +62,27 @@ template <bool adds, bool powers_too>
 void seed_meter_rows(const IntervalTime& time, const double* sensitivities,
                      const MeterLanes& meter_lanes, const PowerRows& powers, int begin,
                      int end, const PowerRows& adjoints, double* meter_rows) {
-    int offset = meter_lanes.row_offset[begin];
+    const auto [rows, row_offset] = meter_lanes;
+    const auto [of_heating, of_cooling, of_air] = adjoints;
+    const auto [heating, cooling, air] = powers;
+    const IntervalTime intervals = time;
+    int offset = row_offset[begin];
     MeterSums sums(meter_rows + offset);
-    for (int step = begin; step < end; ++step) {
-        if (meter_lanes.row_offset[step] != offset) {
+    for (int step = begin, at = 0; step < end; ++step, at += lanes) {
+        if (row_offset[step] != offset) {
             sums.write(meter_rows + offset);
-            offset = meter_lanes.row_offset[step];
+            offset = row_offset[step];
             sums = MeterSums(meter_rows + offset);
         }
-        const double* row = meter_lanes.rows + offset;
-        const long at = static_cast<long>(step - begin) * lanes;
-        const V s = sensitivity_at(time, sensitivities, step);
-        const V heating = mul(column(row, 1), s), cooling = mul(column(row, 2), s);
-        double *of_heating = adjoints.heating + at, *of_cooling = adjoints.cooling + at;
-        store(of_heating, adds ? add(load(of_heating), heating) : heating);
-        store(of_cooling, adds ? add(load(of_cooling), cooling) : cooling);
+        const V s = sensitivity_at(intervals, sensitivities, step);
+        const V heats = mul(column(rows + offset, 1), s);
+        const V cools = mul(column(rows + offset, 2), s);
+        store(of_heating + at, adds ? add(load(of_heating + at), heats) : heats);
+        store(of_cooling + at, adds ? add(load(of_cooling + at), cools) : cools);
         sums.source = add(sums.source, s);
         if constexpr (powers_too) {
-            sums.heating = fma(s, load(powers.heating + at), sums.heating);
-            sums.cooling = fma(s, load(powers.cooling + at), sums.cooling);
+            sums.heating = fma(s, load(heating + at), sums.heating);
+            sums.cooling = fma(s, load(cooling + at), sums.cooling);
         }
     }
     sums.write(meter_rows + offset);
@@ -124,29 +128,30 @@ struct StandardKept {
     double* tape;
     void keep(V theta_m) { store(tape + StandardTape::theta_m * lanes, theta_m); }
     void see(int step, const double* regime, V asked, V heat, V cool) {
-        store(tape + StandardTape::asked * lanes, asked);
+        store(tape + StandardTape::heating * lanes, heat);
+        store(tape + StandardTape::cooling * lanes, cool);
+        if constexpr (show == Show::powers_and_air)
+            store(tape + StandardTape::excess * lanes, sub(sub(asked, heat), cool));
         tape += StandardTape::count * lanes;
         if constexpr (show != Show::sums) written.see(step, regime, asked, heat, cool);
     }
     void end() {}
 };
 
-/// What the powers at their limits leave: few steps have any.
-inline void pull_limits(V asked, V over, V heats, V cools, const double* regime,
+/// What powers at their limits leave there: few steps have any.
+inline void pull_limits(Mask heats_freely, V of_heats, Mask cools_freely, V of_cools,
                         double* of_regime) {
     using C = StandardColumn;
-    add_to(of_regime, C::most_heating,
-           sub(heats, if_less(asked, column(regime, C::most_heating), heats)));
-    add_to(of_regime, C::most_cooling,
-           sub(cools, if_less(column(regime, C::most_cooling), over, cools)));
+    add_to(of_regime, C::most_heating, sub(of_heats, keep_where(heats_freely, of_heats)));
+    add_to(of_regime, C::most_cooling, sub(of_cools, keep_where(cools_freely, of_cools)));
 }
 
 /// The air temperature's part of the powers' adjoints; adds to those of its columns.
-inline V pull_air(V per_air, V asked, V heat, V cool, const double* regime,
-                  double* of_regime) {
+inline V pull_air(V per_air, V excess, const double* regime, double* of_regime) {
     using C = StandardColumn;
     add_to(of_regime, C::set_point, per_air);
-    add_to(of_regime, C::kelvin, mul(per_air, add(sub(heat, asked), cool)));
+    store(of_regime + C::kelvin * lanes,
+          fnma(per_air, excess, column(of_regime, C::kelvin)));
     return mul(per_air, column(regime, C::kelvin));
 }
 
@@ -157,36 +162,36 @@ template <bool air>
 V pull_chain(const Segment& segment, const double* regime, const PowerRows& adjoints,
              int first, double* tape, V theta_m, double* of_regime) {
     using C = StandardColumn;
+    const auto [per_heating, per_cooling, per_air] = adjoints;
     const V zero = broadcast(0);
     V watts = column(of_regime, C::watts), gap = column(of_regime, C::gap);
-    for (int step = segment.end - 1; step >= segment.begin; --step) {
+    for (int step = segment.end - 1 - first; step >= segment.begin - first; --step) {
         regime = as_operands(regime);
-        const long at = static_cast<long>(step - first) * lanes;
+        const long at = static_cast<long>(step) * lanes;
         double* row = tape + at * StandardTape::count;
-        const V asked = column(row, StandardTape::asked);
-        const V over = add(asked, column(regime, C::gap));
-        const V heat = min(max(asked, zero), column(regime, C::most_heating));
-        const V cool = max(min(over, zero), column(regime, C::most_cooling));
-        watts = fma(load(adjoints.heating + at), heat, watts);
-        watts = fnma(load(adjoints.cooling + at), cool, watts);
-        V of_heat = fma(load(adjoints.heating + at), column(regime, C::watts), theta_m);
-        V of_cool = fnma(load(adjoints.cooling + at), column(regime, C::watts), theta_m);
+        const V heat = column(row, StandardTape::heating),
+                cool = column(row, StandardTape::cooling);
+        watts = fma(load(per_heating + at), heat, watts);
+        watts = fnma(load(per_cooling + at), cool, watts);
+        const Mask heats_freely = less(heat, column(regime, C::most_heating)),
+                   cools_freely = less(column(regime, C::most_cooling), cool);
+        V of_heat = fma(load(per_heating + at), column(regime, C::watts), theta_m);
+        V of_cool = fnma(load(per_cooling + at), column(regime, C::watts), theta_m);
         V of_air = zero;
         if constexpr (air) {
-            of_air =
-                pull_air(load(adjoints.air + at), asked, heat, cool, regime, of_regime);
+            of_air = pull_air(load(per_air + at), column(row, StandardTape::excess),
+                              regime, of_regime);
             of_heat = add(of_heat, of_air);
             of_cool = add(of_cool, of_air);
         }
-        const V heats = if_less(zero, asked, of_heat),
-                cools = if_less(over, zero, of_cool);
-        if (!all_less(asked, column(regime, C::most_heating)) ||
-            !all_less(column(regime, C::most_cooling), over))
-            pull_limits(asked, over, heats, cools, regime, of_regime);
-        const V heats_freely = if_less(asked, column(regime, C::most_heating), heats);
-        const V cools_freely = if_less(column(regime, C::most_cooling), over, cools);
-        gap = add(gap, cools_freely);
-        V of_asked = add(heats_freely, cools_freely);
+        of_heat = keep_where(less(zero, heat), of_heat);
+        of_cool = keep_where(less(cool, zero), of_cool);
+        if (!all(both(heats_freely, cools_freely)))
+            pull_limits(heats_freely, of_heat, cools_freely, of_cool, of_regime);
+        of_heat = keep_where(heats_freely, of_heat);
+        of_cool = keep_where(cools_freely, of_cool);
+        gap = add(gap, of_cool);
+        V of_asked = add(of_heat, of_cool);
         if constexpr (air) of_asked = sub(of_asked, of_air);
         store(row + StandardTape::asked * lanes, of_asked);
         store(row + StandardTape::mass * lanes, theta_m);

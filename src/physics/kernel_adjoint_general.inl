@@ -39,8 +39,8 @@ struct FormAdjoints {
 /// A power within its limit: the adjoint of what was asked; that of the limit is added.
 inline V pull_clamp(V power, V of_power, const double* regime, int limit,
                     double* of_regime) {
-    const V on = if_less(broadcast(0), power, of_power);
-    const V freely = if_less(power, column(regime, limit), on);
+    const V on = keep_where(less(broadcast(0), power), of_power);
+    const V freely = keep_where(less(power, column(regime, limit)), on);
     add_to(of_regime, limit, sub(on, freely));
     return freely;
 }

@@ -46,10 +46,20 @@ inline V fnma(V x, V y, V z) {
 inline V magnitude(V x) {
     return {magnitude(x.a), magnitude(x.b)};
 }
-/// value where x < y, else 0
-inline V if_less(V x, V y, V value) {
-    return {if_less(x.a, y.a, value.a), if_less(x.b, y.b, value.b)};
+
+struct Mask {
+    RegisterMask a, b;
+};
+inline Mask less(V x, V y) {
+    return {less(x.a, y.a), less(x.b, y.b)};
 }
-inline bool all_less(V x, V y) {
-    return all_less(x.a, y.a) && all_less(x.b, y.b);
+inline Mask both(Mask x, Mask y) {
+    return {both(x.a, y.a), both(x.b, y.b)};
+}
+inline bool all(Mask x) {
+    return all(both(x.a, x.b));
+}
+/// x where the mask is set, else 0
+inline V keep_where(Mask where, V x) {
+    return {keep_where(where.a, x.a), keep_where(where.b, x.b)};
 }

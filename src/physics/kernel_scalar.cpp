@@ -46,13 +46,18 @@ inline V magnitude(V x) {
     return __builtin_fabs(x);
 }
 
-/// value where x < y, else 0
-inline V if_less(V x, V y, V value) {
-    return x < y ? value : 0;
-}
-
-inline bool all_less(V x, V y) {
+using Mask = bool;
+inline Mask less(V x, V y) {
     return x < y;
+}
+inline Mask both(Mask x, Mask y) {
+    return x && y;
+}
+inline bool all(Mask x) {
+    return x;
+}
+inline V keep_where(Mask where, V x) {
+    return where ? x : 0;
 }
 
 #include "physics/kernel_reduce.inl"

@@ -47,12 +47,18 @@ inline Register magnitude(Register x) {
     return _mm256_and_pd(x, _mm256_castsi256_pd(_mm256_set1_epi64x(0x7fffffffffffffff)));
 }
 
-inline Register if_less(Register x, Register y, Register value) {
-    return _mm256_and_pd(_mm256_cmp_pd(x, y, _CMP_LT_OQ), value);
+using RegisterMask = __m256d;
+inline RegisterMask less(Register x, Register y) {
+    return _mm256_cmp_pd(x, y, _CMP_LT_OQ);
 }
-
-inline bool all_less(Register x, Register y) {
-    return _mm256_movemask_pd(_mm256_cmp_pd(x, y, _CMP_LT_OQ)) == 0xf;
+inline RegisterMask both(RegisterMask x, RegisterMask y) {
+    return _mm256_and_pd(x, y);
+}
+inline bool all(RegisterMask x) {
+    return _mm256_movemask_pd(x) == 0xf;
+}
+inline Register keep_where(RegisterMask where, Register x) {
+    return _mm256_and_pd(where, x);
 }
 
 #include "physics/kernel_pair.inl"

@@ -47,12 +47,18 @@ inline Register magnitude(Register x) {
     return _mm512_abs_pd(x);
 }
 
-inline Register if_less(Register x, Register y, Register value) {
-    return _mm512_maskz_mov_pd(_mm512_cmp_pd_mask(x, y, _CMP_LT_OQ), value);
+using RegisterMask = __mmask8;
+inline RegisterMask less(Register x, Register y) {
+    return _mm512_cmp_pd_mask(x, y, _CMP_LT_OQ);
 }
-
-inline bool all_less(Register x, Register y) {
-    return _mm512_cmp_pd_mask(x, y, _CMP_LT_OQ) == 0xff;
+inline RegisterMask both(RegisterMask x, RegisterMask y) {
+    return _kand_mask8(x, y);
+}
+inline bool all(RegisterMask x) {
+    return x == 0xff;
+}
+inline Register keep_where(RegisterMask where, Register x) {
+    return _mm512_maskz_mov_pd(where, x);
 }
 
 #include "physics/kernel_pair.inl"

@@ -48,7 +48,7 @@ class StretchBack {
     }
 
     kernel::Show show() const {
-        if (shares_air()) return kernel::Show::powers_and_air;
+        if (in_period_ && plan_.shows_air) return kernel::Show::powers_and_air;
         return in_period_ && plan_.pulls_powers ? kernel::Show::powers
                                                 : kernel::Show::sums;
     }
