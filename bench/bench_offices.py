@@ -1,0 +1,149 @@
+#!/usr/bin/python3
+"""Unseen offices: each of the ten in jobs/offices_pooled is left out in turn, and predicted from
+its description and weather by what the other nine tell; gd_11 is predicted from all ten.
+
+Cooling + heating, hour by hour and by month, against the readings of both years: CV(RMSE) with the
+design values and after calibration, and the share of hours within the 90 % interval. The interval
+of the sum takes the two meters' errors as independent. Prints a table, then lines `name value unit
+reference ratio`, and writes gd_11.csv. Needs the readings in ../shared.
+
+    bench_offices.py [--only gd_03 ...] [--csv FILE]
+"""
+import argparse
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+import h5py
+import numpy
+import pandas
+
+import large_job
+
+JOB = large_job.ROOT / "jobs" / "offices_pooled" / "job.toml"
+CASES = large_job.ROOT.parent / "shared" / "cases" / "guangdong_offices"
+OFFICES = [f"gd_{k:02d}" for k in range(1, 11)]
+KEPT_BACK = "gd_11"
+NOT_CONVERGED = 1  # of the program; its result is whole
+COLUMNS = ("office", "design hourly", "hourly", "design monthly", "monthly", "bias", "coverage")
+
+
+def job_without(office, folder):
+    """The job with that office unseen."""
+    text = JOB.read_text()
+    text = re.sub(r'"(gd_\d\d\.toml)"', lambda m: f'"{JOB.parent / m[1]}"', text)
+    text = re.sub(r"(?m)^unseen = .*", f'unseen = ["{office}"]', text)
+    if office != KEPT_BACK:
+        text = re.sub(rf'(?m)^.*/{KEPT_BACK}\.toml",?\n', "", text)
+    job = pathlib.Path(folder) / f"without_{office}.toml"
+    job.write_text(text)
+    return job
+
+
+def run(job):
+    result = job.with_suffix(".h5")
+    done = subprocess.run(["mpirun", "-np", "2", "--oversubscribe", large_job.PROGRAM, "run", job,
+                           "-o", result], stdout=subprocess.DEVNULL)
+    if done.returncode not in (0, NOT_CONVERGED):
+        sys.exit(f"bench_offices: {job}: exit code {done.returncode}")
+    return result
+
+
+def meter_of(file, office, meter):
+    """{leaf: series} of an office's meter in the training period."""
+    found = []
+    file.visit(lambda path: found.append(path)
+               if path.endswith(f"{office}/training/{meter}") else None)
+    return {leaf: values[:] for leaf, values in file[found[0]].items()}
+
+
+def prediction(result, office):
+    """Cooling + heating [kWh] by hour: design values, mean, 5 % and 95 % quantile."""
+    with h5py.File(result) as file:
+        cold, heat = (meter_of(file, office, meter) for meter in ("cold", "heat"))
+    total = {leaf: cold[leaf] + heat[leaf] for leaf in ("nominal", "predicted_mean")}
+    mean = total["predicted_mean"]
+    for leaf, sign in (("predicted_q05", -1), ("predicted_q95", 1)):
+        off = [numpy.abs(m[leaf] - m["predicted_mean"]) for m in (cold, heat)]
+        total[leaf] = numpy.maximum(mean + sign * numpy.hypot(*off), 0)
+    hours = pandas.to_datetime(cold["time"], unit="s")
+    return pandas.DataFrame(total | {"heat": heat["predicted_mean"],
+                                     "cool": cold["predicted_mean"]}, index=hours)
+
+
+def measured(office):
+    table = pandas.read_csv(CASES / office / "measured.csv", parse_dates=[0], index_col=0)
+    table.index -= pandas.Timedelta(hours=1)
+    return table.heat_kWh + table.cool_kWh
+
+
+def cv_rmse(simulated, readings):
+    return 100 * numpy.sqrt(((simulated - readings) ** 2).mean()) / readings.mean()
+
+
+def by_month(series):
+    return series.groupby([series.index.year, series.index.month]).sum()
+
+
+def errors_of(predicted, readings):
+    """The table's row: hours with both readings, and their sums by month."""
+    predicted, readings = predicted[readings.notna()], readings.dropna()
+    mean = predicted.predicted_mean
+    within = (readings >= predicted.predicted_q05) & (readings <= predicted.predicted_q95)
+    return [cv_rmse(predicted.nominal, readings), cv_rmse(mean, readings),
+            cv_rmse(by_month(predicted.nominal), by_month(readings)),
+            cv_rmse(by_month(mean), by_month(readings)),
+            100 * (mean.sum() / readings.sum() - 1), 100 * within.mean()]
+
+
+def leave_out(office):
+    with tempfile.TemporaryDirectory() as folder:
+        predicted = prediction(run(job_without(office, folder)), office)
+    return errors_of(predicted, measured(office))
+
+
+def print_results(rows):
+    errors = numpy.array(list(rows.values()))
+    median = numpy.median(errors, axis=0)
+    print(f"{'median':<8}" + "".join(f"{value:16.1f}" for value in median))
+    better = int((errors[:, 1] < errors[:, 0]).sum())
+    for name, value, unit, reference in (
+            ("offices_hourly", median[1], "%", 30), ("offices_monthly", median[3], "%", 15),
+            ("offices_hourly_design", median[0], "%", 153.98),
+            ("offices_monthly_design", median[2], "%", 33.13),
+            ("offices_better_than_design", better, "offices", 8),
+            ("offices_coverage", median[5], "%", 90)):
+        print(f"{name} {value:.2f} {unit} {reference} {value / reference:.3f}")
+
+
+def write_kept_back(path):
+    with tempfile.TemporaryDirectory() as folder:
+        predicted = prediction(run(job_without(KEPT_BACK, folder)), KEPT_BACK)
+    table = pandas.DataFrame({"heat_kWh": predicted.heat, "cool_kWh": predicted.cool,
+                              "q05": predicted.predicted_q05, "q95": predicted.predicted_q95})
+    table.index = (predicted.index + pandas.Timedelta(hours=1)).strftime("%Y-%m-%dT%H:%M:%S")
+    table.to_csv(path, index_label="timestamp", float_format="%.3f")
+    print(f"wrote {path}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("--only", nargs="*", default=OFFICES, help="leave these out only")
+    parser.add_argument("--csv", help="predict gd_11 into this file")
+    options = parser.parse_args()
+    if not CASES.exists():
+        print(f"skipped: no readings in {CASES}")
+        return
+    print(f"{COLUMNS[0]:<8}" + "".join(f"{name:>16}" for name in COLUMNS[1:]))
+    rows = {}
+    for office in options.only:
+        rows[office] = leave_out(office)
+        print(f"{office:<8}" + "".join(f"{value:16.1f}" for value in rows[office]), flush=True)
+    print_results(rows)
+    write_kept_back(options.csv or large_job.ROOT / "build" / "bench" / "gd_11.csv")
+
+
+if __name__ == "__main__":
+    main()
