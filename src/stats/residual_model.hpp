@@ -24,12 +24,15 @@ namespace bemcal::stats {
 struct ResidualOptions {
     bool autocorrelated = true;  ///< AR(1) in place of white
     bool discrepancy = false;    ///< and a share of Matern-3/2
-    /// The filter's gain is held once it has settled (again after each gap).
+    /// The filter's gain is held once it has settled (again after each gap): with the
+    /// slow part alone; the value moves by less than 1e-6 of itself.
     bool steady_state = true;
 };
 
-/// Names in the order of the parameters: constant, proportional, then phi, then share and
-/// timescale [readings' intervals], as the options have them.
+/// Names in the order of the parameters: constant (a multiple of the meter's scale),
+/// proportional, then phi (0 to below 1), then share (0 to 1) and timescale (above 0;
+/// readings' intervals; covariance (1 + r) exp(-r) with r = sqrt(3) distance /
+/// timescale), as the options have them.
 std::vector<std::string> residual_parameters(const ResidualOptions& options);
 
 class ResidualModel {

@@ -60,10 +60,8 @@ struct Filter::Forward {
     std::size_t n_records = 0;
 };
 
-void Filter::read(std::size_t begin, std::size_t end, const Transition& transition,
-                  const Gain& gain, Forward& now) const {
-    const Transition t = transition;
-    const Gain g = gain;
+void Filter::read(std::size_t begin, std::size_t end, const Transition& t, const Gain& g,
+                  Forward& now) const {
     State x = now.state;
     for (std::size_t k = begin; k < end; ++k) {
         const Lanes a = t.rho * x.a;
