@@ -14,6 +14,15 @@ namespace {
 /// Of the spread tau of a population.
 constexpr double median_spread = 0.3, sd_log_spread = 0.7;
 
+stats::Prior spread_prior() {
+    stats::Prior prior;
+    prior.kind = stats::PriorKind::lognormal;
+    prior.a = std::log(median_spread);
+    prior.b = sd_log_spread;
+    prior.least = 0;
+    return prior;
+}
+
 class Shared : public Arrangement {
   public:
     explicit Shared(std::shared_ptr<const Space> space) : space_(std::move(space)) {}
@@ -158,7 +167,7 @@ std::vector<Coordinate> Hierarchical::reported() const {
     for (std::size_t f = 0; f < space_->n_free(); ++f) names.push_back(coordinate(f));
     for (const std::size_t f : own_)
         names.push_back(
-            {fmt::format("{}_spread", coordinate(f).name), "-", coordinate(f).prior});
+            {fmt::format("{}_spread", coordinate(f).name), "-", spread_prior()});
     for (const std::string& building : buildings_)
         for (const std::size_t f : own_) {
             Coordinate one = coordinate(f);

@@ -3,6 +3,7 @@
 #include "study/chain_stage.hpp"
 #include "study/posterior_density.hpp"
 #include "study/posterior_results.hpp"
+#include "study/validation_results.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -91,6 +92,10 @@ class DirectPosterior : public Posterior {
         return draws;
     }
     void conclude(const ChainDraws& draws, DatasetBuilder& datasets) const override {
+        Matrix values(draws.positions.rows, unknowns_.size());
+        for (std::size_t r = 0; r < values.rows; ++r)
+            read(draws.positions.row(r), values.row(r));
+        add_moves(moves_of(reported_, values), datasets);
         add_predictions({*parts_, unseen_, options_}, draws, datasets);
     }
 

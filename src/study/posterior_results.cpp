@@ -2,6 +2,7 @@
 
 #include "study/points.hpp"
 #include "study/predictive.hpp"
+#include "study/validation_results.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -104,6 +105,10 @@ void add_inference_data(const MeterPrediction& meter, DatasetBuilder& datasets) 
                    {1, n_draws, n}, std::move(stored), meter.unit);
 }
 
+HoldOut hold_out_of(const PosteriorOptions& options) {
+    return {options.hold_out_weeks, options.hold_out_hours, options.chains.seed};
+}
+
 /// The same meters as in training, with the same scale, held against another period.
 MeterChoice choice_like(const BuildingModel& trained) {
     MeterChoice choice;
@@ -174,9 +179,26 @@ class Conclusion {
         for (const MeterPrediction& meter : predict_meters(
                  model, of_building.parameters, of_building.residuals, random)) {
             add_series(meter, folder + meter.name + "/", datasets_);
+            add_validation(meter, roles_of(model, meter, period),
+                           folder + meter.name + "/", datasets_);
             if (is_alone() && period.name == model.building().periods[0].name)
                 add_inference_data(meter, datasets_);
         }
+    }
+
+    /// Empty where nothing of the period trains, or all of it does.
+    std::vector<Role> roles_of(const BuildingModel& model, const MeterPrediction& meter,
+                               const Period& period) const {
+        const HoldOut hold_out = hold_out_of(of_.options);
+        const bool trains =
+            period.name == training_period(model.building(), of_.options).name &&
+            std::ranges::find(of_.options.unseen, model.building().name) ==
+                of_.options.unseen.end();
+        if (!trains || !(hold_out.weeks > 0 || hold_out.hours > 0)) return {};
+        std::size_t index = 0;
+        for (const MeterModel& each : model.meters())
+            if (each.name == meter.name) index = each.meter;
+        return draw_roles(meter.begins, index, hold_out);
     }
 
     const CalibratedBuildings& of_;
@@ -214,8 +236,7 @@ std::vector<double> nominal_scales(const BuildingModel& model) {
 MeterChoice training_choice(const Case& building, const Period& period,
                             const PosteriorOptions& options) {
     MeterChoice choice{options.meters, options.residuals, {}, {}};
-    const HoldOut hold_out{options.hold_out_weeks, options.hold_out_hours,
-                           options.chains.seed};
+    const HoldOut hold_out = hold_out_of(options);
     if (hold_out.weeks <= 0 && hold_out.hours <= 0) return choice;
     const auto axis = axis_of(building, period);
     for (std::size_t m = 0; m < building.meters.size(); ++m) {
