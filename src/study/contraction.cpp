@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "stats/chain_moments.hpp"
+#include "stats/coverage.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,11 +52,6 @@ std::vector<double> column_of(const Matrix& draws, std::size_t column) {
     std::vector<double> values(draws.rows);
     for (std::size_t d = 0; d < draws.rows; ++d) values[d] = draws(d, column);
     return values;
-}
-
-double quantile_of(const std::vector<double>& sorted, double p) {
-    return sorted[static_cast<std::size_t>(p * static_cast<double>(sorted.size() - 1) +
-                                           0.5)];
 }
 
 /// An end of the range, with the share of draws and of the prior in its neighbourhood.
@@ -197,8 +193,9 @@ ParameterMove numbers_of(const Coordinate& coordinate, const Belief& belief,
     const double ratio = move.posterior_sd / belief.sd;
     move.contraction = 1 - ratio * ratio;
     move.shift = (move.posterior_mean - belief.mean) / belief.sd;
-    move.range_share =
-        (quantile_of(values, 0.95) - quantile_of(values, 0.05)) / belief.width();
+    move.range_share = (stats::predictive_quantile(values, 0.95) -
+                        stats::predictive_quantile(values, 0.05)) /
+                       belief.width();
     return move;
 }
 
