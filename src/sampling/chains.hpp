@@ -25,6 +25,9 @@ struct SamplerOptions {
     /// Inverse temperatures, 1 first, falling; more than one: a tempered chain.
     std::vector<double> inverse_temperatures{1};
     int thin = 1;  ///< transitions per draw
+    /// The warm-up moves those between the first and the last until all neighbours swap
+    /// equally often.
+    bool adapt_temperatures = true;
 };
 
 /// A chain's round: 0 is the warm-up, without draws.

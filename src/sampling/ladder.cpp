@@ -1,4 +1,4 @@
-/// The life of a ladder's walkers: start, warm-up or draws, and their meetings.
+/// The life of a ladder's walkers: start, warm-up or draws.
 #include "sampling/ladder.hpp"
 
 #include "sampling/adaptation.hpp"
@@ -39,6 +39,8 @@ Ladder::Ladder(const Setting& setting, const ChainTask& task)
         walkers_.emplace_back(setting.company, setting.coordinates, setting.options, t,
                               stream_of(task, walkers_.size() + 1));
     swapped_.resize(walkers_.size() - 1);
+    refused_.resize(walkers_.size() - 1);
+    if (task.round == 0 && setting.options.adapt_temperatures) plan_tunings();
     if (task.round > 0) remember(task.state);
     const auto n_draws = task.round > 0 ? static_cast<std::size_t>(setting.n_draws) : 0;
     part_.draws = Matrix(n_draws, setting.coordinates.dimension);
@@ -161,36 +163,6 @@ void Ladder::record(std::size_t draw, const Transition& sum) {
         sum.diverging ? 1.0 : 0.0,
         std::accumulate(swapped_.begin(), swapped_.end(), 0.0) / n_pairs};
     std::ranges::copy(values, part_.statistics.row(draw).begin());
-}
-
-/// The last to arrive swaps, lets the others go, and does not wait.
-bool Ladder::wait_for_others(std::coroutine_handle<> walker) {
-    if (arrived_.size() + 1 < walkers_.size()) {
-        arrived_.push_back(walker);
-        return true;
-    }
-    swap_neighbours();
-    leaving_.swap(arrived_);
-    arrived_.clear();
-    for (const std::coroutine_handle<> other : leaving_) other.resume();
-    return false;
-}
-
-void Ladder::swap_neighbours() {
-    const std::size_t first = std::fmod(n_meetings_, 2) == 0 ? 0 : 1;
-    for (std::size_t pair = first; pair < swapped_.size(); pair += 2)
-        swapped_[pair] = swap_pair(pair) ? 1 : 0;
-    ++n_meetings_;
-}
-
-bool Ladder::swap_pair(std::size_t pair) {
-    Walker& cold = walkers_[pair];
-    Walker& hot = walkers_[pair + 1];
-    const double gain = (cold.inverse_temperature - hot.inverse_temperature) *
-                        (hot.current.likelihood - cold.current.likelihood);
-    if (!(random_.uniform() < std::exp(gain))) return false;
-    std::swap(cold.current, hot.current);
-    return true;
 }
 
 }  // namespace bemcal::sampling

@@ -44,7 +44,9 @@ class Ladder {
     Meeting meet() { return {*this}; }
     bool wait_for_others(std::coroutine_handle<> walker);
     void swap_neighbours();
-    bool swap_pair(std::size_t pair);
+    double swap_probability(std::size_t pair) const;
+    void plan_tunings();
+    void tune_temperatures();
 
     Task<> walk(Walker& walker);
     Task<> find_start(Walker& walker);
@@ -63,6 +65,8 @@ class Ladder {
     std::vector<Task<>> walks_;
     std::vector<std::coroutine_handle<>> arrived_, leaving_;
     std::vector<double> swapped_;  ///< [pairs] 1 = the last swap was accepted
+    std::vector<double> refused_;  ///< [pairs] sum of probabilities since the last tuning
+    std::vector<double> tunings_;  ///< at these numbers of meetings
     double n_meetings_ = 0;
     ChainPart part_;
 };

@@ -7,7 +7,6 @@
 
 #include <coroutine>
 #include <exception>
-#include <optional>
 #include <utility>
 
 namespace bemcal::sampling {
@@ -43,12 +42,12 @@ struct PromiseBase {
 
 template <class T>
 struct Promise : PromiseBase {
-    std::optional<T> answer;
+    T answer{};
     Task<T> get_return_object();
     void return_value(T value) { answer = std::move(value); }
     T take() {
         rethrow();
-        return *std::move(answer);
+        return std::move(answer);
     }
 };
 
