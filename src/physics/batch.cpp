@@ -115,6 +115,16 @@ Batch::GroupPointer Batch::make_group() const {
     return GroupPointer(new Group(*plan_));
 }
 
+std::vector<Batch::GroupPointer> Batch::make_groups(std::size_t n,
+                                                    Quantity quantity) const {
+    const auto buildings = std::make_shared<Group::Written>(*plan_);
+    std::vector<GroupPointer> groups;
+    groups.reserve(n);
+    for (std::size_t k = 0; k < n; ++k)
+        groups.emplace_back(new Group(*plan_, buildings, quantity));
+    return groups;
+}
+
 std::vector<std::string> Batch::prepare(const Matrix& points, std::size_t first,
                                         std::size_t count, Group& group) const {
     std::vector<std::string> failures(count);
@@ -122,6 +132,7 @@ std::vector<std::string> Batch::prepare(const Matrix& points, std::size_t first,
         failures[k] = prepare_lane(points.row(first + k), static_cast<int>(k), group);
     for (int lane = static_cast<int>(count); lane < lanes(); ++lane)
         group.copy_lane(static_cast<int>(count) - 1, lane);
+    if (group.meter_at_once) group.meter(*group.meter_at_once);
     return failures;
 }
 

@@ -84,6 +84,9 @@ class Batch {
     };
     using GroupPointer = std::unique_ptr<Group, DeleteGroup>;
     GroupPointer make_group() const;
+    /// Groups whose points lie close to each other's: they are prepared one after the
+    /// other with the buildings of one, and advance in this quantity only.
+    std::vector<GroupPointer> make_groups(std::size_t n, Quantity quantity) const;
     /// Coefficients and the state before the warm-up for rows [first, first + count) of
     /// points; unused lanes repeat the last. Returns each lane's failure (empty = none).
     std::vector<std::string> prepare(const Matrix& points, std::size_t first,

@@ -2,6 +2,7 @@
 #include "physics/batch_plan.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace bemcal::physics {
 
@@ -35,9 +36,22 @@ kernel::Show show_for(Quantity quantity) {
                                                  : kernel::Show::powers;
 }
 
-Batch::Group::Group(const Batch::Plan& shared) : plan(shared) {
+Batch::Group::Written::Written(const Batch::Plan& plan)
+    : buildings(static_cast<std::size_t>(plan.table.lanes), plan.nominal),
+      points(buildings.size(), plan.parameters.size()) {
+    std::ranges::fill(points.values, std::numeric_limits<double>::quiet_NaN());
+}
+
+Batch::Group::Group(const Batch::Plan& shared)
+    : Group(shared, std::make_shared<Written>(shared), std::nullopt) {}
+
+Batch::Group::Group(const Batch::Plan& shared, std::shared_ptr<Written> of_others,
+                    std::optional<Quantity> meter)
+    : plan(shared),
+      written(std::move(of_others)),
+      buildings(written->buildings),
+      meter_at_once(meter) {
     const int lanes = plan.table.lanes;
-    buildings.assign(static_cast<std::size_t>(lanes), plan.nominal);
     for (const ZonePlan& zone : plan.zones) zones.push_back(make_zone(zone, lanes));
     floor_share_ = LaneArray(zones.size(), lanes);
     const std::size_t steps = longest(plan.chunks);
@@ -46,10 +60,23 @@ Batch::Group::Group(const Batch::Plan& shared) : plan(shared) {
     shown_ = LaneArray(steps, lanes);
 }
 
+/// Parameters before the first that changes are at their values already.
+void Batch::Group::write_building(std::span<const double> point, std::size_t lane) {
+    const std::span<double> before = written->points.row(lane);
+    const auto is_same = [](double one, double other) {
+        return one == other && std::signbit(one) == std::signbit(other);
+    };
+    const auto first = static_cast<std::size_t>(
+        std::ranges::mismatch(point, before, is_same).in1 - point.begin());
+    apply(plan.nominal, std::span(plan.parameters).subspan(first), point.subspan(first),
+          buildings[lane]);
+    std::ranges::copy(point, before.begin());
+}
+
 void Batch::Group::write_lane(std::span<const double> point, int lane) {
     const int lanes = plan.table.lanes;
-    Building& building = buildings[static_cast<std::size_t>(lane)];
-    apply(plan.nominal, plan.parameters, point, building);
+    write_building(point, static_cast<std::size_t>(lane));
+    const Building& building = buildings[static_cast<std::size_t>(lane)];
     meter_is_made_.fill(false);
     mixed_is_of_.reset();
     for (std::size_t z = 0; z < zones.size(); ++z) {
@@ -63,7 +90,10 @@ void Batch::Group::write_lane(std::span<const double> point, int lane) {
 }
 
 void Batch::Group::copy_lane(int from, int to) {
-    buildings[static_cast<std::size_t>(to)] = buildings[static_cast<std::size_t>(from)];
+    const auto source = static_cast<std::size_t>(from),
+               target = static_cast<std::size_t>(to);
+    buildings[target] = buildings[source];
+    std::ranges::copy(written->points.row(source), written->points.row(target).begin());
     for (Zone& zone : zones)
         for (LaneArray* array : {&zone.regimes, &zone.rows, &zone.state})
             array->copy_lane(from, to);
@@ -73,6 +103,8 @@ void Batch::Group::copy_lane(int from, int to) {
 
 void Batch::Group::clear_lane(int lane) {
     buildings[static_cast<std::size_t>(lane)] = plan.nominal;
+    std::ranges::fill(written->points.row(static_cast<std::size_t>(lane)),
+                      std::numeric_limits<double>::quiet_NaN());
     for (Zone& zone : zones)
         for (LaneArray* array : {&zone.regimes, &zone.rows, &zone.state})
             array->clear_lane(lane);

@@ -49,7 +49,17 @@ struct Batch::Group {
         }
     };
 
+    /// The points of the lanes as buildings; groups may write theirs one after another.
+    struct Written {
+        explicit Written(const Batch::Plan& plan);
+        std::vector<Building> buildings;  ///< [lanes]
+        Matrix points;                    ///< [lanes x parameters] that they are at
+    };
+
     explicit Group(const Batch::Plan& shared);
+    /// One that writes into buildings of others, and reads this meter at once.
+    Group(const Batch::Plan& shared, std::shared_ptr<Written> buildings,
+          std::optional<Quantity> meter);
     /// One lane's coefficients and start. Throws std::domain_error where the point is
     /// impossible.
     void write_lane(std::span<const double> point, int lane);
@@ -70,11 +80,14 @@ struct Batch::Group {
                        int end);
 
     const Batch::Plan& plan;
-    std::vector<Building> buildings;  ///< [lanes] points written into the nominal
+    std::shared_ptr<Written> written;
+    std::vector<Building>& buildings;  ///< [lanes] points written into the nominal
+    std::optional<Quantity> meter_at_once;
     std::vector<Zone> zones;
     std::array<LaneArray, n_quantities> plain;  ///< of coupled buildings, over the period
 
   private:
+    void write_building(std::span<const double> point, std::size_t lane);
     void write_mixed(Quantity quantity);
 
     Network network_;                                 ///< scratch

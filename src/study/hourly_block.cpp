@@ -49,9 +49,10 @@ void for_chunks(std::size_t n_steps, Action action) {
 Company::Company(const physics::Batch& batch, physics::Quantity quantity)
     : batch_(&batch), quantity_(quantity), rows_(batch.parameters().size() + 2) {
     const std::size_t n_groups = sixteen / static_cast<std::size_t>(batch.lanes());
-    for (Groups& groups : rows_)
-        for (std::size_t k = 0; k < n_groups; ++k) groups.push_back(batch.make_group());
     for (std::size_t k = 0; k < n_groups; ++k) {
+        auto groups = batch.make_groups(rows_.size(), quantity);
+        for (std::size_t r = 0; r < rows_.size(); ++r)
+            rows_[r].push_back(std::move(groups[r]));
         a_.emplace_back(chunk_steps, batch.lanes());
         b_.emplace_back(chunk_steps, batch.lanes());
     }

@@ -110,6 +110,37 @@ TEST(Differences, FollowTheMeter) {
         std::span(plain).subspan(3 * 24 * static_cast<std::size_t>(batch.lanes()))));
 }
 
+Rows rows_of(const Batch& batch, int n_steps, Quantity quantity, Batch::Group& group) {
+    Rows rows(static_cast<std::size_t>(n_steps * batch.lanes()));
+    batch.warm_up(group);
+    batch.advance(group, 0, n_steps, quantity, rows.data());
+    return rows;
+}
+
+// Rows that differ in one parameter after another, as those of a Sobol design do.
+TEST(Differences, GroupsOfOneDesignAreAsGroupsOfTheirOwn) {
+    for (unsigned seed = 4; seed < 10; ++seed) {
+        const RandomCase made = random_case(seed);
+        const int n_steps = made.drive.n_steps() - made.drive.n_warm_up;
+        const Batch batch(made.building, made.parameters, made.drive);
+        const auto groups =
+            batch.make_groups(made.parameters.size() + 1, Quantity::electricity);
+        std::vector<Matrix> points(groups.size(), random_points(1, made.parameters, 1));
+        const Matrix other = random_points(2, made.parameters, 1);
+        for (std::size_t i = 0; i < made.parameters.size(); ++i)
+            points[i](0, i) = other(0, i);
+        for (std::size_t r = 0; r < groups.size(); ++r)
+            batch.prepare(points[r], 0, 1, *groups[r]);
+        for (std::size_t r = 0; r < groups.size(); ++r) {
+            const auto alone = batch.make_group();
+            batch.prepare(points[r], 0, 1, *alone);
+            EXPECT_EQ(rows_of(batch, n_steps, Quantity::electricity, *groups[r]),
+                      rows_of(batch, n_steps, Quantity::electricity, *alone))
+                << seed << " " << r;
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(RandomBuildings, DifferencesOfRandom, testing::Range(4U, 16U));
 
 }  // namespace
