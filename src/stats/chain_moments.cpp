@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bemcal::stats {
 
@@ -20,6 +21,7 @@ double variance_of(std::span<const double> values) {
 
 double covariance_of(std::span<const double> a, std::span<const double> b) {
     require(a.size() == b.size(), "a covariance needs as many of either");
+    if (a.size() < 2) return std::numeric_limits<double>::quiet_NaN();
     const double mean_a = mean_of(a), mean_b = mean_of(b);
     double sum = 0;
     for (std::size_t k = 0; k < a.size(); ++k) sum += (a[k] - mean_a) * (b[k] - mean_b);

@@ -11,6 +11,7 @@ namespace bemcal::stats {
 double mean_of(std::span<const double> values);
 /// With n - 1; NaN for fewer than two.
 double variance_of(std::span<const double> values);
+/// Likewise.
 double covariance_of(std::span<const double> a, std::span<const double> b);
 
 struct ChainMoments {

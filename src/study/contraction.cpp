@@ -9,8 +9,6 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
 namespace bemcal::study {
 namespace {
 
@@ -54,17 +52,11 @@ std::vector<double> column_of(const Matrix& draws, std::size_t column) {
     return values;
 }
 
-/// An end of the range, with the share of draws and of the prior in its neighbourhood.
-struct Edge {
-    const char* name;
-    double at, draws, prior;
-};
-
 template <class IsNear>
 Edge edge_at(const char* name, double at, double prior, const std::vector<double>& values,
              IsNear is_near) {
     const double n = static_cast<double>(std::ranges::count_if(values, is_near));
-    return {name, at, n / static_cast<double>(values.size()), prior};
+    return {name, at, values.empty() ? 0 : n / static_cast<double>(values.size()), prior};
 }
 
 /// The fuller end; a range that is open on one side is as wide as the prior's 90 %. A
@@ -81,87 +73,6 @@ Edge fuller_edge(const Coordinate& coordinate, const Belief& belief,
     const Edge upper = edge_at("upper", belief.most, 1 - prior.cdf(high), values,
                                [high](double x) { return x >= high; });
     return lower.draws >= upper.draws ? lower : upper;
-}
-
-/// What a finding is made of, beside the move's own numbers.
-struct Evidence {
-    const ParameterMove& move;
-    Edge edge;
-    const ContractionLimits& limits;
-};
-
-struct Rule {
-    Finding finding;
-    bool (*holds)(const Evidence&);
-    std::string (*words)(const Evidence&);
-};
-
-/// The first rule that holds gives the finding and its words.
-constexpr Rule rules[] = {
-    {Finding::at_edge,
-     [](const Evidence& e) {
-         return e.edge.draws >= e.limits.edge_share &&
-                e.edge.draws >= e.limits.edge_factor * e.edge.prior;
-     },
-     [](const Evidence& e) {
-         return fmt::format(
-             "at the {} end of its range ({:.0f} % of the draws are near {:.4g}): the "
-             "range "
-             "or the model is wrong",
-             e.edge.name, 100 * e.edge.draws, e.edge.at);
-     }},
-    {Finding::determined,
-     [](const Evidence& e) { return e.move.contraction >= e.limits.determined; },
-     [](const Evidence& e) {
-         return fmt::format(
-             "the data determine it: {:.0f} % of the prior's spread is left",
-             100 * e.move.posterior_sd / e.move.prior_sd);
-     }},
-    {Finding::confounded,
-     [](const Evidence& e) {
-         return std::abs(e.move.correlation) >= e.limits.correlation;
-     },
-     [](const Evidence& e) {
-         return fmt::format("the data cannot tell it apart from {} (correlation {:.2f})",
-                            e.move.partner, e.move.correlation);
-     }},
-    {Finding::wider,
-     [](const Evidence& e) { return e.move.contraction < e.limits.wider; },
-     [](const Evidence& e) {
-         return fmt::format(
-             "less certain than believed before ({:.0f} % of the prior's spread): prior "
-             "and "
-             "data disagree",
-             100 * e.move.posterior_sd / e.move.prior_sd);
-     }},
-    {Finding::as_before,
-     [](const Evidence& e) {
-         return e.move.contraction < e.limits.as_before &&
-                std::abs(e.move.shift) < e.limits.unmoved;
-     },
-     [](const Evidence&) {
-         return std::string("as believed before: the data say nothing");
-     }},
-    {Finding::moved,
-     [](const Evidence& e) { return e.move.contraction < e.limits.as_before; },
-     [](const Evidence& e) {
-         return fmt::format(
-             "moved by {:+.1f} of the prior's spread, but as uncertain as before",
-             e.move.shift);
-     }},
-    {Finding::narrowed, [](const Evidence&) { return true; },
-     [](const Evidence& e) {
-         return fmt::format("the data narrow it: {:.0f} % of the prior's spread is left",
-                            100 * e.move.posterior_sd / e.move.prior_sd);
-     }},
-};
-
-void judge(ParameterMove& move, const Edge& edge, const ContractionLimits& limits) {
-    const Evidence evidence{move, edge, limits};
-    const Rule* rule =
-        std::ranges::find_if(rules, [&](const Rule& r) { return r.holds(evidence); });
-    move.words = rule->words(evidence);
-    move.finding = rule->finding;
 }
 
 bool is_fixed(const Coordinate& coordinate) {
@@ -199,66 +110,86 @@ ParameterMove numbers_of(const Coordinate& coordinate, const Belief& belief,
     return move;
 }
 
-double correlation_of(const std::vector<double>& a, const std::vector<double>& b) {
-    const double scale = std::sqrt(stats::variance_of(a) * stats::variance_of(b));
-    return scale > 0 ? stats::covariance_of(a, b) / scale : nan;
+/// Minus the mean, over the sd; NaN where it does not vary.
+std::vector<double> standardised(std::vector<double> values) {
+    const double mean = stats::mean_of(values);
+    const double sd = std::sqrt(stats::variance_of(values));
+    for (double& value : values) value = (value - mean) / sd;
+    return values;
 }
 
-class Moves {
+double correlation_of(const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) sum += a[k] * b[k];
+    return sum / (static_cast<double>(a.size()) - 1);
+}
+
+/// Each coordinate's strongest correlation with another one that is not fixed.
+class Partners {
   public:
-    Moves(const std::vector<Coordinate>& coordinates, const Matrix& draws)
-        : coordinates_(coordinates) {
+    Partners(const std::vector<Coordinate>& coordinates, const Matrix& draws)
+        : best_(coordinates.size(), {0, nan}) {
         columns_.reserve(coordinates.size());
         for (std::size_t c = 0; c < coordinates.size(); ++c)
-            columns_.push_back(column_of(draws, c));
+            columns_.push_back(is_fixed(coordinates[c])
+                                   ? std::vector<double>(draws.rows, nan)
+                                   : standardised(column_of(draws, c)));
+        for (std::size_t a = 0; a < coordinates.size(); ++a)
+            for (std::size_t b = a + 1; b < coordinates.size(); ++b) compare(a, b);
     }
 
-    ParameterMove of(std::size_t c, const ContractionLimits& limits) const {
-        const Coordinate& coordinate = coordinates_[c];
-        if (is_fixed(coordinate)) return unmoved(coordinate);
-        const Belief belief(coordinate);
-        ParameterMove move = numbers_of(coordinate, belief, columns_[c]);
-        find_partner(c, move);
-        judge(move, fuller_edge(coordinate, belief, columns_[c], limits.edge_strip),
-              limits);
-        return move;
-    }
+    struct Partner {
+        std::size_t index;
+        double correlation;  ///< NaN: none
+    };
+    const Partner& of(std::size_t c) const { return best_[c]; }
 
   private:
-    void find_partner(std::size_t c, ParameterMove& move) const {
-        move.correlation = nan;
-        for (std::size_t other = 0; other < columns_.size(); ++other) {
-            if (other == c || is_fixed(coordinates_[other])) continue;
-            const double r = correlation_of(columns_[c], columns_[other]);
-            if (std::isnan(r) || std::abs(r) <= std::abs(move.correlation)) continue;
-            move.correlation = r;
-            move.partner = coordinates_[other].name;
-        }
+    void compare(std::size_t a, std::size_t b) {
+        const double r = correlation_of(columns_[a], columns_[b]);
+        if (std::isnan(r)) return;
+        if (!(std::abs(r) <= std::abs(best_[a].correlation))) best_[a] = {b, r};
+        if (!(std::abs(r) <= std::abs(best_[b].correlation))) best_[b] = {a, r};
     }
 
-    const std::vector<Coordinate>& coordinates_;
     std::vector<std::vector<double>> columns_;
+    std::vector<Partner> best_;
 };
 
-}  // namespace
-
-const char* name_of(Finding finding) {
-    constexpr const char* names[] = {"fixed", "at_edge",   "determined", "confounded",
-                                     "wider", "as_before", "moved",      "narrowed"};
-    return names[static_cast<int>(finding)];
+void judge_move(ParameterMove& move, const Edge& edge, const ContractionLimits& limits) {
+    const Statement statement =
+        judge({move.contraction, move.shift, move.posterior_sd / move.prior_sd,
+               move.partner, move.correlation, edge},
+              limits);
+    move.finding = statement.finding;
+    move.words = statement.words;
 }
+
+}  // namespace
 
 std::vector<ParameterMove> moves_of(const std::vector<Coordinate>& coordinates,
                                     const Matrix& draws,
                                     const ContractionLimits& limits) {
     require(draws.cols == coordinates.size(), "as many columns of draws as coordinates");
-    require(draws.rows > 1, "a posterior needs draws");
-    const Moves moves(coordinates, draws);
-    std::vector<ParameterMove> all;
-    all.reserve(coordinates.size());
-    for (std::size_t c = 0; c < coordinates.size(); ++c)
-        all.push_back(moves.of(c, limits));
-    return all;
+    const Partners partners(coordinates, draws);
+    std::vector<ParameterMove> moves;
+    moves.reserve(coordinates.size());
+    for (std::size_t c = 0; c < coordinates.size(); ++c) {
+        if (is_fixed(coordinates[c])) {
+            moves.push_back(unmoved(coordinates[c]));
+            continue;
+        }
+        const Belief belief(coordinates[c]);
+        const std::vector<double> values = column_of(draws, c);
+        ParameterMove& move =
+            moves.emplace_back(numbers_of(coordinates[c], belief, values));
+        const auto& [partner, correlation] = partners.of(c);
+        move.correlation = correlation;
+        if (!std::isnan(correlation)) move.partner = coordinates[partner].name;
+        judge_move(move, fuller_edge(coordinates[c], belief, values, limits.edge_strip),
+                   limits);
+    }
+    return moves;
 }
 
 }  // namespace bemcal::study

@@ -150,6 +150,15 @@ TEST(ParameterMoves, OfADiscreteParameterStartFromItsValues) {
     EXPECT_EQ(known.finding, Finding::determined);
 }
 
+TEST(ParameterMoves, AreUnknownOfTooFewDraws) {
+    for (const std::size_t n : {0U, 1U}) {
+        const ParameterMove move = moves_of({normal("n")}, Matrix(n, 1, 3.0))[0];
+        EXPECT_EQ(move.finding, Finding::unknown);
+        EXPECT_EQ(move.words, "too few draws to tell");
+        EXPECT_EQ(move.prior_mean, 10);
+    }
+}
+
 TEST(ParameterMoves, OfFixedParametersAreNone) {
     const Coordinate fixed{"f", "", {PriorKind::fixed, 3}}, single{"s", "", {}, {7}};
     const Matrix draws = draws_of({[](double) { return 3; }, [](double) { return 7; },
