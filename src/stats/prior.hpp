@@ -69,6 +69,8 @@ class PriorDensity {
     /// Of u, by u, on the real line of the prior's Transform: the Jacobian is in it.
     /// Exact also where x(u) is so near an end of its range that it is rounded to it.
     LogDensity on_the_line(double u) const;
+    /// The u of the quantile p, for starts: finite, also where x is rounded to an end.
+    double quantile_on_the_line(double p) const;
     const Transform& transform() const { return transform_; }
 
   private:

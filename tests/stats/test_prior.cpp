@@ -264,6 +264,25 @@ TEST(PriorDensities, AreExactWhereXIsRoundedToAnEnd) {
     EXPECT_NEAR(beta.on_the_line(700).derivative, -3, 1e-12);
 }
 
+TEST(PriorDensities, HaveTheirQuantilesOnTheLine) {
+    for (const Prior& prior : priors()) {
+        const PriorDensity density(prior);
+        for (const double p : {1e-3, 0.2, 0.7, 0.999})
+            EXPECT_NEAR(
+                prior.cdf(density.transform().at(density.quantile_on_the_line(p)).x), p,
+                1e-9)
+                << words(prior);
+        EXPECT_TRUE(std::isfinite(density.quantile_on_the_line(1e-17))) << words(prior);
+        EXPECT_TRUE(std::isfinite(density.quantile_on_the_line(1))) << words(prior);
+    }
+}
+
+// 1 - t = (1 - p)^10, so far from 1 as no double near 1 can be.
+TEST(PriorDensities, HaveQuantilesCloserToAnEndThanDoublesAre) {
+    const PriorDensity beta(Prior{PriorKind::beta, 1, 0.1, 0, 1});
+    EXPECT_NEAR(beta.quantile_on_the_line(0.99), 10 * std::log(100), 1e-9);
+}
+
 TEST(FixedPriors, HaveOneValue) {
     const Prior fixed{PriorKind::fixed, 3};
     EXPECT_EQ(fixed.mean(), 3);
