@@ -24,8 +24,8 @@ namespace bemcal::stats {
 struct ResidualOptions {
     bool autocorrelated = true;  ///< AR(1) in place of white
     bool discrepancy = false;    ///< and a share of Matern-3/2
-    /// The filter's gain is held once it has settled (again after each gap): with the
-    /// slow part alone; the value moves by less than 1e-6 of itself.
+    /// With discrepancy: the filter's gain is held once it has settled (again after each
+    /// gap).
     bool steady_state = true;
 };
 
