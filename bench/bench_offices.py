@@ -3,8 +3,9 @@
 its description and weather by what the other nine tell; gd_11 is predicted from all ten.
 
 Cooling + heating, hour by hour and by month, against the readings of both years: CV(RMSE) with the
-design values and after calibration, and the share of hours within the 90 % interval. The interval
-of the sum takes the two meters' errors as independent. Prints a table, then lines `name value unit
+design values and after calibration, and the share of hours within the 90 % interval: of all, and of
+those in which something was metered. The interval of the sum takes the two meters' errors as
+independent. Prints a table, then lines `name value unit
 reference ratio`, and writes gd_11.csv. Needs the readings in ../shared.
 
     bench_offices.py [--only gd_03 ...] [--csv FILE]
@@ -27,7 +28,8 @@ CASES = large_job.ROOT.parent / "shared" / "cases" / "guangdong_offices"
 OFFICES = [f"gd_{k:02d}" for k in range(1, 11)]
 KEPT_BACK = "gd_11"
 NOT_CONVERGED = 1  # of the program; its result is whole
-COLUMNS = ("office", "design hourly", "hourly", "design monthly", "monthly", "bias", "coverage")
+COLUMNS = ("office", "design hourly", "hourly", "design monthly", "monthly", "bias", "coverage",
+           "coverage > 0")
 
 
 def job_without(office, folder):
@@ -52,11 +54,12 @@ def run(job):
 
 
 def meter_of(file, office, meter):
-    """{leaf: series} of an office's meter in the training period."""
+    """{leaf: values} of an office's meter in the training period."""
     found = []
     file.visit(lambda path: found.append(path)
                if path.endswith(f"{office}/training/{meter}") else None)
-    return {leaf: values[:] for leaf, values in file[found[0]].items()}
+    return {leaf: values[:] for leaf, values in file[found[0]].items()
+            if isinstance(values, h5py.Dataset) and values.shape}
 
 
 def prediction(result, office):
@@ -95,7 +98,8 @@ def errors_of(predicted, readings):
     return [cv_rmse(predicted.nominal, readings), cv_rmse(mean, readings),
             cv_rmse(by_month(predicted.nominal), by_month(readings)),
             cv_rmse(by_month(mean), by_month(readings)),
-            100 * (mean.sum() / readings.sum() - 1), 100 * within.mean()]
+            100 * (mean.sum() / readings.sum() - 1), 100 * within.mean(),
+            100 * within[readings > 0].mean()]
 
 
 def leave_out(office):
@@ -114,7 +118,8 @@ def print_results(rows):
             ("offices_hourly_design", median[0], "%", 153.98),
             ("offices_monthly_design", median[2], "%", 33.13),
             ("offices_better_than_design", better, "offices", 8),
-            ("offices_coverage", median[5], "%", 90)):
+            ("offices_coverage", median[5], "%", 90),
+            ("offices_coverage_in_use", median[6], "%", 90)):
         print(f"{name} {value:.2f} {unit} {reference} {value / reference:.3f}")
 
 
