@@ -18,7 +18,8 @@ constexpr const char* of_posterior[] = {
     "gelman_rubin",   "rhat_split",    "rhat_rank",
     "ess_bulk",       "ess_tail",      "mcse_mean",
     "convergence",    "shortfall",     "target_rhat",
-    "target_ess"};
+    "target_ess",     "contraction",   "shift",
+    "range_share",    "data_finding",  "data_words"};
 /// Beside the studies of a building.
 constexpr const char* of_building[] = {"data"};
 /// Beside the periods of a screening: its datasets and dimensions. A test holds the list

@@ -1,5 +1,4 @@
-/// A posterior's tables, from its stored draws and predictions alone.
-#include "report/fit_series.hpp"
+/// A posterior's tables, from its stored draws alone.
 #include "report/sections.hpp"
 #include "report/text_table.hpp"
 #include "stats/convergence.hpp"
@@ -109,9 +108,8 @@ std::string convergence_line(const Group& study, const std::vector<Unknown>& unk
     const double most = study.value("target_rhat"), least = study.value("target_ess");
     const bool is_reached = is_defined && rhat <= most && ess >= least;
     return fmt::format(
-        "{}: {} chains of {} draws, rank R-hat at most {} (target {}), effective draws "
-        "at "
-        "least {} (target {:.0f})\n",
+        "{}: {} chains of {} draws\n  rank R-hat at most {} (target {}), effective draws "
+        "at least {} (target {:.0f})\n",
         is_reached ? "converged" : "NOT CONVERGED", unknowns[0].n_chains,
         unknowns[0].n_draws, is_defined ? fixed(rhat, 3) : "undefined", in_short(most),
         fixed(ess, 0), least);
@@ -123,30 +121,40 @@ std::string plus_minus(double mean, double sd) {
 }
 
 std::string estimates_table(const std::vector<Unknown>& unknowns) {
-    TextTable table(
-        {"unknown", "unit", "prior", "posterior", "5 %", "50 %", "95 %", "contraction"});
+    TextTable table({"unknown", "unit", "prior", "posterior", "5 %", "50 %", "95 %"});
     for (const Unknown& unknown : unknowns) {
         const stats::Convergence& c = unknown.convergence;
         if (unknown.name == "log_density") continue;
-        table.add(
-            {unknown.name, unknown.unit, plus_minus(unknown.prior.mean, unknown.prior.sd),
-             plus_minus(c.mean, c.sd), in_short(quantile(unknown.sorted, 0.05)),
-             in_short(quantile(unknown.sorted, 0.5)),
-             in_short(quantile(unknown.sorted, 0.95)), percent(unknown.contraction())});
+        table.add({unknown.name, unknown.unit,
+                   plus_minus(unknown.prior.mean, unknown.prior.sd),
+                   plus_minus(c.mean, c.sd), in_short(quantile(unknown.sorted, 0.05)),
+                   in_short(quantile(unknown.sorted, 0.5)),
+                   in_short(quantile(unknown.sorted, 0.95))});
     }
     return table.text(24);
 }
 
 std::string chains_table(const std::vector<Unknown>& unknowns) {
     TextTable table({"unknown", "R", "split R-hat", "rank R-hat", "ESS bulk", "ESS tail",
-                     "MCSE mean", "MCSE sd"});
+                     "MCSE mean", "MCSE sd", "contracts"});
     for (const Unknown& unknown : unknowns) {
         const stats::Convergence& c = unknown.convergence;
         table.add({unknown.name, fixed(c.gelman_rubin, 3), fixed(c.rhat_split, 3),
                    fixed(c.rhat_rank, 3), fixed(c.ess_bulk, 0), fixed(c.ess_tail, 0),
-                   in_short(c.mcse_mean), in_short(c.mcse_sd)});
+                   in_short(c.mcse_mean), in_short(c.mcse_sd),
+                   percent(unknown.contraction())});
     }
     return table.text(32);
+}
+
+/// What the data could tell of each unknown, in words.
+std::string words(const Group& study) {
+    const auto &names = study.texts("unknown"), &sentences = study.texts("data_words");
+    std::string text;
+    for (std::size_t u = 0; u < std::min(names.size(), sentences.size()); ++u)
+        if (!sentences[u].empty())
+            text += fmt::format("  {}: {}\n", names[u], sentences[u]);
+    return text;
 }
 
 std::string divergence_line(const Group& study) {
@@ -159,105 +167,13 @@ std::string divergence_line(const Group& study) {
         n);
 }
 
-/// A meter in a period: before and after.
-struct Prediction {
-    std::string place;  ///< "training/gas"
-    FitSeries nominal, posterior;
-    std::vector<double> q05, q95;
-};
-
-Prediction prediction_of(const Group& meter, std::string place) {
-    Prediction prediction{std::move(place), {}, {}, {}, {}};
-    FitSeries series{meter.values("time"), meter.values("nominal"),
-                     meter.values("measured"), meter.unit("measured") == "degC"};
-    prediction.nominal = series;
-    series.simulated = meter.values("predicted_mean");
-    prediction.posterior = std::move(series);
-    prediction.q05 = meter.values("predicted_q05");
-    prediction.q95 = meter.values("predicted_q95");
-    return prediction;
-}
-
-bool is_whole(const Prediction& prediction) {
-    const std::size_t n = prediction.nominal.begins.size();
-    return n > 0 && prediction.nominal.simulated.size() == n &&
-           prediction.nominal.measured.size() == n &&
-           prediction.posterior.simulated.size() == n;
-}
-
-std::vector<Prediction> predictions_of(const Group& study) {
-    std::vector<Prediction> predictions;
-    for (const Group& meter : study.groups_below("predicted_mean")) {
-        Prediction prediction =
-            prediction_of(meter, meter.path().substr(study.path().size() + 1));
-        if (is_whole(prediction)) predictions.push_back(std::move(prediction));
-    }
-    return predictions;
-}
-
-/// "12.3 -> 4.5"
-std::string change(double before, double after) {
-    return fmt::format("{:>6} -> {:>5}", fixed(100 * before, 1), fixed(100 * after, 1));
-}
-
-void add_fit(TextTable& table, const std::string& place, const char* interval,
-             const stats::FitMetrics& before, const stats::FitMetrics& after,
-             stats::Resolution resolution) {
-    const auto word = [&](const stats::FitMetrics& metrics) {
-        return meets_guideline_14(metrics, resolution) ? "yes" : "no";
-    };
-    table.add({place, interval, in_short(after.n), change(before.cv_rmse, after.cv_rmse),
-               change(before.nmbe, after.nmbe),
-               fmt::format("{:>3} -> {}", word(before), word(after))});
-}
-
-void add_fits(TextTable& table, const Prediction& p) {
-    const stats::Resolution own = resolution_of(p.nominal);
-    add_fit(table, p.place, interval_name(p.nominal),
-            stats::metrics_of(p.nominal.simulated, p.nominal.measured),
-            stats::metrics_of(p.posterior.simulated, p.posterior.measured), own);
-    if (own == stats::Resolution::monthly) return;
-    if (shortest_interval(p.nominal) < 86400)
-        add_fit(table, p.place, "daily", metrics_by(Calendar::day, p.nominal),
-                metrics_by(Calendar::day, p.posterior), stats::Resolution::hourly);
-    add_fit(table, p.place, "monthly", metrics_by(Calendar::month, p.nominal),
-            metrics_by(Calendar::month, p.posterior), stats::Resolution::monthly);
-}
-
-std::string fit_table(const std::vector<Prediction>& predictions) {
-    TextTable table(
-        {"as described -> posterior mean", "", "n", "CV(RMSE) %", "NMBE %", "G14"});
-    for (const Prediction& prediction : predictions) add_fits(table, prediction);
-    return table.is_empty() ? std::string() : table.text(40);
-}
-
-/// Readings within the 90 % intervals, and the intervals' mean width.
-std::string coverage_table(const std::vector<Prediction>& predictions) {
-    TextTable table({"90 % intervals", "readings", "within", "mean width"});
-    for (const Prediction& p : predictions) {
-        const auto& measured = p.nominal.measured;
-        if (p.q05.size() != measured.size() || p.q95.size() != measured.size()) continue;
-        double n = 0, n_within = 0, width = 0;
-        for (std::size_t k = 0; k < measured.size(); ++k) {
-            if (std::isnan(measured[k])) continue;
-            n += 1;
-            n_within += measured[k] >= p.q05[k] && measured[k] <= p.q95[k];
-            width += p.q95[k] - p.q05[k];
-        }
-        table.add({p.place, in_short(n), percent(n > 0 ? n_within / n : nan),
-                   in_short(n > 0 ? width / n : nan)});
-    }
-    return table.is_empty() ? std::string() : table.text(40);
-}
-
 }  // namespace
 
 std::string posterior_section(const Group& study) {
     const std::vector<Unknown> unknowns = unknowns_of(study);
-    const std::vector<Prediction> predictions = predictions_of(study);
     return fmt::format("\n{}: {}", study.path(), convergence_line(study, unknowns)) +
            estimates_table(unknowns) + chains_table(unknowns) + divergence_line(study) +
-           fit_table(predictions) + coverage_table(predictions) + failure_lines(study);
+           words(study) + validation_tables(study) + failure_lines(study);
 }
 
 }  // namespace bemcal::report

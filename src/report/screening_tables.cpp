@@ -1,8 +1,11 @@
-#include "report/fit_series.hpp"
+#include "physics/calendar.hpp"
 #include "report/sections.hpp"
 #include "report/text_table.hpp"
+#include "stats/metrics.hpp"
 
+#include <chrono>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -11,14 +14,61 @@ namespace {
 
 using stats::FitMetrics;
 
-FitSeries series_of(const Group& meter, std::size_t candidate, bool is_mean) {
-    FitSeries series{meter.values("time"), {}, meter.values("measured"), is_mean};
+/// A meter over a period as it is stored, with one of the candidates.
+struct Series {
+    std::vector<double> begins, simulated, measured;
+    bool is_mean = false;  ///< a temperature: months are means, not sums
+};
+
+Series series_of(const Group& meter, std::size_t candidate, bool is_mean) {
+    Series series{meter.values("time"), {}, meter.values("measured"), is_mean};
     const auto& both = meter.values("simulated");
     const std::size_t n = series.begins.size();
     if (both.size() < (candidate + 1) * n) return {};
     const auto first = both.begin() + static_cast<std::ptrdiff_t>(candidate * n);
     series.simulated.assign(first, first + static_cast<std::ptrdiff_t>(n));
     return series;
+}
+
+std::pair<int, int> month_of(double seconds_since_1970) {
+    const auto step = physics::calendar_step(physics::Seconds(
+        std::chrono::seconds(static_cast<long long>(seconds_since_1970))));
+    return {step.year, step.month};
+}
+
+/// Over the intervals of each month that have a reading; the calendar's months.
+FitMetrics monthly_metrics(const Series& series) {
+    struct Sums {
+        double simulated = 0, measured = 0, n = 0;
+    };
+    std::map<std::pair<int, int>, Sums> months;
+    for (std::size_t k = 0; k < series.begins.size(); ++k) {
+        if (std::isnan(series.measured[k])) continue;
+        Sums& sums = months[month_of(series.begins[k])];
+        sums.simulated += series.simulated[k];
+        sums.measured += series.measured[k];
+        sums.n += 1;
+    }
+    std::vector<double> simulated, measured;
+    for (const auto& [month, sums] : months) {
+        simulated.push_back(sums.simulated / (series.is_mean ? sums.n : 1));
+        measured.push_back(sums.measured / (series.is_mean ? sums.n : 1));
+    }
+    return stats::metrics_of(simulated, measured);
+}
+
+double shortest_interval(const Series& series) {
+    return series.begins.size() < 2 ? 0 : series.begins[1] - series.begins[0];
+}
+
+const char* interval_name(const Series& series) {
+    const double seconds = shortest_interval(series);
+    return seconds <= 0           ? "once"
+           : seconds < 3600       ? "steps"
+           : seconds < 7200       ? "hourly"
+           : seconds < 2 * 86400  ? "daily"
+           : seconds < 40 * 86400 ? "monthly"
+                                  : "annual";
 }
 
 /// "12.3 -> 4.5 %"
@@ -52,16 +102,18 @@ void add_meter(TextTable& table, const Group& study, const std::string& period,
     const std::string& name = study.texts("meter")[meter];
     const bool is_mean = study.texts("meter_unit")[meter] == "degC";
     const Group group = study.inner(period).inner(name);
-    const FitSeries nominal = series_of(group, 0, is_mean),
-                    best = series_of(group, 1, is_mean);
+    const Series nominal = series_of(group, 0, is_mean),
+                 best = series_of(group, 1, is_mean);
     if (nominal.begins.empty()) return;
-    const stats::Resolution own = resolution_of(nominal);
+    const bool is_finer =
+        shortest_interval(nominal) < 27 * 86400 && nominal.begins.size() > 1;
+    const auto own = is_finer ? stats::Resolution::hourly : stats::Resolution::monthly;
     add_row(table, period, name, interval_name(nominal),
             stats::metrics_of(nominal.simulated, nominal.measured),
             stats::metrics_of(best.simulated, best.measured), own);
-    if (own == stats::Resolution::hourly)
-        add_row(table, period, name, "monthly", metrics_by(Calendar::month, nominal),
-                metrics_by(Calendar::month, best), stats::Resolution::monthly);
+    if (is_finer)
+        add_row(table, period, name, "monthly", monthly_metrics(nominal),
+                monthly_metrics(best), stats::Resolution::monthly);
 }
 
 std::string fit_table(const Group& study) {

@@ -24,6 +24,10 @@ std::string screening_section(const Group& study);
 /// readings lie within its intervals. Convergence is computed again from the draws.
 std::string posterior_section(const Group& study);
 
+/// Errors before and after at every interval, with ASHRAE Guideline 14, in training, in
+/// what was held out of it, and in the other periods; coverage of the 90 % intervals.
+std::string validation_tables(const Group& study);
+
 /// What was found in a building's data, and what was done about it.
 std::string decision_section(const Group& data);
 

@@ -40,7 +40,7 @@ TEST(Layout, NoPeriodMayBeCalledAsWhatAScreeningStores) {
     };
     check(at("parameter"), at("failed_reason"));
     check(at("meter"), at("n_points"));
-    check(at("unknown"), at("target_ess"));
+    check(at("unknown"), at("data_words"));
     EXPECT_EQ(job::refusal_of_name(job::Named::period, "heating"), "");
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -192,10 +193,11 @@ ResultFile posterior_example() {
 TEST(ResultFile, AUnitOfTheDatasetsOwnIsWrittenAndReadAgain) {
     const test::TemporaryFolder folder;
     write_result(folder / "a.h5", posterior_example());
-    for (const auto& dataset : read_result(folder / "a.h5").datasets) {
-        if (dataset.path.ends_with("posterior/U_wall")) EXPECT_EQ(dataset.unit, "W/K");
-        if (dataset.path.ends_with("lp")) EXPECT_EQ(dataset.unit, "1");
-    }
+    std::map<std::string, std::string> units;
+    for (const auto& dataset : read_result(folder / "a.h5").datasets)
+        units[dataset.path] = dataset.unit;
+    EXPECT_EQ(units["office/posterior/posterior/U_wall"], "W/K");
+    EXPECT_EQ(units["office/posterior/sample_stats/lp"], "1");
 }
 
 TEST(ResultFile, XarrayAndArvizOpenAPosteriorsGroups) {
