@@ -147,11 +147,11 @@ double most_simulations(const StudySpec& study, const Job& job, const Stage& sta
            simulations_per_transition(study, job.buildings.at(0));
 }
 
-/// A posterior's stage keeps the answers of all its rounds.
+/// A posterior keeps the answers of all its rounds; the first one is the warm-up.
 double rounds_of(const StudySpec& study) {
     if (study.kind != StudyKind::posterior) return 1;
     const study::ChainOptions& chains = study.posterior.chains;
-    return std::ceil(static_cast<double>(chains.most_draws) / chains.draws_per_round);
+    return 1 + std::ceil(static_cast<double>(chains.most_draws) / chains.draws_per_round);
 }
 
 double seconds_of(const StudySpec& study, const Case* building, double n) {

@@ -7,7 +7,6 @@
 #include <functional>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace bemcal::job {
 
@@ -51,16 +50,12 @@ void read_chains(const Section& section, study::ChainOptions& chains) {
                         chains.most_draws, chains.draws_per_round));
 }
 
-std::string names_of(const std::vector<std::string>& names) {
-    return fmt::format("{}", fmt::join(names, ", "));
-}
-
 /// A word that must be one of some names.
 void check_word(const Section& section, std::string_view key, const std::string& word,
                 const std::vector<std::string>& names, const std::string& what) {
     if (std::ranges::find(names, word) != names.end()) return;
-    section.fail(key, fmt::format("\"{}\" is no {}{}; expected some of {}", word, what,
-                                  suggestion(word, names), names_of(names)));
+    section.fail(key,
+                 fmt::format("\"{}\" is no {}{}", word, what, suggestion(word, names)));
 }
 
 bool has_reading(const Case& building, const study::Period& period,
