@@ -2,8 +2,7 @@
 /// gains and set-points that it was made of.
 #include "physics/affine_adjoint.hpp"
 
-#include "physics/network_adjoint.hpp"
-#include "physics/regime.hpp"
+#include "physics/regime_adjoint.hpp"
 #include "physics/step_map_adjoint.hpp"
 
 namespace bemcal::physics {
@@ -20,129 +19,6 @@ struct Columns {
         return value;
     }
 };
-
-/// A regime with the adjoints of what it is made of. The functions without a result add
-/// the adjoint g of the regime's function of the same name to the form's and the others.
-struct RegimeBack {
-    const Regime& regime;
-    PlaceBack place;
-    Network& of_network;
-    StepMap of_map{};
-    RadiantSplit of_split{0, 0};
-    Control of_control{0, 0, 0, 0};
-
-    void per_sol(const LinearForm& form, double g, LinearForm& of_form) {
-        of_form[Term::phi_st] += g * regime.split.to_st;
-        of_form[Term::phi_m] += g * regime.split.to_m;
-        of_split.to_st += g * form[Term::phi_st];
-        of_split.to_m += g * form[Term::phi_m];
-    }
-
-    void per_int(const LinearForm& form, double g, LinearForm& of_form) {
-        of_form[Term::phi_ia] += 0.5 * g;
-        per_sol(form, 0.5 * g, of_form);
-    }
-
-    void per_temperature(const LinearForm& form, std::size_t at, double g,
-                         LinearForm& of_form) {
-        of_form[Term::theta_em] += g * regime.network.em_share[at];
-        of_form[Term::theta_sup] += g * regime.network.ve_share[at];
-        of_network.em_share[at] += g * form[Term::theta_em];
-        of_network.ve_share[at] += g * form[Term::theta_sup];
-    }
-
-    void fixed(const LinearForm& form, double g, LinearForm& of_form) {
-        per_sol(form, -g * regime.network.phi_sky, of_form);
-        of_network.phi_sky -= g * regime.per_sol(form);
-        for (std::size_t b = 0; b < regime.building.boundaries.size(); ++b) {
-            const Input& theta = regime.building.boundaries[b].temperature;
-            Input& of_theta = place.of_building.boundaries[b].temperature;
-            const bool varies = theta.profile >= 0;
-            per_temperature(form, b + 1, g * (varies ? theta.low : theta.value), of_form);
-            (varies ? of_theta.low : of_theta.value) +=
-                g * regime.per_temperature(form, b + 1);
-        }
-    }
-};
-
-/// value - low times a factor.
-void pull_span(double of_span, Input& of_input) {
-    of_input.value += of_span;
-    of_input.low -= of_span;
-}
-
-/// Of per_load_driver.
-void pull_load_driver(RegimeBack& back, int profile, double of_gain) {
-    const Zone& zone = back.regime.zone;
-    const double A_f = back.regime.network.A_f;
-    for (std::size_t k = 0; k < zone.loads.size(); ++k) {
-        const Load& load = zone.loads[k];
-        if (load.density.profile != profile) continue;
-        Load& of_load = back.place.of_here().loads[k];
-        const double span = span_of(load.density);
-        pull_span(of_gain * A_f * load.heat_fraction, of_load.density);
-        of_load.heat_fraction += of_gain * A_f * span;
-        back.of_network.A_f += of_gain * span * load.heat_fraction;
-    }
-}
-
-/// Of tabled_gain.
-void pull_tabled_gain(RegimeBack& back, int step, double of_gain) {
-    const Regime& regime = back.regime;
-    const double A_f = regime.network.A_f;
-    for (std::size_t k = 0; k < regime.zone.loads.size(); ++k) {
-        const Load& load = regime.zone.loads[k];
-        Load& of_load = back.place.of_here().loads[k];
-        const bool only_low = is_driver(regime.plan, load.density);
-        const double density =
-            only_low ? load.density.low : regime.drive.at(load.density, step);
-        const double of_density = of_gain * A_f * load.heat_fraction;
-        if (only_low)
-            of_load.density.low += of_density;
-        else
-            pull_input(load.density, regime.drive, step, of_density, of_load.density);
-        of_load.heat_fraction += of_gain * A_f * density;
-        back.of_network.A_f += of_gain * density * load.heat_fraction;
-    }
-}
-
-/// Calls each(weight of a form per value of the driver, its way back) for every driver
-/// but an imposed power, as for_drivers of affine.cpp.
-template <class Each>
-void for_drivers(RegimeBack& back, Each each) {
-    const Regime& regime = back.regime;
-    each(
-        [&](const LinearForm& form) {
-            return regime.per_temperature(form, 0) + form[Term::theta_e];
-        },
-        [&](const LinearForm& form, double g, LinearForm& of_form) {
-            back.per_temperature(form, 0, g, of_form);
-            of_form[Term::theta_e] += g;
-        });
-    for (int boundary : regime.plan.boundary_drivers) {
-        const auto b = static_cast<std::size_t>(boundary);
-        const double span = span_of(regime.building.boundaries[b].temperature);
-        Input& of_theta = back.place.of_building.boundaries[b].temperature;
-        each(
-            [&](const LinearForm& form) {
-                return span * regime.per_temperature(form, b + 1);
-            },
-            [&](const LinearForm& form, double g, LinearForm& of_form) {
-                back.per_temperature(form, b + 1, g * span, of_form);
-                pull_span(g * regime.per_temperature(form, b + 1), of_theta);
-            });
-    }
-    for (int profile : regime.plan.load_drivers) {
-        const double gain = per_load_driver(regime, profile);
-        double of_gain = 0;
-        each([&](const LinearForm& form) { return gain * regime.per_int(form); },
-             [&](const LinearForm& form, double g, LinearForm& of_form) {
-                 back.per_int(form, g * gain, of_form);
-                 of_gain += g * regime.per_int(form);
-             });
-        pull_load_driver(back, profile, of_gain);
-    }
-}
 
 void pull_apertures(RegimeBack& back, Columns& columns) {
     for (int plane : back.regime.plan.planes)

@@ -24,10 +24,12 @@ struct Written {
 };
 
 struct Response::Plan {
+    Plan(const Batch& of_batch, std::vector<Channel> wanted);
+
     const Batch& batch;
     const Batch::Plan& shared;
     std::vector<Channel> channels;
-    std::vector<ChannelPlan> of_channels;
+    std::vector<ChannelPlan> of_channels{};
     std::vector<Span> stretches;  ///< warm-up and period in pieces that fit the cache
     std::vector<Written> written;
     Building zeros;  ///< adjoints to start from

@@ -1,0 +1,75 @@
+/// The way back from a regime's linear forms and gains to the building: what
+/// affine_adjoint.cpp needs for its columns.
+#pragma once
+
+#include "physics/network_adjoint.hpp"
+#include "physics/regime.hpp"
+
+namespace bemcal::physics {
+
+/// A regime with the adjoints of what it is made of. The functions add the adjoint g of
+/// the regime's function of the same name to the form's and to the others.
+struct RegimeBack {
+    const Regime& regime;
+    PlaceBack place;
+    Network& of_network;
+    StepMap of_map{};
+    RadiantSplit of_split{0, 0};
+    Control of_control{0, 0, 0, 0};
+
+    void per_sol(const LinearForm& form, double g, LinearForm& of_form);
+    void per_int(const LinearForm& form, double g, LinearForm& of_form);
+    void per_temperature(const LinearForm& form, std::size_t at, double g,
+                         LinearForm& of_form);
+    void fixed(const LinearForm& form, double g, LinearForm& of_form);
+};
+
+/// Of value - low.
+inline void pull_span(double of_span, Input& of_input) {
+    of_input.value += of_span;
+    of_input.low -= of_span;
+}
+
+/// Of per_load_driver and tabled_gain (regime.hpp).
+void pull_load_driver(RegimeBack& back, int profile, double of_gain);
+void pull_tabled_gain(RegimeBack& back, int step, double of_gain);
+
+/// Calls each(weight of a form per value of the driver, its way back) for every driver
+/// but an imposed power, as for_drivers of affine.cpp.
+template <class Each>
+void for_drivers(RegimeBack& back, Each each) {
+    const Regime& regime = back.regime;
+    each(
+        [&](const LinearForm& form) {
+            return regime.per_temperature(form, 0) + form[Term::theta_e];
+        },
+        [&](const LinearForm& form, double g, LinearForm& of_form) {
+            back.per_temperature(form, 0, g, of_form);
+            of_form[Term::theta_e] += g;
+        });
+    for (int boundary : regime.plan.boundary_drivers) {
+        const auto b = static_cast<std::size_t>(boundary);
+        const double span = span_of(regime.building.boundaries[b].temperature);
+        Input& of_theta = back.place.of_building.boundaries[b].temperature;
+        each(
+            [&](const LinearForm& form) {
+                return span * regime.per_temperature(form, b + 1);
+            },
+            [&](const LinearForm& form, double g, LinearForm& of_form) {
+                back.per_temperature(form, b + 1, g * span, of_form);
+                pull_span(g * regime.per_temperature(form, b + 1), of_theta);
+            });
+    }
+    for (int profile : regime.plan.load_drivers) {
+        const double gain = per_load_driver(regime, profile);
+        double of_gain = 0;
+        each([&](const LinearForm& form) { return gain * regime.per_int(form); },
+             [&](const LinearForm& form, double g, LinearForm& of_form) {
+                 back.per_int(form, g * gain, of_form);
+                 of_gain += g * regime.per_int(form);
+             });
+        pull_load_driver(back, profile, of_gain);
+    }
+}
+
+}  // namespace bemcal::physics
