@@ -1,0 +1,95 @@
+/// [[meter]]: readings in several files, and meters without any.
+#include "job/small_office.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+namespace bemcal::job {
+namespace {
+
+constexpr const char* file_key = "file = \"measured.csv\"\ncolumn = \"elec_kWh\"\n";
+
+/// The head of the sample's readings and rows [from, to).
+std::string rows(std::size_t from, std::size_t to) {
+    std::istringstream lines(small_readings());
+    std::string line, text;
+    for (std::size_t k = 0; std::getline(lines, line); ++k)
+        if (k == 0 || (k > from && k <= to)) text += line + "\n";
+    return text;
+}
+
+std::string with_files(const std::string& files) {
+    return replaced(small_office_text(), file_key,
+                    "file = " + files + "\ncolumn = \"elec_kWh\"\n");
+}
+
+bool same(const std::vector<double>& a, const std::vector<double>& b) {
+    return std::ranges::equal(a, b, [](double x, double y) {
+        return x == y || (std::isnan(x) && std::isnan(y));
+    });
+}
+
+TEST(MeterFiles, TwoFilesAreReadAsTheOneTheyWereCutFrom) {
+    const Folder folder;
+    const Job whole = read_job(write_small_office(folder));
+    folder.write("a.csv", rows(0, 700));
+    folder.write("b.csv", rows(700, 2000));
+    const Job cut =
+        read_job(write_small_office(folder, with_files("[\"a.csv\", \"b.csv\"]")));
+    const study::Meter &one = whole.buildings[0].meters[0],
+                       &two = cut.buildings[0].meters[0];
+    EXPECT_EQ(one.axis.start, two.axis.start);
+    EXPECT_TRUE(same(one.values, two.values));
+}
+
+TEST(MeterFiles, WhatLiesBetweenTwoFilesIsMissing) {
+    const Folder folder;
+    folder.write("a.csv", rows(0, 700));
+    folder.write("b.csv", rows(705, 2000));
+    const Job job =
+        read_job(write_small_office(folder, with_files("[\"a.csv\", \"b.csv\"]")));
+    const std::vector<double>& values = job.buildings[0].meters[0].values;
+    EXPECT_EQ(values.size(), 24 * 59);
+    EXPECT_FALSE(std::isnan(values[699]));
+    EXPECT_TRUE(std::all_of(values.begin() + 700, values.begin() + 705,
+                            [](double v) { return std::isnan(v); }));
+    EXPECT_FALSE(std::isnan(values[705]));
+}
+
+TEST(MeterFiles, FilesThatOverlapAreRefusedByName) {
+    const Folder folder;
+    folder.write("a.csv", rows(0, 700));
+    folder.write("b.csv", rows(699, 2000));
+    ExitCode exit_code = ExitCode::usage;
+    const std::string message = message_of(
+        write_small_office(folder, with_files("[\"a.csv\", \"b.csv\"]")), &exit_code);
+    EXPECT_NE(message.find("b.csv: begins at 2021-01-30 03:00:00, before the end of the "
+                           "file before it, 2021-01-30 04:00:00"),
+              std::string::npos)
+        << message;
+    EXPECT_EQ(exit_code, ExitCode::data);
+}
+
+TEST(MeterFiles, AMeterWithoutAFileIsPredictedOnly) {
+    const Folder folder;
+    std::string text = replaced(small_office_text(), file_key, "");
+    text = replaced(text, "unit = \"kWh\"\nstamp = \"end\"\nmask", "unit = \"kWh\"\n#");
+    const Job job = read_job(write_small_office(folder, text));
+    const study::Meter& meter = job.buildings[0].meters[0];
+    EXPECT_EQ(meter.axis.start, job.buildings[0].periods[0].from);
+    EXPECT_FALSE(meter.values.empty());
+    EXPECT_TRUE(
+        std::ranges::all_of(meter.values, [](double v) { return std::isnan(v); }));
+}
+
+TEST(MeterFiles, AFileNeedsItsColumn) {
+    const Folder folder;
+    const std::string text =
+        replaced(small_office_text(), file_key, "file = \"measured.csv\"\n");
+    EXPECT_NE(message_of(write_small_office(folder, text)).find("column"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace bemcal::job
