@@ -1,5 +1,7 @@
 #include "report/merge_chains.hpp"
 
+#include "store/layout.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 #include <string>
@@ -15,11 +17,11 @@ std::string attribute(const ResultFile& result, const char* name) {
     return found == result.attributes.end() ? std::string() : found->second;
 }
 
+/// Draws of the chains, or numbers of the sampler; not those of the prior.
 bool is_of_chains(const Dataset& dataset) {
-    const std::string& path = dataset.path;
+    const std::string group = store::leaf_of(store::group_of(dataset.path));
     return dataset.dims == std::vector<std::string>{"chain", "draw"} &&
-           (path.find("/posterior/") != std::string::npos ||
-            path.find("/sample_stats/") != std::string::npos);
+           (group == "posterior" || group == "sample_stats");
 }
 
 /// Numbers of chains, [first, end).

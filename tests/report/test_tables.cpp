@@ -246,6 +246,10 @@ TEST(MergeChains, PutsOtherChainsOfOneJobTogetherAndNoOthers) {
     const auto merged = merge_chains({posterior_result(0), second, third, other});
     ASSERT_EQ(merged.size(), 3U);
     EXPECT_NE(tables_of(merged[0]).find("4 chains of 500 draws"), std::string::npos);
+    for (const Dataset& dataset : merged[0].datasets)
+        if (dataset.path.ends_with("prior/U_wall")) {
+            EXPECT_EQ(dataset.shape[0], 1U);
+        }
     EXPECT_NE(tables_of(merged[1]).find("2 chains of 500 draws"), std::string::npos);
 }
 
