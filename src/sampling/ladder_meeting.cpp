@@ -53,6 +53,7 @@ void Ladder::plan_tunings() {
 
 void Ladder::tune_temperatures() {
     std::vector<double> inverse_temperatures;
+    inverse_temperatures.reserve(walkers_.size());
     for (const Walker& walker : walkers_)
         inverse_temperatures.push_back(walker.inverse_temperature);
     inverse_temperatures = equalised(inverse_temperatures, refused_);
