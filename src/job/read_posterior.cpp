@@ -78,6 +78,7 @@ const study::Period& period_of(const Case& building, const std::string& name) {
 void check_meters(const Section& section, const PosteriorOptions& options,
                   const Case& building) {
     std::vector<std::string> names;
+    names.reserve(building.meters.size());
     for (const study::Meter& meter : building.meters) names.push_back(meter.name);
     const study::Period& period = period_of(building, options.period);
     for (const std::string& meter : options.meters) {
@@ -108,6 +109,7 @@ void check_parameter_names(const Section& section, const Case& building) {
 void check_unseen(const Section& section, const PosteriorOptions& options,
                   const std::vector<Case>& buildings) {
     std::vector<std::string> names;
+    names.reserve(buildings.size());
     for (const Case& building : buildings) names.push_back(building.name);
     for (const std::string& name : options.unseen)
         check_word(section, "unseen", name, names, "building of this job");

@@ -33,7 +33,7 @@ std::vector<Part> parts_of(const Group& study) {
         const std::string place = path.substr(study.path().size() + 1);
         const Group meter = study.inner(place);
         if (name != "all")
-            parts.push_back({meter, part, place + " " + name});
+            parts.push_back({meter, part, fmt::format("{} {}", place, name)});
         else if (!meter.inner("training").has("validation_fit"))
             parts.push_back({meter, part, place});
     }

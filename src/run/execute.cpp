@@ -220,7 +220,7 @@ class Execution {
 
     Outcome finish() {
         spent_.n_threads = threads_.n_threads;
-        spent_.log = log_->seconds();
+        if (log_) spent_.log = log_->seconds();
         result_.run["items_resumed"] = std::to_string(n_resumed_);
         describe_run(comm_, threads_, spent_, result_.run);
         Outcome outcome;
