@@ -43,8 +43,8 @@ class Response {
     using RunPointer = std::unique_ptr<Run, DeleteRun>;
     RunPointer make_run() const;
 
-    /// Simulates rows [first, first + count) of points, count <= lanes(); unused lanes
-    /// repeat the last. Returns each lane's failure (empty = none).
+    /// Simulates rows [first, first + count) of points, 1 <= count <= lanes(); unused
+    /// lanes repeat the last. Returns each lane's failure (empty = none).
     std::vector<std::string> predict(const Matrix& points, std::size_t first,
                                      std::size_t count, Run& run) const;
     /// [n_readings x lanes] kWh of the interval, or mean degC.
@@ -52,8 +52,10 @@ class Response {
     /// [n_readings x lanes] d objective / d reading, all of it to be written by the
     /// caller before pull_back.
     double* sensitivities(Run& run, std::size_t channel) const;
-    /// d objective / d parameter of the rows predicted last.
-    /// \param gradient  [count x parameters]
+    /// d objective / d parameter of the rows predicted last; NaN where a row has failed.
+    /// Of two parameters that write to the same number the last one has its derivative.
+    /// Allocates nothing. Throws std::logic_error where not is_differentiable().
+    /// \param gradient  [count or more x parameters]
     void pull_back(Run& run, Matrix& gradient) const;
 
     struct Plan;
