@@ -4,13 +4,12 @@
 
 #include "base/error.hpp"
 #include "job/epw_table.hpp"
+#include "job/input_files.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <numeric>
-#include <sstream>
 
 #include <fmt/format.h>
 
@@ -217,39 +216,34 @@ EpwFile finish(Chain chain, const EpwOptions& options) {
             std::move(chain.decisions)};
 }
 
-std::string read_text(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    if (stream) text << stream.rdbuf();
-    // Inserting nothing sets failbit: an empty file is reported as such by the parser.
-    if (!stream || text.bad() || std::filesystem::is_directory(file))
-        throw UserError(ExitCode::no_input,
-                        fmt::format("{}: cannot be read: expected an EPW weather file",
-                                    file.string()));
-    return text.str();
-}
-
 }  // namespace
 
 EpwFile parse_epw(std::string_view text, const std::string& name,
                   const EpwOptions& options) {
-    Chain chain;
-    append(chain, parse_epw_table(text, name, options.year));
-    return finish(std::move(chain), options);
+    return parse_epw_chain({{name, text}}, options);
 }
 
-EpwFile read_epw_chain(const std::vector<std::filesystem::path>& files,
-                       const EpwOptions& options) {
+EpwFile parse_epw_chain(const std::vector<EpwText>& files, const EpwOptions& options) {
     require(!files.empty(), "a chain of EPW files has at least one");
     Chain chain;
     int year = options.year;
-    for (const std::filesystem::path& file : files) {
-        EpwTable table = parse_epw_table(read_text(file), file.string(), year);
+    for (const EpwText& file : files) {
+        EpwTable table = parse_epw_table(file.text, file.name, year);
         if (!chain.tables.empty()) check_follows(chain, table);
         append(chain, std::move(table));
         if (year != 0) year = physics::calendar_step(chain.weather.axis.end()).year;
     }
     return finish(std::move(chain), options);
+}
+
+EpwFile read_epw_chain(const std::vector<std::filesystem::path>& files,
+                       const EpwOptions& options) {
+    InputFiles inputs;
+    std::vector<EpwText> texts;
+    texts.reserve(files.size());
+    for (const std::filesystem::path& file : files)
+        texts.push_back({file.string(), inputs.text(file)});
+    return parse_epw_chain(texts, options);
 }
 
 EpwFile read_epw(const std::filesystem::path& file, const EpwOptions& options) {

@@ -32,16 +32,26 @@ struct EpwFile {
     std::vector<std::string> decisions;
 };
 
-/// Reads a file of one or more whole years. Throws UserError with file:row:column, what
-/// is wrong, why, and what to write instead: no_input where it cannot be opened, data
-/// otherwise.
+/// A file's content, unpacked, and its name for messages.
+struct EpwText {
+    std::string name;
+    std::string_view text;
+};
+
+/// One or more files that follow each other in time, of one place; each of whole years.
+/// Throws UserError (data) with file:row:column, what is wrong, why, and what to write
+/// instead.
+EpwFile parse_epw_chain(const std::vector<EpwText>& files,
+                        const EpwOptions& options = {});
+
+/// The same from files, gzipped or not. Throws UserError (no_input) where one cannot be
+/// opened.
 EpwFile read_epw(const std::filesystem::path& file, const EpwOptions& options = {});
 
-/// Several files that follow each other in time, of one place.
 EpwFile read_epw_chain(const std::vector<std::filesystem::path>& files,
                        const EpwOptions& options = {});
 
-/// The same for a text in memory. \param name  for messages
+/// The same for one text in memory.
 EpwFile parse_epw(std::string_view text, const std::string& name,
                   const EpwOptions& options = {});
 

@@ -154,12 +154,12 @@ Weather read_epw_weather(const Section& section, InputFiles& files, const Sectio
     if (section.has("temperature"))
         options.temperature = section.choice_as<TemperatureConvention>("temperature");
     section.number_if("year", options.year);
-    std::vector<std::filesystem::path> paths;
+    std::vector<EpwText> texts;
     for (const std::string& file : section.texts("files")) {
-        paths.push_back(section.path(file));
-        files.text(paths.back(), section.where("files"));
+        const std::filesystem::path path = section.path(file);
+        texts.push_back({path.string(), files.text(path, section.where("files"))});
     }
-    EpwFile epw = read_epw_chain(paths, options);
+    EpwFile epw = parse_epw_chain(texts, options);
     for (const std::string& sentence : epw.decisions)
         decisions.push_back({"weather", sentence, "as said"});
     if (site != nullptr) read_site(*site, epw.weather.site);

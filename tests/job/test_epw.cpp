@@ -4,6 +4,7 @@
 #include "support/csv_table.hpp"
 
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <iostream>
@@ -301,6 +302,13 @@ class EpwFiles : public testing::Test {
     }
     std::filesystem::path folder;
 };
+
+TEST_F(EpwFiles, MayBeGzipped) {
+    const auto plain = write("year.epw", header + rows(2021, 2021));
+    ASSERT_EQ(std::system(("gzip -k '" + plain.string() + "'").c_str()), 0);
+    EXPECT_EQ(read_epw(plain.string() + ".gz").weather.theta_e,
+              read_epw(plain).weather.theta_e);
+}
 
 TEST_F(EpwFiles, ThatCannotBeOpened) {
     for (const auto& file : {folder / "absent.epw", folder}) {
