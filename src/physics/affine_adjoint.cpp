@@ -5,6 +5,8 @@
 #include "physics/regime_adjoint.hpp"
 #include "physics/step_map_adjoint.hpp"
 
+#include <array>
+
 namespace bemcal::physics {
 
 namespace {
@@ -191,19 +193,29 @@ class GeneralBack {
     }
 
     void pull_rows(int index, const LaneAdjoints& tables) {
+        FormSums per_int{}, of_fixed{}, of_int{};
+        std::size_t n = 0;
+        for_forms([&](const LinearForm& form, LinearForm&) {
+            per_int[n++] = back_.regime.per_int(form);
+        });
         for_rows(back_, index, tables, [&](double phi_int, Columns row) {
             double of_phi_int = 0;
-            for_forms([&](const LinearForm& form, LinearForm& of_form) {
+            for (std::size_t f = 0; f < n; ++f) {
                 const double g = row.take();
-                of_phi_int += g * back_.regime.per_int(form);
-                back_.fixed(form, g, of_form);
-                back_.per_int(form, g * phi_int, of_form);
-            });
+                of_phi_int += g * per_int[f];
+                of_fixed[f] += g;
+                of_int[f] += g * phi_int;
+            }
             const double of_heating = row.take(), of_cooling = row.take();
             of_heating_.asked += of_heating;
             of_cooling_.asked -= of_cooling;
             pull_imposed_base(of_heating - of_cooling);
             return of_phi_int;
+        });
+        std::size_t f = 0;
+        for_forms([&](const LinearForm& form, LinearForm& of_form) {
+            back_.fixed(form, of_fixed[f], of_form);
+            back_.per_int(form, of_int[f++], of_form);
         });
     }
 
@@ -213,6 +225,8 @@ class GeneralBack {
     }
 
   private:
+    using FormSums = std::array<double, 5>;  ///< of the air and at most four states
+
     template <class Use>
     void for_forms(Use use) {
         const StepMap& map = back_.regime.map;
