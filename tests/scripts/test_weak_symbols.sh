@@ -1,5 +1,5 @@
 #!/bin/sh
-# The kernels for AVX2 and AVX-512 have no weak symbols, and the check itself finds one elsewhere.
+# The kernels for AVX, AVX2 and AVX-512 have no weak symbols, and the check itself finds one elsewhere.
 set -eu
 root=$(dirname "$0")/../..
 objects=$BEMCAL_BUILD/CMakeFiles/bemcal_physics.dir/src/physics
@@ -8,4 +8,6 @@ if nm "$objects/kernel_v3.cpp.o" | grep -q asan; then
   exit 77
 fi
 "$root/scripts/check_weak_symbols" "$objects/kernel_v3.cpp.o" "$objects/kernel_v4.cpp.o"
+emulator=$BEMCAL_BUILD/CMakeFiles/bemcal_emulator.dir/src/emulator
+"$root/scripts/check_weak_symbols" "$emulator/correlation.cpp.o" "$emulator/elimination.cpp.o"
 ! "$root/scripts/check_weak_symbols" "$objects/plan.cpp.o" >/dev/null
