@@ -1,5 +1,6 @@
 #include "study/posterior_results.hpp"
 
+#include "stats/coverage.hpp"
 #include "study/points.hpp"
 #include "study/predictive.hpp"
 #include "study/validation_results.hpp"
@@ -62,10 +63,8 @@ std::vector<double> quantiles(const Matrix& draws, double p) {
     std::vector<double> result(draws.cols), column(draws.rows);
     for (std::size_t k = 0; k < draws.cols; ++k) {
         for (std::size_t d = 0; d < draws.rows; ++d) column[d] = draws(d, k);
-        const auto at =
-            static_cast<std::ptrdiff_t>(p * static_cast<double>(draws.rows - 1) + 0.5);
-        std::ranges::nth_element(column, column.begin() + at);
-        result[k] = column[static_cast<std::size_t>(at)];
+        std::ranges::sort(column);
+        result[k] = stats::predictive_quantile(column, p);
     }
     return result;
 }

@@ -21,9 +21,9 @@ double level_of(const std::vector<double>& values, double x) {
 }  // namespace
 
 Space::Space(std::vector<Coordinate> coordinates) : coordinates_(std::move(coordinates)) {
-    transforms_.reserve(coordinates_.size());
+    densities_.reserve(coordinates_.size());
     for (std::size_t k = 0; k < coordinates_.size(); ++k) {
-        transforms_.push_back(stats::transform_of(coordinates_[k].prior));
+        densities_.emplace_back(coordinates_[k].prior);
         if (!is_fixed(coordinates_[k])) free_.push_back(k);
     }
 }
@@ -43,7 +43,7 @@ void Space::read(std::span<const double> position, std::span<double> values) con
         const Coordinate& coordinate = coordinates_[free_[f]];
         values[free_[f]] =
             coordinate.values.empty()
-                ? transforms_[free_[f]].at(position[f]).x
+                ? densities_[free_[f]].transform().at(position[f]).x
                 : coordinate.values.at(static_cast<std::size_t>(position[f]));
     }
 }
@@ -51,7 +51,7 @@ void Space::read(std::span<const double> position, std::span<double> values) con
 void Space::slopes(std::span<const double> position, std::span<double> slopes) const {
     for (std::size_t f = 0; f < free_.size(); ++f)
         slopes[f] = coordinates_[free_[f]].values.empty()
-                        ? transforms_[free_[f]].at(position[f]).slope
+                        ? densities_[free_[f]].transform().at(position[f]).slope
                         : 0;
 }
 
@@ -59,12 +59,10 @@ double Space::log_prior(std::span<const double> position,
                         std::span<double> gradient) const {
     double sum = 0;
     for (std::size_t f = 0; f < free_.size(); ++f) {
-        const Coordinate& coordinate = coordinates_[free_[f]];
-        if (!coordinate.values.empty()) continue;
-        const stats::Mapped mapped = transforms_[free_[f]].at(position[f]);
-        sum += coordinate.prior.log_density(mapped.x) + mapped.log_slope;
-        gradient[f] += coordinate.prior.log_density_derivative(mapped.x) * mapped.slope +
-                       mapped.log_slope_derivative;
+        if (!coordinates_[free_[f]].values.empty()) continue;
+        const auto at = densities_[free_[f]].on_the_line(position[f]);
+        sum += at.value;
+        gradient[f] += at.derivative;
     }
     return sum;
 }
@@ -74,7 +72,7 @@ std::vector<double> Space::position_of(std::span<const double> values) const {
     position.reserve(free_.size());
     for (const std::size_t k : free_)
         position.push_back(coordinates_[k].values.empty()
-                               ? transforms_[k].inverse(values[k])
+                               ? densities_[k].transform().inverse(values[k])
                                : level_of(coordinates_[k].values, values[k]));
     return position;
 }
@@ -85,8 +83,7 @@ std::vector<double> Space::draw_position(Stream& random) const {
     for (const std::size_t k : free_) {
         const Coordinate& coordinate = coordinates_[k];
         if (coordinate.values.empty())
-            position.push_back(
-                transforms_[k].inverse(coordinate.prior.quantile(random.uniform())));
+            position.push_back(densities_[k].quantile_on_the_line(random.uniform()));
         else
             position.push_back(
                 random.below(static_cast<std::uint32_t>(coordinate.values.size())));

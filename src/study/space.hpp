@@ -41,7 +41,7 @@ class Space {
 
   private:
     std::vector<Coordinate> coordinates_;
-    std::vector<stats::Transform> transforms_;  ///< [size]
+    std::vector<stats::PriorDensity> densities_;  ///< [size]; of discrete ones unused
     std::vector<std::size_t> free_;
 };
 
