@@ -89,8 +89,9 @@ std::vector<Unknown> unknowns_of(const Group& study) {
 }
 
 std::string fixed(double value, int digits) {
-    return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits)
-                                : std::string("-");
+    if (!std::isfinite(value)) return "-";
+    if (std::abs(value) >= 1e6) return fmt::format("{:.1e}", value);
+    return fmt::format("{:.{}f}", value, digits);
 }
 
 /// What the chains have reached; computed again, not taken from the file.
@@ -108,11 +109,11 @@ std::string convergence_line(const Group& study, const std::vector<Unknown>& unk
     const double most = study.value("target_rhat"), least = study.value("target_ess");
     const bool is_reached = is_defined && rhat <= most && ess >= least;
     return fmt::format(
-        "{}: {} chains of {} draws\n  rank R-hat at most {} (target {}), effective draws "
+        "{}: {} chains of {} draws\n  rank R-hat {} (target {}), effective draws "
         "at least {} (target {:.0f})\n",
         is_reached ? "converged" : "NOT CONVERGED", unknowns[0].n_chains,
-        unknowns[0].n_draws, is_defined ? fixed(rhat, 3) : "undefined", in_short(most),
-        fixed(ess, 0), least);
+        unknowns[0].n_draws, is_defined ? "at most " + fixed(rhat, 3) : "undefined",
+        in_short(most), fixed(ess, 0), least);
 }
 
 /// Mean and standard deviation.
@@ -131,11 +132,11 @@ std::string estimates_table(const std::vector<Unknown>& unknowns) {
                    in_short(quantile(unknown.sorted, 0.5)),
                    in_short(quantile(unknown.sorted, 0.95))});
     }
-    return table.text(24);
+    return table.text(21);
 }
 
 std::string chains_table(const std::vector<Unknown>& unknowns) {
-    TextTable table({"unknown", "R", "split R-hat", "rank R-hat", "ESS bulk", "ESS tail",
+    TextTable table({"unknown", "R", "split", "rank R-hat", "ESS bulk", "ESS tail",
                      "MCSE mean", "MCSE sd", "contracts"});
     for (const Unknown& unknown : unknowns) {
         const stats::Convergence& c = unknown.convergence;
@@ -144,7 +145,7 @@ std::string chains_table(const std::vector<Unknown>& unknowns) {
                    in_short(c.mcse_mean), in_short(c.mcse_sd),
                    percent(unknown.contraction())});
     }
-    return table.text(32);
+    return table.text(24);
 }
 
 /// What the data could tell of each unknown, in words.
