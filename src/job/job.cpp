@@ -90,7 +90,7 @@ void read_building_files(const Section& root, InputFiles& files, Job& job) {
 
 bool needs_building(const Job& job) {
     for (const StudySpec& study : job.studies)
-        if (study.kind != StudyKind::office_hour_sensitivity) return true;
+        if (is_of_buildings(study.kind)) return true;
     return job.studies.empty();
 }
 
@@ -118,7 +118,7 @@ bool has_readings(const study::Case& building) {
 
 /// What a study needs of a building: parameters, meters, the period that it names.
 void check_study(const Section& section, const StudySpec& study, const Job& job) {
-    if (study.kind == StudyKind::office_hour_sensitivity) return;
+    if (!is_of_buildings(study.kind)) return;
     for (const study::Case& building : job.buildings) {
         if (building.parameters.empty())
             section.fail(
@@ -139,6 +139,11 @@ void check_study(const Section& section, const StudySpec& study, const Job& job)
 
 }  // namespace
 
+bool is_of_buildings(StudyKind kind) {
+    return kind != StudyKind::office_hour_sensitivity &&
+           kind != StudyKind::kennedy_ohagan;
+}
+
 Job read_job(const std::filesystem::path& file, InputFiles& files) {
     Job job;
     job.file = file;
@@ -148,7 +153,7 @@ Job read_job(const std::filesystem::path& file, InputFiles& files) {
     const Section root(tree, "job", name);
     job.name = root.has("name") ? root.text("name") : name_of_file(file);
     job.seed = static_cast<std::uint64_t>(root.integer("seed"));
-    job.studies = read_studies(root, job.seed);
+    job.studies = read_studies(root, files, job.seed);
     read_output(root, job);
     if (root.has("buildings"))
         read_building_files(root, files, job);

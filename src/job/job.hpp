@@ -3,6 +3,7 @@
 #pragma once
 
 #include "study/case.hpp"
+#include "study/koh_options.hpp"
 #include "study/posterior.hpp"
 #include "study/screening.hpp"
 #include "study/sensitivity.hpp"
@@ -22,8 +23,12 @@ enum class StudyKind {
     hourly_sensitivity,
     office_hour_sensitivity,
     screening,
-    posterior
+    posterior,
+    kennedy_ohagan
 };
+
+/// Whether a study is done with every building; the others know none.
+bool is_of_buildings(StudyKind kind);
 
 struct StudySpec {
     StudyKind kind = StudyKind::screening;
@@ -31,6 +36,7 @@ struct StudySpec {
     study::SensitivityOptions sensitivity;
     study::ScreeningOptions screening;
     study::PosteriorOptions posterior;
+    study::KohOptions koh;
     std::string period;  ///< of a sensitivity or posterior; empty = the first one
     std::vector<physics::Quantity> quantities;  ///< outputs of a sensitivity study
     /// office_hour_sensitivity: each case fixes the named inputs of

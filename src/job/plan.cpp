@@ -1,6 +1,7 @@
 #include "job/plan.hpp"
 
 #include "base/error.hpp"
+#include "study/koh_posterior.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -84,6 +85,10 @@ Stages stages_of(const StudySpec& study, const Job& job) {
         return office_hour_stages(study);
     if (study.kind == StudyKind::posterior) return checked_posterior_stages(study, job);
     Stages stages;
+    if (study.kind == StudyKind::kennedy_ohagan) {
+        stages.push_back(make_koh_stage(study.name, study.koh));
+        return stages;
+    }
     for (const Case& building : job.buildings)
         stages.push_back(stage_of(study, building));
     return stages;
@@ -147,14 +152,20 @@ double most_simulations(const StudySpec& study, const Job& job, const Stage& sta
            simulations_per_transition(study, job.buildings.at(0));
 }
 
+bool has_chains(const StudySpec& study) {
+    return study.kind == StudyKind::posterior || study.kind == StudyKind::kennedy_ohagan;
+}
+
 /// A posterior keeps the answers of all its rounds; the first one is the warm-up.
 double rounds_of(const StudySpec& study) {
-    if (study.kind != StudyKind::posterior) return 1;
-    const study::ChainOptions& chains = study.posterior.chains;
+    if (!has_chains(study)) return 1;
+    const study::ChainOptions& chains =
+        study.kind == StudyKind::posterior ? study.posterior.chains : study.koh.chains;
     return 1 + std::ceil(static_cast<double>(chains.most_draws) / chains.draws_per_round);
 }
 
 double seconds_of(const StudySpec& study, const Case* building, double n) {
+    if (study.kind == StudyKind::kennedy_ohagan) return koh_seconds(study.koh);
     if (building == nullptr) return n * office_hour_s;
     const double steps = n * steps_of(study, *building);
     if (is_coupled(*building)) return steps * coupled_step_s;
@@ -193,8 +204,8 @@ std::string stage_lines(const Job& job, Total& total) {
     for (const StudySpec& study : job.studies) {
         std::size_t number = 0;
         for (const auto& stage : stages_of(study, job)) {
-            const bool office = study.kind == StudyKind::office_hour_sensitivity;
-            const Case* building = office ? nullptr : &job.buildings.at(number++);
+            const Case* building =
+                is_of_buildings(study.kind) ? &job.buildings.at(number++) : nullptr;
             const double items = stage->n_items() * rounds_of(study);
             const double bytes = static_cast<double>(stage->answer_bytes()) * items;
             const double simulations = most_simulations(study, job, *stage);
@@ -230,9 +241,7 @@ std::string building_lines(const Job& job) {
 }
 
 bool has_posterior(const Job& job) {
-    return std::any_of(
-        job.studies.begin(), job.studies.end(),
-        [](const StudySpec& study) { return study.kind == StudyKind::posterior; });
+    return std::any_of(job.studies.begin(), job.studies.end(), has_chains);
 }
 
 /// A job without studies can be read, but there is nothing to plan.

@@ -20,9 +20,10 @@ int whole(const Section& section, std::string_view key) {
 }
 
 /// Temperatures as the job has them, 1 first, rising, become their inverses.
-std::vector<double> read_temperatures(const Section& section) {
+std::vector<double> read_temperatures(const Section& section,
+                                      const std::vector<double>& otherwise) {
     std::vector<double> temperatures = section.numbers("temperatures");
-    if (temperatures.empty()) return {1};
+    if (temperatures.empty()) return otherwise;
     if (temperatures[0] != 1 ||
         std::ranges::adjacent_find(temperatures, std::greater_equal<>()) !=
             temperatures.end())
@@ -32,11 +33,14 @@ std::vector<double> read_temperatures(const Section& section) {
     return temperatures;
 }
 
+}  // namespace
+
 void read_chains(const Section& section, study::ChainOptions& chains) {
     chains.sampler.method = section.choice_as<sampling::Method>("sampler");
     chains.sampler.n_warm_up = whole(section, "warm_up");
     chains.sampler.thin = whole(section, "thin");
-    chains.sampler.inverse_temperatures = read_temperatures(section);
+    chains.sampler.inverse_temperatures =
+        read_temperatures(section, chains.sampler.inverse_temperatures);
     chains.n_chains = whole(section, "n_chains");
     chains.draws_per_round = whole(section, "draws_per_round");
     chains.most_draws = whole(section, "most_draws");
@@ -49,6 +53,8 @@ void read_chains(const Section& section, study::ChainOptions& chains) {
                         "at least",
                         chains.most_draws, chains.draws_per_round));
 }
+
+namespace {
 
 /// A word that must be one of some names.
 void check_word(const Section& section, std::string_view key, const std::string& word,
@@ -73,6 +79,17 @@ bool has_reading(const Case& building, const study::Period& period,
 const study::Period& period_of(const Case& building, const std::string& name) {
     const auto found = std::ranges::find(building.periods, name, &study::Period::name);
     return found == building.periods.end() ? building.periods.at(0) : *found;
+}
+
+void check_parameters(const Section& section, const PosteriorOptions& options,
+                      const Case& building) {
+    std::vector<std::string> names;
+    names.reserve(building.parameters.size());
+    for (const physics::Parameter& parameter : building.parameters)
+        names.push_back(parameter.name);
+    for (const std::string& parameter : options.parameters)
+        check_word(section, "parameters", parameter, names,
+                   "parameter of " + building.name);
 }
 
 void check_meters(const Section& section, const PosteriorOptions& options,
@@ -126,6 +143,7 @@ PosteriorOptions read_posterior(const Section& section, std::uint64_t seed) {
     options.residuals.autocorrelated = section.flag("autocorrelated");
     options.residuals.discrepancy = section.flag("discrepancy");
     options.period = section.text("period");
+    options.parameters = section.texts("parameters");
     options.meters = section.texts("meters");
     options.hold_out_weeks = section.number("hold_out_weeks");
     options.hold_out_hours = section.number("hold_out_hours");
@@ -138,7 +156,10 @@ PosteriorOptions read_posterior(const Section& section, std::uint64_t seed) {
 void check_posterior(const Section& section, const PosteriorOptions& options,
                      const std::vector<Case>& buildings) {
     check_unseen(section, options, buildings);
-    for (const Case& building : buildings) check_parameter_names(section, building);
+    for (const Case& building : buildings) {
+        check_parameters(section, options, building);
+        check_parameter_names(section, building);
+    }
     for (const Case& building : buildings)
         if (std::ranges::find(options.unseen, building.name) == options.unseen.end())
             check_meters(section, options, building);

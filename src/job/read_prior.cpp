@@ -44,6 +44,8 @@ bool may_be_normalised(PriorKind kind) {
            kind == PriorKind::gamma;
 }
 
+}  // namespace
+
 Prior read_distribution(const Section& section, const physics::Parameter& parameter) {
     const Numbers& keys = *std::ranges::find(
         numbers_of, section.choice_as<PriorKind>("kind"), &Numbers::kind);
@@ -60,6 +62,8 @@ Prior read_distribution(const Section& section, const physics::Parameter& parame
                      fmt::format("{} (min and max of {})", complaint, parameter.name));
     return prior;
 }
+
+namespace {
 
 Prior uniform_on(const physics::Parameter& parameter) {
     Prior prior;

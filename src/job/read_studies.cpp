@@ -48,6 +48,8 @@ void read_screening(const Section& section, study::ScreeningOptions& options) {
     options.n_best = static_cast<std::size_t>(section.integer("n_best"));
 }
 
+}  // namespace
+
 const physics::OfficeHourInput& office_hour_input(const Section& section,
                                                   const std::string& name) {
     std::vector<std::string> names;
@@ -57,6 +59,8 @@ const physics::OfficeHourInput& office_hour_input(const Section& section,
     }
     section.fail(name, fmt::format("unknown input{}", suggestion(name, names)));
 }
+
+namespace {
 
 /// The values of one input, one for each case.
 std::vector<double> read_cases(const Section& section, const Entry& entry) {
@@ -87,7 +91,7 @@ void read_fixed(const Section& section, StudySpec& study) {
     }
 }
 
-StudySpec read_study(const Section& section, std::uint64_t seed) {
+StudySpec read_study(const Section& section, InputFiles& files, std::uint64_t seed) {
     StudySpec study;
     study.kind = section.choice_as<StudyKind>("kind");
     study.name = section.has("name") ? section.text("name") : section.choice("kind");
@@ -96,6 +100,9 @@ StudySpec read_study(const Section& section, std::uint64_t seed) {
     if (study.kind == StudyKind::posterior) {
         study.posterior = read_posterior(section, seed);
         study.period = study.posterior.period;
+    } else if (study.kind == StudyKind::kennedy_ohagan) {
+        check_name(section, "name", Named::building, study.name);
+        study.koh = read_koh(section, files, seed);
     } else if (study.kind == StudyKind::screening) {
         read_screening(section, study.screening);
     } else {
@@ -122,10 +129,11 @@ std::vector<Quantity> read_quantities(const Section& section, std::string_view k
     return chosen;
 }
 
-std::vector<StudySpec> read_studies(const Section& job, std::uint64_t seed) {
+std::vector<StudySpec> read_studies(const Section& job, InputFiles& files,
+                                    std::uint64_t seed) {
     std::vector<StudySpec> studies;
     for (const Section& section : job.tables("study", "study")) {
-        studies.push_back(read_study(section, seed));
+        studies.push_back(read_study(section, files, seed));
         const auto same = [&](const StudySpec& other) {
             return other.name == studies.back().name;
         };

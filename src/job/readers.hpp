@@ -5,6 +5,7 @@
 #include "job/input_files.hpp"
 #include "job/job.hpp"
 #include "job/section.hpp"
+#include "physics/office_hour.hpp"
 #include "study/case.hpp"
 
 #include <optional>
@@ -55,19 +56,30 @@ void read_parameters(const Sources& sources, study::Case& building);
 /// What is believed of a parameter: uniform in its range where its section does not say.
 study::ParameterPrior read_prior(const Section& section,
                                  const physics::Parameter& parameter);
+/// A prior on the parameter's range, from the keys of a prior's section.
+stats::Prior read_distribution(const Section& section,
+                               const physics::Parameter& parameter);
 /// Of a discrete parameter, rising.
 std::vector<double> read_values(const Section& section);
 
 /// Readings, corrected as the job says; findings and what was done go to case.decisions.
 void read_meters(const Sources& sources, InputFiles& files, study::Case& building);
 
-std::vector<StudySpec> read_studies(const Section& job, std::uint64_t seed);
+std::vector<StudySpec> read_studies(const Section& job, InputFiles& files,
+                                    std::uint64_t seed);
+/// An input of paper 1's hour by its name; throws UserError at that key.
+const physics::OfficeHourInput& office_hour_input(const Section& section,
+                                                  const std::string& name);
 
+/// The keys of every study with chains; temperatures that the job leaves out stay.
+void read_chains(const Section& section, study::ChainOptions& chains);
 study::PosteriorOptions read_posterior(const Section& section, std::uint64_t seed);
 /// Throws UserError where the study names a meter or building that is not there, or a
 /// building it learns from has no reading in the period.
 void check_posterior(const Section& section, const study::PosteriorOptions& options,
                      const std::vector<study::Case>& buildings);
+/// A Kennedy-O'Hagan study, with its data. Throws UserError where they do not fit.
+study::KohOptions read_koh(const Section& section, InputFiles& files, std::uint64_t seed);
 
 /// The quantities that words name; throws UserError at `key`.
 std::vector<physics::Quantity> read_quantities(const Section& section,

@@ -62,7 +62,11 @@ constexpr SectionInfo section_table[] = {
     {"study.fixed", "[study.fixed]", "",
      "office_hour_sensitivity: inputs held at a value, one for each case; the names are "
      "those "
-     "of the model (describe parameters)."},
+     "of the model (describe parameters). kennedy_ohagan: a number for each."},
+    {"study.prior", "[study.prior]", "",
+     "kennedy_ohagan: of calibrated inputs, NAME = {kind = \"normal\", mean = 0.5, sd = "
+     "0.2, normalised = true}; fixed, uniform, normal and beta, the others normalised "
+     "only."},
     {"output", "[output]", "", "What is kept."},
     {"input", "{value, low, schedule}", "",
      "A number that changes with time: low + (value - low) x schedule, or value x "
@@ -302,7 +306,8 @@ constexpr Key table[] = {
      "Simulated before a period, to forget the start."},
     // studies
     {"study", "kind", Type::choice,
-     "sensitivity|hourly_sensitivity|office_hour_sensitivity|screening|posterior",
+     "sensitivity|hourly_sensitivity|office_hour_sensitivity|screening|posterior|"
+     "kennedy_ohagan",
      required, 0, 0, ""},
     {"study", "name", Type::text, "", "", 0, 0, "Default: the kind."},
     {"study", "period", Type::text, "", "", 0, 0,
@@ -325,6 +330,9 @@ constexpr Key table[] = {
      "Of a screening: store every point, not the best only."},
     {"study", "n_best", Type::integer, "", "20", 1, 100000, "Of a screening."},
     {"study", "fixed", Type::table, "", "", 0, 0, "[study.fixed]"},
+    {"study", "parameters", Type::texts, "", "", 0, 0,
+     "Of a posterior: names of the parameters that it calibrates, the others stay nominal; "
+     "default: all."},
     {"study", "meters", Type::texts, "", "", 0, 0,
      "Of a posterior: names of the meters it learns from; default: all with readings."},
     {"study", "sampler", Type::choice, "nuts|random_walk|gibbs", "nuts", 0, 0,
@@ -347,23 +355,64 @@ constexpr Key table[] = {
     {"study", "temperatures", Type::numbers, "", "", 1, 1e9,
      "Of a posterior: [1, 2, 4, 8] runs each chain at all of these and swaps between "
      "them; "
-     "default: 1 alone."},
+     "default: 1 alone; of a kennedy_ohagan [1, 1.82, 3.33]."},
     {"study", "autocorrelated", Type::flag, "", "true", 0, 0,
      "Of a posterior: residuals remember the one before, AR(1); false: white noise."},
-    {"study", "discrepancy", Type::flag, "", "true", 0, 0,
+    {"study", "discrepancy", Type::flag, "", "false", 0, 0,
      "Of a posterior: a share of the residuals is slow: the model's own error."},
     {"study", "hold_out_weeks", Type::number, "-", "0", 0, 0.9,
      "Of a posterior: share of the training period's whole weeks kept for judging."},
     {"study", "hold_out_hours", Type::number, "-", "0", 0, 0.9,
      "Of a posterior: share of its other readings, drawn at random, kept for judging."},
     {"study", "n_predictive", Type::integer, "", "200", 1, 1000000,
-     "Of a posterior: draws that are simulated for predictions."},
+     "Of a posterior: draws that are simulated for predictions; of a kennedy_ohagan "
+     "1000."},
     {"study", "pooling", Type::choice, "none|full|partial", "none", 0, 0,
      "Of a posterior. none: each building by itself; full: one value of each parameter "
      "for "
      "all; partial: each building has its own, drawn from a common population."},
     {"study", "unseen", Type::texts, "", "", 0, 0,
      "Of a pooled posterior: buildings that are predicted, but not learned from."},
+    {"study", "field", Type::text, "", required, 0, 0,
+     "Of a kennedy_ohagan: CSV file of measurements, a row for each, with their known "
+     "inputs."},
+    {"study", "field_output", Type::text, "", required, 0, 0,
+     "Of a kennedy_ohagan: column of the measurements."},
+    {"study", "inputs", Type::texts, "", required, 0, 0,
+     "Of a kennedy_ohagan: columns of the known inputs x, in both files."},
+    {"study", "calibrated", Type::texts, "", required, 0, 0,
+     "Of a kennedy_ohagan: the calibrated inputs t, columns of the runs; uniform over "
+     "the runs' range where [study.prior] does not say."},
+    {"study", "runs", Type::text, "", "", 0, 0,
+     "Of a kennedy_ohagan: CSV file of simulator runs: output, inputs, calibrated; "
+     "cheapest where every design of the calibrated is run at all field points."},
+    {"study", "runs_output", Type::text, "", "", 0, 0,
+     "Of a kennedy_ohagan: column of the runs' output; default: field_output."},
+    {"study", "output_factor", Type::number, "-", "1", -1e9, 1e9,
+     "Of a kennedy_ohagan: on both outputs: value x factor + offset."},
+    {"study", "output_offset", Type::number, "", "0", -1e9, 1e9, ""},
+    {"study", "output_unit", Type::text, "", "kWh", 0, 0,
+     "Of a kennedy_ohagan: of the output, for tables."},
+    {"study", "simulator", Type::choice, "office_hour", "", 0, 0,
+     "Of a kennedy_ohagan, in place of runs: designs of paper 1's hour are simulated at "
+     "all field points; inputs, calibrated and [study.fixed] name its 19 inputs."},
+    {"study", "n_designs", Type::integer, "", "100", 2, 10000,
+     "Of a kennedy_ohagan with a simulator: scrambled Sobol points."},
+    {"study", "prior", Type::table, "", "", 0, 0, "[study.prior]"},
+    {"study", "hyperpriors", Type::choice, "chong|paper", "chong", 0, 0,
+     "Of a kennedy_ohagan. chong: correlations Beta(1, 0.3), as bc-stan has them; paper: "
+     "Beta(1, 0.5) of the emulator and Beta(1, 0.4) of the discrepancy, paper 1, Table "
+     "7. "
+     "Precisions Gamma(10, 10), Gamma(10, 0.3), Gamma(10, 0.03) in both."},
+    {"study", "regression_factor", Type::flag, "", "false", 0, 0,
+     "Of a kennedy_ohagan: the emulator is multiplied by an unknown rho ~ N(1, 0.25)."},
+    {"study", "mean", Type::choice, "none|constant|linear", "none", 0, 0,
+     "Of a kennedy_ohagan: of emulator and discrepancy, with flat priors; linear in x."},
+    {"study", "mean_coefficients", Type::choice, "integrated|sampled", "integrated", 0, 0,
+     "Of a kennedy_ohagan with a mean: integrated out, or unknowns as all others."},
+    {"study", "form", Type::choice, "auto|dense|kronecker", "auto", 0, 0,
+     "Of a kennedy_ohagan: of the covariance; auto: kronecker where the runs are a full "
+     "grid."},
     // output
     {"output", "file", Type::text, "", "", 0, 0,
      "Result file, from the working folder; default: the job's name with .h5."},

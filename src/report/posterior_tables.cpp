@@ -174,7 +174,8 @@ std::string posterior_section(const Group& study) {
     const std::vector<Unknown> unknowns = unknowns_of(study);
     return fmt::format("\n{}: {}", study.path(), convergence_line(study, unknowns)) +
            estimates_table(unknowns) + chains_table(unknowns) + divergence_line(study) +
-           words(study) + validation_tables(study) + failure_lines(study);
+           words(study) + field_tables(study) + validation_tables(study) +
+           failure_lines(study);
 }
 
 }  // namespace bemcal::report

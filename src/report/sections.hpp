@@ -28,6 +28,9 @@ std::string posterior_section(const Group& study);
 /// what was held out of it, and in the other periods; coverage of the 90 % intervals.
 std::string validation_tables(const Group& study);
 
+/// Measured against predicted at the field points of a Kennedy-O'Hagan calibration.
+std::string field_tables(const Group& study);
+
 /// What was found in a building's data, and what was done about it.
 std::string decision_section(const Group& data);
 

@@ -71,8 +71,9 @@ fs::path choose_output(Comm& comm, const job::Job& job, const JobOptions& option
 void set_first_chain(job::Job& job, int first_chain) {
     bool has_posterior = false;
     for (job::StudySpec& study : job.studies) {
-        study.posterior.chains.first_chain = first_chain;
-        has_posterior = has_posterior || study.kind == job::StudyKind::posterior;
+        study.posterior.chains.first_chain = study.koh.chains.first_chain = first_chain;
+        has_posterior = has_posterior || study.kind == job::StudyKind::posterior ||
+                        study.kind == job::StudyKind::kennedy_ohagan;
     }
     if (first_chain > 0 && !has_posterior)
         throw UserError(ExitCode::usage,

@@ -1,8 +1,8 @@
 #include "study/posterior_results.hpp"
 
-#include "stats/coverage.hpp"
 #include "study/points.hpp"
 #include "study/predictive.hpp"
+#include "study/some_draws.hpp"
 #include "study/validation_results.hpp"
 
 #include <algorithm>
@@ -23,15 +23,6 @@ constexpr std::size_t n_stored_draws = 64;
 struct BuildingDraws {
     Matrix parameters, residuals;
 };
-
-/// Some of all draws, evenly spread.
-std::vector<std::size_t> chosen_rows(std::size_t n_rows, int n_wanted) {
-    const std::size_t n = std::min(n_rows, static_cast<std::size_t>(n_wanted));
-    std::vector<std::size_t> rows;
-    rows.reserve(n);
-    for (std::size_t k = 0; k < n; ++k) rows.push_back(k * n_rows / n);
-    return rows;
-}
 
 /// \param take  (position, own): the position of the building's unknowns in their space
 template <class Take>
@@ -58,17 +49,6 @@ std::vector<double> seconds_of(const std::vector<physics::Seconds>& begins) {
     return seconds;
 }
 
-/// Of each reading over the draws.
-std::vector<double> quantiles(const Matrix& draws, double p) {
-    std::vector<double> result(draws.cols), column(draws.rows);
-    for (std::size_t k = 0; k < draws.cols; ++k) {
-        for (std::size_t d = 0; d < draws.rows; ++d) column[d] = draws(d, k);
-        std::ranges::sort(column);
-        result[k] = stats::predictive_quantile(column, p);
-    }
-    return result;
-}
-
 void add_series(const MeterPrediction& meter, const std::string& folder,
                 DatasetBuilder& datasets) {
     const auto add = [&](const char* leaf, std::vector<double> values) {
@@ -80,8 +60,8 @@ void add_series(const MeterPrediction& meter, const std::string& folder,
     add("nominal", meter.nominal);
     add("predicted_mean", meter.mean);
     if (meter.draws.rows == 0) return;
-    add("predicted_q05", quantiles(meter.draws, 0.05));
-    add("predicted_q95", quantiles(meter.draws, 0.95));
+    add("predicted_q05", column_quantiles(meter.draws, 0.05));
+    add("predicted_q95", column_quantiles(meter.draws, 0.95));
 }
 
 /// ArviZ's groups, of the training period.
