@@ -33,7 +33,9 @@ Windows windows_of(int n_warm_up) {
 Adaptation::Adaptation(const Walker& walker, const SamplerOptions& options)
     : windows_(windows_of(options.n_warm_up)),
       step_sizes_(walker.scales.size(), DualAveraging(target_of(options))),
-      covariance_(walker.metric.size(), walker.metric.shape()) {}
+      covariance_(walker.metric.size(), walker.metric.shape()),
+      keeps_first_(options.climbs && options.method == Method::nuts &&
+                   options.inverse_temperatures.size() == 1) {}
 
 void Adaptation::restart(const Walker& walker) {
     for (std::size_t i = 0; i < step_sizes_.size(); ++i)
@@ -55,8 +57,13 @@ bool Adaptation::learn_metric(Walker& walker) {
     if (n_transitions_ < windows_.ends[next_window_]) return false;
     ++next_window_;
     const bool is_walk = walker.method == Method::random_walk;
+    const int least_each = is_walk ? 10 : 3;
+    if (keeps_first_ && !covariance_.is_full(least_each)) {
+        covariance_.forget();
+        return false;
+    }
     if (walker.method != Method::gibbs)
-        walker.metric.set_covariance(covariance_.regularised(is_walk ? 10 : 3));
+        walker.metric.set_covariance(covariance_.regularised(least_each));
     if (!is_walk) covariance_.forget();
     return true;
 }

@@ -41,6 +41,7 @@ class Adaptation {
     int n_transitions_ = 0;
     std::vector<DualAveraging> step_sizes_;
     RunningCovariance covariance_;
+    bool keeps_first_;  ///< the metric of the curvature, until a window can better it
 };
 
 }  // namespace bemcal::sampling

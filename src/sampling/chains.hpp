@@ -21,7 +21,10 @@ struct SamplerOptions {
     double target_acceptance = 0;  ///< 0 = the method's own: 0.8 nuts, 0.234, 0.44
     int most_depth = 10;           ///< of a nuts trajectory: 2^depth steps
     bool dense_metric = true;      ///< nuts, random_walk: full covariance, else diagonal
-    int n_start_candidates = 16;   ///< the best of so many starts is taken
+    /// nuts without tempering: a chain climbs to the mode above its start and takes its
+    /// first metric from the curvature there (climb.hpp).
+    bool climbs = true;
+    int n_start_candidates = 16;  ///< the best of so many starts is taken
     /// Inverse temperatures, 1 first, falling; more than one: a tempered chain.
     std::vector<double> inverse_temperatures{1};
     int thin = 1;  ///< transitions per draw

@@ -2,6 +2,7 @@
 #include "sampling/ladder.hpp"
 
 #include "sampling/adaptation.hpp"
+#include "sampling/climb.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -120,6 +121,10 @@ Task<> Ladder::warm_up(Walker& walker) {
     const bool is_nuts = walker.method == Method::nuts;
     co_await find_start(walker);
     if (!part_.failure.empty()) co_return;
+    if (is_nuts && setting_.options.climbs && walkers_.size() == 1) {
+        co_await climb(walker);
+        co_await learn_curvature(walker);
+    }
     if (is_nuts) co_await find_step_size(walker);
     Adaptation adaptation(walker, setting_.options);
     adaptation.restart(walker);

@@ -60,12 +60,11 @@ void RunningCovariance::add(std::span<const double> x) {
 std::vector<double> RunningCovariance::regularised(int least_each) const {
     const double weight = count_ / (count_ + 5.0);
     const std::size_t n = mean_.size();
-    const bool is_full =
-        static_cast<std::size_t>(count_) >= n * static_cast<std::size_t>(least_each);
+    const bool full = is_full(least_each);
     const std::size_t step = shape_ == MetricShape::dense ? n + 1 : 1;
     std::vector<double> covariance = scatter_;
     for (std::size_t k = 0; k < covariance.size(); ++k)
-        covariance[k] *= is_full || k % step == 0 ? weight / std::max(count_ - 1, 1) : 0;
+        covariance[k] *= full || k % step == 0 ? weight / std::max(count_ - 1, 1) : 0;
     for (std::size_t i = 0; i < n; ++i) covariance[i * step] += 1e-3 * (1 - weight);
     return covariance;
 }

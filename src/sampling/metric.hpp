@@ -19,6 +19,10 @@ class RunningCovariance {
     void add(std::span<const double> x);
     void forget();
     int count() const { return count_; }
+    bool is_full(int least_each) const {
+        return static_cast<std::size_t>(count_) >=
+               mean_.size() * static_cast<std::size_t>(least_each);
+    }
     /// [size] variances or [size x size] covariances, row-major, shrunk towards 1e-3 as
     /// Stan does: n/(n+5) sample + 5/(n+5) 1e-3. Unlike Stan's, covariances are 0 as long
     /// as there are fewer than `least_each` points for each coordinate: a matrix near

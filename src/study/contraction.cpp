@@ -59,13 +59,12 @@ Edge edge_at(const char* name, double at, double prior, const std::vector<double
     return {name, at, values.empty() ? 0 : n / static_cast<double>(values.size()), prior};
 }
 
-/// The fuller end; a range that is open on one side is as wide as the prior's 90 %. A
-/// discrete parameter has none.
+/// The fuller end of a closed range; an open one, and a discrete parameter, have none.
 Edge fuller_edge(const Coordinate& coordinate, const Belief& belief,
                  const std::vector<double>& values, double strip) {
-    if (!coordinate.values.empty()) return {"", nan, 0, 1};
     const double range = belief.most - belief.least;
-    const double width = strip * (std::isfinite(range) ? range : belief.width());
+    if (!coordinate.values.empty() || !std::isfinite(range)) return {"", nan, 0, 1};
+    const double width = strip * range;
     const double low = belief.least + width, high = belief.most - width;
     const stats::Prior& prior = coordinate.prior;
     const Edge lower = edge_at("lower", belief.least, prior.cdf(low), values,

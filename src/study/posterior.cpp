@@ -107,6 +107,26 @@ class DirectPosterior : public Posterior {
     std::vector<Unknown> unknowns_;
 };
 
+/// Parameters that are not named stay nominal.
+Case with_others_fixed(Case building, const std::vector<std::string>& names) {
+    if (names.empty()) return building;
+    if (building.priors.empty())
+        for (const physics::Parameter& parameter : building.parameters) {
+            ParameterPrior uniform;
+            uniform.prior.least = parameter.least;
+            uniform.prior.most = parameter.most;
+            building.priors.push_back(uniform);
+        }
+    for (std::size_t k = 0; k < building.parameters.size(); ++k) {
+        const physics::Parameter& parameter = building.parameters[k];
+        if (std::ranges::find(names, parameter.name) != names.end()) continue;
+        building.priors[k] = {};
+        building.priors[k].prior.kind = stats::PriorKind::fixed;
+        building.priors[k].prior.a = parameter.nominal;
+    }
+    return building;
+}
+
 void check_differentiable(const std::vector<Case>& buildings,
                           const PosteriorOptions& options) {
     if (options.chains.sampler.method != sampling::Method::nuts) return;
@@ -125,8 +145,12 @@ std::unique_ptr<Stage> make_posterior(std::string name,
                                       const std::vector<Case>& buildings,
                                       const PosteriorOptions& options) {
     check_differentiable(buildings, options);
+    std::vector<Case> calibrated;
+    calibrated.reserve(buildings.size());
+    for (const Case& building : buildings)
+        calibrated.push_back(with_others_fixed(building, options.parameters));
     return make_chain_stage(std::move(name),
-                            std::make_shared<DirectPosterior>(buildings, options),
+                            std::make_shared<DirectPosterior>(calibrated, options),
                             options.chains);
 }
 

@@ -32,11 +32,12 @@ enum class Pooling {
 struct PosteriorOptions {
     ChainOptions chains;
     stats::ResidualOptions residuals;
-    std::string period;               ///< for training; empty = the case's first
-    std::vector<std::string> meters;  ///< empty = all with readings in the period
-    double hold_out_weeks = 0;        ///< share of whole weeks kept from the likelihood
-    double hold_out_hours = 0;        ///< share of the other readings, drawn at random
-    int n_predictive = 200;           ///< draws that are simulated for predictions
+    std::string period;                   ///< for training; empty = the case's first
+    std::vector<std::string> parameters;  ///< that are calibrated; empty = all
+    std::vector<std::string> meters;      ///< empty = all with readings in the period
+    double hold_out_weeks = 0;  ///< share of whole weeks kept from the likelihood
+    double hold_out_hours = 0;  ///< share of the other readings, drawn at random
+    int n_predictive = 200;     ///< draws that are simulated for predictions
     Pooling pooling = Pooling::none;
     std::vector<std::string> unseen;  ///< buildings that are predicted only
 };
