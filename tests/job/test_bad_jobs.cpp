@@ -3,6 +3,7 @@
 ///     file: NAME       what the edits below apply to (office.toml at first)
 ///     replace: TEXT    with: TEXT     (\n in a text is a new line)
 ///     drop: TEXT       the line that begins so goes
+///     write: TEXT      the whole file, perhaps a new one
 ///     empty: / remove: the whole file
 ///     exit: NUMBER     message: TEXT  (the folder of the job is left out of the message)
 #include "job/small_office.hpp"
@@ -47,6 +48,7 @@ void apply(BadJob& job, std::string& file, std::string& from, const std::string&
     if (key == "replace") from = unescaped(value);
     if (key == "with")
         job.files[file] = replaced(job.files[file], from, unescaped(value));
+    if (key == "write") job.files[file] = unescaped(value);
     if (key == "drop") job.files[file] = without_line(job.files[file], value);
     if (key == "empty") job.files[file].clear();
     if (key == "remove") job.files.erase(file);
