@@ -1,3 +1,4 @@
+/// The climb to a mode by L-BFGS, and the metric from the curvature there.
 #include "sampling/climb.hpp"
 
 #include "sampling/normal.hpp"
@@ -155,6 +156,7 @@ std::vector<double> covariance_of(const Square& hessian, MetricShape shape) {
 }  // namespace
 
 Task<> climb(Walker& walker) {
+    if (walker.metric.size() == 0) co_return;  // whole numbers only
     Moves moves;
     int n_idle = 0;
     for (int k = 0; k < most_iterations && n_idle < patience; ++k) {
@@ -179,6 +181,7 @@ Task<> climb(Walker& walker) {
 }
 
 Task<> learn_curvature(Walker& walker) {
+    if (walker.metric.size() == 0) co_return;
     const auto n = index(walker.metric.size());
     const Square rough = co_await negative_hessian(walker, Vector::Constant(n, 1e-4));
     const Vector steps =
