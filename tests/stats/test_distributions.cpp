@@ -34,6 +34,21 @@ TEST(Distributions, AgreeWithScipy) {
     expect_close(fisher_f_quantile(0.975, 3, 77.3), 3.2901458035939943);
 }
 
+TEST(Distributions, NormalQuantilesThatWichuraPublished) {
+    // Applied Statistics 37(3), p. 482: test values of PPND16.
+    EXPECT_NEAR(normal_quantile(0.25), -0.6744897501960817, 1e-15);
+    EXPECT_NEAR(normal_quantile(0.001), -3.090232306167814, 1e-14);
+    EXPECT_NEAR(normal_quantile(1e-20), -9.262340089798408, 1e-14);
+    EXPECT_EQ(normal_quantile(0.5), 0);
+}
+
+TEST(Distributions, NormalQuantileInvertsTheDistributionFunction) {
+    for (double z = -8; z <= 5; z += 0.37)
+        EXPECT_NEAR(normal_quantile(0.5 * std::erfc(-z / std::sqrt(2))), z,
+                    z < 2 ? 1e-13 : 1e-9)
+            << z;
+}
+
 TEST(Distributions, KeepTheirDigitsInTheUpperTail) {
     expect_close((Distribution{Family::normal, 0, 1}.upper_quantile(1e-20)),
                  9.262340089798409);
