@@ -2,6 +2,7 @@
 #include "report/sections.hpp"
 #include "report/text_table.hpp"
 #include "stats/convergence.hpp"
+#include "stats/quantile.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,15 +22,6 @@ Matrix matrix_of(const Group& group, const std::string& leaf) {
     Matrix matrix(shape[0], shape[1]);
     matrix.values = group.values(leaf);
     return matrix;
-}
-
-double quantile(const std::vector<double>& sorted, double p) {
-    if (sorted.empty()) return nan;
-    const double at = p * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(at);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return sorted[below] +
-           (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
 struct Moments {
@@ -126,11 +118,12 @@ std::string estimates_table(const std::vector<Unknown>& unknowns) {
     for (const Unknown& unknown : unknowns) {
         const stats::Convergence& c = unknown.convergence;
         if (unknown.name == "log_density") continue;
-        table.add({unknown.name, unknown.unit,
-                   plus_minus(unknown.prior.mean, unknown.prior.sd),
-                   plus_minus(c.mean, c.sd), in_short(quantile(unknown.sorted, 0.05)),
-                   in_short(quantile(unknown.sorted, 0.5)),
-                   in_short(quantile(unknown.sorted, 0.95))});
+        const auto quantile = [&](double p) {
+            return in_short(stats::quantile_of_sorted(unknown.sorted, p));
+        };
+        table.add(
+            {unknown.name, unknown.unit, plus_minus(unknown.prior.mean, unknown.prior.sd),
+             plus_minus(c.mean, c.sd), quantile(0.05), quantile(0.5), quantile(0.95)});
     }
     return table.text(21);
 }

@@ -5,6 +5,7 @@
 #include "stats/distributions.hpp"
 #include "stats/effective_size.hpp"
 #include "stats/gelman_rubin.hpp"
+#include "stats/quantile.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,15 +21,6 @@ std::vector<double> sorted(const Matrix& draws) {
     std::vector<double> values = draws.values;
     std::sort(values.begin(), values.end());
     return values;
-}
-
-/// Between order statistics, with (n - 1) p + 1 as place (Hyndman and Fan's type 7).
-double quantile_of_sorted(const std::vector<double>& values, double p) {
-    const double place = p * static_cast<double>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
-    const double share = place - static_cast<double>(below);
-    return values[below] + share * (values[above] - values[below]);
 }
 
 template <class F>

@@ -1,5 +1,7 @@
 #include "study/chain_results.hpp"
 
+#include "stats/quantile.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,13 +14,8 @@ constexpr std::size_t n_prior_draws = 1000;
 constexpr std::uint32_t prior_stream = 0x70726972;  // of the job's random numbers
 
 double quantile(std::vector<double> values, double p) {
-    if (values.empty()) return std::nan("");
     std::ranges::sort(values);
-    const double at = p * static_cast<double>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(at);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
-    return values[below] +
-           (at - static_cast<double>(below)) * (values[above] - values[below]);
+    return stats::quantile_of_sorted(values, p);
 }
 
 void add_draws(const Posterior& posterior, const std::vector<Matrix>& unknowns,

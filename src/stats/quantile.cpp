@@ -1,0 +1,18 @@
+/// Quantiles of a sample, between its order statistics.
+#include "stats/quantile.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace bemcal::stats {
+
+double quantile_of_sorted(std::span<const double> sorted, double p) {
+    if (sorted.empty()) return std::numeric_limits<double>::quiet_NaN();
+    const double place = p * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    const double share = place - static_cast<double>(below);
+    return sorted[below] + share * (sorted[above] - sorted[below]);
+}
+
+}  // namespace bemcal::stats
