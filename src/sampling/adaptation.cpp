@@ -34,8 +34,7 @@ Adaptation::Adaptation(const Walker& walker, const SamplerOptions& options)
     : windows_(windows_of(options.n_warm_up)),
       step_sizes_(walker.scales.size(), DualAveraging(target_of(options))),
       covariance_(walker.metric.size(), walker.metric.shape()),
-      keeps_first_(options.climbs && options.method == Method::nuts &&
-                   options.inverse_temperatures.size() == 1) {}
+      keeps_first_(climbs_first(options)) {}
 
 void Adaptation::restart(const Walker& walker) {
     for (std::size_t i = 0; i < step_sizes_.size(); ++i)

@@ -3,8 +3,10 @@
 
 #include "sampling/ladder.hpp"
 
+#include <algorithm>
 #include <deque>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -39,6 +41,29 @@ void check(const SamplerOptions& options, int n_draws) {
 }
 
 }  // namespace
+
+bool climbs_first(const SamplerOptions& options) {
+    return options.climbs && options.method == Method::nuts &&
+           options.inverse_temperatures.size() == 1;
+}
+
+/// A state (Ladder::memory): meetings, inverse temperature, position, step size, metric.
+void share_metric(const Density& density, const SamplerOptions& options,
+                  std::vector<std::vector<double>>& states) {
+    if (!climbs_first(options)) return;
+    const std::size_t step_size = 2 + density.dimension();
+    std::vector<std::size_t> alive;
+    for (std::size_t c = 0; c < states.size(); ++c)
+        if (states[c].size() > step_size) alive.push_back(c);
+    if (alive.empty()) return;
+    std::ranges::sort(alive, {},
+                      [&](std::size_t c) { return std::pair(states[c][step_size], c); });
+    const std::vector<double> chosen = states[alive[alive.size() * 3 / 4]];
+    const auto learnt = chosen.begin() + static_cast<std::ptrdiff_t>(step_size);
+    for (const std::size_t c : alive)
+        std::copy(learnt, chosen.end(),
+                  states[c].begin() + static_cast<std::ptrdiff_t>(step_size));
+}
 
 std::vector<ChainPart> run_chains(Density& density, const SamplerOptions& options,
                                   const std::vector<ChainTask>& tasks, int n_draws) {

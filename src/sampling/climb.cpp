@@ -185,8 +185,7 @@ Task<> learn_curvature(Walker& walker) {
     const auto n = index(walker.metric.size());
     const Square rough = co_await negative_hessian(walker, Vector::Constant(n, 1e-4));
     const Vector steps =
-        (0.3 * rough.diagonal().cwiseAbs().cwiseMax(1).cwiseSqrt().cwiseInverse())
-            .cwiseMax(1e-4);
+        rough.diagonal().cwiseAbs().cwiseMax(1).cwiseSqrt().cwiseInverse().cwiseMax(1e-4);
     const Square hessian = co_await negative_hessian(walker, steps);
     if (!hessian.allFinite()) co_return;
     walker.metric.set_covariance(covariance_of(hessian, walker.metric.shape()));

@@ -4,9 +4,9 @@
 /// its gradients on the way.
 ///
 /// L-BFGS with backtracking (Nocedal and Wright 2006, algorithms 7.4 and 3.1) in the real
-/// coordinates; the Hessian by central differences of the gradient, over about a third of
-/// a standard deviation, so that kinks average out. Each chain climbs from its own start:
-/// chains that end on different modes still show that there are several.
+/// coordinates; the Hessian by central differences of the gradient, over about
+/// a standard deviation to each side, so that kinks average out. Each chain climbs from
+/// its own start: chains that end on different modes still show that there are several.
 #pragma once
 
 #include "sampling/walker.hpp"

@@ -16,6 +16,10 @@ namespace {
 /// Streams of a chain's round: the first for swaps, then one for each temperature.
 constexpr std::uint32_t chain_streams = 0x43480000;
 
+/// A chain that starts at its mode needs no long trajectories to arrive; a poor metric
+/// would make it follow many.
+constexpr int warm_up_depth = 5;
+
 Stream stream_of(const ChainTask& task, std::size_t number) {
     return {task.seed, chain_streams + static_cast<std::uint32_t>(number),
             (std::uint64_t{task.chain} << 32) | task.round};
@@ -121,9 +125,11 @@ Task<> Ladder::warm_up(Walker& walker) {
     const bool is_nuts = walker.method == Method::nuts;
     co_await find_start(walker);
     if (!part_.failure.empty()) co_return;
-    if (is_nuts && setting_.options.climbs && walkers_.size() == 1) {
+    if (climbs_first(setting_.options)) {
         co_await climb(walker);
         co_await learn_curvature(walker);
+        walker.trajectory.set_most_depth(
+            std::min(setting_.options.most_depth, warm_up_depth));
     }
     if (is_nuts) co_await find_step_size(walker);
     Adaptation adaptation(walker, setting_.options);

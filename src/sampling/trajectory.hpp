@@ -33,6 +33,8 @@ class Trajectory {
     Leaf& root() { return edges_[0]; }
     void begin();
     bool may_grow() const { return depth_ < most_depth_; }
+    /// For the transitions to come, up to the depth it was made for.
+    void set_most_depth(int most_depth) { most_depth_ = most_depth; }
 
     /// Starts a subtree as large as the trajectory, at either end of it.
     void begin_subtree(Stream& random);

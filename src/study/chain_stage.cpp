@@ -102,7 +102,10 @@ std::optional<Round> ChainStage::next_round(
     if (n_draws > 0 && (n_draws >= options_.most_draws ||
                         convergence_table(*posterior_, draws).meets(options_)))
         return std::nullopt;
-    return Round{layout_.n_groups(), pack_states(last_states(layout_, answers))};
+    auto states = last_states(layout_, answers);
+    if (n_draws == 0)
+        sampling::share_metric(*posterior_->make_density(), options_.sampler, states);
+    return Round{layout_.n_groups(), pack_states(states)};
 }
 
 }  // namespace
