@@ -109,7 +109,12 @@ class KohPosterior : public Posterior {
         Matrix values(draws.positions.rows, unknowns_.size());
         for (std::size_t r = 0; r < values.rows; ++r)
             read(draws.positions.row(r), values.row(r));
-        add_moves(moves_of(coordinates_, values), datasets);
+        std::vector<ParameterMove> moves = moves_of(coordinates_, values);
+        for (std::size_t k = 0; k < moves.size(); ++k)
+            if (density_->coordinates().free()[k].role == emulator::Role::correlation &&
+                moves[k].finding == Finding::at_edge && moves[k].posterior_mean > 0.5)
+                moves[k].words = "hardly any dependence on this input";
+        add_moves(moves, datasets);
     }
 
     KohOptions options_;
