@@ -14,3 +14,5 @@ find "$jobs" -name '*.toml' -exec sed -i -E 's/^( *n_base *=).*/\1 16/; s/^( *n_
 . "$root/scripts/environment"
 fail() { echo "$*" >&2; exit 1; }
 hash_of() { "$BEMCAL_PROGRAM" status "$1" | grep -oE '\b[0-9a-f]{32}\b' | head -n 1; }
+# Made small, a posterior misses its target, and the run ends with 1; for tests that are not about it.
+drop_posterior() { sed -i '/^# The ten that matter/,$d' "$jobs/quickstart/quickstart.toml"; }

@@ -4,6 +4,7 @@
 set -euo pipefail
 . "$(dirname "$0")/small_jobs.sh"
 job=$jobs/quickstart/quickstart.toml
+drop_posterior
 sed -i -E 's/^( *n_points *=).*/\1 8192/; s/^( *points_per_item *=).*/\1 64/' "$job"
 grep -q '^ *points_per_item' "$job" || sed -i -E 's/^( *n_points *=.*)/\1\npoints_per_item = 64/' "$job"
 export OMP_NUM_THREADS=1

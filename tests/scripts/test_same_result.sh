@@ -4,6 +4,7 @@
 set -euo pipefail
 . "$(dirname "$0")/small_jobs.sh"
 job=$jobs/quickstart/quickstart.toml
+drop_posterior
 run() {  # run NAME COMMAND...: its hash
   local result=$folder/$1.h5
   "${@:2}" run "$job" -o "$result" >"$folder/log" 2>&1 || { cat "$folder/log" >&2; fail "failed: ${*:2}"; }

@@ -4,6 +4,7 @@
 set -euo pipefail
 . "$(dirname "$0")/small_jobs.sh"
 job=$jobs/quickstart/quickstart.toml
+drop_posterior
 "$root/scripts/build" clang bemcal-batch
 hash_by() {  # hash_by PROGRAM KERNEL
   BEMCAL_KERNEL=$2 "$1" run "$job" -o "$folder/result.h5" --force >"$folder/log" 2>&1 || {
