@@ -22,7 +22,7 @@ def copy_quickstart(folder):
 def write_job(folder):
     """The large job, with a small sensitivity study; returns the job file."""
     job = copy_quickstart(folder)
-    text = job.read_text()
+    text = re.sub(r"(?s)# The ten that matter.*", "", job.read_text())  # no posterior
     text = re.sub(r"(?m)^(n_base *=).*", r"\1 16", text)
     text = re.sub(r"(?m)^(n_points *=).*", rf"\1 {SIMULATIONS // PERIODS}", text)
     text = re.sub(r"(?m)^(points_per_item *=).*", r"\1 1024", text)
