@@ -90,7 +90,7 @@ TEST(PosteriorStudy, HasTheDefaultsOfTheSchema) {
     EXPECT_EQ(options.chains.sampler.n_warm_up, 500);
     EXPECT_EQ(options.chains.sampler.inverse_temperatures, std::vector<double>{1});
     EXPECT_TRUE(options.residuals.autocorrelated);
-    EXPECT_TRUE(options.residuals.discrepancy);
+    EXPECT_FALSE(options.residuals.discrepancy);
     EXPECT_EQ(options.n_predictive, 200);
     EXPECT_EQ(options.pooling, study::Pooling::none);
 }
@@ -101,7 +101,7 @@ TEST(PosteriorStudy, TakesEveryKey) {
         "kind = \"posterior\"\nperiod = \"training\"\nn_chains = 4\nwarm_up = 50\n"
         "draws_per_round = 25\ntarget_rhat = 1.05\ntarget_ess = 100\nmost_draws = 200\n"
         "thin = 2\nsampler = \"random_walk\"\ntemperatures = [1, 2, 8]\n"
-        "autocorrelated = false\ndiscrepancy = false\nhold_out_weeks = 0.25\n"
+        "autocorrelated = false\ndiscrepancy = true\nhold_out_weeks = 0.25\n"
         "hold_out_hours = 0.1\nn_predictive = 30\nmeters = [\"air\"]\n"
         "pooling = \"partial\"");
     const study::PosteriorOptions& options = job.studies[1].posterior;
@@ -117,7 +117,7 @@ TEST(PosteriorStudy, TakesEveryKey) {
     EXPECT_EQ(options.chains.sampler.inverse_temperatures,
               (std::vector<double>{1, 0.5, 0.125}));
     EXPECT_FALSE(options.residuals.autocorrelated);
-    EXPECT_FALSE(options.residuals.discrepancy);
+    EXPECT_TRUE(options.residuals.discrepancy);
     EXPECT_EQ(options.hold_out_weeks, 0.25);
     EXPECT_EQ(options.hold_out_hours, 0.1);
     EXPECT_EQ(options.n_predictive, 30);
