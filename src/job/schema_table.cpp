@@ -331,7 +331,8 @@ constexpr Key table[] = {
     {"study", "n_best", Type::integer, "", "20", 1, 100000, "Of a screening."},
     {"study", "fixed", Type::table, "", "", 0, 0, "[study.fixed]"},
     {"study", "parameters", Type::texts, "", "", 0, 0,
-     "Of a posterior: names of the parameters that it calibrates, the others stay nominal; "
+     "Of a posterior: names of the parameters that it calibrates, the others stay "
+     "nominal; "
      "default: all."},
     {"study", "meters", Type::texts, "", "", 0, 0,
      "Of a posterior: names of the meters it learns from; default: all with readings."},
