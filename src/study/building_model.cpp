@@ -123,6 +123,17 @@ stats::Prior beta(double a, double b) {
     return prior;
 }
 
+/// Of the residuals' variance: a slow error of up to a third of their standard deviation.
+/// A larger one takes over the level that the parameters should explain.
+constexpr double largest_slow_share = 0.1;
+
+stats::Prior uniform(double least, double most) {
+    stats::Prior prior;
+    prior.least = least;
+    prior.most = most;
+    return prior;
+}
+
 /// A fortnight, in readings.
 double fortnight(physics::Interval interval) {
     return interval == physics::Interval::daily ? 14 : 14 * 24;
@@ -133,7 +144,7 @@ stats::Prior residual_prior(const std::string& name, const Meter& meter) {
     if (name == "constant") return is_air ? lognormal(0.5, 1) : lognormal(0.1, 1);
     if (name == "proportional") return is_air ? fixed(0) : lognormal(0.1, 1);
     if (name == "phi") return beta(1, 1);
-    if (name == "share") return beta(1, 1);
+    if (name == "share") return uniform(0, largest_slow_share);
     return lognormal(fortnight(meter.interval), 0.7);
 }
 
