@@ -62,19 +62,6 @@ TEST(Climb, AShortWarmUpSufficesWhereTheTargetIsFarNarrowerThanTheStarts) {
     EXPECT_LT(steps, 10);
 }
 
-/// Density evaluations of 20 draws after the same short warm-up.
-long long cost_of_draws(bool climbs) {
-    auto density = narrow();
-    const auto warm = warm_up(quick(climbs), density);
-    const long long before = density.n_points();
-    run_chains(density, quick(climbs), {{5, 0, 1, warm[0].state}}, 20);
-    return density.n_points() - before;
-}
-
-TEST(Climb, SavesLongTrajectories) {
-    EXPECT_LT(5 * cost_of_draws(true), cost_of_draws(false));
-}
-
 TEST(ShareMetric, GivesAllChainsTheStepAndMetricOfOneAndLeavesTheRest) {
     auto density = narrow();
     const auto warm = warm_up(quick(true), density);
