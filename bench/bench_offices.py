@@ -8,9 +8,14 @@ those in which something was metered. The interval of the sum takes the two mete
 independent. Prints a table, then lines `name value unit
 reference ratio`, and writes gd_11.csv. Needs the readings in ../shared.
 
-    bench_offices.py [--only gd_03 ...] [--csv FILE]
+The job's eight chains are one item of work, of one thread; as many offices as there are cores are
+left out at a time. BEMCAL_PROGRAM may name another program than the release build's.
+
+    bench_offices.py [--only gd_03 ...] [--set KEY=VALUE ...] [--csv FILE]
 """
 import argparse
+import concurrent.futures
+import os
 import pathlib
 import re
 import subprocess
@@ -32,11 +37,14 @@ COLUMNS = ("office", "design hourly", "hourly", "design monthly", "monthly", "bi
            "coverage > 0")
 
 
-def job_without(office, folder):
-    """The job with that office unseen."""
+def job_without(office, folder, changes):
+    """The job with that office unseen, and with other values of its study's keys."""
     text = JOB.read_text()
     text = re.sub(r'"(gd_\d\d\.toml)"', lambda m: f'"{JOB.parent / m[1]}"', text)
     text = re.sub(r"(?m)^unseen = .*", f'unseen = ["{office}"]', text)
+    for change in changes:
+        key, value = change.split("=", 1)
+        text = re.sub(rf"(?m)^{key} = .*", f"{key} = {value}", text)
     if office != KEPT_BACK:
         text = re.sub(rf'(?m)^.*/{KEPT_BACK}\.toml",?\n', "", text)
     job = pathlib.Path(folder) / f"without_{office}.toml"
@@ -46,20 +54,21 @@ def job_without(office, folder):
 
 def run(job):
     result = job.with_suffix(".h5")
-    done = subprocess.run(["mpirun", "-np", "2", "--oversubscribe", large_job.PROGRAM, "run", job,
-                           "-o", result], stdout=subprocess.DEVNULL)
+    done = subprocess.run([large_job.PROGRAM, "run", job, "-o", result, "--threads", "1"],
+                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     if done.returncode not in (0, NOT_CONVERGED):
-        sys.exit(f"bench_offices: {job}: exit code {done.returncode}")
+        sys.exit(f"bench_offices: {job}: exit code {done.returncode}\n{done.stderr}")
     return result
 
 
 def meter_of(file, office, meter):
-    """{leaf: values} of an office's meter in the training period."""
-    found = []
-    file.visit(lambda path: found.append(path)
-               if path.endswith(f"{office}/training/{meter}") else None)
-    return {leaf: values[:] for leaf, values in file[found[0]].items()
-            if isinstance(values, h5py.Dataset) and values.shape}
+    """An office's meter, of all periods in the order of time."""
+    def table(group):
+        return pandas.DataFrame({leaf: values[:] for leaf, values in group.items()
+                                 if isinstance(values, h5py.Dataset) and values.shape})
+    found = [table(period[meter]) for period in file["posterior"][office].values()]
+    hours = pandas.concat(found).sort_values("time")
+    return hours.set_index(pandas.to_datetime(hours.time, unit="s"))
 
 
 def prediction(result, office):
@@ -67,13 +76,11 @@ def prediction(result, office):
     with h5py.File(result) as file:
         cold, heat = (meter_of(file, office, meter) for meter in ("cold", "heat"))
     total = {leaf: cold[leaf] + heat[leaf] for leaf in ("nominal", "predicted_mean")}
-    mean = total["predicted_mean"]
     for leaf, sign in (("predicted_q05", -1), ("predicted_q95", 1)):
-        off = [numpy.abs(m[leaf] - m["predicted_mean"]) for m in (cold, heat)]
-        total[leaf] = numpy.maximum(mean + sign * numpy.hypot(*off), 0)
-    hours = pandas.to_datetime(cold["time"], unit="s")
+        off = [(m[leaf] - m["predicted_mean"]).abs() for m in (cold, heat)]
+        total[leaf] = (total["predicted_mean"] + sign * numpy.hypot(*off)).clip(lower=0)
     return pandas.DataFrame(total | {"heat": heat["predicted_mean"],
-                                     "cool": cold["predicted_mean"]}, index=hours)
+                                     "cool": cold["predicted_mean"]})
 
 
 def measured(office):
@@ -102,10 +109,9 @@ def errors_of(predicted, readings):
             100 * within[readings > 0].mean()]
 
 
-def leave_out(office):
+def predicted_without(office, changes):
     with tempfile.TemporaryDirectory() as folder:
-        predicted = prediction(run(job_without(office, folder)), office)
-    return errors_of(predicted, measured(office))
+        return prediction(run(job_without(office, folder, changes)), office)
 
 
 def print_results(rows):
@@ -123,12 +129,11 @@ def print_results(rows):
         print(f"{name} {value:.2f} {unit} {reference} {value / reference:.3f}")
 
 
-def write_kept_back(path):
-    with tempfile.TemporaryDirectory() as folder:
-        predicted = prediction(run(job_without(KEPT_BACK, folder)), KEPT_BACK)
+def write_kept_back(predicted, path):
     table = pandas.DataFrame({"heat_kWh": predicted.heat, "cool_kWh": predicted.cool,
                               "q05": predicted.predicted_q05, "q95": predicted.predicted_q95})
     table.index = (predicted.index + pandas.Timedelta(hours=1)).strftime("%Y-%m-%dT%H:%M:%S")
+    pathlib.Path(path).parent.mkdir(parents=True, exist_ok=True)
     table.to_csv(path, index_label="timestamp", float_format="%.3f")
     print(f"wrote {path}")
 
@@ -136,18 +141,23 @@ def write_kept_back(path):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--only", nargs="*", default=OFFICES, help="leave these out only")
+    parser.add_argument("--set", nargs="*", default=[], help="other values of the study's keys")
     parser.add_argument("--csv", help="predict gd_11 into this file")
     options = parser.parse_args()
     if not CASES.exists():
         print(f"skipped: no readings in {CASES}")
         return
     print(f"{COLUMNS[0]:<8}" + "".join(f"{name:>16}" for name in COLUMNS[1:]))
+    offices = [*options.only, KEPT_BACK]
     rows = {}
-    for office in options.only:
-        rows[office] = leave_out(office)
-        print(f"{office:<8}" + "".join(f"{value:16.1f}" for value in rows[office]), flush=True)
-    print_results(rows)
-    write_kept_back(options.csv or large_job.ROOT / "build" / "bench" / "gd_11.csv")
+    with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
+        runs = {office: pool.submit(predicted_without, office, options.set) for office in offices}
+        for office in options.only:
+            rows[office] = errors_of(runs[office].result(), measured(office))
+            print(f"{office:<8}" + "".join(f"{value:16.1f}" for value in rows[office]), flush=True)
+        print_results(rows)
+        write_kept_back(runs[KEPT_BACK].result(),
+                        options.csv or large_job.ROOT / "build" / "bench" / "gd_11.csv")
 
 
 if __name__ == "__main__":
