@@ -92,7 +92,7 @@ class Moves {
 };
 
 /// No further than `longest_step` in any coordinate; without memory a short one.
-Vector bounded(Vector direction, bool is_first) {
+Vector bounded(const Vector& direction, bool is_first) {
     const double size = direction.lpNorm<Eigen::Infinity>();
     const double most = is_first ? 0.1 : longest_step;
     return size > most ? Vector(direction * (most / size)) : direction;
@@ -117,7 +117,7 @@ Task<bool> step_up(Walker& walker, Vector direction) {
 
 /// -d gradient / d x, row k moved by steps[k] to both sides; rows that leave the support
 /// are zero.
-Task<Square> negative_hessian(Walker& walker, const Vector steps) {
+Task<Square> negative_hessian(Walker& walker, const Vector& steps) {
     const Vector x = position_of(walker, walker.current);
     Square hessian = Square::Zero(x.size(), x.size());
     for (Eigen::Index k = 0; k < x.size(); ++k)
