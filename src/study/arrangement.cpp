@@ -51,6 +51,7 @@ class Shared : public Arrangement {
     }
     std::vector<Coordinate> reported() const override {
         std::vector<Coordinate> free;
+        free.reserve(space_->n_free());
         for (std::size_t f = 0; f < space_->n_free(); ++f)
             free.push_back(space_->coordinates()[space_->index_of(f)]);
         return free;
@@ -164,6 +165,7 @@ std::vector<Coordinate> Hierarchical::reported() const {
     const auto coordinate = [&](std::size_t f) {
         return space_->coordinates()[space_->index_of(f)];
     };
+    names.reserve(space_->n_free() + own_.size());
     for (std::size_t f = 0; f < space_->n_free(); ++f) names.push_back(coordinate(f));
     for (const std::size_t f : own_)
         names.push_back(
