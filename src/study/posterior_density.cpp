@@ -103,6 +103,7 @@ void PosteriorDensity::evaluate(const Matrix& points, bool gradients,
 
 std::shared_ptr<const Space> space_of(const BuildingModel& model) {
     std::vector<Coordinate> coordinates;
+    coordinates.reserve(model.n_parameters());
     for (std::size_t k = 0; k < model.n_parameters(); ++k)
         coordinates.push_back(coordinate_of(model.building(), k));
     for (const MeterModel& meter : model.meters())
