@@ -97,12 +97,12 @@ std::vector<physics::Channel> channels_of(const Case& building,
     return channels;
 }
 
-stats::Prior lognormal(double median, double sd_log) {
+stats::Prior lognormal(double median, double sd_log, double least = 0) {
     stats::Prior prior;
     prior.kind = stats::PriorKind::lognormal;
     prior.a = std::log(median);
     prior.b = sd_log;
-    prior.least = 0;
+    prior.least = least;
     return prior;
 }
 
@@ -123,6 +123,10 @@ stats::Prior beta(double a, double b) {
     return prior;
 }
 
+/// Of the scale: where readings and predictions are both 0, as of a plant that is off,
+/// the density would grow without bound as the constant part goes to 0.
+constexpr double least_constant = 0.01;
+
 /// Of the residuals' variance: a slow error of up to a third of their standard deviation.
 /// A larger one takes over the level that the parameters should explain.
 constexpr double largest_slow_share = 0.1;
@@ -141,7 +145,7 @@ double fortnight(physics::Interval interval) {
 
 stats::Prior residual_prior(const std::string& name, const Meter& meter) {
     const bool is_air = meter.quantity == physics::Quantity::air_temperature;
-    if (name == "constant") return is_air ? lognormal(0.5, 1) : lognormal(0.1, 1);
+    if (name == "constant") return lognormal(is_air ? 0.5 : 0.1, 1, least_constant);
     if (name == "proportional") return is_air ? fixed(0) : lognormal(0.1, 1);
     if (name == "phi") return beta(1, 1);
     if (name == "share") return uniform(0, largest_slow_share);
