@@ -17,12 +17,6 @@ using study::Case;
 using study::Stage;
 using Stages = std::vector<std::unique_ptr<Stage>>;
 
-const study::Period& period_of(const Case& building, const std::string& name) {
-    for (const study::Period& period : building.periods)
-        if (period.name == name) return period;
-    return building.periods.at(0);
-}
-
 std::unique_ptr<Stage> stage_of(const StudySpec& study, const Case& building) {
     const std::string name = building.name + "/" + study.name;
     if (study.kind == StudyKind::screening)

@@ -76,11 +76,6 @@ bool has_reading(const Case& building, const study::Period& period,
     return false;
 }
 
-const study::Period& period_of(const Case& building, const std::string& name) {
-    const auto found = std::ranges::find(building.periods, name, &study::Period::name);
-    return found == building.periods.end() ? building.periods.at(0) : *found;
-}
-
 void check_parameters(const Section& section, const PosteriorOptions& options,
                       const Case& building) {
     std::vector<std::string> names;

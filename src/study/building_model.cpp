@@ -34,16 +34,6 @@ double scale_of(const physics::Readings& readings) {
     return sum > 0 ? sum / n : 1;
 }
 
-std::vector<physics::Seconds> begins_of(const physics::TimeAxis& axis,
-                                        physics::Interval interval) {
-    const std::vector<int> bounds = physics::interval_bounds(axis, interval);
-    std::vector<physics::Seconds> begins;
-    begins.reserve(bounds.size());
-    for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
-        begins.push_back(axis.begin_of(bounds[k]));
-    return begins;
-}
-
 std::vector<double> training_readings(const std::vector<double>& values,
                                       const MeterChoice& choice, std::size_t meter) {
     std::vector<double> kept = values;

@@ -48,6 +48,22 @@ physics::TimeAxis axis_of(const Case& building, const Period& period) {
             static_cast<int>((period.to - period.from).count() / building.step_s)};
 }
 
+std::vector<physics::Seconds> begins_of(const physics::TimeAxis& axis,
+                                        physics::Interval interval) {
+    const std::vector<int> bounds = physics::interval_bounds(axis, interval);
+    std::vector<physics::Seconds> begins;
+    begins.reserve(bounds.size());
+    for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
+        begins.push_back(axis.begin_of(bounds[k]));
+    return begins;
+}
+
+const Period& period_of(const Case& building, const std::string& name) {
+    for (const Period& period : building.periods)
+        if (period.name == name) return period;
+    return building.periods.at(0);
+}
+
 physics::Drive drive_of(const Case& building, const Period& period) {
     return physics::make_drive(building.weather, building.building, building.profiles,
                                period.from, period.to, building.step_s,

@@ -56,6 +56,13 @@ struct Case {
 /// The simulated steps of a period, without its warm-up.
 physics::TimeAxis axis_of(const Case& building, const Period& period);
 
+/// Where the intervals of the steps begin.
+std::vector<physics::Seconds> begins_of(const physics::TimeAxis& axis,
+                                        physics::Interval interval);
+
+/// The period of that name; without one the first.
+const Period& period_of(const Case& building, const std::string& name);
+
 /// The drive of a period, and the readings that fall into it. A reading whose interval
 /// reaches beyond the period is missing. Throws std::invalid_argument where a meter is
 /// read at another step than the simulation's.

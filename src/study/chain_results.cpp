@@ -18,29 +18,25 @@ double quantile(std::vector<double> values, double p) {
     return stats::quantile_of_sorted(values, p);
 }
 
+std::vector<double> column_of(const Matrix& matrix, std::size_t column) {
+    std::vector<double> values(matrix.rows);
+    for (std::size_t r = 0; r < matrix.rows; ++r) values[r] = matrix(r, column);
+    return values;
+}
+
 void add_draws(const Posterior& posterior, const std::vector<Matrix>& unknowns,
                const ChainDraws& draws, DatasetBuilder& datasets) {
     for (std::size_t u = 0; u < unknowns.size(); ++u)
         datasets.array("posterior/" + posterior.unknowns()[u].name, {"chain", "draw"},
                        {draws.n_chains, draws.n_draws}, unknowns[u].values,
                        posterior.unknowns()[u].unit);
-    for (std::size_t s = 0; s < sampling::n_statistics; ++s) {
-        std::vector<double> column(draws.statistics.rows);
-        for (std::size_t k = 0; k < column.size(); ++k)
-            column[k] = draws.statistics(k, s);
+    for (std::size_t s = 0; s < sampling::n_statistics; ++s)
         datasets.array(std::string("sample_stats/") +
                            sampling::name_of(static_cast<sampling::Statistic>(s)),
                        {"chain", "draw"}, {draws.n_chains, draws.n_draws},
-                       std::move(column));
-    }
+                       column_of(draws.statistics, s));
     datasets.array("sample_stats/lp", {"chain", "draw"}, {draws.n_chains, draws.n_draws},
                    log_densities(draws).values);
-}
-
-std::vector<double> column_of(const Matrix& matrix, std::size_t column) {
-    std::vector<double> values(matrix.rows);
-    for (std::size_t r = 0; r < matrix.rows; ++r) values[r] = matrix(r, column);
-    return values;
 }
 
 void add_prior(const Posterior& posterior, const Matrix& prior,
@@ -112,6 +108,14 @@ std::string chains_that_failed(const ChainDraws& draws) {
 
 }  // namespace
 
+Matrix draw_prior(const Posterior& posterior, std::size_t n, Stream& random) {
+    const auto density = posterior.make_density();
+    Matrix draws(n, posterior.unknowns().size());
+    for (std::size_t r = 0; r < n; ++r)
+        posterior.read(density->draw_start(random), draws.row(r));
+    return draws;
+}
+
 std::string shortfall_of(const ConvergenceTable& table, const ChainOptions& options,
                          const ChainDraws& draws) {
     if (draws.n_chains == 0)
@@ -145,7 +149,7 @@ std::vector<Dataset> chain_datasets(const std::string& stage, const Posterior& p
     add_quantiles(unknowns, draws, datasets);
     add_draws(posterior, unknowns, draws, datasets);
     Stream random(options.seed, prior_stream, 0);
-    add_prior(posterior, posterior.prior_draws(n_prior_draws, random), datasets);
+    add_prior(posterior, draw_prior(posterior, n_prior_draws, random), datasets);
     posterior.conclude(draws, datasets);
     return datasets.take();
 }

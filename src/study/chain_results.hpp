@@ -10,6 +10,9 @@ namespace bemcal::study {
 std::vector<Dataset> chain_datasets(const std::string& stage, const Posterior& posterior,
                                     const ChainOptions& options, const ChainDraws& draws);
 
+/// \return [n x unknowns] draws from the prior
+Matrix draw_prior(const Posterior& posterior, std::size_t n, Stream& random);
+
 /// "not converged: ..." or what chains did not start; empty = all is well.
 std::string shortfall_of(const ConvergenceTable& table, const ChainOptions& options,
                          const ChainDraws& draws);

@@ -38,8 +38,6 @@ class Posterior {
     /// A position in physical units. \param values  [unknowns]
     virtual void read(std::span<const double> position,
                       std::span<double> values) const = 0;
-    /// \return [n x unknowns] draws from the prior
-    virtual Matrix prior_draws(std::size_t n, Stream& random) const = 0;
     /// What follows from the draws beside the unknowns themselves: predictions.
     virtual void conclude(const ChainDraws& draws, DatasetBuilder& datasets) const = 0;
 };

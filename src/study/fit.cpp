@@ -94,8 +94,7 @@ MeterSeries series_of(const PlainRun& run, const physics::TimeAxis& axis,
                       const physics::Readings& readings) {
     const std::vector<int> bounds = physics::interval_bounds(axis, readings.interval);
     MeterSeries series;
-    for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
-        series.begins.push_back(axis.begin_of(bounds[k]));
+    series.begins = begins_of(axis, readings.interval);
     series.simulated =
         physics::aggregate(run.by_step(readings.quantity), bounds, readings.quantity);
     series.measured = readings.values;

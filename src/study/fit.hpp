@@ -10,6 +10,21 @@
 
 namespace bemcal::study {
 
+/// The metrics by name, in the order in which results store them.
+struct FitNumber {
+    const char* name;
+    double stats::FitMetrics::* value;
+};
+inline constexpr FitNumber fit_numbers[] = {
+    {"n", &stats::FitMetrics::n},
+    {"nmbe", &stats::FitMetrics::nmbe},
+    {"cv_rmse", &stats::FitMetrics::cv_rmse},
+    {"cv_rmse_n1", &stats::FitMetrics::cv_rmse_n1},
+    {"mape", &stats::FitMetrics::mape},
+    {"n_left_out", &stats::FitMetrics::n_left_out},
+    {"r2", &stats::FitMetrics::r2},
+    {"rmse", &stats::FitMetrics::rmse}};
+
 /// Metrics of one meter in one period, at the meter's interval and by calendar month.
 struct MeterFit {
     stats::FitMetrics own;

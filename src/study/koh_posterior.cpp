@@ -77,12 +77,6 @@ class KohPosterior : public Posterior {
     void read(std::span<const double> position, std::span<double> values) const override {
         std::ranges::copy(density_->values(position), values.begin());
     }
-    Matrix prior_draws(std::size_t n, Stream& random) const override {
-        Matrix draws(n, unknowns_.size());
-        for (std::size_t r = 0; r < n; ++r)
-            read(density_->draw_start(random), draws.row(r));
-        return draws;
-    }
     void conclude(const ChainDraws& draws, DatasetBuilder& datasets) const override {
         add_moves_of(draws, datasets);
         KohDensity density(data_, model_);

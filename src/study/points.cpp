@@ -16,4 +16,10 @@ std::vector<double> nominal_point(std::span<const physics::Parameter> parameters
     return point;
 }
 
+Matrix nominal_row(std::span<const physics::Parameter> parameters) {
+    Matrix row(1, parameters.size());
+    row.values = nominal_point(parameters);
+    return row;
+}
+
 }  // namespace bemcal::study

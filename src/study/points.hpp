@@ -15,4 +15,7 @@ Matrix in_ranges(Matrix unit, std::span<const physics::Parameter> parameters);
 /// The nominal building's values. [parameters]
 std::vector<double> nominal_point(std::span<const physics::Parameter> parameters);
 
+/// The same as a matrix of one row.
+Matrix nominal_row(std::span<const physics::Parameter> parameters);
+
 }  // namespace bemcal::study

@@ -85,12 +85,6 @@ class DirectPosterior : public Posterior {
     void read(std::span<const double> position, std::span<double> values) const override {
         parts_->arrangement->read(position, values);
     }
-    Matrix prior_draws(std::size_t n, Stream& random) const override {
-        Matrix draws(n, unknowns_.size());
-        for (std::size_t r = 0; r < n; ++r)
-            read(parts_->arrangement->draw_start(random), draws.row(r));
-        return draws;
-    }
     void conclude(const ChainDraws& draws, DatasetBuilder& datasets) const override {
         Matrix values(draws.positions.rows, unknowns_.size());
         for (std::size_t r = 0; r < values.rows; ++r)

@@ -190,17 +190,12 @@ class Conclusion {
 }  // namespace
 
 const Period& training_period(const Case& building, const PosteriorOptions& options) {
-    for (const Period& period : building.periods)
-        if (period.name == options.period) return period;
-    return building.periods.at(0);
+    return period_of(building, options.period);
 }
 
 std::vector<double> nominal_scales(const BuildingModel& model) {
-    const std::vector<double> values = nominal_point(model.building().parameters);
-    Matrix row(1, values.size());
-    row.values = values;
     std::vector<double> scales;
-    const auto nominal = model.predict(row);
+    const auto nominal = model.predict(nominal_row(model.building().parameters));
     for (std::size_t m = 0; m < nominal.size(); ++m) {
         const Meter& meter = model.building().meters[model.meters()[m].meter];
         double sum = 0;
@@ -219,10 +214,7 @@ MeterChoice training_choice(const Case& building, const Period& period,
     if (hold_out.weeks <= 0 && hold_out.hours <= 0) return choice;
     const auto axis = axis_of(building, period);
     for (std::size_t m = 0; m < building.meters.size(); ++m) {
-        const auto bounds = physics::interval_bounds(axis, building.meters[m].interval);
-        std::vector<physics::Seconds> begins;
-        for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
-            begins.push_back(axis.begin_of(bounds[k]));
+        const auto begins = begins_of(axis, building.meters[m].interval);
         choice.trains.emplace_back();
         for (const Role role : draw_roles(begins, m, hold_out))
             choice.trains.back().push_back(role == Role::training);

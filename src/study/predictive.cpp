@@ -9,13 +9,6 @@
 namespace bemcal::study {
 namespace {
 
-Matrix nominal_row(const Case& building) {
-    const std::vector<double> values = nominal_point(building.parameters);
-    Matrix row(1, values.size());
-    row.values = values;
-    return row;
-}
-
 /// Rows without a NaN.
 std::vector<std::size_t> possible_rows(const Matrix& simulated) {
     std::vector<std::size_t> rows;
@@ -64,7 +57,7 @@ Matrix draw_readings(const BuildingModel& model, std::size_t meter,
 std::vector<MeterPrediction> predict_meters(const BuildingModel& model,
                                             const Matrix& parameters,
                                             const Matrix& residuals, Stream& random) {
-    const auto nominal = model.predict(nominal_row(model.building()));
+    const auto nominal = model.predict(nominal_row(model.building().parameters));
     const auto simulated = model.predict(parameters);
     std::vector<MeterPrediction> predictions;
     predictions.reserve(simulated.size());

@@ -130,19 +130,6 @@ Candidates look_at_candidates(const ScreeningPlan& plan,
     return candidates;
 }
 
-struct FitNumber {
-    const char* name;
-    double stats::FitMetrics::* value;
-};
-constexpr FitNumber fit_numbers[] = {{"n", &stats::FitMetrics::n},
-                                     {"nmbe", &stats::FitMetrics::nmbe},
-                                     {"cv_rmse", &stats::FitMetrics::cv_rmse},
-                                     {"cv_rmse_n1", &stats::FitMetrics::cv_rmse_n1},
-                                     {"mape", &stats::FitMetrics::mape},
-                                     {"n_left_out", &stats::FitMetrics::n_left_out},
-                                     {"r2", &stats::FitMetrics::r2},
-                                     {"rmse", &stats::FitMetrics::rmse}};
-
 void add_fits(const ScreeningPlan& plan, const Candidates& candidates,
               const std::string& leaf, stats::FitMetrics MeterFit::* which,
               DatasetBuilder& datasets) {

@@ -1,22 +1,11 @@
 #include "study/validation_results.hpp"
 
+#include "study/fit.hpp"
+
 #include <cmath>
 
 namespace bemcal::study {
 namespace {
-
-struct MetricColumn {
-    const char* name;
-    double stats::FitMetrics::* value;
-};
-constexpr MetricColumn metric_columns[] = {{"n", &stats::FitMetrics::n},
-                                           {"nmbe", &stats::FitMetrics::nmbe},
-                                           {"cv_rmse", &stats::FitMetrics::cv_rmse},
-                                           {"cv_rmse_n1", &stats::FitMetrics::cv_rmse_n1},
-                                           {"mape", &stats::FitMetrics::mape},
-                                           {"n_left_out", &stats::FitMetrics::n_left_out},
-                                           {"r2", &stats::FitMetrics::r2},
-                                           {"rmse", &stats::FitMetrics::rmse}};
 
 double seconds_of(physics::Seconds time) {
     return static_cast<double>(time.time_since_epoch().count());
@@ -29,12 +18,12 @@ void add_fits(const Validation& validation, const std::string& folder,
     using Fits = BeforeAfter<stats::FitMetrics>;
     for (const auto version : {&Fits::before, &Fits::after})
         for (const Fits* fits : {&validation.own, &validation.daily, &validation.monthly})
-            for (const MetricColumn& column : metric_columns)
-                values.push_back(fits->*version.*column.value);
-    for (const MetricColumn& column : metric_columns) names.emplace_back(column.name);
+            for (const FitNumber& number : fit_numbers)
+                values.push_back(fits->*version.*number.value);
+    for (const FitNumber& number : fit_numbers) names.emplace_back(number.name);
     datasets.texts(folder + "metric", "metric", std::move(names));
     datasets.array(folder + "validation_fit", {"version", "resolution", "metric"},
-                   {2, 3, std::size(metric_columns)}, std::move(values));
+                   {2, 3, std::size(fit_numbers)}, std::move(values));
 }
 
 void add_verdicts(const Validation& validation, const std::string& folder,

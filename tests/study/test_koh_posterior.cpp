@@ -1,4 +1,5 @@
 #include "physics/office_hour.hpp"
+#include "study/chain_results.hpp"
 #include "study/find.hpp"
 #include "study/koh_posterior.hpp"
 #include "study/office_hour_runs.hpp"
@@ -133,7 +134,7 @@ TEST(KohPosterior, PriorDrawsAreInPhysicalUnits) {
     KohOptions options = small_problem();
     options.calibrated[0].prior = {stats::PriorKind::normal, 0.5, 0.1, 10, 14, true};
     Stream random(2, 0, 0);
-    const Matrix draws = make_koh_posterior(options)->prior_draws(2000, random);
+    const Matrix draws = draw_prior(*make_koh_posterior(options), 2000, random);
     double sum = 0, squares = 0;
     for (std::size_t r = 0; r < draws.rows; ++r) sum += draws(r, 0) / 2000;
     for (std::size_t r = 0; r < draws.rows; ++r)
