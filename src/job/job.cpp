@@ -5,7 +5,7 @@
 #include "job/readers.hpp"
 #include "job/result_names.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <list>
 
 #include <fmt/format.h>
@@ -110,10 +110,9 @@ bool has_period(const study::Case& building, const std::string& name) {
 }
 
 bool has_readings(const study::Case& building) {
-    for (const study::Meter& meter : building.meters)
-        for (const double value : meter.values)
-            if (!std::isnan(value)) return true;
-    return false;
+    return std::ranges::any_of(building.meters, [](const study::Meter& meter) {
+        return study::has_reading(meter.values);
+    });
 }
 
 /// What a study needs of a building: parameters, meters, the period that it names.

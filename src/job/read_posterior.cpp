@@ -69,9 +69,7 @@ bool has_reading(const Case& building, const study::Period& period,
     const auto readings = study::readings_of(building, period);
     for (std::size_t m = 0; m < building.meters.size(); ++m) {
         if (!meter.empty() && building.meters[m].name != meter) continue;
-        if (std::ranges::any_of(readings[m].values,
-                                [](double value) { return !std::isnan(value); }))
-            return true;
+        if (study::has_reading(readings[m].values)) return true;
     }
     return false;
 }

@@ -14,24 +14,11 @@ bool is_named(const MeterChoice& choice, const Meter& meter) {
     return std::ranges::find(choice.names, meter.name) != choice.names.end();
 }
 
-bool has_reading(const physics::Readings& readings) {
-    return !std::ranges::all_of(readings.values, [](double v) { return std::isnan(v); });
-}
-
 void check_names(const Case& building, const MeterChoice& choice) {
     for (const std::string& name : choice.names)
         if (std::ranges::none_of(building.meters,
                                  [&](const Meter& meter) { return meter.name == name; }))
             throw std::invalid_argument(building.name + " has no meter \"" + name + "\"");
-}
-
-/// The mean size of the readings; a temperature strays by kelvins, whatever it is.
-double scale_of(const physics::Readings& readings) {
-    if (readings.quantity == physics::Quantity::air_temperature) return 1;
-    double sum = 0, n = 0;
-    for (const double value : readings.values)
-        if (!std::isnan(value)) sum += std::abs(value), n += 1;
-    return sum > 0 ? sum / n : 1;
 }
 
 std::vector<double> training_readings(const std::vector<double>& values,
@@ -59,11 +46,13 @@ std::vector<MeterModel> meter_models(const Case& building, const Period& period,
     std::vector<MeterModel> models;
     for (std::size_t m = 0; m < readings.size(); ++m) {
         const Meter& meter = building.meters[m];
-        if (choice.names.empty() ? !has_reading(readings[m]) : !is_named(choice, meter))
+        if (choice.names.empty() ? !has_reading(readings[m].values)
+                                 : !is_named(choice, meter))
             continue;
         const auto options = options_for(meter.interval, choice.residuals);
-        const double scale = choice.scales.empty() ? scale_of(readings[m])
-                                                   : choice.scales.at(models.size());
+        const double scale = choice.scales.empty()
+                                 ? noise_scale(meter.quantity, readings[m].values)
+                                 : choice.scales.at(models.size());
         models.push_back(
             {m,
              meter.name,
@@ -144,6 +133,14 @@ stats::Prior residual_prior(const std::string& name, const Meter& meter) {
 
 }  // namespace
 
+double noise_scale(physics::Quantity quantity, std::span<const double> values) {
+    if (quantity == physics::Quantity::air_temperature) return 1;
+    double sum = 0, n = 0;
+    for (const double value : values)
+        if (!std::isnan(value)) sum += std::abs(value), n += 1;
+    return sum > 0 ? sum / n : 1;
+}
+
 std::vector<Coordinate> residual_unknowns(const Meter& meter,
                                           const stats::ResidualOptions& options) {
     std::vector<Coordinate> unknowns;
@@ -165,10 +162,10 @@ BuildingModel::BuildingModel(const Case& building, const Period& period,
         std::make_unique<physics::Response>(*batch_, channels_of(building_, meters_));
 }
 
-std::size_t BuildingModel::n_residual_parameters() const {
-    std::size_t n = 0;
-    for (const MeterModel& model : meters_) n += model.unknowns.size();
-    return n;
+std::size_t BuildingModel::first_residual_parameter(std::size_t meter) const {
+    std::size_t first = 0;
+    for (std::size_t m = 0; m < meter; ++m) first += meters_[m].unknowns.size();
+    return first;
 }
 
 BuildingModel::Work BuildingModel::make_work() const {
@@ -211,8 +208,7 @@ void BuildingModel::add_meter(std::size_t meter, const Points& points, std::size
     const MeterModel& model = meters_[meter];
     const auto n_lanes = static_cast<std::size_t>(lanes());
     const std::size_t n = model.unknowns.size(), n_rows = points.parameters.rows;
-    std::size_t column = 0;
-    for (std::size_t m = 0; m < meter; ++m) column += meters_[m].unknowns.size();
+    const std::size_t column = first_residual_parameter(meter);
     work.parameters.resize(n * n_lanes);
     work.by_parameter.resize(n * n_lanes);
     work.values.resize(n_lanes);

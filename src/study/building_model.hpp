@@ -48,7 +48,11 @@ class BuildingModel {
     const Case& building() const { return building_; }
     const std::vector<MeterModel>& meters() const { return meters_; }
     std::size_t n_parameters() const { return building_.parameters.size(); }
-    std::size_t n_residual_parameters() const;  ///< of all meters together
+    /// Where a meter's begin among those of all meters, one after the other.
+    std::size_t first_residual_parameter(std::size_t meter) const;
+    std::size_t n_residual_parameters() const {
+        return first_residual_parameter(meters_.size());
+    }
     int lanes() const { return response_->lanes(); }
 
     /// Of a thread.
@@ -87,6 +91,10 @@ class BuildingModel {
     std::unique_ptr<physics::Response> response_;
     std::vector<MeterModel> meters_;
 };
+
+/// The mean size of values that are not missing; a temperature strays by kelvins,
+/// whatever it is.
+double noise_scale(physics::Quantity quantity, std::span<const double> values);
 
 /// What is believed of a meter's residuals before the data.
 std::vector<Coordinate> residual_unknowns(const Meter& meter,

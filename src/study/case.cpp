@@ -1,6 +1,8 @@
 /// Cuts a case's weather, schedules and meters to a period.
 #include "study/case.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -56,6 +58,10 @@ std::vector<physics::Seconds> begins_of(const physics::TimeAxis& axis,
     for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
         begins.push_back(axis.begin_of(bounds[k]));
     return begins;
+}
+
+bool has_reading(const std::vector<double>& values) {
+    return !std::ranges::all_of(values, [](double value) { return std::isnan(value); });
 }
 
 const Period& period_of(const Case& building, const std::string& name) {

@@ -60,6 +60,9 @@ physics::TimeAxis axis_of(const Case& building, const Period& period);
 std::vector<physics::Seconds> begins_of(const physics::TimeAxis& axis,
                                         physics::Interval interval);
 
+/// Whether one of the values is not missing.
+bool has_reading(const std::vector<double>& values);
+
 /// The period of that name; without one the first.
 const Period& period_of(const Case& building, const std::string& name);
 

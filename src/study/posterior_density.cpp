@@ -47,20 +47,14 @@ class PosteriorDensity : public sampling::Density {
     std::vector<BuildingModel::Work> works_;  ///< [buildings]
     BuildingModel::Points points_;
     BuildingModel::Likelihood likelihood_;
-    std::vector<double> own_, values_, slopes_;
+    std::vector<double> own_, slopes_;
 };
 
 void PosteriorDensity::write_points(const Matrix& positions, std::size_t building) {
-    const std::size_t n = parts_->n_parameters(), size = parts_->space->size();
-    points_.parameters = Matrix(positions.rows, n);
-    points_.residuals = Matrix(positions.rows, size - n);
-    values_.resize(size);
+    points_ = parts_->make_points(positions.rows);
     for (std::size_t r = 0; r < positions.rows; ++r) {
         parts_->arrangement->take(positions.row(r), building, own_);
-        parts_->space->read(own_, values_);
-        std::copy_n(values_.begin(), n, points_.parameters.row(r).begin());
-        std::copy(values_.begin() + static_cast<std::ptrdiff_t>(n), values_.end(),
-                  points_.residuals.row(r).begin());
+        parts_->write_point(own_, r, points_);
     }
 }
 
@@ -100,6 +94,19 @@ void PosteriorDensity::evaluate(const Matrix& points, bool gradients,
 }
 
 }  // namespace
+
+BuildingModel::Points PosteriorParts::make_points(std::size_t n) const {
+    return {Matrix(n, n_parameters()), Matrix(n, space->size() - n_parameters())};
+}
+
+void PosteriorParts::write_point(std::span<const double> own, std::size_t r,
+                                 BuildingModel::Points& points) const {
+    std::vector<double> values(space->size());
+    space->read(own, values);
+    std::copy_n(values.begin(), n_parameters(), points.parameters.row(r).begin());
+    std::copy(values.begin() + static_cast<std::ptrdiff_t>(n_parameters()), values.end(),
+              points.residuals.row(r).begin());
+}
 
 std::shared_ptr<const Space> space_of(const BuildingModel& model) {
     std::vector<Coordinate> coordinates;

@@ -18,6 +18,11 @@ struct PosteriorParts {
     std::unique_ptr<Arrangement> arrangement;
 
     std::size_t n_parameters() const { return buildings.at(0)->n_parameters(); }
+    /// Room for n points of a building.
+    BuildingModel::Points make_points(std::size_t n) const;
+    /// A building's position in its space, as row r of its points.
+    void write_point(std::span<const double> own, std::size_t r,
+                     BuildingModel::Points& points) const;
 };
 
 /// A building's unknowns with their priors.

@@ -13,32 +13,23 @@
 namespace bemcal::study {
 namespace {
 
-using physics::Quantity;
-
 constexpr std::uint32_t predictive_stream = 0x70726564;
 /// Draws of readings that are stored whole; the others go into intervals.
 constexpr std::size_t n_stored_draws = 64;
 
-/// Draws of one building's unknowns.
-struct BuildingDraws {
-    Matrix parameters, residuals;
-};
-
 /// \param take  (position, own): the position of the building's unknowns in their space
 template <class Take>
-BuildingDraws draws_of_building(const PosteriorParts& parts, const ChainDraws& draws,
-                                const std::vector<std::size_t>& rows, const Take& take) {
-    const std::size_t n = parts.n_parameters(), size = parts.space->size();
-    BuildingDraws out{Matrix(rows.size(), n), Matrix(rows.size(), size - n)};
-    std::vector<double> own(parts.space->n_free()), values(size);
+BuildingModel::Points draws_of_building(const PosteriorParts& parts,
+                                        const ChainDraws& draws,
+                                        const std::vector<std::size_t>& rows,
+                                        const Take& take) {
+    BuildingModel::Points points = parts.make_points(rows.size());
+    std::vector<double> own(parts.space->n_free());
     for (std::size_t k = 0; k < rows.size(); ++k) {
         take(draws.positions.row(rows[k]), own);
-        parts.space->read(own, values);
-        std::copy_n(values.begin(), n, out.parameters.row(k).begin());
-        std::copy(values.begin() + static_cast<std::ptrdiff_t>(n), values.end(),
-                  out.residuals.row(k).begin());
+        parts.write_point(own, k, points);
     }
-    return out;
+    return points;
 }
 
 std::vector<double> seconds_of(const std::vector<physics::Seconds>& begins) {
@@ -123,7 +114,7 @@ class Conclusion {
     void add_seen(std::size_t b) {
         const BuildingModel& model = *of_.parts.buildings[b];
         const Case& building = model.building();
-        const BuildingDraws of_building = draws_of_building(
+        const BuildingModel::Points of_building = draws_of_building(
             of_.parts, draws_, rows_, [&](auto position, std::span<double> own) {
                 of_.parts.arrangement->take(position, b, own);
             });
@@ -139,7 +130,7 @@ class Conclusion {
 
     void add_unseen(const Case& building) {
         Stream random(of_.options.chains.seed, predictive_stream, ++n_streams_);
-        const BuildingDraws of_building = draws_of_building(
+        const BuildingModel::Points of_building = draws_of_building(
             of_.parts, draws_, rows_, [&](auto position, std::span<double> own) {
                 of_.parts.arrangement->take_unseen(position, random, own);
             });
@@ -151,7 +142,7 @@ class Conclusion {
         }
     }
 
-    void add_period(const BuildingModel& model, const BuildingDraws& of_building,
+    void add_period(const BuildingModel& model, const BuildingModel::Points& of_building,
                     const Period& period) {
         Stream random(of_.options.chains.seed, predictive_stream, ++n_streams_);
         const std::string folder = folder_of(model.building()) + period.name + "/";
@@ -198,11 +189,7 @@ std::vector<double> nominal_scales(const BuildingModel& model) {
     const auto nominal = model.predict(nominal_row(model.building().parameters));
     for (std::size_t m = 0; m < nominal.size(); ++m) {
         const Meter& meter = model.building().meters[model.meters()[m].meter];
-        double sum = 0;
-        for (const double value : nominal[m].values) sum += std::abs(value);
-        const double mean = sum / static_cast<double>(nominal[m].cols);
-        const bool is_air = meter.quantity == Quantity::air_temperature;
-        scales.push_back(is_air || !(mean > 0) ? 1 : mean);
+        scales.push_back(noise_scale(meter.quantity, nominal[m].values));
     }
     return scales;
 }

@@ -27,13 +27,6 @@ std::vector<double> mean_of(const Matrix& simulated,
     return mean;
 }
 
-/// Where the residual parameters of a meter begin.
-std::size_t first_residual(const BuildingModel& model, std::size_t meter) {
-    std::size_t column = 0;
-    for (std::size_t m = 0; m < meter; ++m) column += model.meters()[m].unknowns.size();
-    return column;
-}
-
 Matrix draw_readings(const BuildingModel& model, std::size_t meter,
                      const Matrix& simulated, const std::vector<std::size_t>& rows,
                      const Matrix& residuals, Stream& random) {
@@ -42,11 +35,11 @@ Matrix draw_readings(const BuildingModel& model, std::size_t meter,
     Matrix draws(rows.size(), simulated.cols);
     for (std::size_t d = 0; d < rows.size(); ++d) {
         sampling::fill_standard_normal(random, normals);
-        const auto drawn =
-            of.residuals.draw(simulated.row(rows[d]),
-                              residuals.row(rows[d]).subspan(first_residual(model, meter),
-                                                             of.unknowns.size()),
-                              normals);
+        const auto drawn = of.residuals.draw(
+            simulated.row(rows[d]),
+            residuals.row(rows[d]).subspan(model.first_residual_parameter(meter),
+                                           of.unknowns.size()),
+            normals);
         std::ranges::copy(drawn, draws.row(d).begin());
     }
     return draws;

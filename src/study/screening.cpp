@@ -7,17 +7,15 @@
 #include "study/screening_plan.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 
 namespace bemcal::study {
 namespace {
 
-bool has_reading(const std::vector<physics::Readings>& readings) {
+bool have_reading(const std::vector<physics::Readings>& readings) {
     return std::ranges::any_of(readings, [](const physics::Readings& meter) {
-        return !std::ranges::all_of(meter.values,
-                                    [](double value) { return std::isnan(value); });
+        return has_reading(meter.values);
     });
 }
 
@@ -106,7 +104,7 @@ ScreeningPlan::ScreeningPlan(std::string stage, const Case& given,
       layout{given.periods.size(), given.meters.size()} {
     for (const Period& period : building.periods)
         models.push_back(std::make_unique<PeriodModel>(building, period));
-    if (models.empty() || !has_reading(models[0]->request.readings))
+    if (models.empty() || !have_reading(models[0]->request.readings))
         throw std::invalid_argument("no meter has a reading in the first period");
 }
 
