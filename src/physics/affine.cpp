@@ -21,16 +21,9 @@ struct Columns {
 /// power.
 template <class Write>
 void for_drivers(const Regime& regime, Write write) {
-    write([&](const LinearForm& form) {
-        return regime.per_temperature(form, 0) + form[Term::theta_e];
-    });
-    for (int boundary : regime.plan.boundary_drivers) {
-        const auto b = static_cast<std::size_t>(boundary);
-        const double span = span_of(regime.building.boundaries[b].temperature);
-        write([&](const LinearForm& form) {
-            return span * regime.per_temperature(form, b + 1);
-        });
-    }
+    write([&](const LinearForm& form) { return regime.per_theta_e(form); });
+    for (int profile : regime.plan.temperature_drivers)
+        write([&](const LinearForm& form) { return regime.per_driver(form, profile); });
     for (int profile : regime.plan.load_drivers) {
         const double gain = per_load_driver(regime, profile);
         write([&](const LinearForm& form) { return gain * regime.per_int(form); });
@@ -110,50 +103,58 @@ void write_general_regime(const Regime& regime, Columns columns) {
     if (regime.plan.imposed_driver)
         for_forms(regime, [&](const LinearForm&) { columns.add(0); });
     add_apertures(regime, columns);
+    if (!regime.plan.vented) return;
+    columns.add(regime.zone.venting.opens_above);
+    columns.add(1 / regime.zone.venting.band);
+    add_term(Term::phi_ia);
 }
 
 /// Power imposed whatever the driver says [W].
-double imposed_base(const Regime& regime) {
+double imposed_base(const Regime& regime, int step) {
     const Input& imposed = regime.zone.thermostat.imposed_power;
     if (!regime.control.imposed) return 0;
-    return regime.network.A_f * (imposed.profile < 0 ? imposed.value : imposed.low);
+    return regime.network.A_f *
+           (regime.plan.imposed_driver ? imposed.low : regime.drive.at(imposed, step));
 }
 
-void write_general_row(const Regime& regime, double phi_int, Columns columns) {
+void write_general_row(const Regime& regime, int step, Columns columns) {
+    const double phi_int = tabled_gain(regime, step);
     for_forms(regime, [&](const LinearForm& form) {
         columns.add(regime.fixed(form) + regime.per_int(form) * phi_int);
     });
-    const double imposed = imposed_base(regime);
+    const double imposed = imposed_base(regime, step);
     columns.add(heating_line(regime).asked + imposed);
     columns.add(-cooling_line(regime).asked - imposed);
+    if (regime.plan.vented)
+        columns.add(venting_conductance(regime.zone, regime.drive, step));
 }
 
+/// Calls write(first step of the row, its columns).
 template <class Write>
-void for_rows(const Regime& regime, int index, const LaneTables& tables, Write write) {
+void for_rows(const Regime& regime, const LaneTables& tables, Write write) {
     const ZonePlan& plan = regime.plan;
-    for (int row : plan.rows_of_regime[static_cast<std::size_t>(index)]) {
+    for (int row : plan.rows_of_regime[static_cast<std::size_t>(regime.index)]) {
         double* at =
             tables.rows + static_cast<long>(row) * plan.row_columns() * tables.lanes;
-        const int step = plan.rows.first[static_cast<std::size_t>(row)];
-        write(tabled_gain(regime, step), Columns{at, tables.lanes});
+        write(plan.rows.first[static_cast<std::size_t>(row)], Columns{at, tables.lanes});
     }
 }
 
-void write_regime(const Regime& regime, int index, const LaneTables& tables) {
+void write_regime(const Regime& regime, const LaneTables& tables) {
     const ZonePlan& plan = regime.plan;
-    const Columns columns{
-        tables.regimes + static_cast<long>(index) * plan.regime_columns() * tables.lanes,
-        tables.lanes};
+    const Columns columns{tables.regimes + static_cast<long>(regime.index) *
+                                               plan.regime_columns() * tables.lanes,
+                          tables.lanes};
     if (plan.is_standard()) {
         const StandardRows rows(regime);
         write_standard_regime(regime, columns);
-        for_rows(regime, index, tables,
-                 [&](double phi_int, Columns row) { rows.write(phi_int, row); });
+        for_rows(regime, tables, [&](int step, Columns row) {
+            rows.write(tabled_gain(regime, step), row);
+        });
     } else {
         write_general_regime(regime, columns);
-        for_rows(regime, index, tables, [&](double phi_int, Columns row) {
-            write_general_row(regime, phi_int, row);
-        });
+        for_rows(regime, tables,
+                 [&](int step, Columns row) { write_general_row(regime, step, row); });
     }
 }
 
@@ -162,7 +163,7 @@ void write_regime(const Regime& regime, int index, const LaneTables& tables) {
 void write_coefficients(const ZonePlan& plan, const Building& building,
                         const Drive& drive, Network& network, const LaneTables& tables) {
     for (int index = 0; index < plan.regimes.size(); ++index)
-        write_regime(make_regime(plan, index, building, drive, network), index, tables);
+        write_regime(make_regime(plan, index, building, drive, network), tables);
 }
 
 void write_start(const ZonePlan& plan, double theta_start, double* state, int lanes) {

@@ -27,16 +27,17 @@ void pull_apertures(RegimeBack& back, Columns& columns) {
         back.of_network.aperture[static_cast<std::size_t>(plane)] += columns.take();
 }
 
-/// Calls pull(phi_int, the row's columns), which returns the adjoint of phi_int.
+/// Calls pull(first step of the row, phi_int, the row's columns), which returns the
+/// adjoint of phi_int.
 template <class Pull>
-void for_rows(RegimeBack& back, int index, const LaneAdjoints& tables, Pull pull) {
+void for_rows(RegimeBack& back, const LaneAdjoints& tables, Pull pull) {
     const ZonePlan& plan = back.regime.plan;
-    for (int row : plan.rows_of_regime[static_cast<std::size_t>(index)]) {
+    for (int row : plan.rows_of_regime[static_cast<std::size_t>(back.regime.index)]) {
         const double* at =
             tables.rows + static_cast<long>(row) * plan.row_columns() * tables.lanes;
         const int step = plan.rows.first[static_cast<std::size_t>(row)];
-        pull_tabled_gain(back, step,
-                         pull(tabled_gain(back.regime, step), Columns{at, tables.lanes}));
+        const double phi_int = tabled_gain(back.regime, step);
+        pull_tabled_gain(back, step, pull(step, phi_int, Columns{at, tables.lanes}));
     }
 }
 
@@ -68,12 +69,12 @@ class StandardBack {
         pull_planes(columns);
     }
 
-    void pull_rows(int index, const LaneAdjoints& tables) {
+    void pull_rows(const LaneAdjoints& tables) {
         const Regime& regime = back_.regime;
         const double mass_per_int = regime.per_int(mass_),
                      air_per_int = regime.per_int(air_);
         double of_mass = 0, of_mass_int = 0, of_asked = 0, of_asked_int = 0;
-        for_rows(back_, index, tables, [&](double phi_int, Columns row) {
+        for_rows(back_, tables, [&](int, double phi_int, Columns row) {
             const double g_mass = row.take(), g_asked = row.take();
             of_mass += g_mass;
             of_mass_int += g_mass * phi_int;
@@ -190,15 +191,16 @@ class GeneralBack {
         if (back_.regime.plan.imposed_driver)
             for_forms([&](const LinearForm&, LinearForm&) { columns.take(); });
         pull_apertures(back_, columns);
+        if (back_.regime.plan.vented) pull_venting(columns);
     }
 
-    void pull_rows(int index, const LaneAdjoints& tables) {
+    void pull_rows(const LaneAdjoints& tables) {
         FormSums per_int{}, of_fixed{}, of_int{};
         std::size_t n = 0;
         for_forms([&](const LinearForm& form, LinearForm&) {
             per_int[n++] = back_.regime.per_int(form);
         });
-        for_rows(back_, index, tables, [&](double phi_int, Columns row) {
+        for_rows(back_, tables, [&](int step, double phi_int, Columns row) {
             double of_phi_int = 0;
             for (std::size_t f = 0; f < n; ++f) {
                 const double g = row.take();
@@ -209,7 +211,8 @@ class GeneralBack {
             const double of_heating = row.take(), of_cooling = row.take();
             of_heating_.asked += of_heating;
             of_cooling_.asked -= of_cooling;
-            pull_imposed_base(of_heating - of_cooling);
+            pull_imposed_base(step, of_heating - of_cooling);
+            if (back_.regime.plan.vented) pull_opening(step, row.take());
             return of_phi_int;
         });
         std::size_t f = 0;
@@ -248,13 +251,36 @@ class GeneralBack {
         back_.of_network.A_f += g * span_of(power);
     }
 
-    void pull_imposed_base(double g) {
-        if (!back_.regime.control.imposed) return;
-        const Input& power = back_.regime.zone.thermostat.imposed_power;
+    void pull_imposed_base(int step, double g) {
+        const auto& [plan, index, building, zone, drive, network, split, map, control] =
+            back_.regime;
+        if (!control.imposed) return;
+        const Input& power = zone.thermostat.imposed_power;
         Input& of_power = back_.place.of_here().thermostat.imposed_power;
-        const bool varies = power.profile >= 0;
-        (varies ? of_power.low : of_power.value) += g * back_.regime.network.A_f;
-        back_.of_network.A_f += g * (varies ? power.low : power.value);
+        if (plan.imposed_driver)
+            of_power.low += g * network.A_f;
+        else
+            pull_input(power, drive, step, g * network.A_f, of_power);
+        back_.of_network.A_f +=
+            g * (plan.imposed_driver ? power.low : drive.at(power, step));
+    }
+
+    void pull_venting(Columns& columns) {
+        const double per_band = 1 / back_.regime.zone.venting.band;
+        Venting& of = back_.place.of_here().venting;
+        of.opens_above += columns.take();
+        of.band -= columns.take() * per_band * per_band;
+        pull_term(Term::phi_ia, columns);
+    }
+
+    /// Of rho c V n / 3600.
+    void pull_opening(int step, double g) {
+        const auto& [building, index, drive, first, of_building] = back_.place;
+        const Zone& zone = back_.regime.zone;
+        const double per = g * rho_c_air / 3600;
+        pull_input(zone.venting.air_change, drive, step, per * zone.volume,
+                   of_building.zones[index].venting.air_change);
+        of_building.zones[index].volume += per * drive.at(zone.venting.air_change, step);
     }
 
     void pull_lines() {
@@ -286,7 +312,7 @@ void pull_regime(RegimeBack& regime, int index, const LaneAdjoints& tables) {
     back.pull_columns({tables.regimes + static_cast<long>(index) *
                                             plan.of_regime_columns() * tables.lanes,
                        tables.lanes});
-    back.pull_rows(index, tables);
+    back.pull_rows(tables);
     back.pull_map(regime.regime.drive.axis.step_s);
 }
 

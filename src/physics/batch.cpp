@@ -26,17 +26,15 @@ bool is_coupled(const Building& building) {
                        [](const Zone& zone) { return !zone.couplings.empty(); });
 }
 
-void plan_zones(Batch::Plan& plan) {
-    for (std::size_t zone = 0; zone < plan.nominal.zones.size(); ++zone)
-        plan.zones.push_back(
-            plan_zone(plan.nominal, plan.parameters, plan.drive, zone, plan.table.lanes));
-}
-
-void plan_meters(Batch::Plan& plan) {
+void plan_all(Batch::Plan& plan) {
+    const Nominal nominal{plan.nominal, plan.parameters, plan.drive, plan.table.lanes};
+    ProfileClasses classes(plan.drive);
+    if (!plan.coupled)
+        for (std::size_t zone = 0; zone < plan.nominal.zones.size(); ++zone)
+            plan.zones.push_back(plan_zone(nominal, zone, classes));
     for (std::size_t q = 0; q < n_quantities; ++q) {
         const auto quantity = static_cast<Quantity>(q);
-        plan.meters[q] =
-            plan_meter(plan.nominal, plan.drive, quantity, plan.months, plan.table.lanes);
+        plan.meters[q] = plan_meter(nominal, quantity, classes);
         if (plan.is_metered_in_one_pass(quantity))
             plan_mixed(plan.zones[0], plan.table.lanes, plan.meters[q]);
     }
@@ -89,8 +87,7 @@ Batch::Batch(const Building& nominal, std::vector<Parameter> parameters,
         throw std::invalid_argument(std::string("this processor cannot run the kernel ") +
                                     name_of(set));
     plan_->chunks = cut_chunks(plan_->months);
-    if (!plan_->coupled) plan_zones(*plan_);
-    plan_meters(*plan_);
+    plan_all(*plan_);
     for (std::size_t k = 0; k < n_intervals; ++k)
         plan_->bounds[k] = interval_bounds(period_of(drive), static_cast<Interval>(k));
 }

@@ -1,5 +1,6 @@
 /// A group of points: coefficients in, steps run, meters read.
 #include "physics/batch_plan.hpp"
+#include "physics/meter_rows.hpp"
 
 #include <cmath>
 #include <limits>
@@ -34,6 +35,14 @@ Batch::Group::Rows make_rows(std::size_t steps, int lanes) {
 kernel::Show show_for(Quantity quantity) {
     return quantity == Quantity::air_temperature ? kernel::Show::powers_and_air
                                                  : kernel::Show::powers;
+}
+
+const double* shown_as_it_is(Quantity quantity, const Batch::Plan& plan,
+                             const kernel::PowerRows& rows) {
+    if (quantity == Quantity::air_temperature) return rows.air;
+    if (plan.meter(quantity).has_factor) return nullptr;
+    if (quantity == Quantity::heating) return rows.heating;
+    return quantity == Quantity::cooling ? rows.cooling : nullptr;
 }
 
 Batch::Group::Written::Written(const Batch::Plan& plan)
@@ -144,13 +153,8 @@ kernel::MeterLanes Batch::Group::meter(Quantity quantity) {
     LaneArray& table = meters_[q];
     if (table.empty()) table = LaneArray(3 * n_rows, plan.table.lanes);
     for (std::size_t lane = 0; lane < buildings.size() && !meter_is_made_[q]; ++lane)
-        for (std::size_t row = 0; row < n_rows; ++row) {
-            const MeterForm form =
-                meter_form(buildings[lane], plan.drive, quantity, meter.rows.first[row]);
-            table.column(3 * row)[lane] = form.source;
-            table.column(3 * row + 1)[lane] = form.per_heating;
-            table.column(3 * row + 2)[lane] = form.per_cooling;
-        }
+        write_meter_rows(meter, buildings[lane], plan.drive, quantity,
+                         static_cast<int>(lane), table);
     meter_is_made_[q] = true;
     return {table.data(), meter.row_offset.data()};
 }
@@ -194,9 +198,7 @@ kernel::ZoneLanes Batch::Group::mixed(Quantity quantity) {
 
 const double* Batch::Group::show(Quantity quantity, const kernel::PowerRows& rows,
                                  int begin, int end) {
-    if (quantity == Quantity::air_temperature) return rows.air;
-    if (quantity == Quantity::heating) return rows.heating;
-    if (quantity == Quantity::cooling) return rows.cooling;
+    if (const double* power = shown_as_it_is(quantity, plan, rows)) return power;
     plan.table.meter(meter(quantity), rows, begin, end, shown_.data());
     return shown_.data();
 }

@@ -103,6 +103,10 @@ struct Batch::Group {
 /// What a run has to show for a quantity.
 kernel::Show show_for(Quantity quantity);
 
+/// The rows that a quantity is; nullptr where a meter makes it.
+const double* shown_as_it_is(Quantity quantity, const Batch::Plan& plan,
+                             const kernel::PowerRows& rows);
+
 /// Why a lane went wrong: the plain version says where.
 std::string why_not_finite(const Building& building, const Drive& drive);
 

@@ -7,18 +7,38 @@
 
 #include "physics/sky.hpp"
 
+#include <array>
 #include <limits>
 #include <string>
 #include <vector>
 
 namespace bemcal::physics {
 
-/// value(t) = low + (value - low) profile(t). Without a profile: value. A measured series
-/// is a profile with value = 1 and low = 0.
+/// How a change enters an input's value (Input::changes).
+enum class ChangeKind {
+    shift,    ///< added to the value, in its unit
+    factor,   ///< the value times 1 + what it brings
+    schedule  ///< added to the input's profile
+};
+
+/// What an effect brings to an input: amount times a row of Drive::profiles.
+struct Change {
+    double amount = 0;
+    int profile = -1;  ///< row of Drive::profiles; -1 = no change here nor after it
+    ChangeKind kind = ChangeKind::shift;
+};
+constexpr std::size_t most_changes = 4;  ///< of one input
+
+/// value(t) = (low + (value - low) (profile(t) + schedule changes)) (1 + factor changes)
+/// + shift changes; without a profile, profile(t) = 1. A measured series is a profile
+/// with value = 1 and low = 0.
 struct Input {
     double value = 0;
     double low = 0;
     int profile = -1;  ///< row of Drive::profiles, or -1
+    std::array<Change, most_changes> changes{};
+
+    bool is_changed() const { return changes[0].profile >= 0; }
 };
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
@@ -112,6 +132,23 @@ struct Structure {
     }
 };
 
+/// Openings that follow the room: air from outdoors at air_change times clamp((theta -
+/// opens_above) / band, 0, 1), theta being the air temperature of the step before, and
+/// only while outdoors is cooler than that. It takes rho c V air_change (theta - theta_e)
+/// from the air node; theta_e is the weather's, whatever OutdoorShift says.
+struct Venting {
+    Input air_change;         ///< [1/h] of the zone's volume, wide open; 0 = none
+    double opens_above = 24;  ///< [degC]
+    double band = 1;          ///< [K] > 0, from shut to wide open
+};
+
+/// Where outdoors differs from what the weather says [K].
+struct OutdoorShift {
+    Input supply;   ///< of air that comes from outdoors
+    Input opaque;   ///< behind opaque elements that face outdoors
+    Input windows;  ///< at windows
+};
+
 struct ZoneCoupling {  ///< to another zone, by its air temperature of the last step
     int zone = 0;
     Input conductance;  ///< [W/K], at the air node of both
@@ -135,6 +172,8 @@ struct Zone {
     std::vector<Load> loads;
     Thermostat thermostat;
     Structure structure;
+    Venting venting;
+    OutdoorShift outdoor_shift;
     std::vector<ZoneCoupling> couplings;
 };
 
@@ -144,6 +183,8 @@ struct Plant {
                              -1};  ///< heat per energy metered (a COP where electric) [-]
     Carrier cooling_carrier = Carrier::electricity;
     Input cooling_cop{3, 0, -1};  ///< [-]
+    /// Electricity of pumps and fans, per heat delivered or removed [-].
+    double heating_auxiliary = 0, cooling_auxiliary = 0;
 };
 
 struct Building {
@@ -154,6 +195,10 @@ struct Building {
     std::vector<Plane> planes;  ///< every distinct plane that a surface or window names
     std::vector<Zone> zones;
     Plant plant;
+    /// What a meter shows per what flows through it, by Quantity; of the air temperature
+    /// it must stay 1.
+    std::array<Input, 6> meter_factor = {Input{1}, Input{1}, Input{1},
+                                         Input{1}, Input{1}, Input{1}};
 
     double floor_area() const {
         double sum = 0;

@@ -143,12 +143,26 @@ Weather weather_on(const Weather& weather, const TimeAxis& source) {
     return part;
 }
 
+/// The same as the next one, from the series of the whole weather.
+Matrix known_irradiances(const Weather& weather, const std::vector<Plane>& planes,
+                         const TimeAxis& source, SkyModel sky, PlaneSource& known) {
+    Matrix result(planes.size(), static_cast<std::size_t>(source.n_steps));
+    for (std::size_t p = 0; p < planes.size(); ++p) {
+        const PlaneSource::Series hourly = known.series(planes[p], sky);
+        for (int k = 0; k < source.n_steps; ++k)
+            result(p, static_cast<std::size_t>(k)) = (*hourly)[static_cast<std::size_t>(
+                weather.axis.step_of(source.begin_of(k)))];
+    }
+    return result;
+}
+
 /// Irradiance of each plane on the source steps; an hour's value holds for its steps.
 Matrix irradiances(const Weather& weather, const std::vector<Plane>& planes,
-                   const TimeAxis& source, SkyModel sky) {
+                   const TimeAxis& source, SkyModel sky, PlaneSource* known) {
     Matrix result(planes.size(), static_cast<std::size_t>(source.n_steps));
     if (planes.empty()) return result;
     const Weather part = weather_on(weather, source);
+    if (known != nullptr) return known_irradiances(weather, planes, source, sky, *known);
     const std::vector<StepSun> suns = step_suns(part.site, part.axis);
     for (std::size_t p = 0; p < planes.size(); ++p) {
         const std::vector<double> hourly = irradiance_series(part, suns, planes[p], sky);
@@ -234,9 +248,23 @@ Matrix gather_rows(const Matrix& from, const std::vector<std::size_t>& pick) {
 
 }  // namespace
 
+double Drive::changed(const Input& input, int step) const {
+    double profile = input.profile < 0 ? 1 : profile_at(input.profile, step);
+    double factor = 1, shift = 0;
+    for (const Change& change : input.changes) {
+        if (change.profile < 0) break;
+        const double brought = change.amount * profile_at(change.profile, step);
+        double& sum = change.kind == ChangeKind::shift    ? shift
+                      : change.kind == ChangeKind::factor ? factor
+                                                          : profile;
+        sum += brought;
+    }
+    return (input.low + (input.value - input.low) * profile) * factor + shift;
+}
+
 Drive make_drive(const Weather& weather, const Building& building,
                  const std::vector<Profile>& profiles, Seconds from, Seconds to,
-                 int step_s, int n_warm_up_hours, SkyModel sky) {
+                 int step_s, int n_warm_up_hours, SkyModel sky, PlaneSource* planes) {
     check_period(weather, {from, to}, step_s, n_warm_up_hours);
     check_sizes(weather, building, profiles);
     const Span warm_up{from - std::chrono::hours(n_warm_up_hours), from};
@@ -250,7 +278,7 @@ Drive make_drive(const Weather& weather, const Building& building,
     drive.theta_e.resize(layout.pick.size());
     gather(temperatures(weather, layout.source), layout.pick, drive.theta_e);
     drive.irradiance = gather_rows(
-        irradiances(weather, building.planes, layout.source, sky), layout.pick);
+        irradiances(weather, building.planes, layout.source, sky, planes), layout.pick);
     drive.profiles = gather_rows(
         profile_values(profiles, layout.source, weather.site.utc_offset_h), layout.pick);
     return drive;

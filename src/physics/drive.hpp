@@ -4,6 +4,7 @@
 
 #include "base/matrix.hpp"
 #include "physics/building.hpp"
+#include "physics/plane_source.hpp"
 #include "physics/schedule.hpp"
 #include "physics/weather.hpp"
 
@@ -28,12 +29,18 @@ struct Drive {
     Matrix irradiance;            ///< [n_planes x n_steps] on Building::planes [W/m2]
     Matrix profiles;              ///< [n_profiles x n_steps]
     int n_steps() const { return axis.n_steps; }
-    double at(const Input& input, int step) const {
-        if (input.profile < 0) return input.value;
-        const double profile = profiles(static_cast<std::size_t>(input.profile),
-                                        static_cast<std::size_t>(step));
-        return input.low + (input.value - input.low) * profile;
+    double profile_at(int profile, int step) const {
+        return profiles(static_cast<std::size_t>(profile),
+                        static_cast<std::size_t>(step));
     }
+    double at(const Input& input, int step) const {
+        if (input.is_changed()) return changed(input, step);
+        if (input.profile < 0) return input.value;
+        return input.low + (input.value - input.low) * profile_at(input.profile, step);
+    }
+
+  private:
+    double changed(const Input& input, int step) const;
 };
 
 /// Lays weather and profiles on the steps [from, to), with `n_warm_up_hours` before them:
@@ -41,8 +48,10 @@ struct Drive {
 /// hours of the period, repeated. Steps shorter than an hour: temperature linear between
 /// the hours' middles, irradiance and schedules held. Throws std::invalid_argument where
 /// a needed value is missing.
+/// \param planes  of this very weather, if somebody has them; nullptr: they are computed
 Drive make_drive(const Weather& weather, const Building& building,
                  const std::vector<Profile>& profiles, Seconds from, Seconds to,
-                 int step_s, int n_warm_up_hours, SkyModel sky = SkyModel::perez);
+                 int step_s, int n_warm_up_hours, SkyModel sky = SkyModel::perez,
+                 PlaneSource* planes = nullptr);
 
 }  // namespace bemcal::physics

@@ -52,6 +52,16 @@ constexpr Access of_structure() {
     return constant<&Zone::structure, member>();
 }
 
+template <auto member>
+constexpr Access of_outdoor_shift() {
+    return input<&Zone::outdoor_shift, member>();
+}
+
+/// The part is the input.
+constexpr Access itself() {
+    return {[](void* part) { return static_cast<Input*>(part); }, nullptr};
+}
+
 // clang-format off
 constexpr Field table[] = {
     row(Part::construction, "u_value", "W/(m2 K)", required, 0, 10,
@@ -123,6 +133,18 @@ constexpr Field table[] = {
         "conductance between the mass and a second mass per floor area", of_structure<&Structure::second_mass_conductance>()),
     row(Part::zone, "second_mass_capacity", "J/(m2 K)", 0, 0, 1e8,
         "heat capacity of the second mass per floor area", of_structure<&Structure::second_mass_capacity>()),
+    row(Part::zone, "venting_air_change", "1/h", 0, 0, 50,
+        "air from outdoors through openings that follow the room, wide open", input<&Zone::venting, &Venting::air_change>()),
+    row(Part::zone, "venting_opens_above", "degC", 24, -50, 100,
+        "air temperature above which these openings open", constant<&Zone::venting, &Venting::opens_above>()),
+    row(Part::zone, "venting_band", "K", 1, 0.01, 50,
+        "temperature span over which they go from shut to wide open", constant<&Zone::venting, &Venting::band>()),
+    row(Part::zone, "supply_shift", "K", 0, -30, 30,
+        "air that comes from outdoors minus the weather's air temperature", of_outdoor_shift<&OutdoorShift::supply>()),
+    row(Part::zone, "opaque_shift", "K", 0, -30, 30,
+        "outdoors behind opaque elements minus the weather's air temperature", of_outdoor_shift<&OutdoorShift::opaque>()),
+    row(Part::zone, "window_shift", "K", 0, -30, 30,
+        "outdoors at windows minus the weather's air temperature", of_outdoor_shift<&OutdoorShift::windows>()),
 
     row(Part::surface, "area", "m2", required, 0, 1e7,
         "area without windows", constant<&Surface::area>()),
@@ -152,11 +174,18 @@ constexpr Field table[] = {
         "heat delivered per energy metered; a COP where a heat pump heats", input<&Plant::heating_efficiency>()),
     row(Part::plant, "cooling_cop", "-", 3, 0.01, 50,
         "heat removed per energy metered", input<&Plant::cooling_cop>()),
+    row(Part::plant, "heating_auxiliary", "-", 0, 0, 1,
+        "electricity of pumps and fans per heat delivered", constant<&Plant::heating_auxiliary>()),
+    row(Part::plant, "cooling_auxiliary", "-", 0, 0, 1,
+        "electricity of pumps and fans per heat removed", constant<&Plant::cooling_auxiliary>()),
 
     row(Part::coupling, "conductance", "W/K", 0, 0, 1e6,
         "conductance between the air of both zones", input<&ZoneCoupling::conductance>()),
     row(Part::coupling, "air_flow", "m3/h", 0, 0, 1e7,
         "air that enters from the other zone", input<&ZoneCoupling::air_flow>()),
+
+    row(Part::meter, "factor", "-", 1, 0, 1000,
+        "what the meter shows per what flows through it", itself()),
 };
 // clang-format on
 

@@ -53,6 +53,12 @@ NodeGains split_gains(const Network& network, double phi_int, double phi_sol) {
             share.to_m * radiant};  // (C.2)
 }
 
+NodeGains split_gains(const Network& network, const HourDrive& drive) {
+    NodeGains gains = split_gains(network, drive.phi_int, drive.phi_sol);
+    gains.phi_ia -= drive.phi_vent;
+    return gains;
+}
+
 NodeTemperatures advance_hour(const Network& n, const HourDrive& drive,
                               const NodeGains& gains, double theta_m_before,
                               double phi_hc, double dt) {

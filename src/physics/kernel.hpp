@@ -52,14 +52,23 @@ struct GeneralColumn {
         forms  ///< (1 + n) each: heating, cooling, states, sun, drivers; then apertures
     };
 };
+/// Columns of openings that follow the room, after the apertures.
+struct VentingColumn {
+    enum : int {
+        opens_above,  ///< [degC]
+        per_band,     ///< [1/K]
+        forms         ///< (1 + n) per W that reaches the air node
+    };
+};
 constexpr int general_row_columns(int n_states) {
     return 3 + n_states;
-}  ///< forms, asked twice
+}  ///< forms, asked twice; then what openings carry when wide open [W/K], if any
 
 /// A zone's time, the same for all points.
 struct ZoneTime {
-    int n_states;  ///< 0 = the standard hour with a thermostat
-    int imposed;   ///< 1 = power imposed from the last driver and the rows
+    int n_states;      ///< 0 = the standard hour with a thermostat
+    int imposed;       ///< 1 = power imposed from the last driver and the rows
+    int vented_state;  ///< the state that is the air, followed by openings; -1 = none
     int n_drivers, n_planes;
     int regime_size;        ///< doubles, all lanes
     int of_regime_size;     ///< of a regime's adjoints

@@ -219,16 +219,9 @@ void keep(const ZoneTime& zone, const ZoneLanes& group, const Stretch& stretch, 
 
 void pull(const ZoneTime& zone, const ZoneLanes& group, const Stretch& stretch,
           const PowerRows& adjoints, double* tape, const ZoneAdjoint& to) {
-    switch (zone.n_states) {
-        case 0:
-            return pull_standard(zone, group, stretch, adjoints, tape, to);
-        case 1:
-            return pull_general<1>(zone, group, stretch, adjoints, tape, to);
-        case 2:
-            return pull_general<2>(zone, group, stretch, adjoints, tape, to);
-        case 3:
-            return pull_general<3>(zone, group, stretch, adjoints, tape, to);
-        default:
-            return pull_general<4>(zone, group, stretch, adjoints, tape, to);
-    }
+    if (zone.n_states == 0)
+        return pull_standard(zone, group, stretch, adjoints, tape, to);
+    for_variant(zone, [&]<int n, bool vented>() {
+        pull_general<n, vented>(zone, group, stretch, adjoints, tape, to);
+    });
 }

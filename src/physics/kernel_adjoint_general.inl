@@ -79,9 +79,44 @@ void pull_sun(const ZoneTime& zone, const FormAdjoints<n>& of_form, const double
         add_to(of_forms, planes + p, mul(of_sun, broadcast(irradiance[p])));
 }
 
+/// Back through openings: returns the adjoint of the air temperature that they follow.
+template <int n>
+V pull_venting(const double* columns, const FormAdjoints<n>& of_form, V conductance,
+               const Opening& opening, double* of_columns, double* of_conductance) {
+    using C = VentingColumn;
+    const V zero = broadcast(0), power = opening.power(conductance);
+    V of_power = zero;
+    for (int f = 0; f <= n; ++f) {
+        add_to(of_columns, C::forms + f, fnma(of_form.value[f], power, zero));
+        of_power = fnma(column(columns, C::forms + f), of_form.value[f], of_power);
+    }
+    add_to(of_conductance, 0, mul(of_power, mul(opening.share, opening.difference)));
+    const Mask partly =
+        both(less(zero, opening.share), less(opening.share, broadcast(1)));
+    const V of_share =
+        keep_where(partly, mul(of_power, mul(conductance, opening.difference)));
+    const V of_above = mul(of_share, column(columns, C::per_band));
+    add_to(of_columns, C::opens_above, sub(zero, of_above));
+    add_to(of_columns, C::per_band, mul(of_share, opening.above));
+    return add(of_above, keep_where(less(zero, opening.difference),
+                                    mul(of_power, mul(conductance, opening.share))));
+}
+
+/// The same of the step whose tape begins at `row`.
+template <int n>
+V pull_venting(const ZoneTime& zone, const FormAdjoints<n>& of_form, const double* forms,
+               const double* coefficients, const double* row, double theta_e,
+               double* of_forms, double* of_row) {
+    const int at = venting_columns(zone) * lanes;
+    const Opening opening =
+        opening_at(forms + at, column(row, zone.vented_state), theta_e);
+    return pull_venting<n>(forms + at, of_form, column(coefficients, 3 + n), opening,
+                           of_forms + at, of_row + (3 + n) * lanes);
+}
+
 /// The way back through one segment.
 /// \param state  adjoints of the states after it, then before it
-template <int n>
+template <int n, bool vented>
 void pull_segment(const ZoneTime& zone, const ZoneLanes& group, const Segment& segment,
                   const PowerRows& adjoints, int first, const double* tape,
                   const ZoneAdjoint& to, V* state) {
@@ -113,16 +148,22 @@ void pull_segment(const ZoneTime& zone, const ZoneLanes& group, const Segment& s
             pull_sun<n>(zone, of_form, forms, drivers + zone.n_drivers, of_forms);
         for (int s = 0; s < n; ++s)
             state[s] = of_form.pull(forms, 2 + s, column(row, s), of_forms);
+        if constexpr (vented)
+            state[zone.vented_state] = add(
+                state[zone.vented_state],
+                pull_venting<n>(zone, of_form, forms, group.rows + zone.row_offset[step],
+                                row, drivers[0], of_forms, of_row));
     }
 }
 
-template <int n>
+template <int n, bool vented>
 void pull_general(const ZoneTime& zone, const ZoneLanes& group, const Stretch& stretch,
                   const PowerRows& adjoints, double* tape, const ZoneAdjoint& to) {
     V state[n];
     for (int s = 0; s < n; ++s) state[s] = column(to.state, s);
     for_pieces_back(zone, stretch, [&](const Segment& piece) {
-        pull_segment<n>(zone, group, piece, adjoints, stretch.begin, tape, to, state);
+        pull_segment<n, vented>(zone, group, piece, adjoints, stretch.begin, tape, to,
+                                state);
     });
     for (int s = 0; s < n; ++s) store(to.state + s * lanes, state[s]);
 }

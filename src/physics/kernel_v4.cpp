@@ -28,11 +28,12 @@ inline Register sub(Register x, Register y) {
 inline Register mul(Register x, Register y) {
     return _mm512_mul_pd(x, y);
 }
+// With a full mask: the plain ones have an operand in GCC 12 that it then warns of.
 inline Register min(Register x, Register y) {
-    return _mm512_min_pd(x, y);
+    return _mm512_maskz_min_pd(0xFF, x, y);
 }
 inline Register max(Register x, Register y) {
-    return _mm512_max_pd(x, y);
+    return _mm512_maskz_max_pd(0xFF, x, y);
 }
 inline Register fma(Register x, Register y, Register z) {
     return _mm512_fmadd_pd(x, y, z);

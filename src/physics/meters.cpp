@@ -2,7 +2,8 @@
 /// meter.
 #include "physics/meters.hpp"
 
-#include <array>
+#include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -39,6 +40,15 @@ double efficiency_at(const Drive& drive, const Input& efficiency, int step,
     return value;
 }
 
+/// What a meter shows of what flows through it [-]. Throws std::domain_error.
+double factor_at(const Drive& drive, const Input& factor, int step) {
+    const double value = drive.at(factor, step);
+    if (!(value >= 0) || !std::isfinite(value))
+        throw std::domain_error(fmt::format(
+            "step {}: factor of a meter = {} is not a number >= 0", step, value));
+    return value;
+}
+
 /// The loads that a carrier's meter sees at a step [W].
 double loads_on(const Building& building, const Drive& drive, Carrier carrier, int step) {
     double power = 0;
@@ -51,20 +61,22 @@ double loads_on(const Building& building, const Drive& drive, Carrier carrier, i
     return power;
 }
 
-/// What two steps of the same interval have in common.
-using Label = std::array<int, 4>;
+std::vector<int> every_step(int n_steps) {
+    std::vector<int> bounds(static_cast<std::size_t>(n_steps) + 1);
+    std::iota(bounds.begin(), bounds.end(), 0);
+    return bounds;
+}
 
-Label label_of(const CalendarStep& step, Interval interval) {
-    switch (interval) {
-        case Interval::hourly:
-            return {step.year, step.month, step.day, step.hour};
-        case Interval::daily:
-            return {step.year, step.month, step.day, 0};
-        case Interval::monthly:
-            return {step.year, step.month, 0, 0};
-        default:
-            return {step.year, 0, 0, 0};
-    }
+/// Where the calendar's interval ends that a time lies in.
+Seconds end_of_interval(Seconds time, Interval interval) {
+    using namespace std::chrono;
+    if (interval == Interval::hourly) return floor<hours>(time) + hours(1);
+    const sys_days day = floor<days>(time);
+    if (interval == Interval::daily) return day + days(1);
+    const year_month_day date(day);
+    if (interval == Interval::monthly)
+        return sys_days((date.year() / date.month() + months(1)) / 1);
+    return sys_days((date.year() + years(1)) / January / 1);
 }
 
 double mean_air_temperature(const Building& building, const Trajectory& trajectory,
@@ -104,13 +116,14 @@ const char* name_of(Interval interval) {
 }
 
 std::vector<int> interval_bounds(const TimeAxis& period, Interval interval) {
+    if (interval == Interval::step) return every_step(period.n_steps);
     std::vector<int> bounds;
-    Label current{};
+    Seconds end = period.start;
     for (int step = 0; step < period.n_steps; ++step) {
-        const Label label = label_of(calendar_step(period.begin_of(step)), interval);
-        if (step == 0 || interval == Interval::step || label != current)
-            bounds.push_back(step);
-        current = label;
+        const Seconds begin = period.begin_of(step);
+        if (begin < end) continue;
+        bounds.push_back(step);
+        end = end_of_interval(begin, interval);
     }
     bounds.push_back(period.n_steps);
     return bounds;
@@ -146,8 +159,8 @@ std::vector<double> aggregate(const std::vector<double>& steps,
     return intervals;
 }
 
-MeterForm meter_form(const Building& building, const Drive& drive, Quantity quantity,
-                     int step) {
+MeterForm true_meter_form(const Building& building, const Drive& drive, Quantity quantity,
+                          int step) {
     if (quantity == Quantity::heating) return {1, 0, 0};
     if (quantity == Quantity::cooling) return {0, 1, 0};
     const Carrier carrier = carrier_of(quantity);
@@ -160,7 +173,21 @@ MeterForm meter_form(const Building& building, const Drive& drive, Quantity quan
     if (plant.cooling_carrier == carrier)
         form.per_cooling =
             1 / efficiency_at(drive, plant.cooling_cop, step, "cooling_cop");
+    if (carrier == Carrier::electricity) {
+        form.per_heating += plant.heating_auxiliary;
+        form.per_cooling += plant.cooling_auxiliary;
+    }
     form.source = loads_on(building, drive, carrier, step);
+    return form;
+}
+
+MeterForm meter_form(const Building& building, const Drive& drive, Quantity quantity,
+                     int step) {
+    const Input& factor = building.meter_factor[static_cast<std::size_t>(quantity)];
+    MeterForm form = true_meter_form(building, drive, quantity, step);
+    const double shown = factor_at(drive, factor, step);
+    for (double* part : {&form.per_heating, &form.per_cooling, &form.source})
+        *part *= shown;
     return form;
 }
 

@@ -39,8 +39,12 @@ struct MeterForm {
     double per_heating = 0, per_cooling = 0;  ///< [-]
     double source = 0;                        ///< [W]
 };
-/// Throws std::domain_error where an efficiency or COP that is needed is not above 0.
+/// Throws std::domain_error where an efficiency or COP that is needed is not above 0, or
+/// the meter's factor is not a number >= 0.
 MeterForm meter_form(const Building& building, const Drive& drive, Quantity quantity,
                      int step);
+/// The same of a meter that shows what flows through it (Building::meter_factor).
+MeterForm true_meter_form(const Building& building, const Drive& drive, Quantity quantity,
+                          int step);
 
 }  // namespace bemcal::physics

@@ -36,6 +36,21 @@ void pull_efficiency(const Input& efficiency, const Drive& drive, int step,
 
 }  // namespace
 
+MeterForm pull_meter_factor(const Building& building, const Drive& drive,
+                            Quantity quantity, int step, const MeterForm& of_form,
+                            Building& of_building) {
+    const auto q = static_cast<std::size_t>(quantity);
+    const Input& factor = building.meter_factor[q];
+    const MeterForm form = true_meter_form(building, drive, quantity, step);
+    pull_input(factor, drive, step,
+               of_form.per_heating * form.per_heating +
+                   of_form.per_cooling * form.per_cooling + of_form.source * form.source,
+               of_building.meter_factor[q]);
+    const double shown = drive.at(factor, step);
+    return {of_form.per_heating * shown, of_form.per_cooling * shown,
+            of_form.source * shown};
+}
+
 void pull_meter_form(const Building& building, const Drive& drive, Quantity quantity,
                      int step, const MeterForm& of_form, Building& of_building) {
     const Carrier carrier = carrier_of(quantity);
@@ -48,6 +63,10 @@ void pull_meter_form(const Building& building, const Drive& drive, Quantity quan
     if (plant.cooling_carrier == carrier)
         pull_efficiency(plant.cooling_cop, drive, step, of_form.per_cooling,
                         of_plant.cooling_cop);
+    if (carrier == Carrier::electricity) {
+        of_plant.heating_auxiliary += of_form.per_heating;
+        of_plant.cooling_auxiliary += of_form.per_cooling;
+    }
     for (std::size_t z = 0; z < building.zones.size(); ++z)
         for (std::size_t k = 0; k < building.zones[z].loads.size(); ++k)
             if (building.zones[z].loads[k].carrier == carrier)

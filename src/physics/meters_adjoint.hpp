@@ -5,7 +5,13 @@
 
 namespace bemcal::physics {
 
-/// Of meter_form at a step: adds to the building's adjoints. \param of_form  adjoints
+/// Of the factor between true_meter_form and meter_form: returns the adjoints of the
+/// former. \param of_form  those of the latter
+MeterForm pull_meter_factor(const Building& building, const Drive& drive,
+                            Quantity quantity, int step, const MeterForm& of_form,
+                            Building& of_building);
+
+/// Of true_meter_form at a step: adds to the building's adjoints. \param of_form adjoints
 void pull_meter_form(const Building& building, const Drive& drive, Quantity quantity,
                      int step, const MeterForm& of_form, Building& of_building);
 

@@ -1,6 +1,7 @@
 /// ISO 13790's zone: conductances summed over elements, each by the boundary behind it.
 #include "physics/network.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -165,9 +166,11 @@ double conductance_to_mass(const Place& place, double H_tr_op, double H_tr_ms) {
     return H_tr_op * H_tr_ms / (H_tr_ms - H_tr_op);
 }
 
+/// \param shift  of the outdoor air
 double weighted(const Building& building, const Drive& drive, int step,
-                const std::vector<double>& shares) {
-    double theta = shares[0] * drive.theta_e[static_cast<std::size_t>(step)];
+                const std::vector<double>& shares, const Input& shift) {
+    double theta = shares[0] * (drive.theta_e[static_cast<std::size_t>(step)] +
+                                drive.at(shift, step));
     for (std::size_t b = 0; b < building.boundaries.size(); ++b)
         if (shares[b + 1] != 0)
             theta += shares[b + 1] * drive.at(building.boundaries[b].temperature, step);
@@ -220,6 +223,7 @@ void make_network(const Building& building, const Zone& zone, const Drive& drive
     const Place place{building, zone, drive, step};
     set_capacity(place, network);
     set_structure(place, network);
+    positive(place, zone.venting.band, "venting_band");
     add_elements(place, network);
     of_boundary(network.em_share, outdoors) += zone.bridge_conductance;
     const double H_tr_op = not_negative(place, share_out(network.em_share), "H_tr_op");
@@ -249,9 +253,11 @@ Control control_at(const Zone& zone, const Drive& drive, int step) {
 HourDrive hour_drive(const Building& building, const Zone& zone, const Network& network,
                      const Drive& drive, int step) {
     HourDrive hour;
-    hour.theta_e = drive.theta_e[static_cast<std::size_t>(step)];
-    hour.theta_em = weighted(building, drive, step, network.em_share);
-    hour.theta_sup = weighted(building, drive, step, network.ve_share);
+    const OutdoorShift& shift = zone.outdoor_shift;
+    hour.theta_e =
+        drive.theta_e[static_cast<std::size_t>(step)] + drive.at(shift.windows, step);
+    hour.theta_em = weighted(building, drive, step, network.em_share, shift.opaque);
+    hour.theta_sup = weighted(building, drive, step, network.ve_share, shift.supply);
     for (const Load& load : zone.loads)
         hour.phi_int += network.A_f * drive.at(load.density, step) * load.heat_fraction;
     for (std::size_t plane = 0; plane < network.aperture.size(); ++plane)
@@ -260,6 +266,24 @@ HourDrive hour_drive(const Building& building, const Zone& zone, const Network& 
                             drive.irradiance(plane, static_cast<std::size_t>(step));
     hour.phi_sol -= network.phi_sky;
     return hour;
+}
+
+double venting_conductance(const Zone& zone, const Drive& drive, int step) {
+    const double n = drive.at(zone.venting.air_change, step);
+    if (!(n >= 0) || !std::isfinite(n))
+        reject(zone, step,
+               fmt::format("venting_air_change = {} is not a number >= 0", n));
+    return rho_c_air * zone.volume * n / 3600;
+}
+
+double venting_power(const Zone& zone, const Drive& drive, int step, double theta_air) {
+    const double theta_e = drive.theta_e[static_cast<std::size_t>(step)];
+    const double H = venting_conductance(zone, drive, step);
+    if (!(H > 0) || !(theta_air > theta_e)) return 0;
+    const Venting& venting = zone.venting;
+    const double open =
+        std::clamp((theta_air - venting.opens_above) / venting.band, 0.0, 1.0);
+    return H * open * (theta_air - theta_e);
 }
 
 }  // namespace bemcal::physics

@@ -60,8 +60,16 @@ struct HourDrive {
     double theta_em = 0;              ///< behind the opaque elements [degC]
     double theta_sup = 0;             ///< supply air [degC]
     double phi_int = 0, phi_sol = 0;  ///< [W]
+    double phi_vent = 0;              ///< taken from the air node by openings [W]
 };
 HourDrive hour_drive(const Building& building, const Zone& zone, const Network& network,
                      const Drive& drive, int step);
+
+/// What the openings that follow the room carry when wide open [W/K]. Throws
+/// std::domain_error where it is not a number >= 0.
+double venting_conductance(const Zone& zone, const Drive& drive, int step);
+/// Heat that they take from the air node (physics::Venting) [W].
+/// \param theta_air  of the step before [degC]
+double venting_power(const Zone& zone, const Drive& drive, int step, double theta_air);
 
 }  // namespace bemcal::physics

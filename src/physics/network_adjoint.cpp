@@ -187,6 +187,30 @@ void pull_limit(const PlaceBack& place, double of_limit, Input Thermostat::* cap
 
 }  // namespace
 
+/// (low + span profile) factor + shift
+void pull_changed_input(const Input& input, const Drive& drive, int step, double of_value,
+                        Input& of_input) {
+    const double span = input.value - input.low;
+    double profile = input.profile < 0 ? 1 : drive.profile_at(input.profile, step);
+    double factor = 1;
+    for (const Change& change : input.changes) {
+        if (change.profile < 0) break;
+        const double brought = change.amount * drive.profile_at(change.profile, step);
+        if (change.kind == ChangeKind::factor) factor += brought;
+        if (change.kind == ChangeKind::schedule) profile += brought;
+    }
+    const double of_base = of_value * factor, base = input.low + span * profile;
+    of_input.value += of_base * profile;
+    of_input.low += of_base * (1 - profile);
+    for (std::size_t k = 0; k < most_changes && input.changes[k].profile >= 0; ++k) {
+        const auto [amount, row, kind] = input.changes[k];
+        const double per_amount = kind == ChangeKind::shift    ? of_value
+                                  : kind == ChangeKind::factor ? of_value * base
+                                                               : of_base * span;
+        of_input.changes[k].amount += per_amount * drive.profile_at(row, step);
+    }
+}
+
 void clear_adjoints(const Network& network, Network& of_network) {
     std::vector<double> em = std::move(of_network.em_share),
                         ve = std::move(of_network.ve_share),

@@ -9,9 +9,15 @@
 
 namespace bemcal::physics {
 
+/// Of an input with changes.
+void pull_changed_input(const Input& input, const Drive& drive, int step, double of_value,
+                        Input& of_input);
+
 /// d objective / d (value of an input at a step) to its numbers.
 inline void pull_input(const Input& input, const Drive& drive, int step, double of_value,
                        Input& of_input) {
+    if (input.is_changed())
+        return pull_changed_input(input, drive, step, of_value, of_input);
     if (input.profile < 0) {
         of_input.value += of_value;
         return;

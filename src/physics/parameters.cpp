@@ -37,6 +37,8 @@ void* part_at(Building& building, const Target& target) {
             return &building.boundaries[row(target.index)];
         case Part::plant:
             return &building.plant;
+        case Part::meter:
+            return &building.meter_factor[row(target.index)];
         default:
             return part_in_zone(building.zones[row(target.index)], target.part,
                                 row(target.inner));
@@ -57,10 +59,16 @@ double changed(double nominal, Effect effect, double value) {
 }  // namespace
 
 const char* name_of(Part part) {
-    constexpr const char* names[] = {"construction", "glazing", "boundary", "zone",
-                                     "surface",      "window",  "flow",     "load",
-                                     "plant",        "coupling"};
+    constexpr const char* names[] = {"construction", "glazing",  "boundary", "zone",
+                                     "surface",      "window",   "flow",     "load",
+                                     "plant",        "coupling", "meter"};
     return names[static_cast<std::size_t>(part)];
+}
+
+Input* input_at(Building& building, const Target& target) {
+    const Field& field = fields()[row(target.field)];
+    if (field.input == nullptr) return nullptr;
+    return field.input(part_at(building, target));
 }
 
 double& number_at(Building& building, const Target& target) {
@@ -68,7 +76,14 @@ double& number_at(Building& building, const Target& target) {
     void* part = part_at(building, target);
     if (field.constant != nullptr) return *field.constant(part);
     Input& input = *field.input(part);
-    return target.low ? input.low : input.value;
+    switch (target.slot) {
+        case Slot::low:
+            return input.low;
+        case Slot::change:
+            return input.changes[row(target.change)].amount;
+        default:
+            return input.value;
+    }
 }
 
 double number_at(const Building& building, const Target& target) {
@@ -80,7 +95,8 @@ void apply(const Building& nominal, std::span<const Parameter> parameters,
     for (std::size_t k = 0; k < parameters.size(); ++k)
         for (const Target& target : parameters[k].targets)
             number_at(building, target) =
-                changed(number_at(nominal, target), parameters[k].effect, point[k]);
+                changed(number_at(nominal, target), parameters[k].effect, point[k]) *
+                target.weight;
 }
 
 }  // namespace bemcal::physics

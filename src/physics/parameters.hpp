@@ -24,7 +24,8 @@ enum class Part {
     flow,
     load,
     plant,
-    coupling  ///< of a zone; its name is the other zone's
+    coupling,  ///< of a zone; its name is the other zone's
+    meter      ///< index = Quantity
 };
 const char* name_of(Part part);  ///< as in a job file: "construction", "zone", ...
 
@@ -41,13 +42,22 @@ struct Field {
 };
 std::span<const Field> fields();
 
+/// Which of an input's numbers.
+enum class Slot {
+    value,
+    low,
+    change  ///< Input::changes[Target::change].amount
+};
+
 /// A place in a building that a parameter writes to.
 struct Target {
     Part part = Part::zone;
-    int index = 0;     ///< of the construction, glazing, boundary or zone
-    int inner = 0;     ///< of the surface, window, flow, load or coupling in the zone
-    int field = 0;     ///< row of fields()
-    bool low = false;  ///< Input::low in place of Input::value
+    int index = 0;  ///< of the construction, glazing, boundary, zone or meter
+    int inner = 0;  ///< of the surface, window, flow, load or coupling in the zone
+    int field = 0;  ///< row of fields()
+    Slot slot = Slot::value;
+    int change = 0;     ///< with Slot::change: which
+    double weight = 1;  ///< with Slot::change: the parameter's value is multiplied by it
 };
 
 /// How the parameter's value enters: it replaces the number, or multiplies or shifts what
@@ -70,6 +80,8 @@ struct Parameter {
 /// matched.
 std::vector<Target> resolve(const Building& building, const std::string& path);
 
+/// The input that a target lies in; nullptr where it is a constant.
+Input* input_at(Building& building, const Target& target);
 double& number_at(Building& building, const Target& target);
 double number_at(const Building& building, const Target& target);
 

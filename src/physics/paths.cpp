@@ -1,5 +1,6 @@
 /// Numbers of a building by path: the path is matched, word by word, against the paths of
 /// all of its numbers; what does not match is explained from the same list.
+#include "physics/meters.hpp"
 #include "physics/parameters.hpp"
 
 #include <algorithm>
@@ -74,6 +75,16 @@ void add_zone(const Building& building, int index, std::vector<Entry>& entries) 
     add_inner(Part::coupling, index, words, coupled_zones(building, zone), entries);
 }
 
+/// Meters are named by what they show.
+void add_meters(const Building& building, std::vector<Entry>& entries) {
+    for (std::size_t k = 0; k < building.meter_factor.size(); ++k) {
+        const auto quantity = static_cast<Quantity>(k);
+        if (quantity != Quantity::air_temperature)
+            add_fields({Part::meter, static_cast<int>(k)},
+                       {name_of(Part::meter), name_of(quantity)}, entries);
+    }
+}
+
 /// Every number of the building.
 std::vector<Entry> entries_of(const Building& building) {
     std::vector<Entry> entries;
@@ -83,6 +94,7 @@ std::vector<Entry> entries_of(const Building& building) {
     for (std::size_t zone = 0; zone < building.zones.size(); ++zone)
         add_zone(building, static_cast<int>(zone), entries);
     add_fields({Part::plant}, {name_of(Part::plant)}, entries);
+    add_meters(building, entries);
     return entries;
 }
 
@@ -170,7 +182,7 @@ std::vector<Target> resolve(const Building& building, const std::string& path) {
         if (!matches(pattern, entry.words)) continue;
         if (low) check_low(path, entry);
         targets.push_back(entry.target);
-        targets.back().low = low;
+        if (low) targets.back().slot = Slot::low;
     }
     if (targets.empty()) reject_path(path, pattern, entries);
     return targets;

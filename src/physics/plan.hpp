@@ -3,36 +3,29 @@
 ///
 /// A regime is a distinct set of conductances and set-points: a distinct row of the
 /// profiles that drive them. A row is a distinct set of gains within a regime. Drivers
-/// are series that enter linearly, step by step: outdoor air, boundaries, irradiance, and
-/// loads with more distinct values than are worth a table. Segments are runs of steps of
-/// one regime, in sun or in the dark.
+/// are series that enter linearly, step by step (linear_input.hpp): outdoor air and what
+/// it differs by, boundaries, irradiance, and loads with more distinct values than are
+/// worth a table. Segments are runs of steps of one regime, in sun or in the dark.
 #pragma once
 
 #include "physics/kernel.hpp"
 #include "physics/meters.hpp"
 #include "physics/parameters.hpp"
+#include "physics/partition.hpp"
 #include "physics/step_map.hpp"
 
 #include <vector>
 
 namespace bemcal::physics {
 
-/// Steps sorted into classes, numbered in the order of their first appearance.
-struct Partition {
-    std::vector<int> class_of;  ///< [n_steps]
-    std::vector<int> first;     ///< [n_classes] step in which the class appears first
-    int size() const { return static_cast<int>(first.size()); }
-};
-Partition one_class(int n_steps);
-/// The classes in which all of these rows of Drive::profiles are constant, too.
-Partition refine(Partition classes, const Drive& drive, const std::vector<int>& profiles);
-
 struct ZonePlan {
     std::size_t zone = 0;
     std::vector<Term> states;  ///< of a zone with refinements; empty = standard hour
     std::vector<int> planes;   ///< that its elements lie in
-    std::vector<int> boundary_drivers;  ///< boundaries whose temperature varies
-    std::vector<int> load_drivers;      ///< profiles of loads that are drivers
+    bool shifted = false;      ///< outdoors differs from the weather, or may
+    bool vented = false;       ///< openings follow the room, or may
+    std::vector<int> temperature_drivers;  ///< profiles of temperatures
+    std::vector<int> load_drivers;         ///< profiles of loads that are drivers
     bool imposed_driver = false;  ///< imposed power follows a profile: the last driver
     Partition regimes, rows;
     std::vector<std::vector<int>> rows_of_regime;  ///< [n_regimes]
@@ -42,6 +35,8 @@ struct ZonePlan {
     std::vector<int> segment_of;  ///< [n_steps]
 
     bool is_standard() const { return states.empty(); }
+    /// Of the states that of the air, where openings follow it; -1 = they do not.
+    int vented_state() const;
     int n_drivers() const;
     int regime_columns() const;
     int of_regime_columns() const;  ///< of its adjoints, see kernel::ZoneAdjoint
@@ -49,8 +44,14 @@ struct ZonePlan {
     kernel::ZoneTime time(int lanes) const;
 };
 
-ZonePlan plan_zone(const Building& nominal, const std::vector<Parameter>& parameters,
-                   const Drive& drive, std::size_t zone, int lanes);
+/// What plans are made for.
+struct Nominal {
+    const Building& building;
+    const std::vector<Parameter>& parameters;
+    const Drive& drive;
+    int lanes;
+};
+ZonePlan plan_zone(const Nominal& nominal, std::size_t zone, ProfileClasses& classes);
 
 /// A run of steps within one month; months count from 0.
 struct Span {
@@ -64,10 +65,11 @@ std::vector<Span> cut_chunks(const std::vector<Span>& months);
 /// Steps in which a meter's form is the same.
 struct MeterPlan {
     Partition rows;
-    bool plant_varies = false;    ///< the plant's efficiency follows a profile
+    /// The shares of the powers follow a profile: that of the plant's efficiency or of
+    /// the meter's factor.
+    bool shares_vary = false;
+    bool has_factor = false;      ///< other than 1, or may have
     std::vector<int> row_offset;  ///< [n_steps]
-    /// [n_months x n_rows] steps of the period.
-    std::vector<std::vector<double>> row_counts;
     /// Steps in which the rows of a single standard zone are the same, too: the rows of
     /// kernel::MixedLanes. Empty for other buildings.
     Partition mixed;
@@ -75,7 +77,9 @@ struct MeterPlan {
 };
 /// Fills what is said of mixed rows.
 void plan_mixed(const ZonePlan& zone, int lanes, MeterPlan& meter);
-MeterPlan plan_meter(const Building& nominal, const Drive& drive, Quantity quantity,
-                     const std::vector<Span>& months, int lanes);
+MeterPlan plan_meter(const Nominal& nominal, Quantity quantity, ProfileClasses& classes);
+
+/// Where the rows of the steps' classes begin.
+std::vector<int> offsets_of(const Partition& rows, int doubles_per_row);
 
 }  // namespace bemcal::physics

@@ -15,9 +15,7 @@ bool is_mean(Quantity quantity) {
 }
 
 double steps_in(const Batch::Plan& batch, std::size_t month) {
-    return batch.meter(Quantity::heating)
-        .row_counts[month]
-        .front();  // its form never changes
+    return batch.months[month].end - batch.months[month].begin;
 }
 
 }  // namespace
@@ -102,12 +100,13 @@ double Reduction::total_of_powers(Quantity quantity, Months span, int lane,
                                   Batch::Group& group) const {
     const int lanes = batch_.table.lanes;
     const double* form = group.meter(quantity).rows + lane;
+    const auto& counts = request_.row_counts[static_cast<std::size_t>(quantity)];
     double heating = 0, cooling = 0, loads = 0;
     for (std::size_t month = span.begin; month < span.end; ++month) {
         heating += powers_.at(2 * month, lane);
         cooling += powers_.at(2 * month + 1, lane);
         const double* source = form;
-        for (double steps : batch_.meter(quantity).row_counts[month]) {
+        for (double steps : counts[month]) {
             loads += steps * *source;
             source += 3 * lanes;
         }

@@ -3,18 +3,49 @@
 
 namespace bemcal::physics {
 
-bool is_driver(const ZonePlan& plan, const Input& input) {
-    for (int profile : plan.load_drivers)
-        if (profile == input.profile) return true;
-    return false;
+std::size_t n_temperatures(const ZonePlan& plan, const Building& building) {
+    return building.boundaries.size() + (plan.shifted ? 3 : 0);
+}
+
+const Input& temperature(const ZonePlan& plan, const Building& building, std::size_t k) {
+    const std::size_t n = building.boundaries.size();
+    if (k < n) return building.boundaries[k].temperature;
+    const OutdoorShift& shift = building.zones[plan.zone].outdoor_shift;
+    return k == n ? shift.supply : k == n + 1 ? shift.opaque : shift.windows;
+}
+
+Entrance entrance_of(const Building& building, std::size_t k) {
+    const std::size_t n = building.boundaries.size();
+    if (k < n) return {k + 1, true, true, false};
+    return {0, k == n + 1, k == n, k == n + 2};
+}
+
+double Regime::per_driver(const LinearForm& form, int profile) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < n_temperatures(plan, building); ++k) {
+        const Input& theta = temperature(plan, building, k);
+        if (follows(theta, profile))
+            sum +=
+                along(theta, profile) * per_temperature(form, entrance_of(building, k));
+    }
+    return sum;
+}
+
+double Regime::fixed(const LinearForm& form) const {
+    double sum = -per_sol(form) * network.phi_sky;
+    for (std::size_t k = 0; k < n_temperatures(plan, building); ++k)
+        sum += per_temperature(form, entrance_of(building, k)) *
+               tabled(temperature(plan, building, k), plan.temperature_drivers, drive,
+                      step());
+    return sum;
 }
 
 /// phi_int per value of a profile that is a driver [W].
 double per_load_driver(const Regime& regime, int profile) {
     double sum = 0;
     for (const Load& load : regime.zone.loads)
-        if (load.density.profile == profile)
-            sum += regime.network.A_f * span_of(load.density) * load.heat_fraction;
+        if (follows(load.density, profile))
+            sum += regime.network.A_f * along(load.density, profile) * load.heat_fraction;
     return sum;
 }
 
@@ -22,10 +53,8 @@ double per_load_driver(const Regime& regime, int profile) {
 double tabled_gain(const Regime& regime, int step) {
     double sum = 0;
     for (const Load& load : regime.zone.loads)
-        sum +=
-            regime.network.A_f * load.heat_fraction *
-            (is_driver(regime.plan, load.density) ? load.density.low
-                                                  : regime.drive.at(load.density, step));
+        sum += regime.network.A_f * load.heat_fraction *
+               tabled(load.density, regime.plan.load_drivers, regime.drive, step);
     return sum;
 }
 
@@ -61,6 +90,7 @@ Regime make_regime(const ZonePlan& plan, int index, const Building& building,
     const double dt = drive.axis.step_s;
     return {
         plan,
+        index,
         building,
         zone,
         drive,

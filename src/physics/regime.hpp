@@ -3,12 +3,31 @@
 #pragma once
 
 #include "physics/hour.hpp"
+#include "physics/linear_input.hpp"
 #include "physics/plan.hpp"
+
+#include <utility>
 
 namespace bemcal::physics {
 
+/// Temperatures that a zone's forms meet beside the weather's: the boundaries', then what
+/// outdoors differs by, as supply, behind opaque elements and at windows.
+std::size_t n_temperatures(const ZonePlan& plan, const Building& building);
+const Input& temperature(const ZonePlan& plan, const Building& building, std::size_t k);
+inline Input& temperature(const ZonePlan& plan, Building& building, std::size_t k) {
+    return const_cast<Input&>(temperature(plan, std::as_const(building), k));
+}
+
+/// Where one of them enters a form.
+struct Entrance {
+    std::size_t place;             ///< of the network's shares
+    bool opaque, supply, windows;  ///< in theta_em, theta_sup, theta_e
+};
+Entrance entrance_of(const Building& building, std::size_t k);
+
 struct Regime {
     const ZonePlan& plan;
+    int index;
     const Building& building;
     const Zone& zone;
     const Drive& drive;
@@ -23,21 +42,24 @@ struct Regime {
     double per_int(const LinearForm& form) const {
         return 0.5 * (form[Term::phi_ia] + per_sol(form));
     }
-    /// \param place  0 = outdoors behind elements and as supply, 1 + b = boundary b
-    double per_temperature(const LinearForm& form, std::size_t place) const {
-        return form[Term::theta_em] * network.em_share[place] +
-               form[Term::theta_sup] * network.ve_share[place];
+    /// Per kelvin of the outdoor air.
+    double per_theta_e(const LinearForm& form) const {
+        return form[Term::theta_em] * network.em_share[0] +
+               form[Term::theta_sup] * network.ve_share[0] + form[Term::theta_e];
     }
-    /// What does not change with time: constant boundaries, and the loss to the sky.
-    double fixed(const LinearForm& form) const {
-        double sum = -per_sol(form) * network.phi_sky;
-        for (std::size_t b = 0; b < building.boundaries.size(); ++b) {
-            const Input& theta = building.boundaries[b].temperature;
-            sum += per_temperature(form, b + 1) *
-                   (theta.profile < 0 ? theta.value : theta.low);
-        }
+    double per_temperature(const LinearForm& form, const Entrance& at) const {
+        double sum = 0;
+        if (at.opaque) sum += form[Term::theta_em] * network.em_share[at.place];
+        if (at.supply) sum += form[Term::theta_sup] * network.ve_share[at.place];
+        if (at.windows) sum += form[Term::theta_e];
         return sum;
     }
+    /// Per value of one of the temperature drivers.
+    double per_driver(const LinearForm& form, int profile) const;
+    /// What holds in a regime: temperatures without their drivers, and the loss to the
+    /// sky.
+    double fixed(const LinearForm& form) const;
+    int step() const { return plan.regimes.first[static_cast<std::size_t>(index)]; }
 };
 
 /// The regime at the step in which it appears first. Throws as make_network, control_at.
@@ -48,9 +70,6 @@ Regime make_regime(const ZonePlan& plan, int index, const Building& building,
 inline double span_of(const Input& input) {
     return input.value - input.low;
 }
-
-/// Whether what a load brings to the zone is a driver.
-bool is_driver(const ZonePlan& plan, const Input& density);
 
 /// phi_int per value of a profile that is a driver [W].
 double per_load_driver(const Regime& regime, int profile);

@@ -15,24 +15,49 @@ void RegimeBack::per_int(const LinearForm& form, double g, LinearForm& of_form) 
     per_sol(form, 0.5 * g, of_form);
 }
 
-void RegimeBack::per_temperature(const LinearForm& form, std::size_t at, double g,
+void RegimeBack::per_theta_e(const LinearForm& form, double g, LinearForm& of_form) {
+    per_temperature(form, {0, true, true, true}, g, of_form);
+}
+
+void RegimeBack::per_temperature(const LinearForm& form, const Entrance& at, double g,
                                  LinearForm& of_form) {
-    of_form[Term::theta_em] += g * regime.network.em_share[at];
-    of_form[Term::theta_sup] += g * regime.network.ve_share[at];
-    of_network.em_share[at] += g * form[Term::theta_em];
-    of_network.ve_share[at] += g * form[Term::theta_sup];
+    if (at.opaque) {
+        of_form[Term::theta_em] += g * regime.network.em_share[at.place];
+        of_network.em_share[at.place] += g * form[Term::theta_em];
+    }
+    if (at.supply) {
+        of_form[Term::theta_sup] += g * regime.network.ve_share[at.place];
+        of_network.ve_share[at.place] += g * form[Term::theta_sup];
+    }
+    if (at.windows) of_form[Term::theta_e] += g;
+}
+
+void RegimeBack::per_driver(const LinearForm& form, int profile, double g,
+                            LinearForm& of_form) {
+    const Building& building = regime.building;
+    for (std::size_t k = 0; k < n_temperatures(regime.plan, building); ++k) {
+        const Input& theta = temperature(regime.plan, building, k);
+        if (!follows(theta, profile)) continue;
+        const Entrance at = entrance_of(building, k);
+        per_temperature(form, at, g * along(theta, profile), of_form);
+        pull_along(theta, profile, g * regime.per_temperature(form, at),
+                   temperature(regime.plan, place.of_building, k));
+    }
 }
 
 void RegimeBack::fixed(const LinearForm& form, double g, LinearForm& of_form) {
     per_sol(form, -g * regime.network.phi_sky, of_form);
     of_network.phi_sky -= g * regime.per_sol(form);
-    for (std::size_t b = 0; b < regime.building.boundaries.size(); ++b) {
-        const Input& theta = regime.building.boundaries[b].temperature;
-        Input& of_theta = place.of_building.boundaries[b].temperature;
-        const bool varies = theta.profile >= 0;
-        per_temperature(form, b + 1, g * (varies ? theta.low : theta.value), of_form);
-        (varies ? of_theta.low : of_theta.value) +=
-            g * regime.per_temperature(form, b + 1);
+    const Building& building = regime.building;
+    const std::vector<int>& drivers = regime.plan.temperature_drivers;
+    for (std::size_t k = 0; k < n_temperatures(regime.plan, building); ++k) {
+        const Input& theta = temperature(regime.plan, building, k);
+        const Entrance at = entrance_of(building, k);
+        per_temperature(form, at, g * tabled(theta, drivers, regime.drive, regime.step()),
+                        of_form);
+        pull_tabled(theta, drivers, regime.drive, regime.step(),
+                    g * regime.per_temperature(form, at),
+                    temperature(regime.plan, place.of_building, k));
     }
 }
 
@@ -41,10 +66,11 @@ void pull_load_driver(RegimeBack& back, int profile, double of_gain) {
     const double A_f = back.regime.network.A_f;
     for (std::size_t k = 0; k < zone.loads.size(); ++k) {
         const Load& load = zone.loads[k];
-        if (load.density.profile != profile) continue;
+        if (!follows(load.density, profile)) continue;
         Load& of_load = back.place.of_here().loads[k];
-        const double span = span_of(load.density);
-        pull_span(of_gain * A_f * load.heat_fraction, of_load.density);
+        const double span = along(load.density, profile);
+        pull_along(load.density, profile, of_gain * A_f * load.heat_fraction,
+                   of_load.density);
         of_load.heat_fraction += of_gain * A_f * span;
         back.of_network.A_f += of_gain * span * load.heat_fraction;
     }
@@ -56,14 +82,10 @@ void pull_tabled_gain(RegimeBack& back, int step, double of_gain) {
     for (std::size_t k = 0; k < regime.zone.loads.size(); ++k) {
         const Load& load = regime.zone.loads[k];
         Load& of_load = back.place.of_here().loads[k];
-        const bool only_low = is_driver(regime.plan, load.density);
-        const double density =
-            only_low ? load.density.low : regime.drive.at(load.density, step);
-        const double of_density = of_gain * A_f * load.heat_fraction;
-        if (only_low)
-            of_load.density.low += of_density;
-        else
-            pull_input(load.density, regime.drive, step, of_density, of_load.density);
+        const std::vector<int>& drivers = regime.plan.load_drivers;
+        const double density = tabled(load.density, drivers, regime.drive, step);
+        pull_tabled(load.density, drivers, regime.drive, step,
+                    of_gain * A_f * load.heat_fraction, of_load.density);
         of_load.heat_fraction += of_gain * A_f * density;
         back.of_network.A_f += of_gain * density * load.heat_fraction;
     }

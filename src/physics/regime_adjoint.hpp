@@ -19,8 +19,10 @@ struct RegimeBack {
 
     void per_sol(const LinearForm& form, double g, LinearForm& of_form);
     void per_int(const LinearForm& form, double g, LinearForm& of_form);
-    void per_temperature(const LinearForm& form, std::size_t at, double g,
+    void per_theta_e(const LinearForm& form, double g, LinearForm& of_form);
+    void per_temperature(const LinearForm& form, const Entrance& at, double g,
                          LinearForm& of_form);
+    void per_driver(const LinearForm& form, int profile, double g, LinearForm& of_form);
     void fixed(const LinearForm& form, double g, LinearForm& of_form);
 };
 
@@ -39,27 +41,15 @@ void pull_tabled_gain(RegimeBack& back, int step, double of_gain);
 template <class Each>
 void for_drivers(RegimeBack& back, Each each) {
     const Regime& regime = back.regime;
-    each(
-        [&](const LinearForm& form) {
-            return regime.per_temperature(form, 0) + form[Term::theta_e];
-        },
-        [&](const LinearForm& form, double g, LinearForm& of_form) {
-            back.per_temperature(form, 0, g, of_form);
-            of_form[Term::theta_e] += g;
-        });
-    for (int boundary : regime.plan.boundary_drivers) {
-        const auto b = static_cast<std::size_t>(boundary);
-        const double span = span_of(regime.building.boundaries[b].temperature);
-        Input& of_theta = back.place.of_building.boundaries[b].temperature;
-        each(
-            [&](const LinearForm& form) {
-                return span * regime.per_temperature(form, b + 1);
-            },
-            [&](const LinearForm& form, double g, LinearForm& of_form) {
-                back.per_temperature(form, b + 1, g * span, of_form);
-                pull_span(g * regime.per_temperature(form, b + 1), of_theta);
-            });
-    }
+    each([&](const LinearForm& form) { return regime.per_theta_e(form); },
+         [&](const LinearForm& form, double g, LinearForm& of_form) {
+             back.per_theta_e(form, g, of_form);
+         });
+    for (int profile : regime.plan.temperature_drivers)
+        each([&](const LinearForm& form) { return regime.per_driver(form, profile); },
+             [&](const LinearForm& form, double g, LinearForm& of_form) {
+                 back.per_driver(form, profile, g, of_form);
+             });
     for (int profile : regime.plan.load_drivers) {
         const double gain = per_load_driver(regime, profile);
         double of_gain = 0;

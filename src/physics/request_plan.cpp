@@ -55,7 +55,21 @@ ReadingPlan plan_reading(const Readings& readings, const Batch::Plan& batch) {
 /// The sums of a quantity that cannot be made from those of the powers: its steps are
 /// shown.
 bool is_summed(Quantity quantity, const Batch::Plan& batch) {
-    return quantity == Quantity::air_temperature || batch.meter(quantity).plant_varies;
+    return quantity == Quantity::air_temperature || batch.meter(quantity).shares_vary;
+}
+
+std::vector<std::vector<double>> count_rows(const Partition& rows,
+                                            const std::vector<Span>& months) {
+    std::vector<std::vector<double>> all;
+    all.reserve(months.size());
+    for (const Span& month : months) {
+        std::vector<double>& counts =
+            all.emplace_back(static_cast<std::size_t>(rows.size()));
+        for (int step = month.begin; step < month.end; ++step)
+            counts[static_cast<std::size_t>(
+                rows.class_of[static_cast<std::size_t>(step)])] += 1;
+    }
+    return all;
 }
 
 }  // namespace
@@ -81,7 +95,11 @@ void RequestPlan::need(kernel::Show more) {
 }
 
 void RequestPlan::add_total(Quantity quantity, const Batch::Plan& batch) {
-    if (!is_summed(quantity, batch)) return;
+    if (!is_summed(quantity, batch)) {
+        row_counts[static_cast<std::size_t>(quantity)] =
+            count_rows(batch.meter(quantity).rows, batch.months);
+        return;
+    }
     if (std::find(summed.begin(), summed.end(), quantity) == summed.end())
         summed.push_back(quantity);
     need(show_for(quantity));

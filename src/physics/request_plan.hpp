@@ -26,6 +26,9 @@ struct RequestPlan {
     const Request& request;
     std::vector<ReadingPlan> readings;
     std::vector<Quantity> summed;  ///< totals that need the quantity shown
+    /// Of the other totals: steps of each month in each row of the meter
+    /// [n_months][n_rows].
+    std::array<std::vector<std::vector<double>>, n_quantities> row_counts;
     kernel::Show show = kernel::Show::sums;
     bool compared = false;  ///< one meter, read while the powers are made
 

@@ -2,6 +2,7 @@
 /// back.
 #include "physics/response.hpp"
 
+#include "physics/meter_rows.hpp"
 #include "physics/response_plan.hpp"
 
 #include <stdexcept>
@@ -10,23 +11,14 @@ namespace bemcal::physics {
 
 namespace {
 
-/// One lane of a meter's rows. Throws std::domain_error as meter_form does.
-void write_meter(Quantity quantity, int lane, Response::Run& run) {
+/// One lane of all meters' rows. Throws std::domain_error as meter_form does.
+void write_meters(int lane, Response::Run& run) {
     const Batch::Plan& batch = run.group->plan;
     const Building& building = run.group->buildings[static_cast<std::size_t>(lane)];
-    const std::vector<int>& first = batch.meter(quantity).rows.first;
-    LaneArray& rows = run.meter(quantity).rows;
-    for (std::size_t row = 0; row < first.size(); ++row) {
-        const MeterForm form = meter_form(building, batch.drive, quantity, first[row]);
-        rows.column(3 * row)[lane] = form.source;
-        rows.column(3 * row + 1)[lane] = form.per_heating;
-        rows.column(3 * row + 2)[lane] = form.per_cooling;
-    }
-}
-
-void write_meters(int lane, Response::Run& run) {
     for (std::size_t q = 0; q < n_quantities; ++q)
-        if (!run.meters[q].rows.empty()) write_meter(static_cast<Quantity>(q), lane, run);
+        if (!run.meters[q].rows.empty())
+            write_meter_rows(batch.meters[q], building, batch.drive,
+                             static_cast<Quantity>(q), lane, run.meters[q].rows);
 }
 
 /// Returns why it failed, empty = it did not.
@@ -43,6 +35,11 @@ std::string write_lane(int lane, Response::Run& run) {
     }
 }
 
+void copy_lane(int from, int to, Response::Run& run) {
+    for (Response::Run::OfMeter& meter : run.meters) meter.rows.copy_lane(from, to);
+    run.floor_share.copy_lane(from, to);
+}
+
 /// The states before a stretch.
 void keep_states(std::size_t stretch, Response::Run& run) {
     for (std::size_t z = 0; z < run.zones.size(); ++z) {
@@ -55,9 +52,8 @@ void keep_states(std::size_t stretch, Response::Run& run) {
 /// W or degC of the steps of a stretch, from its rows.
 const double* shown(Quantity quantity, const Span& stretch, const kernel::PowerRows& rows,
                     Response::Run& run) {
-    if (quantity == Quantity::air_temperature) return rows.air;
-    if (quantity == Quantity::heating) return rows.heating;
-    if (quantity == Quantity::cooling) return rows.cooling;
+    if (const double* power = shown_as_it_is(quantity, run.group->plan, rows))
+        return power;
     run.group->plan.table.meter(run.meter_lanes(quantity), rows, stretch.begin,
                                 stretch.end, run.shown.data());
     return run.shown.data();
@@ -159,11 +155,12 @@ std::vector<std::string> Response::predict(const Matrix& points, std::size_t fir
         read_plain(*plan_, run);
         return run.failures;
     }
-    for (int lane = 0; lane < lanes(); ++lane) {
-        const std::string failure = write_lane(lane, run);
-        const std::size_t k = std::min(static_cast<std::size_t>(lane), count - 1);
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::string failure = write_lane(static_cast<int>(k), run);
         if (run.failures[k].empty()) run.failures[k] = failure;
     }
+    for (int lane = static_cast<int>(count); lane < lanes(); ++lane)
+        copy_lane(static_cast<int>(count) - 1, lane, run);
     run_all(*plan_, run);
     find_failures(*plan_, run);
     return run.failures;

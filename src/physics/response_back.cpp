@@ -145,13 +145,17 @@ void pull_floor_shares(const Building& building, int lane, Response::Run& run) {
 void pull_meter(Quantity quantity, const Building& building, int lane,
                 Response::Run& run) {
     const Batch::Plan& batch = run.group->plan;
-    const std::vector<int>& first = batch.meter(quantity).rows.first;
+    const MeterPlan& meter = batch.meter(quantity);
+    const std::vector<int>& first = meter.rows.first;
     const LaneArray& of_rows = run.meter(quantity).of_rows;
     for (std::size_t row = 0; row < first.size(); ++row) {
         MeterForm of_form;
         of_form.source = of_rows.at(3 * row, lane);
         of_form.per_heating = of_rows.at(3 * row + 1, lane);
         of_form.per_cooling = of_rows.at(3 * row + 2, lane);
+        if (meter.has_factor)
+            of_form = pull_meter_factor(building, batch.drive, quantity, first[row],
+                                        of_form, run.of_building);
         pull_meter_form(building, batch.drive, quantity, first[row], of_form,
                         run.of_building);
     }

@@ -46,7 +46,8 @@ std::vector<Written> plan_written(const Batch::Plan& batch) {
     for (std::size_t p = 0; p < batch.parameters.size(); ++p)
         for (const Target& target : batch.parameters[p].targets) {
             const double& number = number_at(building, target);
-            const Written entry{p, target, per_value(number, batch.parameters[p].effect)};
+            const Written entry{
+                p, target, per_value(number, batch.parameters[p].effect) * target.weight};
             const auto [place, is_new] = known.try_emplace(&number, written.size());
             if (is_new)
                 written.push_back(entry);
@@ -98,6 +99,8 @@ std::size_t count_in(const Building& building, Part part) {
             return building.boundaries.size();
         case Part::plant:
             return 1;
+        case Part::meter:
+            return building.meter_factor.size();
         default:
             return building.zones.size();
     }
@@ -105,10 +108,11 @@ std::size_t count_in(const Building& building, Part part) {
 
 bool is_of_zone(Part part) {
     return part != Part::construction && part != Part::glazing &&
-           part != Part::boundary && part != Part::plant;
+           part != Part::boundary && part != Part::plant && part != Part::meter;
 }
 
-/// The building's parts with all of their numbers 0.
+/// The building's parts with all of their numbers 0; amounts of changes are 0 as they
+/// are.
 Building zeros_like(const Building& building) {
     Building zeros = parts_of(building);
     for (std::size_t field = 0; field < fields().size(); ++field) {
@@ -116,9 +120,9 @@ Building zeros_like(const Building& building) {
         for (std::size_t k = 0; k < count_in(zeros, part); ++k) {
             const std::size_t n = is_of_zone(part) ? count_in(zeros.zones[k], part) : 1;
             for (std::size_t inner = 0; inner < n; ++inner)
-                for (bool low : {false, true})
+                for (Slot slot : {Slot::value, Slot::low})
                     number_at(zeros, {part, static_cast<int>(k), static_cast<int>(inner),
-                                      static_cast<int>(field), low}) = 0;
+                                      static_cast<int>(field), slot}) = 0;
         }
     }
     return zeros;
@@ -175,7 +179,8 @@ Response::Plan::Plan(const Batch& of_batch, std::vector<Channel> wanted)
       zeros(zeros_like(shared.nominal)) {
     for (const Channel& channel : channels) add_channel(channel, *this);
     for (const Written& number : written)
-        if (number.target.part == Part::plant) pulls_powers = true;
+        if (number.target.part == Part::plant || number.target.part == Part::meter)
+            pulls_powers = true;
 }
 
 Response::Run::Run(const Plan& plan)

@@ -36,7 +36,7 @@ struct Response::Plan {
 
     bool shows_air = false;     ///< any channel is the air temperature
     bool shows_powers = false;  ///< any other channel
-    bool pulls_powers = false;  ///< the way back needs the powers: the plant is varied
+    bool pulls_powers = false;  ///< the way back needs the powers: plant or meters vary
 
     int lanes() const { return shared.table.lanes; }
     std::size_t n_zones() const { return shared.zones.size(); }

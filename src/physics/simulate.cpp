@@ -15,7 +15,7 @@ namespace {
 /// The standard's hour: hour.hpp and nothing else.
 StepResult standard_step(const Network& network, const HourDrive& drive,
                          const Control& control, const ZoneState& before, double dt) {
-    const NodeGains gains = split_gains(network, drive.phi_int, drive.phi_sol);
+    const NodeGains gains = split_gains(network, drive);
     const double phi_hc =
         power_for_set_point(network, drive, gains, control, before.theta_m, dt);
     StepResult result;
@@ -74,6 +74,7 @@ class ZoneRun {
         make_network(building_, zone, drive_, step, network_);
         HourDrive hour = hour_drive(building_, zone, network_, drive_, step);
         couple(step, theta_air, hour);
+        hour.phi_vent = venting_power(zone, drive_, step, state_.theta_air);
         const auto one_step = zone.structure.any() ? advance_step : standard_step;
         StepResult result = one_step(network_, hour, control_at(zone, drive_, step),
                                      state_, drive_.axis.step_s);

@@ -56,7 +56,7 @@ NodeTemperatures temperatures(const StepMap& map, const TermValues& terms) {
 StepResult advance_step(const Network& network, const HourDrive& drive,
                         const Control& control, const ZoneState& before, double dt) {
     const StepMap map = make_step_map(network, dt);
-    const NodeGains gains = split_gains(network, drive.phi_int, drive.phi_sol);
+    const NodeGains gains = split_gains(network, drive);
     TermValues terms = terms_of(drive, gains, before);
     const Powers powers =
         control_powers(control, map, map.theta_air.at(terms), network.band);

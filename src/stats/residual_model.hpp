@@ -27,6 +27,9 @@ struct ResidualOptions {
     /// With discrepancy: the filter's gain is held once it has settled (again after each
     /// gap).
     bool steady_state = true;
+    /// Whether the proportional part is unknown, or 0: where the model is wrong in shape,
+    /// a scale that follows the prediction rewards predicting too little.
+    bool proportional = true;
 };
 
 /// Names in the order of the parameters: constant (a multiple of the meter's scale),

@@ -2,10 +2,11 @@
 /// building.
 #pragma once
 
-#include "physics/random_building.hpp"
+#include "physics/random_hooks.hpp"
 #include "physics/response.hpp"
 #include "support/measured.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace bemcal::physics::test {
@@ -30,6 +31,8 @@ inline std::size_t n_parts(const Building& building, Part part) {
             return building.boundaries.size();
         case Part::plant:
             return 1;
+        case Part::meter:
+            return building.meter_factor.size();
         default:
             return building.zones.size();
     }
@@ -55,7 +58,9 @@ inline std::vector<Target> all_targets(const Building& building) {
     std::vector<Target> targets;
     for (std::size_t field = 0; field < fields().size(); ++field) {
         const Part part = fields()[field].part;
-        for (std::size_t k = 0; k < n_parts(building, part); ++k)
+        // What shows the air temperature has no factor.
+        for (std::size_t k = part == Part::meter ? 1 : 0; k < n_parts(building, part);
+             ++k)
             for (std::size_t inner = 0; inner < n_inner(building, part, k); ++inner)
                 targets.push_back({part, static_cast<int>(k), static_cast<int>(inner),
                                    static_cast<int>(field)});
@@ -63,8 +68,8 @@ inline std::vector<Target> all_targets(const Building& building) {
     return targets;
 }
 
-/// A parameter for every number of the building: itself by a factor, or its low by an
-/// offset.
+/// A parameter for every number of the building: itself by a factor, its low and the
+/// amounts of its changes by an offset.
 inline std::vector<Parameter> every_number(const Building& building) {
     std::vector<Parameter> parameters;
     for (Target target : all_targets(building)) {
@@ -74,7 +79,7 @@ inline std::vector<Parameter> every_number(const Building& building) {
             parameters.push_back(
                 {field.key, "", 0.999, 1.001, Effect::factor, {target}, 1});
         if (field.input == nullptr) continue;
-        target.low = true;
+        target.slot = Slot::low;
         parameters.push_back({std::string(field.key) + ".low",
                               "",
                               -0.001,
@@ -83,6 +88,16 @@ inline std::vector<Parameter> every_number(const Building& building) {
                               {target},
                               0});
     }
+    for_changes(building, all_targets(building), [&](const Target& target) {
+        const Field& field = fields()[static_cast<std::size_t>(target.field)];
+        parameters.push_back({fmt::format("{} change {}", field.key, target.change),
+                              "",
+                              -0.001,
+                              0.001,
+                              Effect::offset,
+                              {target},
+                              0});
+    });
     return parameters;
 }
 

@@ -2,7 +2,7 @@
 /// description.
 #include "physics/batch.hpp"
 #include "physics/plain_answer.hpp"
-#include "physics/random_building.hpp"
+#include "physics/random_hooks.hpp"
 #include "support/measured.hpp"
 
 #include <limits>
@@ -14,6 +14,7 @@ namespace bemcal::physics {
 namespace {
 
 using test::random_case;
+using test::random_hooked_case;
 using test::random_points;
 using test::RandomCase;
 
@@ -116,13 +117,9 @@ void expect_near(const PointAnswer& fast, const PointAnswer& plain,
     }
 }
 
-class FastAgainstPlain : public testing::TestWithParam<unsigned> {};
-
-}  // namespace
-
-TEST_P(FastAgainstPlain, TotalsMonthsAndErrorsAgree) {
-    const RandomCase made = random_case(GetParam());
-    const Matrix points = random_points(GetParam() + 1000, made.parameters, 11);
+/// Of the totals, months and errors of some points.
+void expect_answers(const RandomCase& made, unsigned seed, std::size_t n_points) {
+    const Matrix points = random_points(seed, made.parameters, n_points);
     const Request request = everything_of(made);
     for (InstructionSet set : supported_sets()) {
         const Batch batch(made.building, made.parameters, made.drive, set);
@@ -134,6 +131,19 @@ TEST_P(FastAgainstPlain, TotalsMonthsAndErrorsAgree) {
                 plain_answer(building_at(made, points, point), made.drive, request),
                 std::string(name_of(set)) + " point " + std::to_string(point));
     }
+}
+
+class FastAgainstPlain : public testing::TestWithParam<unsigned> {};
+class FastWithEffectsAgainstPlain : public testing::TestWithParam<unsigned> {};
+
+}  // namespace
+
+TEST_P(FastAgainstPlain, TotalsMonthsAndErrorsAgree) {
+    expect_answers(random_case(GetParam()), GetParam() + 1000, 11);
+}
+
+TEST_P(FastWithEffectsAgainstPlain, TotalsMonthsAndErrorsAgree) {
+    expect_answers(random_hooked_case(GetParam()), GetParam() + 4000, 3);
 }
 
 /// What advance() writes for one lane, in predict()'s unit; the period in two parts.
@@ -155,9 +165,8 @@ std::vector<double> advanced(const Batch& batch, const RandomCase& made,
     return values;
 }
 
-TEST_P(FastAgainstPlain, EveryStepAgrees) {
-    const RandomCase made = random_case(GetParam());
-    const Matrix points = random_points(GetParam() + 2000, made.parameters, 1);
+void expect_steps(const RandomCase& made, unsigned seed) {
+    const Matrix points = random_points(seed, made.parameters, 1);
     const Building building = building_at(made, points, 0);
     const Trajectory trajectory = simulate(building, made.drive);
     double most = 0;
@@ -175,6 +184,16 @@ TEST_P(FastAgainstPlain, EveryStepAgrees) {
         "1e-10");
 }
 
+TEST_P(FastAgainstPlain, EveryStepAgrees) {
+    expect_steps(random_case(GetParam()), GetParam() + 2000);
+}
+
+TEST_P(FastWithEffectsAgainstPlain, EveryStepAgrees) {
+    expect_steps(random_hooked_case(GetParam()), GetParam() + 5000);
+}
+
 INSTANTIATE_TEST_SUITE_P(RandomBuildings, FastAgainstPlain, testing::Range(1U, 61U));
+INSTANTIATE_TEST_SUITE_P(RandomBuildings, FastWithEffectsAgainstPlain,
+                         testing::Range(1U, 41U));
 
 }  // namespace bemcal::physics

@@ -116,6 +116,10 @@ TEST(Resolve, FindsEveryKindOfPart) {
     EXPECT_EQ(&at("zone.room.coupling.hall.conductance"),
               &room.couplings[0].conductance.value);
     EXPECT_EQ(&at("plant.cooling_cop"), &b.plant.cooling_cop.value);
+    EXPECT_EQ(&at("zone.room.venting_air_change"), &room.venting.air_change.value);
+    EXPECT_EQ(&at("zone.room.venting_opens_above"), &room.venting.opens_above);
+    EXPECT_EQ(&at("zone.room.supply_shift"), &room.outdoor_shift.supply.value);
+    EXPECT_EQ(&at("meter.electricity.factor"), &b.meter_factor[3].value);
 }
 
 TEST(Resolve, TakesAStarForEveryName) {
@@ -133,7 +137,7 @@ TEST(Resolve, SaysWhatWouldHaveMatched) {
               std::string::npos);
     EXPECT_NE(refusal("zones.room.volume").find("boundary, construction"),
               std::string::npos);
-    EXPECT_NE(refusal("plant.cop").find("cooling_cop, heating_efficiency"),
+    EXPECT_NE(refusal("plant.cop").find("cooling_cop, heating_auxiliary"),
               std::string::npos);
     EXPECT_NE(refusal("zone.room.load.equipment").find("not complete"),
               std::string::npos);
@@ -141,6 +145,8 @@ TEST(Resolve, SaysWhatWouldHaveMatched) {
         refusal("zone.room.volume.high").find("nothing may stand after zone.room.volume"),
         std::string::npos);
     EXPECT_NE(refusal("zone.room.volume.low").find("no low"), std::string::npos);
+    EXPECT_NE(refusal("meter.air_temperature.factor").find("cooling, district"),
+              std::string::npos);
     EXPECT_NE(refusal("plant.*").find("no \"*\""), std::string::npos);
     EXPECT_NE(refusal("zone.room.*").find("no \"*\""), std::string::npos);
     EXPECT_NE(refusal(""), "");

@@ -1,0 +1,108 @@
+/// Each series is a formula mapped over the weather's hours.
+#include "effects/air.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bemcal::effects {
+namespace {
+
+using physics::Weather;
+
+constexpr double stefan_boltzmann = 5.670374e-8;  // [W/(m2 K4)]
+constexpr double kelvin = 273.15;
+constexpr double lag_of_ground_h = 60 * 24;
+constexpr std::size_t year_h = 8760;
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+/// Magnus formula over water [Pa].
+double saturation_pressure(double theta) {
+    return 611.2 * std::exp(17.62 * theta / (243.12 + theta));
+}
+
+double dew_point(double theta, double relative_humidity) {
+    const double ratio = std::max(relative_humidity, 1.0) / 100;
+    const double x = std::log(ratio * saturation_pressure(theta) / 611.2);
+    return 243.12 * x / (17.62 - x);
+}
+
+template <class Formula>
+std::vector<double> each_hour(const Weather& weather, Formula formula) {
+    std::vector<double> values(weather.theta_e.size());
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] = formula(k);
+    return values;
+}
+
+/// Moves the state towards a value by one hour; a missing value moves nothing.
+double lagged(double state, double value) {
+    const double weight = 1 - std::exp(-1 / lag_of_ground_h);
+    return std::isnan(value) ? state : state + weight * (value - state);
+}
+
+double mean_of(const std::vector<double>& values) {
+    double sum = 0, n = 0;
+    for (const double value : values) {
+        if (std::isnan(value)) continue;
+        sum += value;
+        n += 1;
+    }
+    return n > 0 ? sum / n : missing;
+}
+
+}  // namespace
+
+double standard_pressure(double elevation) {
+    return 101325 * std::pow(1 - 2.25577e-5 * elevation, 5.25588);
+}
+
+double humidity_ratio(double theta, double relative_humidity, double pressure) {
+    const double vapour = relative_humidity / 100 * saturation_pressure(theta);
+    return 621.98 * vapour / (pressure - vapour);
+}
+
+double sky_temperature(double infrared) {
+    return std::pow(infrared / stefan_boltzmann, 0.25) - kelvin;
+}
+
+double sky_infrared(double theta, double relative_humidity, double cloud_cover) {
+    const double n = 10 * cloud_cover;
+    const double clear =
+        0.787 + 0.764 * std::log((dew_point(theta, relative_humidity) + kelvin) / 273);
+    const double clouds = 1 + 0.0224 * n - 0.0035 * n * n + 0.00028 * n * n * n;
+    return clear * clouds * stefan_boltzmann * std::pow(theta + kelvin, 4);
+}
+
+std::vector<double> moisture_series(const Weather& weather) {
+    if (weather.relative_humidity.empty()) return {};
+    const double pressure = standard_pressure(weather.site.elevation);
+    return each_hour(weather, [&](std::size_t k) {
+        return humidity_ratio(weather.theta_e[k], weather.relative_humidity[k], pressure);
+    });
+}
+
+std::vector<double> sky_difference_series(const Weather& weather) {
+    const bool measured = !weather.infrared.empty();
+    if (!measured && (weather.relative_humidity.empty() || weather.cloud_cover.empty()))
+        return {};
+    return each_hour(weather, [&](std::size_t k) {
+        const double theta = weather.theta_e[k];
+        const double infrared = measured
+                                    ? weather.infrared[k]
+                                    : sky_infrared(theta, weather.relative_humidity[k],
+                                                   weather.cloud_cover[k]);
+        return infrared > 0 ? theta - sky_temperature(infrared) : missing;
+    });
+}
+
+std::vector<double> ground_series(const Weather& weather) {
+    const std::vector<double>& theta_e = weather.theta_e;
+    double state = mean_of(theta_e);
+    const std::size_t year = std::min(year_h, theta_e.size());
+    for (int repeats = 0; repeats < 3; ++repeats)
+        for (std::size_t k = 0; k < year; ++k) state = lagged(state, theta_e[k]);
+    return each_hour(weather,
+                     [&](std::size_t k) { return state = lagged(state, theta_e[k]); });
+}
+
+}  // namespace bemcal::effects

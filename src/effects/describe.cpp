@@ -1,0 +1,79 @@
+/// The catalogue and the grammar as text.
+#include "effects/catalogue.hpp"
+
+#include <fmt/format.h>
+
+namespace bemcal::effects {
+namespace {
+
+const char* words_of(Each each) {
+    constexpr const char* words[] = {"",
+                                     "all facades together, and each alone",
+                                     "every meter",
+                                     "the meter of cooling",
+                                     "Monday to Friday, each alone",
+                                     "the summer times of the EU and the US",
+                                     "days that stand out in the data",
+                                     "a decision on the data: the model is not changed"};
+    return words[static_cast<std::size_t>(each)];
+}
+
+std::string tried(const Entry& entry) {
+    std::string text;
+    for (const Shape& shape : entry.shapes) {
+        Effect effect = entry.effect;
+        effect.shape = shape;
+        if (entry.shapes.size() > 8 && &shape == &entry.shapes[2]) text += "; ...";
+        if (entry.shapes.size() > 8 && &shape > &entry.shapes[1] &&
+            &shape < &entry.shapes.back())
+            continue;
+        text += fmt::format("{}{}", text.empty() ? "" : "; ", sentence_of(effect));
+    }
+    return text.empty() ? sentence_of(entry.effect) : text;
+}
+
+std::string lines_of(const Entry& entry) {
+    const Effect& effect = entry.effect;
+    std::string text =
+        fmt::format("{:2}  {}\n    {}\n", effect.number, effect.name, entry.sentence);
+    if (entry.each != Each::data)
+        text +=
+            fmt::format("    enters at:   {}, {:.4g} to {:.4g} {}\n    follows:     {}\n",
+                        name_of(effect.hook), effect.least, effect.most, unit_of(effect),
+                        tried(entry));
+    if (entry.each != Each::once)
+        text += fmt::format("    on:          {}\n", words_of(entry.each));
+    return text + fmt::format(
+                      "    leaves:      {}\n    like:        {}\n"
+                      "    told apart:  {}\n\n",
+                      entry.signature, entry.like, entry.separates);
+}
+
+std::string hooks() {
+    std::string text;
+    for (int k = 0; k <= static_cast<int>(Hook::meter_factor); ++k) {
+        const auto hook = static_cast<Hook>(k);
+        text += fmt::format("    {:22} {}\n", name_of(hook), unit_of(hook));
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string describe() {
+    std::string text =
+        "Effects that a loop looks for. What one brings to the building at a step is\n"
+        "coefficient x shape(driver) x gate; both signs are tried, and a coefficient "
+        "outside\nof the plausible range printed here is said to be so.\n\n";
+    for (const Entry& entry : catalogue()) text += lines_of(entry);
+    text +=
+        "Beside them a loop tries what has no name: a grammar of hooks x drivers,\n"
+        "  hour of the day (windows of 3 h on weekdays), weekends and their days,\n"
+        "  seasons (2 months), outdoor temperature (hinges at 5 to 25 degC), wind,\n"
+        "  sun, moisture, absence of people, a trend, steps at every month, and the\n"
+        "  job's own columns,\nwhere they make sense. Hooks and units of their "
+        "coefficients:\n\n";
+    return text + hooks();
+}
+
+}  // namespace bemcal::effects

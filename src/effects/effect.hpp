@@ -1,0 +1,151 @@
+/// What a model may lack, as data: an effect is a hook, a driver, a shape and a gate.
+///
+/// The hook says where it enters the building (an input, physics::Change), the driver
+/// what it follows, the shape how, the gate when. What it brings at a step is
+/// coefficient x shape(driver) x gate. Nothing here is code of its own: the catalogue
+/// (catalogue.hpp) is a table of named effects, the grammar (grammar.hpp) lists the
+/// others, and place (placement.hpp) turns any of them into changes of a building and one
+/// parameter, so that plain and fast simulation and the adjoint know of inputs only.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace bemcal::effects {
+
+/// Where an effect enters, and the unit of its coefficient per unit of what drives it.
+enum class Hook {
+    outdoor_air,      ///< at supply, opaque elements and windows alike [K]
+    supply_air,       ///< [K]
+    opaque_boundary,  ///< sol-air temperature [K]
+    window_boundary,  ///< [K]
+    infiltration,     ///< air from outdoors at all hours, added [1/h]
+    ventilation,      ///< fans' air flows, as a share [-]
+    venting,          ///< openings that follow the room (physics::Venting) and open above
+                      ///< Shape::at [degC]; with Driver::one [1/h]
+    opaque_conductance,    ///< of the opaque elements, as a share [-]
+    window_conductance,    ///< as a share [-]
+    neighbour,             ///< conductance to another temperature, per floor [W/(m2 K)]
+    second_mass,           ///< conductance to a second mass, per floor [W/(m2 K)]
+    aperture,              ///< solar gains through windows of a facade, as a share [-]
+    heat_recovery,         ///< of ventilation, added [-]
+    gains,                 ///< heat nobody meters, added [W/m2]
+    loads,                 ///< people, lights and equipment, as a share [-]
+    lights_and_equipment,  ///< on the electricity meter and into the room, added [W/m2]
+    heating_set_point,     ///< [K]
+    cooling_set_point,     ///< [K]
+    heating_available,     ///< as a share [-]
+    cooling_available,     ///< as a share [-]
+    operation,   ///< all scheduled inputs at once, towards another day's schedule [-]
+    occupation,  ///< scheduled loads only, towards another day's schedule [-]
+    plant_operation,     ///< scheduled set-points and flows only, likewise [-]
+    heating_efficiency,  ///< as a share [-]
+    cooling_cop,         ///< as a share [-]
+    meter_addition,      ///< on a meter, without heat, per floor [W/m2]
+    meter_factor         ///< what a meter shows, as a share [-]
+};
+
+/// What an effect follows; series are of the drive's steps.
+enum class Driver {
+    one,                  ///< always
+    theta_e,              ///< outdoor temperature [degC]
+    temperature_to_base,  ///< 20 degC - theta_e [K]
+    root_of_difference,   ///< sqrt |20 degC - theta_e| [K^0.5]
+    sky_difference,       ///< theta_e - theta_sky [K]
+    wind,                 ///< [m/s]
+    wind_and_difference,  ///< wind x |20 degC - theta_e| [K m/s]
+    sun_horizontal,       ///< global [W/m2]
+    sun_on_facade,        ///< on the hook's facade [W/m2]
+    moisture,             ///< outdoor humidity ratio [g/kg]
+    ground,               ///< outdoor temperature of the last months, lagged [degC]
+    occupied,             ///< share of the largest density of people [-]
+    hour,                 ///< hour of the day, 0 to 24; `within` gives a share of a step
+    weekend,              ///< 1 on Saturday and Sunday
+    saturday,
+    sunday,
+    day_of_year,   ///< 0 to 366
+    elapsed,       ///< years since the first step of the period
+    bright,        ///< sun on the facade [W/m2]: for blinds
+    heating_load,  ///< heating power of the calibrated model over its largest [-]
+    cooling_load,  ///< cooling power, likewise [-]
+    another_day,   ///< hook operation: schedules of the weekday in Shape::at (0 = Monday)
+    shifted_hours,         ///< hook operation: schedules Shape::at hours later
+    constant_temperature,  ///< hook neighbour: Shape::at [degC]
+    column                 ///< a column of the job's own
+};
+
+enum class Form {
+    linear,
+    above,   ///< max(driver - at, 0)
+    below,   ///< max(at - driver, 0)
+    over,    ///< 1 where driver > at
+    under,   ///< 1 where driver < at
+    within,  ///< 1 where at <= driver < until (through midnight or New Year, too)
+    lagged   ///< running mean with the time constant at [h]
+};
+
+struct Shape {
+    Form form = Form::linear;
+    double at = 0, until = 0;  ///< in the driver's unit
+};
+
+enum class Gate {
+    always,
+    occupied,
+    unoccupied,
+    day,  ///< 7 to 19 h
+    night,
+    weekend,
+    weekday,
+    heating_season,  ///< outdoor temperature of the last week below 12 degC
+    cooling_season,  ///< above 16 degC
+    on_days,         ///< on the days of Effect::days
+    eu_summer_time,  ///< while it is in force, whatever the building's clock does
+    us_summer_time
+};
+
+/// A run of days in [first, last], days since 1970; every year when yearly.
+struct Days {
+    int first = 0, last = 0;
+    bool yearly = false;
+};
+
+/// Hours of the day in [from, until), through midnight where from > until.
+struct Hours {
+    double from = 0, until = 24;
+};
+
+struct Effect {
+    std::string name{};  ///< "wind infiltration"; of the grammar: a sentence
+    int number = 0;      ///< row of the catalogue; 0 = of the grammar
+    Hook hook = Hook::gains;
+    Driver driver = Driver::one;
+    Shape shape{};
+    Gate gate = Gate::always;
+    std::vector<Days> days{};  ///< of Gate::on_days
+    /// Facade (plane) or meter (Quantity) of the hook; -1 = every facade, each by the sun
+    /// that it sees itself.
+    int place = -1;
+    std::string place_name{};    ///< in words: "south facade", "gas meter"
+    std::string column{};        ///< of Driver::column
+    double least = 0, most = 1;  ///< plausible coefficients
+    double typical = 0.5;        ///< a middling one: where secants are taken
+    int weekday = -1;            ///< only on this one, 0 = Monday; -1 = on all
+    Hours hours{};               ///< only in these
+};
+
+/// Whether they bring the same: hook, driver, shape, gate, days, hours and place.
+bool are_equal(const Effect& a, const Effect& b);
+
+const char* name_of(Hook hook);
+const char* name_of(Driver driver);
+const char* name_of(Form form);
+const char* name_of(Gate gate);
+const char* unit_of(Hook hook);
+const char* unit_of(Driver driver);  ///< "" where it has none
+/// Of the coefficient: "1/h per m/s".
+std::string unit_of(const Effect& effect);
+/// "wind above 3 m/s, at night, south facade": driver, shape, gate and place in words.
+std::string sentence_of(const Effect& effect);
+
+}  // namespace bemcal::effects

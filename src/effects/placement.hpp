@@ -1,0 +1,39 @@
+/// Puts effects into a building: changes of its inputs, profiles of its drive, and a
+/// parameter for each coefficient.
+#pragma once
+
+#include "effects/surroundings.hpp"
+#include "physics/parameters.hpp"
+
+#include <optional>
+#include <span>
+
+namespace bemcal::effects {
+
+/// A building with effects. Coefficients are 0 in `building`, so that without values for
+/// `parameters` it is the building before.
+struct Placed {
+    physics::Building building;
+    physics::Drive drive;  ///< with the effects' profiles appended
+    /// [effects] one coefficient each, named as its effect (with its sentence where two
+    /// have one name). Range: twice as wide as what is plausible, both signs, cut where
+    /// physics ends (openings, conductances and shares of 1 + coefficient x profile stay
+    /// above 0).
+    std::vector<physics::Parameter> parameters;
+};
+
+/// What multiplies conductances, set-points or air flows (everything but heat that is
+/// added and outdoor temperatures) is rounded to this many levels, so that the fast
+/// simulation has as many regimes only.
+constexpr int most_levels = 12;
+
+/// Throws std::invalid_argument where an effect cannot enter this building (no cooling,
+/// no such facade, more than physics::most_changes at one input), saying why.
+Placed place(std::span<const Effect> effects, const Surroundings& surroundings);
+
+/// Why the effect cannot enter, or that it has no say at any step of this period (which
+/// `place` accepts); none: it can.
+std::optional<std::string> objection(const Effect& effect,
+                                     const Surroundings& surroundings);
+
+}  // namespace bemcal::effects

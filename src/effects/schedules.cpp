@@ -1,0 +1,113 @@
+/// Days are cut out of the row by the calendar and compared as they are.
+#include "effects/schedules.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace bemcal::effects {
+namespace {
+
+using Row = std::span<const double>;
+using std::chrono::days;
+
+constexpr std::size_t nearest_days = 9;
+constexpr double least_repeated = 0.7;
+
+std::size_t index(int step) {
+    return static_cast<std::size_t>(step);
+}
+
+int per_day(const physics::Drive& drive) {
+    return 86400 / drive.axis.step_s;
+}
+
+int day_of(const physics::Drive& drive, int step) {
+    const auto begin = drive.axis.begin_of(step);
+    return static_cast<int>(std::chrono::floor<days>(begin).time_since_epoch().count());
+}
+
+/// Begin of a day as a step of the drive; it may lie outside.
+int first_step_of(const physics::Drive& drive, int day) {
+    return drive.axis.step_of(std::chrono::sys_days(days(day)));
+}
+
+/// The whole days of the period that are this weekday.
+std::vector<int> whole_days(const physics::Drive& drive, int weekday) {
+    std::vector<int> found;
+    const int last = day_of(drive, drive.n_steps() - 1);
+    for (int day = day_of(drive, drive.n_warm_up); day <= last; ++day) {
+        const int first = first_step_of(drive, day);
+        const bool whole =
+            first >= drive.n_warm_up && first + per_day(drive) <= drive.n_steps();
+        const int found_weekday =
+            physics::calendar_step(std::chrono::sys_days(days(day))).weekday;
+        if (whole && found_weekday == weekday) found.push_back(day);
+    }
+    return found;
+}
+
+bool equal_days(const physics::Drive& drive, Row row, int a, int b) {
+    const auto n = index(per_day(drive));
+    const Row first = row.subspan(index(first_step_of(drive, a)), n);
+    const Row second = row.subspan(index(first_step_of(drive, b)), n);
+    return std::equal(first.begin(), first.end(), second.begin());
+}
+
+/// The most frequent of the nearest candidates; of equally frequent ones the nearest.
+int usual_day(const physics::Drive& drive, Row row, std::vector<int> candidates,
+              int day) {
+    std::sort(candidates.begin(), candidates.end(), [&](int a, int b) {
+        return std::pair(std::abs(a - day), a) < std::pair(std::abs(b - day), b);
+    });
+    candidates.resize(std::min(candidates.size(), nearest_days));
+    const auto frequency = [&](int a) {
+        return std::count_if(candidates.begin(), candidates.end(),
+                             [&](int b) { return equal_days(drive, row, a, b); });
+    };
+    return *std::max_element(candidates.begin(), candidates.end(),
+                             [&](int a, int b) { return frequency(a) < frequency(b); });
+}
+
+}  // namespace
+
+bool is_schedule(Row row, const physics::Drive& drive) {
+    const int week = 7 * per_day(drive);
+    const int first = drive.n_warm_up + week;
+    int n = 0, n_equal = 0;
+    for (int step = first; step < drive.n_steps(); ++step, ++n)
+        n_equal += row[index(step)] == row[index(step - week)] ? 1 : 0;
+    return n > 0 && n_equal >= least_repeated * n;
+}
+
+std::vector<double> as_on(int weekday, Row row, const physics::Drive& drive) {
+    std::vector<double> other(row.begin(), row.end());
+    const std::vector<int> candidates = whole_days(drive, weekday);
+    if (candidates.empty()) return other;
+    const int last = day_of(drive, drive.n_steps() - 1);
+    for (int day = day_of(drive, 0); day <= last; ++day) {
+        const int from = first_step_of(drive, usual_day(drive, row, candidates, day));
+        const int to = first_step_of(drive, day);
+        for (int k = std::max(0, -to); k < per_day(drive); ++k)
+            if (to + k < drive.n_steps()) other[index(to + k)] = row[index(from + k)];
+    }
+    return other;
+}
+
+std::vector<double> later_by(double hours, Row row, const physics::Drive& drive) {
+    const double shift = hours * 3600 / drive.axis.step_s;
+    const double whole = std::floor(shift), part = shift - whole;
+    const auto at = [&](int step) {
+        return row[index(std::clamp(step, 0, drive.n_steps() - 1))];
+    };
+    std::vector<double> other;
+    other.reserve(row.size());
+    for (int step = 0; step < drive.n_steps(); ++step) {
+        const int from = step - static_cast<int>(whole);
+        const double here = at(from);
+        other.push_back(part == 0 ? here : here + part * (at(from - 1) - here));
+    }
+    return other;
+}
+
+}  // namespace bemcal::effects

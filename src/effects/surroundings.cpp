@@ -1,0 +1,77 @@
+/// The weather's hours are laid on the drive's steps by the clock.
+#include "effects/surroundings.hpp"
+
+#include "effects/air.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bemcal::effects {
+namespace {
+
+using Series = std::vector<double>;
+
+constexpr double most_missing = 0.1;  ///< share of a series
+
+/// The weather's hour in which a step lies; before its first hour, that of the same hour
+/// of its first day.
+std::size_t hour_of(const physics::TimeAxis& weather, physics::Seconds time) {
+    int hour = weather.step_of(time);
+    if (hour < 0) hour = (hour % 24 + 24) % 24;
+    return static_cast<std::size_t>(std::min(hour, weather.n_steps - 1));
+}
+
+/// Gaps hold the value before them, a first gap the one after it.
+void fill(Series& values) {
+    const auto known = [](double value) { return !std::isnan(value); };
+    double last = *std::find_if(values.begin(), values.end(), known);
+    for (double& value : values) {
+        if (known(value)) last = value;
+        value = last;
+    }
+}
+
+/// An hourly series on the drive's steps; empty where it is not there.
+Series lay(const Series& hourly, const physics::Weather& weather,
+           const physics::Drive& drive) {
+    if (hourly.size() != static_cast<std::size_t>(weather.axis.n_steps)) return {};
+    Series steps(static_cast<std::size_t>(drive.n_steps()));
+    double n_missing = 0;
+    for (int step = 0; step < drive.n_steps(); ++step) {
+        const double value = hourly[hour_of(weather.axis, drive.axis.begin_of(step))];
+        steps[static_cast<std::size_t>(step)] = value;
+        n_missing += std::isnan(value) ? 1 : 0;
+    }
+    if (n_missing > most_missing * drive.n_steps()) return {};
+    fill(steps);
+    return steps;
+}
+
+std::vector<physics::CalendarStep> calendar_of(const physics::TimeAxis& axis) {
+    std::vector<physics::CalendarStep> calendar;
+    calendar.reserve(static_cast<std::size_t>(axis.n_steps));
+    for (int step = 0; step < axis.n_steps; ++step)
+        calendar.push_back(physics::calendar_step(axis.begin_of(step)));
+    return calendar;
+}
+
+}  // namespace
+
+Surroundings make_surroundings(const physics::Building& building,
+                               const physics::Drive& drive,
+                               const physics::Weather& weather, physics::Seconds from) {
+    Surroundings around;
+    around.building = &building;
+    around.drive = &drive;
+    around.calendar = calendar_of(drive.axis);
+    around.wind = lay(weather.wind_speed, weather, drive);
+    around.moisture = lay(moisture_series(weather), weather, drive);
+    around.sky_difference = lay(sky_difference_series(weather), weather, drive);
+    around.sun_horizontal = lay(weather.global_horizontal, weather, drive);
+    around.ground = lay(ground_series(weather), weather, drive);
+    around.from = from;
+    return around;
+}
+
+}  // namespace bemcal::effects

@@ -1,0 +1,154 @@
+/// The time loop of a zone with refinements, openings that follow the room among them.
+/// Included by kernel_body.inl.
+
+/// A zone with refinements: form 0 is the free air temperature, the others the states.
+template <int n>
+struct Forms {
+    V value[n + 1];
+    /// += column `index` of the forms times `factor`
+    void add_column(const double* forms, int index, V factor) {
+        for (int f = 0; f <= n; ++f)
+            value[f] = fma(column(forms, index * (n + 1) + f), factor, value[f]);
+    }
+};
+
+/// Columns of forms: heating, cooling, n states, sun, drivers.
+template <int n>
+Forms<n> forms_of_step(const ZoneTime& zone, const double* forms, const double* row,
+                       const double* drivers, const V* state, bool in_sun) {
+    Forms<n> result;
+    for (int f = 0; f <= n; ++f) result.value[f] = column(row, f);
+    for (int k = 0; k < zone.n_drivers; ++k)
+        result.add_column(forms, 3 + n + k, broadcast(drivers[k]));
+    if (in_sun)
+        result.add_column(forms, 2 + n,
+                          sunshine<-1>(forms + (3 + n + zone.n_drivers) * (n + 1) * lanes,
+                                       drivers + zone.n_drivers, zone.n_planes));
+    for (int s = 0; s < n; ++s) result.add_column(forms, 2 + s, state[s]);
+    return result;
+}
+
+struct Powers {
+    V heating, cooling;
+};
+
+template <int n>
+Powers powers_of_step(const ZoneTime& zone, const double* regime, const double* row,
+                      const double* drivers, V theta_free) {
+    using C = GeneralColumn;
+    V heat = column(row, n + 1), cool = column(row, n + 2);
+    if (zone.imposed != 0) {
+        const V driver = broadcast(drivers[zone.n_drivers - 1]);
+        heat = fma(column(regime, C::imposed), driver, heat);
+        cool = fnma(column(regime, C::imposed), driver, cool);
+    }
+    heat = fnma(column(regime, C::gain_heating), theta_free, heat);
+    cool = fma(column(regime, C::gain_cooling), theta_free, cool);
+    const V zero = broadcast(0);
+    return {min(max(heat, zero), column(regime, C::most_heating)),
+            min(max(cool, zero), column(regime, C::most_cooling))};
+}
+
+/// Writes what is to be shown of a general zone's step.
+struct GeneralWritten {
+    Show show;
+    PowerRows out;
+    int first;
+    void see(int step, const V*, V, Powers power, V air) const {
+        const long at = static_cast<long>(step - first) * lanes;
+        if (show != Show::sums) store(out.heating + at, power.heating);
+        if (show != Show::sums) store(out.cooling + at, power.cooling);
+        if (show == Show::powers_and_air) store(out.air + at, air);
+    }
+};
+
+/// Where the columns of openings are, from those of the forms.
+inline int venting_columns(const ZoneTime& zone) {
+    const int n = zone.n_states;
+    return (3 + n + zone.n_drivers) * (n + 1) + zone.n_planes;
+}
+
+/// Openings at a step: how far they are open, the air over what they open above, and over
+/// outdoors [K].
+struct Opening {
+    V share, above, difference;
+    V power(V conductance) const { return mul(mul(conductance, share), difference); }
+};
+
+inline Opening opening_at(const double* columns, V theta_air, double theta_e) {
+    const V zero = broadcast(0);
+    const V above = sub(theta_air, column(columns, VentingColumn::opens_above));
+    const V reach = mul(above, column(columns, VentingColumn::per_band));
+    return {min(max(reach, zero), broadcast(1)), above,
+            max(sub(theta_air, broadcast(theta_e)), zero)};
+}
+
+/// Takes the heat that leaves through openings from the forms.
+template <int n>
+void vent(const ZoneTime& zone, const double* forms, const double* row, double theta_e,
+          const V* state, Forms<n>& form) {
+    const double* columns = forms + venting_columns(zone) * lanes;
+    const Opening opening = opening_at(columns, state[zone.vented_state], theta_e);
+    const V power = opening.power(column(row, 3 + n));
+    for (int f = 0; f <= n; ++f)
+        form.value[f] =
+            fnma(column(columns, VentingColumn::forms + f), power, form.value[f]);
+}
+
+/// `watch` sees the state before each step, the air with no power, the powers, the air.
+template <int n, bool vented, class Watch>
+void general_segment(const ZoneTime& zone, const ZoneLanes& group, const Segment& segment,
+                     const Watch& watch) {
+    const int stride = zone.n_drivers + zone.n_planes;
+    const double* regime = group.regimes + segment.regime * zone.regime_size;
+    const double* forms = regime + GeneralColumn::forms * lanes;
+    const double* drivers = zone.drivers + static_cast<long>(segment.begin) * stride;
+    V state[n], heat = load(group.sums), cool = load(group.sums + lanes);
+    for (int s = 0; s < n; ++s) state[s] = column(group.state, s);
+    for (int step = segment.begin; step < segment.end; ++step, drivers += stride) {
+        const double* row = group.rows + zone.row_offset[step];
+        Forms<n> form =
+            forms_of_step<n>(zone, forms, row, drivers, state, segment.in_sun != 0);
+        if constexpr (vented) vent<n>(zone, forms, row, drivers[0], state, form);
+        const V free = form.value[0];
+        const Powers power = powers_of_step<n>(zone, regime, row, drivers, free);
+        form.add_column(forms, 0, power.heating);
+        form.add_column(forms, 1, power.cooling);
+        watch.see(step, state, free, power, form.value[0]);
+        for (int s = 0; s < n; ++s) state[s] = form.value[s + 1];
+        heat = add(heat, power.heating);
+        cool = add(cool, power.cooling);
+    }
+    for (int s = 0; s < n; ++s) store(group.state + s * lanes, state[s]);
+    store(group.sums, heat);
+    store(group.sums + lanes, cool);
+}
+
+/// Calls use.operator()<states, vented>() for the zone's own.
+template <class Use>
+void for_variant(const ZoneTime& zone, Use use) {
+    const bool vented = zone.vented_state >= 0;
+    switch (zone.n_states) {
+        case 1:
+            return use.template operator()<1, false>();
+        case 2:
+            return vented ? use.template operator()<2, true>()
+                          : use.template operator()<2, false>();
+        case 3:
+            return vented ? use.template operator()<3, true>()
+                          : use.template operator()<3, false>();
+        default:
+            return vented ? use.template operator()<4, true>()
+                          : use.template operator()<4, false>();
+    }
+}
+
+template <class Watch>
+void run_general(const ZoneTime& zone, const ZoneLanes& group, int segment, int begin,
+                 int end, const Watch& watch) {
+    for_pieces(zone, segment, begin, end, [&](const Segment& piece) {
+        for_variant(zone, [&]<int n, bool vented>() {
+            general_segment<n, vented>(zone, group, piece, watch);
+        });
+    });
+}

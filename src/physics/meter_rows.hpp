@@ -1,0 +1,15 @@
+/// Forms of a meter at many steps: where it has a row for every hour, one load or
+/// efficiency is evaluated after another, not one step after another.
+#pragma once
+
+#include "physics/lane_array.hpp"
+#include "physics/plan.hpp"
+
+namespace bemcal::physics {
+
+/// Writes a lane of the meter's rows [3 n_rows x lanes]: meter_form at the first step of
+/// each, to the bit. Throws std::domain_error as meter_form does.
+void write_meter_rows(const MeterPlan& plan, const Building& building, const Drive& drive,
+                      Quantity quantity, int lane, LaneArray& rows);
+
+}  // namespace bemcal::physics

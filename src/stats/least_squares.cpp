@@ -1,0 +1,141 @@
+/// Normal equations with Eigen; blocks are cut from the same sums.
+#include "stats/least_squares.hpp"
+
+#include <algorithm>
+
+#include <Eigen/Dense>
+
+namespace bemcal::stats {
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using View = Eigen::Map<const RowMajor>;
+using VectorView = Eigen::Map<const Eigen::VectorXd>;
+
+View view(const Matrix& matrix) {
+    return {matrix.values.data(), static_cast<Eigen::Index>(matrix.rows),
+            static_cast<Eigen::Index>(matrix.cols)};
+}
+
+VectorView view(std::span<const double> values) {
+    return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+
+Matrix to_matrix(const Eigen::MatrixXd& from) {
+    Matrix to(static_cast<std::size_t>(from.rows()),
+              static_cast<std::size_t>(from.cols()));
+    Eigen::Map<RowMajor>(to.values.data(), from.rows(), from.cols()) = from;
+    return to;
+}
+
+/// The unknowns that are not fixed.
+std::vector<Eigen::Index> free_of(std::span<const char> fixed) {
+    std::vector<Eigen::Index> free;
+    free.reserve(fixed.size());
+    for (std::size_t k = 0; k < fixed.size(); ++k)
+        if (!fixed[k]) free.push_back(static_cast<Eigen::Index>(k));
+    return free;
+}
+
+Eigen::MatrixXd reduced(const Matrix& matrix, std::span<const double> diagonal,
+                        const std::vector<Eigen::Index>& free) {
+    Eigen::MatrixXd full = view(matrix);
+    full.diagonal() += view(diagonal);
+    return full(free, free);
+}
+
+/// A run of readings of one block.
+struct Run {
+    Eigen::Index begin, size;
+};
+
+std::vector<std::vector<Run>> runs_of(std::span<const int> block_of) {
+    const int n_blocks = 1 + *std::ranges::max_element(block_of);
+    std::vector<std::vector<Run>> runs(static_cast<std::size_t>(n_blocks));
+    for (std::size_t k = 0; k < block_of.size(); ++k) {
+        auto& of_block = runs[static_cast<std::size_t>(block_of[k])];
+        if (k == 0 || block_of[k] != block_of[k - 1])
+            of_block.push_back({static_cast<Eigen::Index>(k), 0});
+        ++of_block.back().size;
+    }
+    return runs;
+}
+
+}  // namespace
+
+NormalEquations normal_equations(const Matrix& derivatives, std::span<const double> r,
+                                 std::span<const double> weights) {
+    const View J = view(derivatives);
+    const RowMajor scaled = J * view(weights).cwiseSqrt().asDiagonal();
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(J.rows(), J.rows());
+    A.selfadjointView<Eigen::Lower>().rankUpdate(scaled);
+    A = Eigen::MatrixXd(A.selfadjointView<Eigen::Lower>());
+    const Eigen::VectorXd right = J * view(weights).cwiseProduct(view(r));
+    return {to_matrix(A), {right.begin(), right.end()}};
+}
+
+Bordered bordered(const Matrix& derivatives, std::span<const double> s,
+                  std::span<const double> r, std::span<const double> weights) {
+    const Eigen::VectorXd weighted = view(weights).cwiseProduct(view(s));
+    const Eigen::VectorXd others = view(derivatives) * weighted;
+    return {{others.begin(), others.end()}, weighted.dot(view(s)), weighted.dot(view(r))};
+}
+
+std::vector<double> solve(const Matrix& matrix, std::span<const double> diagonal,
+                          std::span<const double> right, std::span<const char> fixed) {
+    const auto free = free_of(fixed);
+    const Eigen::VectorXd all = view(right);
+    const Eigen::VectorXd part =
+        reduced(matrix, diagonal, free).ldlt().solve(Eigen::VectorXd(all(free)));
+    std::vector<double> solution(right.size(), 0.0);
+    for (std::size_t k = 0; k < free.size(); ++k)
+        solution[static_cast<std::size_t>(free[k])] = part[static_cast<Eigen::Index>(k)];
+    return solution;
+}
+
+Matrix inverse(const Matrix& matrix, std::span<const double> diagonal,
+               std::span<const char> fixed) {
+    const auto free = free_of(fixed);
+    const Eigen::MatrixXd part = reduced(matrix, diagonal, free);
+    const auto size = static_cast<Eigen::Index>(matrix.rows);
+    Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(size, size);
+    const Eigen::MatrixXd solved =
+        part.ldlt().solve(Eigen::MatrixXd::Identity(part.rows(), part.cols()));
+    whole(free, free) = solved;
+    return to_matrix(whole);
+}
+
+std::vector<double> left_out_residuals(const Matrix& derivatives,
+                                       std::span<const double> r,
+                                       std::span<const double> weights,
+                                       std::span<const int> block_of,
+                                       std::span<const double> diagonal,
+                                       std::span<const char> fixed) {
+    const View J = view(derivatives);
+    const auto free = free_of(fixed);
+    const auto total = normal_equations(derivatives, r, weights);
+    const Eigen::MatrixXd A = reduced(total.matrix, diagonal, free);
+    Eigen::VectorXd left = view(r);
+    for (const auto& runs : runs_of(block_of)) {
+        Eigen::MatrixXd A_b = Eigen::MatrixXd::Zero(J.rows(), J.rows());
+        Eigen::VectorXd g_b = Eigen::VectorXd::Zero(J.rows());
+        for (const Run& run : runs) {
+            const auto part = J.middleCols(run.begin, run.size);
+            const auto w = view(weights).segment(run.begin, run.size);
+            const RowMajor scaled = part * w.cwiseSqrt().asDiagonal();
+            A_b.selfadjointView<Eigen::Lower>().rankUpdate(scaled);
+            g_b += part * w.cwiseProduct(view(r).segment(run.begin, run.size));
+        }
+        A_b = Eigen::MatrixXd(A_b.selfadjointView<Eigen::Lower>());
+        const Eigen::MatrixXd others = A - Eigen::MatrixXd(A_b(free, free));
+        const Eigen::VectorXd moved = -others.ldlt().solve(Eigen::VectorXd(g_b(free)));
+        Eigen::VectorXd move = Eigen::VectorXd::Zero(J.rows());
+        move(free) = moved;
+        for (const Run& run : runs)
+            left.segment(run.begin, run.size) -=
+                J.middleCols(run.begin, run.size).transpose() * move;
+    }
+    return {left.begin(), left.end()};
+}
+
+}  // namespace bemcal::stats
