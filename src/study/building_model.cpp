@@ -122,10 +122,12 @@ double fortnight(physics::Interval interval) {
     return interval == physics::Interval::daily ? 14 : 14 * 24;
 }
 
-stats::Prior residual_prior(const std::string& name, const Meter& meter) {
+stats::Prior residual_prior(const std::string& name, const Meter& meter,
+                            const stats::ResidualOptions& options) {
     const bool is_air = meter.quantity == physics::Quantity::air_temperature;
     if (name == "constant") return lognormal(is_air ? 0.5 : 0.1, 1, least_constant);
-    if (name == "proportional") return is_air ? fixed(0) : lognormal(0.1, 1);
+    if (name == "proportional")
+        return is_air || !options.proportional ? fixed(0) : lognormal(0.1, 1);
     if (name == "phi") return beta(1, 1);
     if (name == "share") return uniform(0, largest_slow_share);
     return lognormal(fortnight(meter.interval), 0.7);
@@ -147,7 +149,7 @@ std::vector<Coordinate> residual_unknowns(const Meter& meter,
     for (const std::string& name : stats::residual_parameters(options))
         unknowns.push_back({meter.name + "_" + name,
                             name == "timescale" ? "readings" : "-",
-                            residual_prior(name, meter)});
+                            residual_prior(name, meter, options)});
     return unknowns;
 }
 

@@ -71,9 +71,14 @@ const Period& period_of(const Case& building, const std::string& name) {
 }
 
 physics::Drive drive_of(const Case& building, const Period& period) {
-    return physics::make_drive(building.weather, building.building, building.profiles,
-                               period.from, period.to, building.step_s,
-                               building.warm_up_hours, building.sky);
+    return drive_of(building, building.building, period);
+}
+
+physics::Drive drive_of(const Case& building, const physics::Building& variant,
+                        const Period& period) {
+    return physics::make_drive(building.weather, variant, building.profiles, period.from,
+                               period.to, building.step_s, building.warm_up_hours,
+                               building.sky, building.planes.get());
 }
 
 std::vector<physics::Readings> readings_of(const Case& building, const Period& period) {

@@ -5,6 +5,7 @@
 #include "physics/batch.hpp"
 #include "stats/prior.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,12 @@ struct Period {
     physics::Seconds from{}, to{};  ///< [from, to)
 };
 
+/// A series that an effect may follow: rain, carbon dioxide, a tariff.
+struct Column {
+    std::string name;  ///< of a profile of the case
+    std::string unit;  ///< "" = not said
+};
+
 /// What was found in the data and what was done about it, in words.
 struct DataDecision {
     std::string series;   ///< the meter or column
@@ -45,12 +52,14 @@ struct Case {
     std::vector<ParameterPrior> priors;  ///< [parameters]; empty = uniform in the ranges
     physics::Weather weather;
     std::vector<physics::Profile> profiles;
+    std::vector<Column> columns;  ///< the profiles that are series
     std::vector<Meter> meters;
     std::vector<Period> periods;  ///< the first is for training
     std::vector<DataDecision> decisions;
     int step_s = 3600;
     int warm_up_hours = 1008;
     physics::SkyModel sky = physics::SkyModel::perez;
+    std::shared_ptr<physics::PlaneSource> planes;  ///< of the weather; may be empty
 };
 
 /// The simulated steps of a period, without its warm-up.
@@ -70,6 +79,9 @@ const Period& period_of(const Case& building, const std::string& name);
 /// reaches beyond the period is missing. Throws std::invalid_argument where a meter is
 /// read at another step than the simulation's.
 physics::Drive drive_of(const Case& building, const Period& period);
+/// The same of a variant of the case's building.
+physics::Drive drive_of(const Case& building, const physics::Building& variant,
+                        const Period& period);
 std::vector<physics::Readings> readings_of(const Case& building, const Period& period);
 
 }  // namespace bemcal::study

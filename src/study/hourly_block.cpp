@@ -11,30 +11,14 @@ namespace {
 constexpr std::size_t chunk_steps = 144;   ///< a multiple of four
 constexpr std::size_t most_companies = 4;  ///< of a visit
 
-Matrix nominal_points(const physics::Batch& batch) {
-    const std::vector<double> nominal = nominal_point(batch.parameters());
-    Matrix points(sixteen, nominal.size());
-    for (std::size_t j = 0; j < sixteen; ++j)
-        std::ranges::copy(nominal, points.row(j).begin());
-    return points;
-}
-
 /// The sixteen points of each row of the design; nominal where it has no base point left.
 std::vector<Matrix> rows_of(const Matrix& design, const physics::Batch& batch) {
     const std::size_t n_rows = batch.parameters().size() + 2;
-    std::vector<Matrix> points(n_rows, nominal_points(batch));
+    std::vector<Matrix> points(n_rows, nominal_points(batch.parameters(), sixteen));
     for (std::size_t j = 0; j < design.rows / n_rows; ++j)
         for (std::size_t r = 0; r < n_rows; ++r)
             std::ranges::copy(design.row(j * n_rows + r), points[r].row(j).begin());
     return points;
-}
-
-/// Rows [first, first + n) of a matrix.
-Matrix part_of(const Matrix& matrix, std::size_t first, std::size_t n) {
-    Matrix part(n, matrix.cols);
-    std::copy_n(matrix.values.begin() + static_cast<std::ptrdiff_t>(first * matrix.cols),
-                n * matrix.cols, part.values.begin());
-    return part;
 }
 
 /// Calls action(begin, n) for each chunk of n_steps.
@@ -130,7 +114,7 @@ std::size_t Block::most_points() {
 
 void Block::make_shift(std::size_t n_steps) {
     const auto group = batch_.make_group();
-    error_ = batch_.prepare(nominal_points(batch_), 0, 1, *group)[0];
+    error_ = batch_.prepare(nominal_row(batch_.parameters()), 0, 1, *group)[0];
     if (!error_.empty()) return;
     batch_.warm_up(*group);
     physics::LaneArray rows(chunk_steps, batch_.lanes());

@@ -1,5 +1,7 @@
 #include "study/points.hpp"
 
+#include <algorithm>
+
 namespace bemcal::study {
 
 Matrix in_ranges(Matrix unit, std::span<const physics::Parameter> parameters) {
@@ -16,10 +18,22 @@ std::vector<double> nominal_point(std::span<const physics::Parameter> parameters
     return point;
 }
 
+Matrix nominal_points(std::span<const physics::Parameter> parameters, std::size_t n) {
+    Matrix points(n, parameters.size());
+    const std::vector<double> nominal = nominal_point(parameters);
+    for (std::size_t r = 0; r < n; ++r) std::ranges::copy(nominal, points.row(r).begin());
+    return points;
+}
+
 Matrix nominal_row(std::span<const physics::Parameter> parameters) {
-    Matrix row(1, parameters.size());
-    row.values = nominal_point(parameters);
-    return row;
+    return nominal_points(parameters, 1);
+}
+
+Matrix part_of(const Matrix& matrix, std::size_t first, std::size_t n) {
+    Matrix part(n, matrix.cols);
+    std::copy_n(matrix.values.begin() + static_cast<std::ptrdiff_t>(first * matrix.cols),
+                n * matrix.cols, part.values.begin());
+    return part;
 }
 
 }  // namespace bemcal::study

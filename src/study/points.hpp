@@ -15,7 +15,13 @@ Matrix in_ranges(Matrix unit, std::span<const physics::Parameter> parameters);
 /// The nominal building's values. [parameters]
 std::vector<double> nominal_point(std::span<const physics::Parameter> parameters);
 
+/// The same as n equal rows. [n x parameters]
+Matrix nominal_points(std::span<const physics::Parameter> parameters, std::size_t n);
+
 /// The same as a matrix of one row.
 Matrix nominal_row(std::span<const physics::Parameter> parameters);
+
+/// Rows [first, first + n) of a matrix.
+Matrix part_of(const Matrix& matrix, std::size_t first, std::size_t n);
 
 }  // namespace bemcal::study

@@ -64,6 +64,7 @@ std::shared_ptr<PosteriorParts> parts_of(const std::vector<Case>& buildings,
             "all buildings are unseen: none is left to learn from");
     parts->space = space_of(*parts->buildings[0]);
     parts->arrangement = make_arrangement(options.pooling, parts->space, names);
+    parts->reading_weight = options.reading_weight;
     return parts;
 }
 

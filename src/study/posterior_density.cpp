@@ -68,8 +68,9 @@ void PosteriorDensity::add_gradients(const Matrix& positions, std::size_t buildi
         parts_->space->slopes(own_, slopes_);
         for (std::size_t f = 0; f < n_free; ++f) {
             const std::size_t k = parts_->space->index_of(f);
-            gradient[f] = slopes_[f] * (k < n ? likelihood_.by_parameter(r, k)
-                                              : likelihood_.by_residual(r, k - n));
+            gradient[f] = parts_->reading_weight * slopes_[f] *
+                          (k < n ? likelihood_.by_parameter(r, k)
+                                 : likelihood_.by_residual(r, k - n));
         }
         parts_->arrangement->give(gradient, building, out.likelihood_gradient.row(r));
     }
@@ -88,7 +89,7 @@ void PosteriorDensity::evaluate(const Matrix& points, bool gradients,
         write_points(points, b);
         parts_->buildings[b]->evaluate(points_, gradients, likelihood_, works_[b]);
         for (std::size_t r = 0; r < points.rows; ++r)
-            out.likelihood[r] += likelihood_.value[r];
+            out.likelihood[r] += parts_->reading_weight * likelihood_.value[r];
         if (gradients) add_gradients(points, b, out);
     }
 }

@@ -16,6 +16,7 @@ struct PosteriorParts {
     std::vector<std::unique_ptr<BuildingModel>> buildings;
     std::shared_ptr<const Space> space;
     std::unique_ptr<Arrangement> arrangement;
+    double reading_weight = 1;  ///< power of the likelihood
 
     std::size_t n_parameters() const { return buildings.at(0)->n_parameters(); }
     /// Room for n points of a building.

@@ -38,6 +38,13 @@ struct PosteriorOptions {
     double hold_out_weeks = 0;  ///< share of whole weeks kept from the likelihood
     double hold_out_hours = 0;  ///< share of the other readings, drawn at random
     int n_predictive = 200;     ///< draws that are simulated for predictions
+    /// The likelihood's power (Miller and Dunson 2019,
+    /// doi:10.1080/01621459.2018.1469995): below 1 where errors hang together in ways
+    /// that the residual model does not know.
+    double reading_weight = 1;
+    /// Standard deviation of what the logarithm of an energy meter's level does in a year
+    /// for reasons that no description tells; it grows with the root of time.
+    double level_change = 0;
     Pooling pooling = Pooling::none;
     std::vector<std::string> unseen;  ///< buildings that are predicted only
 };

@@ -75,6 +75,13 @@ void add_inference_data(const MeterPrediction& meter, DatasetBuilder& datasets) 
                    {1, n_draws, n}, std::move(stored), meter.unit);
 }
 
+/// From the middle of one to the middle of the other.
+double years_between(const Period& a, const Period& b) {
+    constexpr double seconds_of_two_years = 2 * 365.25 * 86400;
+    const auto distance = (a.from - b.from) + (a.to - b.to);
+    return std::abs(static_cast<double>(distance.count())) / seconds_of_two_years;
+}
+
 HoldOut hold_out_of(const PosteriorOptions& options) {
     return {options.hold_out_weeks, options.hold_out_hours, options.chains.seed};
 }
@@ -82,10 +89,14 @@ HoldOut hold_out_of(const PosteriorOptions& options) {
 /// The same meters as in training, with the same scale, held against another period.
 MeterChoice choice_like(const BuildingModel& trained) {
     MeterChoice choice;
+    auto& residuals = choice.residuals;
+    residuals.autocorrelated = residuals.discrepancy = residuals.proportional = false;
     for (const MeterModel& meter : trained.meters()) {
+        const auto& of_meter = meter.residuals.options();
         choice.names.push_back(meter.name);
-        choice.residuals.autocorrelated |= meter.residuals.options().autocorrelated;
-        choice.residuals.discrepancy |= meter.residuals.options().discrepancy;
+        residuals.autocorrelated |= of_meter.autocorrelated;
+        residuals.discrepancy |= of_meter.discrepancy;
+        residuals.proportional |= of_meter.proportional;
         choice.scales.push_back(meter.scale);
     }
     return choice;
@@ -146,8 +157,8 @@ class Conclusion {
                     const Period& period) {
         Stream random(of_.options.chains.seed, predictive_stream, ++n_streams_);
         const std::string folder = folder_of(model.building()) + period.name + "/";
-        for (const MeterPrediction& meter : predict_meters(
-                 model, of_building.parameters, of_building.residuals, random)) {
+        for (const MeterPrediction& meter :
+             predict_meters(model, of_building, level_change_in(model, period), random)) {
             add_series(meter, folder + meter.name + "/", datasets_);
             add_validation(meter, roles_of(model, meter, period),
                            folder + meter.name + "/", datasets_);
@@ -156,15 +167,29 @@ class Conclusion {
         }
     }
 
+    bool is_seen(const BuildingModel& model) const {
+        return std::ranges::find(of_.options.unseen, model.building().name) ==
+               of_.options.unseen.end();
+    }
+    bool trains(const BuildingModel& model, const Period& period) const {
+        return is_seen(model) &&
+               period.name == training_period(model.building(), of_.options).name;
+    }
+
+    /// The parameters hold the level of the training period; from there it wanders.
+    double level_change_in(const BuildingModel& model, const Period& period) const {
+        if (!is_seen(model) || trains(model, period)) return 0;
+        return of_.options.level_change *
+               std::sqrt(
+                   years_between(training_period(model.building(), of_.options), period));
+    }
+
     /// Empty where nothing of the period trains, or all of it does.
     std::vector<Role> roles_of(const BuildingModel& model, const MeterPrediction& meter,
                                const Period& period) const {
         const HoldOut hold_out = hold_out_of(of_.options);
-        const bool trains =
-            period.name == training_period(model.building(), of_.options).name &&
-            std::ranges::find(of_.options.unseen, model.building().name) ==
-                of_.options.unseen.end();
-        if (!trains || !(hold_out.weeks > 0 || hold_out.hours > 0)) return {};
+        if (!trains(model, period) || !(hold_out.weeks > 0 || hold_out.hours > 0))
+            return {};
         std::size_t index = 0;
         for (const MeterModel& each : model.meters())
             if (each.name == meter.name) index = each.meter;

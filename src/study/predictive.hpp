@@ -19,10 +19,11 @@ struct MeterPrediction {
     Matrix draws;                  ///< [draws x readings] with residuals
 };
 
-/// \param parameters, residuals  [draws x ...] rows that belong together
-/// Rows whose point is impossible are left out.
+/// \param points  rows that belong together; those that are impossible are left out
+/// \param level_change  each draw of an energy meter is multiplied, over the whole
+/// period, by exp(level_change N(0, 1)); 0 draws nothing
 std::vector<MeterPrediction> predict_meters(const BuildingModel& model,
-                                            const Matrix& parameters,
-                                            const Matrix& residuals, Stream& random);
+                                            const BuildingModel::Points& points,
+                                            double level_change, Stream& random);
 
 }  // namespace bemcal::study

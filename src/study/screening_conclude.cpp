@@ -1,6 +1,8 @@
 /// From the items' answers to the datasets of a screening: counts, the best points,
 /// nominal against best, and with keep_points every point.
+#include "study/candidates.hpp"
 #include "study/datasets.hpp"
+#include "study/failures.hpp"
 #include "study/screening_plan.hpp"
 
 #include <algorithm>
@@ -27,29 +29,16 @@ Ranking ranking_of(const ScreeningPlan& plan, const std::vector<ItemAnswer>& ans
 std::vector<Failure> failures_of(const ScreeningPlan& plan,
                                  const std::vector<ItemAnswer>& answers) {
     std::vector<Failure> failures;
-    for (std::size_t item = 0; item < answers.size(); ++item) {
-        const ItemAnswer& answer = answers[item];
-        failures.insert(failures.end(), answer.failures.begin(), answer.failures.end());
-        for (std::size_t r = 0; !answer.error.empty() && r < plan.size_of(item); ++r)
-            failures.push_back(
-                {static_cast<long long>(plan.first_of(item) + r), answer.error});
-    }
+    for (std::size_t item = 0; item < answers.size(); ++item)
+        append_failures(answers[item], {plan.first_of(item), plan.size_of(item)},
+                        failures);
     return failures;
 }
 
 void add_names(const ScreeningPlan& plan, DatasetBuilder& datasets) {
-    std::vector<std::string> meters, units, periods;
-    for (const Meter& meter : plan.building.meters) {
-        meters.push_back(meter.name);
-        units.push_back(physics::unit_of(meter.quantity));
-    }
-    for (const Period& period : plan.building.periods) periods.push_back(period.name);
     datasets.parameters(plan.building.parameters);
-    datasets.texts("meter", "meter", std::move(meters));
-    datasets.texts("meter_unit", "meter", std::move(units));
-    datasets.texts("period", "period", std::move(periods));
+    add_candidate_names(plan.building, datasets);
     datasets.texts("resolution", "resolution", {"hourly", "monthly"});
-    datasets.texts("candidate", "candidate", {"nominal", "best"});
     datasets.scalar("n_points", static_cast<double>(plan.n_points()));
 }
 
@@ -105,100 +94,16 @@ void add_best(const ScreeningPlan& plan, const std::vector<Ranked>& best,
     add_rows(plan.layout, rows, "rank", "best_", datasets);
 }
 
-/// Nominal and best: the same shape for both.
-struct Candidates {
-    Matrix points;                              ///< [2 x parameters]
-    std::vector<std::vector<CloseLook>> looks;  ///< [2][periods]
-};
-
-/// Where no point succeeded the nominal one stands for the best as well.
-Candidates look_at_candidates(const ScreeningPlan& plan,
-                              const std::vector<Ranked>& best) {
-    const Matrix nominal = plan.points(0, 1);
-    const Matrix chosen =
-        best.empty() ? nominal : plan.points(static_cast<std::size_t>(best[0].point), 1);
-    Candidates candidates{Matrix(2, nominal.cols), {}};
-    std::ranges::copy(nominal.values, candidates.points.row(0).begin());
-    std::ranges::copy(chosen.values, candidates.points.row(1).begin());
-    for (std::size_t c = 0; c < 2; ++c) {
-        candidates.looks.emplace_back();
-        for (std::size_t p = 0; p < plan.models.size(); ++p)
-            candidates.looks[c].push_back(look_closely(
-                plan.building, plan.building.periods[p], plan.models[p]->drive,
-                candidates.points.row(c), plan.options.hourly_outputs));
-    }
+/// Nominal and best; where no point succeeded the nominal one stands for both.
+Matrix candidates_of(const ScreeningPlan& plan, const std::vector<Ranked>& best) {
+    Matrix candidates = plan.points(0, 1);
+    const Matrix chosen = best.empty()
+                              ? candidates
+                              : plan.points(static_cast<std::size_t>(best[0].point), 1);
+    candidates.values.insert(candidates.values.end(), chosen.values.begin(),
+                             chosen.values.end());
+    candidates.rows = 2;
     return candidates;
-}
-
-void add_fits(const ScreeningPlan& plan, const Candidates& candidates,
-              const std::string& leaf, stats::FitMetrics MeterFit::* which,
-              DatasetBuilder& datasets) {
-    std::vector<double> values;
-    for (const auto& looks : candidates.looks)
-        for (const CloseLook& look : looks)
-            for (const MeterSeries& series : look.meters)
-                for (const FitNumber& number : fit_numbers)
-                    values.push_back(series.fit.*which.*number.value);
-    datasets.array(
-        leaf, {"candidate", "period", "meter", "metric"},
-        {2, plan.layout.n_periods, plan.layout.n_meters, std::size(fit_numbers)},
-        std::move(values));
-}
-
-std::vector<double> joined(std::vector<double> one, const std::vector<double>& other) {
-    one.insert(one.end(), other.begin(), other.end());
-    return one;
-}
-
-void add_meter_series(const ScreeningPlan& plan, const Candidates& candidates,
-                      std::size_t p, DatasetBuilder& datasets) {
-    for (std::size_t m = 0; m < plan.layout.n_meters; ++m) {
-        const MeterSeries &nominal = candidates.looks[0][p].meters[m],
-                          &best = candidates.looks[1][p].meters[m];
-        const std::string folder =
-            plan.building.periods[p].name + "/" + plan.building.meters[m].name + "/";
-        datasets.times(folder + "time", nominal.begins);
-        datasets.vector(folder + "measured", "time", nominal.measured);
-        datasets.array(folder + "simulated", {"candidate", "time"},
-                       {2, nominal.begins.size()},
-                       joined(nominal.simulated, best.simulated));
-    }
-}
-
-/// Quantities of both candidates by step, and always the outdoor temperature they were
-/// simulated with, so that other models can be fitted from the result alone.
-void add_hourly(const ScreeningPlan& plan, const Candidates& candidates, std::size_t p,
-                DatasetBuilder& datasets) {
-    const physics::Drive& drive = plan.models[p]->drive;
-    const std::string folder = plan.building.periods[p].name + "/hourly/";
-    std::vector<physics::Seconds> begins;
-    for (int step = drive.n_warm_up; step < drive.n_steps(); ++step)
-        begins.push_back(drive.axis.begin_of(step));
-    const std::size_t n_steps = begins.size();
-    datasets.times(folder + "time", begins);
-    datasets.vector(folder + "outdoor_temperature", "time",
-                    {drive.theta_e.begin() + drive.n_warm_up, drive.theta_e.end()});
-    for (std::size_t q = 0; q < plan.options.hourly_outputs.size(); ++q)
-        datasets.array(
-            folder + physics::name_of(plan.options.hourly_outputs[q]),
-            {"candidate", "time"}, {2, n_steps},
-            joined(candidates.looks[0][p].hourly[q], candidates.looks[1][p].hourly[q]));
-}
-
-void add_candidates(const ScreeningPlan& plan, const std::vector<Ranked>& best,
-                    DatasetBuilder& datasets) {
-    const Candidates candidates = look_at_candidates(plan, best);
-    datasets.array("candidate_parameters", {"candidate", "parameter"},
-                   {2, candidates.points.cols}, candidates.points.values);
-    std::vector<std::string> names;
-    for (const FitNumber& number : fit_numbers) names.emplace_back(number.name);
-    datasets.texts("metric", "metric", std::move(names));
-    add_fits(plan, candidates, "fit", &MeterFit::own, datasets);
-    add_fits(plan, candidates, "monthly_fit", &MeterFit::monthly, datasets);
-    for (std::size_t p = 0; p < plan.layout.n_periods; ++p) {
-        add_meter_series(plan, candidates, p, datasets);
-        add_hourly(plan, candidates, p, datasets);
-    }
 }
 
 }  // namespace
@@ -212,7 +117,9 @@ std::vector<Dataset> conclude_screening(const ScreeningPlan& plan,
                    {plan.layout.n_periods, RowLayout::n_resolutions},
                    ranking.n_meeting());
     if (!ranking.best().empty()) add_best(plan, ranking.best(), datasets);
-    add_candidates(plan, ranking.best(), datasets);
+    if (plan.options.close_look)
+        add_candidates({plan.building, plan.models, plan.options.hourly_outputs},
+                       candidates_of(plan, ranking.best()), datasets);
     if (plan.options.keep_points) add_points(plan, answers, datasets);
     datasets.failures(failures_of(plan, answers));
     return datasets.take();

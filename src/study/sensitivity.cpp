@@ -4,6 +4,7 @@
 
 #include "stats/saltelli.hpp"
 #include "study/datasets.hpp"
+#include "study/failures.hpp"
 #include "study/points.hpp"
 
 #include <algorithm>
@@ -12,34 +13,38 @@
 namespace bemcal::study {
 namespace {
 
-constexpr std::size_t block_size = 64;  ///< base points of an item
+constexpr std::size_t fast_block_size = 64;  ///< base points of an item
 
 class Sensitivity : public Stage {
   public:
     Sensitivity(std::string name, std::shared_ptr<const Simulator> simulator,
                 const SensitivityOptions& options)
-        : name_(std::move(name)), simulator_(std::move(simulator)), options_(options) {}
+        : name_(std::move(name)),
+          simulator_(std::move(simulator)),
+          options_(options),
+          block_size_(simulator_->is_slow() ? 1 : fast_block_size) {}
 
     std::string name() const override { return name_; }
     int n_items() const override {
-        return static_cast<int>((options_.n_base + block_size - 1) / block_size);
+        return static_cast<int>((options_.n_base + block_size_ - 1) / block_size_);
     }
     long long n_simulations() const override {
         return static_cast<long long>(options_.n_base * rows_per_base_point());
     }
     std::size_t answer_bytes() const override {
-        return block_size * rows_per_base_point() * n_outputs() * sizeof(double);
+        return block_size_ * rows_per_base_point() * n_outputs() * sizeof(double);
     }
     ItemAnswer run(int item) const override;
     std::vector<Dataset> conclude(const std::vector<ItemAnswer>& answers) const override;
+    bool failures_may_pass() const override { return simulator_->failures_may_pass(); }
 
   private:
     std::size_t dimension() const { return simulator_->parameters().size(); }
     std::size_t rows_per_base_point() const { return dimension() + 2; }
     std::size_t n_outputs() const { return simulator_->outputs().size(); }
-    std::size_t first_of(std::size_t item) const { return item * block_size; }
+    std::size_t first_of(std::size_t item) const { return item * block_size_; }
     std::size_t size_of(std::size_t item) const {
-        return std::min(block_size, options_.n_base - first_of(item));
+        return std::min(block_size_, options_.n_base - first_of(item));
     }
     Matrix outputs_of(const std::vector<ItemAnswer>& answers) const;
     std::vector<Failure> failures_of(const std::vector<ItemAnswer>& answers) const;
@@ -49,6 +54,7 @@ class Sensitivity : public Stage {
     std::string name_;
     std::shared_ptr<const Simulator> simulator_;
     SensitivityOptions options_;
+    std::size_t block_size_;
 };
 
 ItemAnswer Sensitivity::run(int item) const {
@@ -63,10 +69,7 @@ ItemAnswer Sensitivity::run(int item) const {
     std::vector<std::string> failures;
     simulator_->evaluate(points, outputs, failures);
     const std::size_t first_row = first_of(index) * rows_per_base_point();
-    for (std::size_t r = 0; r < failures.size(); ++r)
-        if (!failures[r].empty())
-            answer.failures.push_back(
-                {static_cast<long long>(first_row + r), failures[r]});
+    answer.failures = failures_of_points(failures, first_row);
     answer.values = std::move(outputs.values);
     return answer;
 }
@@ -85,14 +88,11 @@ Matrix Sensitivity::outputs_of(const std::vector<ItemAnswer>& answers) const {
 std::vector<Failure> Sensitivity::failures_of(
     const std::vector<ItemAnswer>& answers) const {
     std::vector<Failure> failures;
-    for (std::size_t item = 0; item < answers.size(); ++item) {
-        const ItemAnswer& answer = answers[item];
-        failures.insert(failures.end(), answer.failures.begin(), answer.failures.end());
-        if (answer.error.empty()) continue;
-        const std::size_t first_row = first_of(item) * rows_per_base_point();
-        for (std::size_t r = 0; r < size_of(item) * rows_per_base_point(); ++r)
-            failures.push_back({static_cast<long long>(first_row + r), answer.error});
-    }
+    for (std::size_t item = 0; item < answers.size(); ++item)
+        append_failures(answers[item],
+                        {first_of(item) * rows_per_base_point(),
+                         size_of(item) * rows_per_base_point()},
+                        failures);
     return failures;
 }
 

@@ -22,11 +22,16 @@ class Simulator {
     virtual ~Simulator() = default;
     virtual const std::vector<physics::Parameter>& parameters() const = 0;
     virtual const std::vector<Output>& outputs() const = 0;
+    /// Whether a point takes seconds: then an item should hold few.
+    virtual bool is_slow() const { return false; }
     /// \param points    [n x parameters]
     /// \param answers   [n x outputs], NaN in the rows of failed points
     /// \param failures  [n] reasons, empty = none
     virtual void evaluate(const Matrix& points, Matrix& answers,
                           std::vector<std::string>& failures) const = 0;
+    /// Whether a failed point may succeed when it is done again: not where its numbers
+    /// alone decide.
+    virtual bool failures_may_pass() const { return false; }
 };
 
 /// A case over a period: totals of the quantities over it [kWh], for a temperature its

@@ -50,8 +50,14 @@ class Stage {
   public:
     virtual ~Stage() = default;
     virtual std::string name() const = 0;  ///< "office/sensitivity": unique in the job
-    virtual int n_items() const = 0;       ///< of the first round
-    virtual long long n_simulations() const = 0;   ///< over all items
+    /// On rank 0, before the first item: what the stages before it have concluded.
+    virtual void see(const std::vector<Dataset>& concluded) {
+        static_cast<void>(concluded);
+    }
+    virtual int n_items() const = 0;              ///< of the first round
+    virtual long long n_simulations() const = 0;  ///< over all items
+    /// What n_simulations and failed points count.
+    virtual const char* counts() const { return "simulations"; }
     virtual std::size_t answer_bytes() const = 0;  ///< of one item, about: for the plan
     virtual ItemAnswer run(int item) const = 0;    ///< thread-safe
     /// After a round, on rank 0, from the answers of all rounds so far; none: it is done.
@@ -65,6 +71,9 @@ class Stage {
     }
     virtual std::vector<Dataset> conclude(
         const std::vector<ItemAnswer>& answers) const = 0;
+    /// Whether a failed point may succeed when it is done again: not where its input
+    /// alone decides. (A whole item that fails always may.)
+    virtual bool failures_may_pass() const { return false; }
     /// A target that was not reached, in a sentence ("not converged: ..."); empty = none.
     /// The result is written all the same; the exit code says so.
     virtual std::string shortfall(const std::vector<ItemAnswer>&) const { return {}; }

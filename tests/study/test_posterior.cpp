@@ -51,6 +51,32 @@ Ran run_all(Stage& stage) {
     return ran;
 }
 
+TEST(PosteriorDensity, AWeightIsAPowerOfTheLikelihoodAlone) {
+    const Case made = with_readings(fortnight(), {0.7, 0.45, 20.6});
+    const auto density_of = [&](double weight) {
+        auto parts = std::make_shared<PosteriorParts>();
+        const PosteriorOptions options;
+        parts->buildings.push_back(std::make_unique<BuildingModel>(
+            made, made.periods[0], training_choice(made, made.periods[0], options)));
+        parts->space = space_of(*parts->buildings[0]);
+        parts->arrangement = make_arrangement(Pooling::none, parts->space, {});
+        parts->reading_weight = weight;
+        return make_posterior_density(parts);
+    };
+    const auto whole = density_of(1), part = density_of(0.25);
+    Stream random(2, 1, 1);
+    Matrix point(1, whole->dimension());
+    std::ranges::copy(whole->draw_start(random), point.row(0).begin());
+    sampling::Evaluations of_whole, of_part;
+    whole->evaluate(point, true, of_whole);
+    part->evaluate(point, true, of_part);
+    EXPECT_EQ(of_part.prior, of_whole.prior);
+    EXPECT_EQ(of_part.likelihood[0], 0.25 * of_whole.likelihood[0]);
+    for (std::size_t k = 0; k < point.cols; ++k)
+        EXPECT_EQ(of_part.likelihood_gradient(0, k),
+                  0.25 * of_whole.likelihood_gradient(0, k));
+}
+
 TEST(PosteriorDensity, GradientIsTheDerivative) {
     const Case made = with_readings(fortnight(), {0.7, 0.45, 20.6});
     auto parts = std::make_shared<PosteriorParts>();
@@ -97,6 +123,33 @@ TEST(Posterior, FindsTheParametersThatMadeTheData) {
         EXPECT_LT(sd[k], 0.1) << k;
     }
     EXPECT_EQ(test::find(ran.datasets, "convergence").texts[0], "converged");
+}
+
+/// Mean width of a meter's 90 % interval over a period.
+double mean_width(const std::vector<Dataset>& datasets, const std::string& meter) {
+    const Dataset& low = test::find(datasets, meter + "/predicted_q05");
+    const Dataset& high = test::find(datasets, meter + "/predicted_q95");
+    double sum = 0;
+    for (std::size_t k = 0; k < low.values.size(); ++k)
+        sum += high.values[k] - low.values[k];
+    return sum / static_cast<double>(low.values.size());
+}
+
+// The residuals of the second meter stand after those of the first, of which there are
+// fewer without memory.
+TEST(Posterior, OtherPeriodsHaveTheResidualsOfTheTrainingWithoutMemoryToo) {
+    Case made = with_readings(fortnight(), {0.7, 0.45, 20.6});
+    made.periods.push_back({"again", made.periods[0].from, made.periods[0].to});
+    PosteriorOptions options = quick_options();
+    options.residuals.autocorrelated = options.residuals.proportional = false;
+    options.chains.draws_per_round = options.chains.most_draws = 50;
+    options.chains.sampler.n_warm_up = 50;
+    const auto stage = make_posterior("posterior", {made}, options);
+    const auto datasets = run_all(*stage).datasets;
+    for (const Meter& meter : made.meters) {
+        const double trained = mean_width(datasets, "training/" + meter.name);
+        EXPECT_NEAR(mean_width(datasets, "again/" + meter.name), trained, 0.1 * trained);
+    }
 }
 
 TEST(Posterior, DrawsDoNotDependOnHowChainsAreGrouped) {

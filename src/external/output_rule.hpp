@@ -1,0 +1,56 @@
+/// Where a number stands in what another program has written: a column of a CSV file, or
+/// what a regular expression finds in any text; one of several numbers, or their sum.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bemcal::external {
+
+/// What becomes of the numbers that are found.
+enum class Take { only, first, last, sum, mean, least, most, row };
+
+struct OutputRule {
+    std::string name, unit;
+    std::string file;  ///< in the point's folder
+    /// A column by its name in the header. The separator is the comma, semicolon or tab
+    /// that the header has most of, else blanks. Empty cells are left out.
+    std::string column;
+    int header_line = 1;  ///< of the names
+    int skipped = 0;      ///< rows below it that are left out: units
+    /// In place of a column: a POSIX extended regular expression (as of `grep -E`), whose
+    /// first group is the number; it is sought in each line
+    /// (in its first 4,000 characters).
+    std::string pattern;
+    Take take = Take::only;
+    int row = 1;  ///< with Take::row: which of the numbers, from 1
+    double factor = 1, offset = 0;
+};
+
+/// Throws std::invalid_argument where it is no regular expression with a group.
+void check_pattern(const std::string& pattern);
+
+/// A number, or why there is none.
+struct Reading {
+    double value = 0;
+    std::string failure;
+};
+
+/// The files that one run has written, each read once.
+class WrittenFiles {
+  public:
+    explicit WrittenFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
+    Reading read(const OutputRule& rule);
+
+  private:
+    /// nullptr where it cannot be read.
+    const std::string* text(const std::string& file);
+
+    std::filesystem::path folder_;
+    std::map<std::string, std::unique_ptr<std::string>> texts_;
+};
+
+}  // namespace bemcal::external

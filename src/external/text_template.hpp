@@ -1,0 +1,35 @@
+/// A text with places for numbers: `@infiltration@`.
+///
+/// A name begins with a letter and goes on with letters, digits and underscores; any
+/// other @ is itself.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bemcal::external {
+
+class TextTemplate {
+  public:
+    /// \param where  the file, for messages
+    /// \param names  of the numbers
+    /// Throws UserError "FILE:LINE: ..." where a place names none of them.
+    TextTemplate(std::string_view text, const std::string& where,
+                 const std::vector<std::string>& names);
+
+    bool uses(std::size_t name) const;
+    /// With each number in the fewest digits that give it back: 0.1, 20, 1e-07.
+    std::string filled(std::span<const double> values) const;
+
+  private:
+    struct Place {
+        std::string before;  ///< text up to it
+        std::size_t name;
+    };
+    std::vector<Place> places_;
+    std::string rest_;
+};
+
+}  // namespace bemcal::external

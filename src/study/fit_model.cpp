@@ -1,0 +1,250 @@
+#include "study/fit_model.hpp"
+
+#include "stats/least_squares.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace bemcal::study {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double difference = 0.05;  ///< of an unknown, for its derivative [prior sd]
+
+/// The unknowns' values, in the parameters' units.
+void write_values(std::span<const Unknown> unknowns, std::span<const double> x,
+                  std::span<double> values) {
+    for (std::size_t k = 0; k < x.size(); ++k) values[k] = unknowns[k].within(x[k]);
+}
+
+/// Away from the end of the range.
+double step_of(const Unknown& unknown, double x) {
+    return x + difference > unknown.highest() ? -difference : difference;
+}
+
+double objective_of(std::span<const Unknown> unknowns, std::span<const double> x,
+                    std::span<const double> measured, std::span<const double> weights,
+                    std::span<const double> predicted) {
+    double sum = 0;
+    for (std::size_t k = 0; k < measured.size(); ++k) {
+        if (weights[k] == 0) continue;
+        const double r = measured[k] - predicted[k];
+        sum += weights[k] * r * r;
+    }
+    for (std::size_t k = 0; k < x.size(); ++k)
+        if (unknowns[k].has_prior) sum += x[k] * x[k];
+    return std::isnan(sum) ? std::numeric_limits<double>::infinity() : sum;
+}
+
+/// A point with one unknown moved.
+struct Moved {
+    std::size_t unknown;
+    double by;
+};
+
+Matrix predict_moved(const FitModel& model, std::span<const Unknown> unknowns,
+                     const std::vector<double>& x, const std::vector<Moved>& moves) {
+    Matrix points(moves.size() + 1, x.size());
+    write_values(unknowns, x, points.row(0));
+    for (std::size_t k = 0; k < moves.size(); ++k) {
+        std::vector<double> moved = x;
+        moved[moves[k].unknown] += moves[k].by;
+        write_values(unknowns, moved, points.row(k + 1));
+    }
+    return model.predict(points);
+}
+
+/// Writes the derivatives of those that could be simulated; returns the others, to be
+/// moved the other way.
+std::vector<Moved> write_derivatives(const std::vector<Moved>& moves,
+                                     const Matrix& predicted, Matrix& derivatives) {
+    std::vector<Moved> again;
+    const auto from = predicted.row(0);
+    for (std::size_t k = 0; k < moves.size(); ++k) {
+        const auto moved = predicted.row(k + 1);
+        const auto to = derivatives.row(moves[k].unknown);
+        if (std::isnan(moved[0])) {
+            again.push_back({moves[k].unknown, -moves[k].by});
+            continue;
+        }
+        for (std::size_t i = 0; i < to.size(); ++i)
+            to[i] = (moved[i] - from[i]) / moves[k].by;
+    }
+    return again;
+}
+
+Linearised linearise(const FitModel& model, std::span<const Unknown> unknowns,
+                     std::vector<double> x) {
+    std::vector<Moved> moves;
+    moves.reserve(x.size());
+    for (std::size_t k = 0; k < x.size(); ++k)
+        moves.push_back({k, step_of(unknowns[k], x[k])});
+    const Matrix predicted = predict_moved(model, unknowns, x, moves);
+    Linearised at{std::move(x), {}, Matrix(moves.size(), predicted.cols)};
+    at.predicted.assign(predicted.row(0).begin(), predicted.row(0).end());
+    if (std::isnan(at.predicted[0])) return at;
+    const auto again = write_derivatives(moves, predicted, at.derivatives);
+    if (!again.empty())
+        write_derivatives(again, predict_moved(model, unknowns, at.x, again),
+                          at.derivatives);
+    return at;
+}
+
+/// A fit on its way.
+struct Descent {
+    const FitModel& model;
+    std::span<const Unknown> unknowns;
+    std::span<const double> measured, weights;
+    std::vector<double> prior;
+
+    double objective(std::span<const double> x, std::span<const double> predicted) const {
+        return objective_of(unknowns, x, measured, weights, predicted);
+    }
+
+    stats::NormalEquations equations(const Linearised& at) const {
+        auto all = stats::normal_equations(at.derivatives,
+                                           residuals_of(measured, at.predicted), weights);
+        for (std::size_t k = 0; k < at.x.size(); ++k) all.right[k] -= prior[k] * at.x[k];
+        return all;
+    }
+
+    /// Those at an end of their range that the objective pushes further.
+    std::vector<char> held(const Linearised& at, std::span<const double> right) const {
+        std::vector<char> held(at.x.size(), 0);
+        for (std::size_t k = 0; k < at.x.size(); ++k) {
+            constexpr double near = 1e-9;
+            held[k] = (at.x[k] <= unknowns[k].lowest() + near && right[k] < 0) ||
+                      (at.x[k] >= unknowns[k].highest() - near && right[k] > 0);
+        }
+        return held;
+    }
+
+    std::vector<double> moved(const Linearised& at, const stats::NormalEquations& all,
+                              std::span<const char> fixed, double damping) const {
+        std::vector<double> diagonal = prior;
+        for (std::size_t k = 0; k < diagonal.size(); ++k)
+            diagonal[k] += damping * all.matrix(k, k) + 1e-9;
+        std::vector<double> x = stats::solve(all.matrix, diagonal, all.right, fixed);
+        for (std::size_t k = 0; k < x.size(); ++k)
+            x[k] =
+                std::clamp(at.x[k] + x[k], unknowns[k].lowest(), unknowns[k].highest());
+        return x;
+    }
+};
+
+constexpr std::array dampings = {0.0, 0.05, 0.6, 6.0};
+
+/// The best of the damped steps: its unknowns and objective.
+struct Tried {
+    std::vector<double> x;
+    double objective;
+};
+
+Tried best_step(const Descent& descent, const Linearised& at, std::span<const char> fixed,
+                const stats::NormalEquations& all) {
+    Matrix points(dampings.size(), at.x.size());
+    std::vector<std::vector<double>> tried;
+    for (std::size_t k = 0; k < dampings.size(); ++k) {
+        tried.push_back(descent.moved(at, all, fixed, dampings[k]));
+        write_values(descent.unknowns, tried.back(), points.row(k));
+    }
+    const Matrix predicted = descent.model.predict(points);
+    Tried best{{}, std::numeric_limits<double>::infinity()};
+    for (std::size_t k = 0; k < tried.size(); ++k) {
+        const double objective = descent.objective(tried[k], predicted.row(k));
+        if (objective < best.objective) best = {tried[k], objective};
+    }
+    return best;
+}
+
+}  // namespace
+
+Unknown unknown_of(const physics::Parameter& parameter, const stats::Prior& prior) {
+    Unknown unknown{parameter.name,  parameter.unit, 0,   1,
+                    parameter.least, parameter.most, true};
+    const double width = parameter.most - parameter.least;
+    if (prior.kind == stats::PriorKind::uniform) {
+        unknown.centre = parameter.least + 0.5 * width;
+        unknown.scale = width / std::sqrt(12.0);
+        unknown.has_prior = false;
+        return unknown;
+    }
+    unknown.centre = prior.mean();
+    unknown.scale = prior.sd() > 0 ? prior.sd() : 1e-9;
+    return unknown;
+}
+
+FitModel::FitModel(const physics::Building& building,
+                   std::vector<physics::Parameter> parameters,
+                   const physics::Drive& drive, std::vector<physics::Channel> channels)
+    : parameters_(std::move(parameters)),
+      batch_(std::make_unique<physics::Batch>(building, parameters_, drive)),
+      response_(std::make_unique<physics::Response>(*batch_, std::move(channels))),
+      first_{0},
+      run_(response_->make_run()) {
+    for (std::size_t c = 0; c < response_->channels().size(); ++c)
+        first_.push_back(first_.back() + response_->n_readings(c));
+}
+
+Matrix FitModel::predict(const Matrix& points) const {
+    Matrix all(points.rows, n_readings());
+    const auto lanes = static_cast<std::size_t>(response_->lanes());
+    for (std::size_t first = 0; first < points.rows; first += lanes) {
+        const std::size_t count = std::min(lanes, points.rows - first);
+        const auto failures = response_->predict(points, first, count, *run_);
+        for (std::size_t c = 0; c + 1 < first_.size(); ++c) {
+            const double* from = response_->readings(*run_, c);
+            for (std::size_t k = 0; k < count; ++k) {
+                double* to = all.row(first + k).data() + first_[c];
+                const bool ok = failures[k].empty();
+                for (std::size_t i = 0; i < first_[c + 1] - first_[c]; ++i)
+                    to[i] = ok ? from[i * lanes + k] : nan;
+            }
+        }
+    }
+    return all;
+}
+
+std::vector<double> residuals_of(std::span<const double> measured,
+                                 std::span<const double> predicted) {
+    std::vector<double> r(measured.size());
+    for (std::size_t k = 0; k < r.size(); ++k)
+        r[k] = std::isnan(measured[k]) ? 0 : measured[k] - predicted[k];
+    return r;
+}
+
+std::vector<double> prior_diagonal(std::span<const Unknown> unknowns) {
+    std::vector<double> diagonal;
+    diagonal.reserve(unknowns.size());
+    for (const Unknown& unknown : unknowns) diagonal.push_back(unknown.has_prior ? 1 : 0);
+    return diagonal;
+}
+
+Fit fit(const FitModel& model, std::span<const Unknown> unknowns,
+        std::span<const double> measured, std::span<const double> weights,
+        std::vector<double> start, const FitOptions& options) {
+    const Descent descent{model, unknowns, measured, weights, prior_diagonal(unknowns)};
+    for (std::size_t k = 0; k < start.size(); ++k)
+        start[k] = std::clamp(start[k], unknowns[k].lowest(), unknowns[k].highest());
+    Fit result;
+    result.at = linearise(model, unknowns, std::move(start));
+    result.objective = descent.objective(result.at.x, result.at.predicted);
+    result.failed = std::isinf(result.objective);
+    result.bound.assign(unknowns.size(), 0);
+    for (int step = 0; step < options.most_steps && !result.failed; ++step) {
+        const stats::NormalEquations all = descent.equations(result.at);
+        const std::vector<char> held = descent.held(result.at, all.right);
+        result.bound = held;
+        const Tried best = best_step(descent, result.at, held, all);
+        if (best.objective >= result.objective) break;
+        const double gained = result.objective - best.objective;
+        result.at = linearise(model, unknowns, best.x);
+        result.objective = best.objective;
+        if (gained < options.tolerance * result.objective) break;
+    }
+    return result;
+}
+
+}  // namespace bemcal::study

@@ -1,0 +1,213 @@
+/// Baseline, then one effect after the other until nothing passes; an item per building.
+#include "study/loop.hpp"
+
+#include "effects/catalogue.hpp"
+#include "study/loop_class.hpp"
+#include "study/loop_loads.hpp"
+#include "study/loop_moves.hpp"
+#include "study/loop_result.hpp"
+#include "study/packed_datasets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace bemcal::study {
+namespace {
+
+void log_step(const Step& step, std::vector<LoggedStep>& log) {
+    for (std::size_t k = 0; k < step.ranking.size() && k < 8; ++k) {
+        const Refitted& candidate = step.ranking[k];
+        const bool chosen = static_cast<int>(k) == step.chosen;
+        if (!chosen && step.chosen >= 0 && static_cast<int>(k) > step.chosen) break;
+        log.push_back(
+            {candidate.effect.name + ": " + effects::sentence_of(candidate.effect),
+             chosen ? "accepted" : candidate.objection, candidate.gain, step.threshold,
+             candidate.score, candidate.error});
+    }
+}
+
+class Search {
+  public:
+    Search(const LoopData& data, LoopResult& result) : data_(data), result_(result) {}
+
+    void run() {
+        const Place& place = result_.baseline.place;
+        const auto most = static_cast<std::size_t>(data_.options.most_effects);
+        while (result_.last.model.effects.size() < most && accept_one(place)) {
+        }
+        if (result_.last.model.effects.size() >= most)
+            result_.log.push_back({"", "as many effects as were asked for", 0, 0, 0, {}});
+        else
+            leave_what_does_not_stand_out(place);
+    }
+
+  private:
+    bool accept_one(const Place& place) {
+        Step step = search(data_, place, result_.last);
+        log_step(step, result_.log);
+        threshold_ = step.threshold;
+        result_.candidates.clear();
+        for (const Refitted& candidate : step.ranking)
+            result_.candidates.emplace_back(
+                candidate.effect.name + ": " + effects::sentence_of(candidate.effect),
+                candidate.gain);
+        if (step.chosen < 0) {
+            result_.log.push_back({"", "nothing passes", 0, step.threshold, 0, {}});
+            return false;
+        }
+        const EffectClass near = class_of(data_, result_.last, step);
+        Refitted& chosen = step.ranking[static_cast<std::size_t>(step.chosen)];
+        result_.found.push_back({fmt::format("{}", fmt::join(near.names, "; ")), true,
+                                 chosen.gain, near.rivals});
+        const double before = alarm_of(data_, place, result_.last, chosen.effect);
+        const std::size_t newest = chosen.standing.model.effects.size() - 1;
+        result_.last = refine_shape(data_, place, std::move(chosen.standing), newest);
+        // The grammar says where and when, not why: its sentences are no names.
+        result_.found.back().adequate =
+            chosen.effect.number != 0 && near.is_told &&
+            is_over(before, alarm_of(data_, place, result_.last, chosen.effect));
+        if (split(data_, place, result_.last, newest)) note_split(newest);
+        swap_earlier(place);
+        drop(prune(data_, place, result_.last, 0.5 * step.threshold),
+             "left again: no longer needed");
+        return true;
+    }
+
+    /// A model that is not the building leaves a residual that many terms of the
+    /// catalogue and the grammar can take a part of. An effect is told from that misfit
+    /// only where it carries clearly more than the best of those that did not pass (an
+    /// empirical null: Efron 2004, JASA 99).
+    void leave_what_does_not_stand_out(const Place& place) {
+        constexpr double clearly = 1.5;
+        if (result_.candidates.empty()) return;
+        if (threshold_ > 0)
+            result_.misfit = std::max(1.0, result_.candidates[0].second / threshold_);
+        drop(prune(data_, place, result_.last, clearly * result_.candidates[0].second),
+             "left: does not stand out from the model's misfit");
+    }
+
+    void note_split(std::size_t effect) {
+        const auto& all = result_.last.model.effects;
+        Found& plant = result_.found[effect];
+        plant.rivals.clear();
+        plant.equivalents = all[effect].name;
+        Found use = plant;
+        use.equivalents = all.back().name;
+        result_.log.push_back({all.back().name, "split from the plant's", 0, 0, 0, {}});
+        result_.found.push_back(std::move(use));
+    }
+
+    /// What was found first may have stood for what has joined since.
+    void swap_earlier(const Place& place) {
+        for (std::size_t k = 0; k + 1 < result_.found.size(); ++k) {
+            Found& found = result_.found[k];
+            const std::string was = result_.last.model.effects[k].name;
+            const int rival = swap(data_, place, result_.last, k, found.rivals);
+            if (rival < 0) continue;
+            const effects::Effect& now = result_.last.model.effects[k];
+            result_.log.push_back({now.name + ": " + effects::sentence_of(now),
+                                   "in place of " + was,
+                                   0,
+                                   0,
+                                   0,
+                                   {}});
+            found.equivalents = now.name + "; " + was;
+            found.adequate = false;
+        }
+    }
+
+    /// Forgets what was said of effects that have left.
+    void drop(const std::vector<std::string>& names, const char* why) {
+        for (const std::string& name : names) {
+            result_.log.push_back({name, why, 0, 0, 0, {}});
+            const auto at = std::ranges::find_if(result_.found, [&](const Found& found) {
+                return found.equivalents.starts_with(name);
+            });
+            if (at != result_.found.end()) result_.found.erase(at);
+        }
+    }
+
+    const LoopData& data_;
+    LoopResult& result_;
+    double threshold_ = 0;  ///< of the last step
+};
+
+/// Everything of one building; empty where it cannot be simulated as described.
+std::vector<Dataset> searched(const std::string& name, const LoopData& data) {
+    LoopResult result;
+    result.baseline = make_baseline(data);
+    if (result.baseline.chosen.fit.failed) return {};
+    know_loads(result.baseline.place, result.baseline.chosen);
+    const Place& place = result.baseline.place;
+    result.power = power_of(data, place, result.baseline.chosen);
+    result.before = localise(data, place, result.baseline.chosen);
+    result.last = result.baseline.chosen;
+    Search(data, result).run();
+    result.after = localise(data, place, result.last);
+    result.unexplained = unexplained_of(data, result.last);
+    return datasets_of(data.building.name + "/" + name, data, result);
+}
+
+bool has_training(const Case& building, const LoopOptions& options) {
+    return std::ranges::any_of(
+        readings_of(building, period_of(building, options.period)),
+        [](const physics::Readings& meter) { return has_reading(meter.values); });
+}
+
+class Loop : public Stage {
+  public:
+    Loop(std::string name, const std::vector<Case>& buildings, const LoopOptions& options)
+        : name_(std::move(name)), buildings_(buildings), options_(options) {
+        for (const Case& building : buildings_)
+            if (!has_training(building, options_))
+                throw std::invalid_argument("building " + building.name +
+                                            " has no reading in its training period");
+    }
+
+    std::string name() const override { return name_; }
+    int n_items() const override { return static_cast<int>(buildings_.size()); }
+    long long n_simulations() const override {
+        constexpr long long of_each = 20000;  ///< about
+        return of_each * n_items();
+    }
+    std::size_t answer_bytes() const override { return 4'000'000; }
+
+    ItemAnswer run(int item) const override {
+        ItemAnswer answer;
+        const LoopData data(buildings_[static_cast<std::size_t>(item)], options_);
+        const auto datasets = searched(name_, data);
+        if (datasets.empty())
+            answer.error = data.building.name + " cannot be simulated as described";
+        else
+            answer.values = pack(datasets);
+        return answer;
+    }
+
+    std::vector<Dataset> conclude(const std::vector<ItemAnswer>& answers) const override {
+        std::vector<Dataset> all;
+        for (const ItemAnswer& answer : answers) {
+            if (!answer.error.empty()) continue;
+            for (Dataset& dataset : unpack(answer.values))
+                all.push_back(std::move(dataset));
+        }
+        return all;
+    }
+
+  private:
+    std::string name_;
+    const std::vector<Case>& buildings_;  ///< the job's
+    LoopOptions options_;
+};
+
+}  // namespace
+
+std::unique_ptr<Stage> make_loop(std::string name, const std::vector<Case>& buildings,
+                                 const LoopOptions& options) {
+    return std::make_unique<Loop>(std::move(name), buildings, options);
+}
+
+}  // namespace bemcal::study

@@ -1,0 +1,343 @@
+#include "study/loop_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+namespace bemcal::study {
+namespace {
+
+constexpr long long day_s = 86400;
+constexpr double days_of_noise = 7;  ///< blocks over which errors are counted as one
+
+/// Whether options name it; no names = all.
+bool is_chosen(const std::vector<std::string>& names, const std::string& name) {
+    return names.empty() || std::ranges::find(names, name) != names.end();
+}
+
+int block_at(physics::Seconds time, physics::Seconds from, double days) {
+    const auto seconds = (time - from).count();
+    return static_cast<int>(
+        std::floor(static_cast<double>(seconds) / (days * static_cast<double>(day_s))));
+}
+
+/// Double clear glass: the polynomial in the angle of incidence is within 0.02 of its
+/// solar heat gain coefficients by angle over that at normal incidence (ASHRAE Handbook,
+/// Fundamentals: 0.70, 0.67, 0.64, 0.58, 0.45, 0.23 at 0, 40, 50, 60, 70, 80 degrees).
+/// A glazing that has a modifier keeps it.
+physics::Building with_glass_by_angle(const physics::Building& described) {
+    const std::vector<double> modifier = {1, 0, 0.0698, 0, -0.2466, 0, 0.0213};
+    physics::Building building = described;
+    for (physics::Zone& zone : building.zones)
+        for (physics::Window& window : zone.windows) {
+            auto& glazing = building.glazings[static_cast<std::size_t>(window.glazing)];
+            if (!glazing.angle_modifier.empty() && glazing.angle_modifier != modifier)
+                continue;
+            glazing.angle_modifier = modifier;
+            glazing.incidence_factor = 1;
+            physics::Plane plane =
+                building.planes[static_cast<std::size_t>(window.plane)];
+            plane.modifier = modifier;
+            window.plane = building.plane_index(plane);
+        }
+    return building;
+}
+
+/// The place of a number in every zone, as a parameter.
+physics::Parameter parameter_of(const physics::Building& building,
+                                const Refinement::Number& number) {
+    return {number.name,
+            "",
+            number.least,
+            number.most,
+            physics::Effect::replace,
+            physics::resolve(building, number.path),
+            number.mean};
+}
+
+void add_structure(const std::vector<std::size_t>& structure, Place& place) {
+    for (const std::size_t index : structure) {
+        const auto& always = refinements()[index].effects;
+        place.always.insert(place.always.end(), always.begin(), always.end());
+        for (const Refinement::Number& number : refinements()[index].numbers) {
+            place.parameters.push_back(parameter_of(place.building, number));
+            place.unknowns.push_back({number.name, "", number.mean, number.sd,
+                                      number.least, number.most, true});
+            for (const physics::Target& target : place.parameters.back().targets)
+                physics::number_at(place.building, target) = number.mean;
+        }
+    }
+}
+
+/// An effect with its sign and size free, as the hook's name has it.
+effects::Effect following(const char* name, effects::Hook hook, effects::Driver driver,
+                          double typical) {
+    effects::Effect effect;
+    effect.name = name;
+    effect.hook = hook;
+    effect.driver = driver;
+    effect.typical = typical;
+    effect.most = 20 * typical;
+    effect.least = -effect.most;
+    return effect;
+}
+
+void add_parameters(const LoopData& data, Place& place) {
+    const auto& given = data.building.parameters;
+    for (std::size_t k = 0; k < given.size(); ++k) {
+        if (!is_chosen(data.options.parameters, given[k].name)) continue;
+        place.parameters.push_back(given[k]);
+        const stats::Prior prior =
+            data.building.priors.empty() ? stats::Prior{} : data.building.priors[k].prior;
+        place.unknowns.push_back(unknown_of(given[k], prior));
+    }
+}
+
+/// What energy a meter carries, next to that of the largest.
+std::vector<double> shares_of(const Targets& targets) {
+    std::vector<double> means;
+    for (std::size_t c = 0; c < targets.n_channels(); ++c) {
+        double sum = 0, n = 0;
+        for (const double value : targets.of(c, targets.measured))
+            if (!std::isnan(value)) sum += value, ++n;
+        const bool is_finer = targets.channels[c].interval != physics::Interval::monthly;
+        means.push_back(n > 0 ? sum / n / (is_finer ? 1 : 730) : 0);
+    }
+    double largest = 0;
+    for (std::size_t c = 0; c < means.size(); ++c)
+        if (targets.channels[c].quantity != physics::Quantity::air_temperature)
+            largest = std::max(largest, means[c]);
+    constexpr double enough = 0.1;  ///< of the largest: then it counts whole
+    for (std::size_t c = 0; c < means.size(); ++c)
+        means[c] = targets.channels[c].quantity == physics::Quantity::air_temperature
+                       ? 1
+                       : std::clamp(means[c] / (enough * largest), 0.01, 1.0);
+    return means;
+}
+
+bool is_hourly(const physics::Channel& channel) {
+    return channel.interval == physics::Interval::hourly;
+}
+
+double kappa_of(const LoopData& data, std::size_t channel,
+                std::span<const double> residuals) {
+    const Targets& targets = data.targets;
+    std::map<int, double> sums;
+    double squares = 0;
+    for (std::size_t k = targets.first[channel]; k < targets.first[channel + 1]; ++k) {
+        if (std::isnan(targets.measured[k])) continue;
+        sums[block_at(data.begins[k], data.training().from, days_of_noise)] +=
+            residuals[k];
+        squares += residuals[k] * residuals[k];
+    }
+    double of_sums = 0;
+    for (const auto& [block, sum] : sums) of_sums += sum * sum;
+    return squares > 0 ? std::max(1.0, of_sums / squares) : 1;
+}
+
+}  // namespace
+
+LoopData::LoopData(const Case& given, const LoopOptions& chosen)
+    : building(given), options(chosen), targets{{}, {0}, {}} {
+    const Period& period = training();
+    by_angle = with_glass_by_angle(building.building);
+    drives = drives_of(period);
+    const physics::TimeAxis axis = axis_of(building, period);
+    const auto readings = readings_of(building, period);
+    for (std::size_t m = 0; m < building.meters.size(); ++m) {
+        if (!is_chosen(options.meters, building.meters[m].name) ||
+            !has_reading(readings[m].values))
+            continue;
+        meters.push_back(m);
+        targets.channels.push_back({readings[m].quantity, readings[m].interval});
+        const auto of_meter = begins_of(axis, readings[m].interval);
+        begins.insert(begins.end(), of_meter.begin(), of_meter.end());
+        targets.measured.insert(targets.measured.end(), readings[m].values.begin(),
+                                readings[m].values.end());
+        targets.first.push_back(targets.measured.size());
+    }
+    if (meters.empty())
+        throw std::invalid_argument("no meter has a reading in the training period");
+    blocks = blocks_of(options.block_days);
+}
+
+const Period& LoopData::training() const {
+    return period_of(building, options.period);
+}
+
+Drives LoopData::drives_of(const Period& period) const {
+    Drives both{std::make_shared<physics::Drive>(drive_of(building, period)), {}};
+    if (by_angle.planes.size() == building.building.planes.size()) return both;
+    both.by_angle =
+        std::make_shared<physics::Drive>(drive_of(building, by_angle, period));
+    return both;
+}
+
+std::vector<int> LoopData::quantities() const {
+    std::vector<int> quantities;
+    quantities.reserve(targets.n_channels());
+    for (const physics::Channel& channel : targets.channels)
+        quantities.push_back(static_cast<int>(channel.quantity));
+    return quantities;
+}
+
+std::vector<int> LoopData::blocks_of(double days) const {
+    std::vector<int> of_readings;
+    of_readings.reserve(begins.size());
+    for (const physics::Seconds begin : begins)
+        of_readings.push_back(block_at(begin, training().from, days));
+    return of_readings;
+}
+
+const std::vector<Refinement>& refinements() {
+    static const std::vector<Refinement> table = {
+        {"surfaces",
+         {{"mass_area_ratio", "zone.*.mass_area_ratio", 2.5, 0.8, 1.0, 6},
+          {"surface_area_ratio", "zone.*.surface_area_ratio", 4.5, 1.2, 1.5, 9}}},
+        {"air and thermostat",
+         {{"air_capacity", "zone.*.air_capacity", 15000, 12000, 1000, 90000},
+          {"thermostat_band", "zone.*.proportional_band", 0.8, 0.6, 0.02, 3}}},
+        {"emitter",
+         {{"emitter_lag", "zone.*.emitter_time_constant", 1500, 1200, 60, 10000},
+          {"radiant_share", "zone.*.emitter_radiant_share", 0.4, 0.25, 0, 0.95}}},
+        {"second mass",
+         {{"second_mass_conductance", "zone.*.second_mass_conductance", 2, 2, 0.05, 15},
+          {"second_mass_capacity", "zone.*.second_mass_capacity", 200000, 150000, 20000,
+           1.2e6}}},
+        {"glass by angle", {}, {}, true},
+        {"sky", {{"sky_difference", "zone.*.sky_temperature_difference", 11, 4, 0, 28}}},
+        {"auxiliaries",
+         {{"heating_auxiliary", "plant.heating_auxiliary", 0.02, 0.02, 0, 0.3},
+          {"cooling_auxiliary", "plant.cooling_auxiliary", 0.02, 0.02, 0, 0.3}}},
+        {"COP by weather",
+         {},
+         {{following("COP per outdoor temperature", effects::Hook::cooling_cop,
+                     effects::Driver::theta_e, 0.01),
+           -0.01, 0.01}}},
+        {"heating by weather",
+         {},
+         {{following("heating efficiency per outdoor temperature",
+                     effects::Hook::heating_efficiency, effects::Driver::theta_e, 0.01),
+           0.005, 0.01}}}};
+    return table;
+}
+
+std::string name_of(const std::vector<std::size_t>& structure) {
+    std::string name;
+    for (const std::size_t index : structure)
+        name += (name.empty() ? "" : " + ") + std::string(refinements()[index].name);
+    return name.empty() ? "standard" : name;
+}
+
+Place make_place(const LoopData& data, const std::vector<std::size_t>& structure,
+                 const Drives& drives) {
+    const bool by_angle = std::ranges::any_of(
+        structure, [](std::size_t k) { return refinements()[k].glass_by_angle; });
+    if (by_angle && !drives.by_angle)
+        throw std::invalid_argument("no glazing without an angle modifier");
+    const physics::Building& described =
+        by_angle ? data.by_angle : data.building.building;
+    Place place;
+    place.building = described;
+    place.drive = by_angle ? drives.by_angle : drives.as_described;
+    add_parameters(data, place);
+    add_structure(structure, place);
+    place.surroundings =
+        std::make_shared<effects::Surroundings>(effects::make_surroundings(
+            described, *place.drive, data.building.weather, data.training().from));
+    place.channels = data.targets.channels;
+    return place;
+}
+
+BuiltModel build(const Place& place, const std::vector<effects::Effect>& added) {
+    BuiltModel built;
+    built.building = place.building;
+    built.drive = place.drive;
+    built.n_effects = added.size();
+    std::vector<effects::Effect> all;
+    all.reserve(place.always.size() + added.size());
+    for (const Refinement::Always& always : place.always) all.push_back(always.effect);
+    all.insert(all.end(), added.begin(), added.end());
+    effects::Surroundings surroundings = *place.surroundings;
+    surroundings.building = &built.building;
+    surroundings.drive = built.drive.get();
+    built.placed =
+        std::make_shared<const effects::Placed>(effects::place(all, surroundings));
+    built.parameters = place.parameters;
+    built.unknowns = place.unknowns;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const physics::Parameter& parameter = built.placed->parameters[k];
+        built.parameters.push_back(parameter);
+        Unknown unknown{all[k].name,     parameter.unit, 0,    std::abs(all[k].typical),
+                        parameter.least, parameter.most, false};
+        if (k < place.always.size()) {
+            unknown.centre = place.always[k].mean;
+            unknown.scale = place.always[k].sd;
+            unknown.has_prior = true;
+        }
+        built.unknowns.push_back(unknown);
+    }
+    built.fit_model = std::make_shared<const FitModel>(
+        built.placed->building, built.parameters, built.placed->drive, place.channels);
+    return built;
+}
+
+std::vector<double> weights_of(const Targets& targets,
+                               const std::vector<ChannelNoise>& noise) {
+    std::vector<double> weights(targets.size(), 0.0);
+    for (std::size_t c = 0; c < targets.n_channels(); ++c)
+        for (std::size_t k = targets.first[c]; k < targets.first[c + 1]; ++k)
+            if (!std::isnan(targets.measured[k]))
+                weights[k] =
+                    noise[c].share / (noise[c].sigma * noise[c].sigma * noise[c].kappa);
+    return weights;
+}
+
+std::vector<ChannelNoise> noise_of(const LoopData& data,
+                                   std::span<const double> residuals) {
+    const std::vector<double> squares = mean_squares(data.targets, residuals);
+    const std::vector<double> shares = shares_of(data.targets);
+    std::vector<ChannelNoise> noise;
+    double logs = 0, n = 0;
+    for (std::size_t c = 0; c < squares.size(); ++c) {
+        noise.push_back({std::max(std::sqrt(squares[c]), 1e-9),
+                         kappa_of(data, c, residuals), shares[c]});
+        if (!is_hourly(data.targets.channels[c])) continue;
+        logs += shares[c] * std::log(noise[c].kappa);
+        n += shares[c];
+    }
+    // One for all hourly channels, so that none is given up for the others.
+    for (std::size_t c = 0; c < squares.size(); ++c)
+        if (is_hourly(data.targets.channels[c]) && n > 0)
+            noise[c].kappa = std::exp(logs / n);
+    return noise;
+}
+
+std::vector<double> mean_squares(const Targets& targets,
+                                 std::span<const double> residuals) {
+    std::vector<double> squares;
+    for (std::size_t c = 0; c < targets.n_channels(); ++c) {
+        double sum = 0, n = 0;
+        for (std::size_t k = targets.first[c]; k < targets.first[c + 1]; ++k)
+            if (!std::isnan(targets.measured[k])) sum += residuals[k] * residuals[k], ++n;
+        squares.push_back(n > 0 ? sum / n : 0);
+    }
+    return squares;
+}
+
+double deviance(const Targets& targets, const std::vector<ChannelNoise>& noise,
+                std::span<const double> residuals) {
+    const std::vector<double> squares = mean_squares(targets, residuals);
+    double sum = 0;
+    for (std::size_t c = 0; c < squares.size(); ++c) {
+        const auto measured = targets.of(c, targets.measured);
+        const auto n = static_cast<double>(
+            std::ranges::count_if(measured, [](double v) { return !std::isnan(v); }));
+        sum +=
+            noise[c].share * n / noise[c].kappa * std::log(std::max(squares[c], 1e-12));
+    }
+    return sum;
+}
+
+}  // namespace bemcal::study

@@ -1,0 +1,123 @@
+/// A building in the loop: its training data, a model of it (structure and effects), and
+/// how well that model stands.
+#pragma once
+
+#include "effects/placement.hpp"
+#include "study/case.hpp"
+#include "study/fit_model.hpp"
+#include "study/loop_options.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bemcal::study {
+
+/// How far a channel's readings stray from a model, and how long errors last.
+struct ChannelNoise {
+    double sigma = 1;  ///< root mean square of the residual [channel's unit]
+    double kappa = 1;  ///< variance of sums over a week, per that of independent errors
+    double share = 1;  ///< of a meter that matters; less where little energy flows
+};
+
+/// A period's drive of the building as described, and of the same with glass by angle
+/// (none where its glazings say themselves what they do with a flat beam).
+struct Drives {
+    std::shared_ptr<const physics::Drive> as_described, by_angle;
+};
+
+/// What does not change while the loop searches.
+struct LoopData {
+    LoopData(const Case& given, const LoopOptions& chosen);
+
+    Case building;
+    LoopOptions options;
+    std::vector<std::size_t> meters;       ///< channels: indices into building.meters
+    Targets targets;                       ///< of the training period
+    std::vector<physics::Seconds> begins;  ///< [targets.size()] of the readings
+    physics::Building by_angle;            ///< with glass that follows the angle
+    Drives drives;                         ///< of the training period
+    std::vector<int> blocks;               ///< [targets.size()] of options.block_days
+
+    const Period& training() const;
+    Drives drives_of(const Period& period) const;
+    std::vector<int> quantities() const;  ///< [channels] as effects name meters
+    /// Of blocks of so many days.
+    std::vector<int> blocks_of(double days) const;
+};
+
+/// A refinement of the zone that is chosen before any effect is sought.
+struct Refinement {
+    const char* name;
+    struct Number {
+        const char* name;
+        const char* path;  ///< of physics::resolve
+        double mean, sd, least, most;
+    };
+    std::vector<Number> numbers;
+    /// What every building has in some measure: an effect with a prior.
+    struct Always {
+        effects::Effect effect;
+        double mean, sd;
+    };
+    std::vector<Always> effects{};
+    bool glass_by_angle = false;
+};
+const std::vector<Refinement>& refinements();
+/// "surfaces + sky"; "standard" without any.
+std::string name_of(const std::vector<std::size_t>& structure);
+
+/// A model: which refinements, which effects.
+struct LoopModel {
+    std::vector<std::size_t> structure;  ///< of refinements()
+    std::vector<effects::Effect> effects;
+};
+
+/// A model that has been built: ready to be simulated over a period.
+struct BuiltModel {
+    physics::Building building;  ///< with structure, without effects
+    std::shared_ptr<const physics::Drive> drive;
+    std::shared_ptr<const effects::Placed> placed;
+    std::vector<Unknown> unknowns;  ///< parameters, refinements, effects found
+    std::vector<physics::Parameter> parameters;
+    std::shared_ptr<const FitModel> fit_model;
+    std::size_t n_effects = 0;
+
+    std::size_t first_effect() const { return unknowns.size() - n_effects; }
+};
+
+/// Series that the training period's effects follow, for a structure.
+struct Place {
+    physics::Building building;
+    std::shared_ptr<const physics::Drive> drive;
+    std::shared_ptr<effects::Surroundings> surroundings;
+    std::vector<physics::Parameter> parameters;
+    std::vector<Unknown> unknowns;
+    std::vector<Refinement::Always> always;  ///< of the structure
+    std::vector<physics::Channel> channels;
+};
+
+/// The building with the structure over a period, ready for effects. Throws
+/// std::invalid_argument where a refinement has nothing to refine.
+Place make_place(const LoopData& data, const std::vector<std::size_t>& structure,
+                 const Drives& drives);
+
+/// Throws std::invalid_argument where an effect cannot enter.
+BuiltModel build(const Place& place, const std::vector<effects::Effect>& effects);
+
+/// [targets.size()] weights by channel; 0 where nothing is measured.
+std::vector<double> weights_of(const Targets& targets,
+                               const std::vector<ChannelNoise>& noise);
+std::vector<ChannelNoise> noise_of(const LoopData& data,
+                                   std::span<const double> residuals);
+
+/// Mean squares of a channel's residuals that are measured. [channels]
+std::vector<double> mean_squares(const Targets& targets,
+                                 std::span<const double> residuals);
+
+/// -2 log likelihood with each channel's variance at its best value, errors counted as
+/// often as they are independent: sum over channels of share n / kappa log(mean square).
+double deviance(const Targets& targets, const std::vector<ChannelNoise>& noise,
+                std::span<const double> residuals);
+
+}  // namespace bemcal::study

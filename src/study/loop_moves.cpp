@@ -1,0 +1,218 @@
+/// Every move is a refit from where the model stands.
+#include "study/loop_moves.hpp"
+
+#include "study/loop_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace bemcal::study {
+namespace {
+
+constexpr double clearly = 6;  ///< of evidence
+
+/// How far a threshold or a date is moved first.
+double first_move(const effects::Effect& effect) {
+    using effects::Driver;
+    if (effect.hook == effects::Hook::venting) return 1.5;  // opens above [degC]
+    switch (effect.driver) {
+        case Driver::day_of_year:
+            return 14;
+        case Driver::elapsed:
+            return 0.04;
+        case Driver::hour:
+        case Driver::shifted_hours:
+            return 1;
+        case Driver::sun_on_facade:
+        case Driver::bright:
+        case Driver::sun_horizontal:
+            return 50;
+        case Driver::theta_e:
+        case Driver::temperature_to_base:
+        case Driver::constant_temperature:
+            return 2;
+        default:
+            return 0;
+    }
+}
+
+/// The effect with one of its thresholds, dates or hours moved.
+std::vector<effects::Effect> moved_shapes(const effects::Effect& effect, double part) {
+    std::vector<effects::Effect> moved;
+    const auto add = [&](auto change) {
+        moved.push_back(effect);
+        change(moved.back());
+    };
+    const double move = first_move(effect) * part;
+    for (const double sign : {1.0, -1.0}) {
+        if (move > 0) add([&](effects::Effect& e) { e.shape.at += sign * move; });
+        if (move > 0 && effect.shape.form == effects::Form::within)
+            add([&](effects::Effect& e) { e.shape.until += sign * move; });
+        const double hours = std::max(1.0, std::round(2 * part));
+        if (effect.hours.from > 0 || effect.hours.until < 24) {
+            add([&](effects::Effect& e) {
+                e.hours.from = std::max(0.0, e.hours.from + sign * hours);
+            });
+            add([&](effects::Effect& e) {
+                e.hours.until = std::min(24.0, e.hours.until + sign * hours);
+            });
+        }
+    }
+    return moved;
+}
+
+/// The model with an effect in place of another; fit.failed where that cannot be.
+struct InPlace {
+    std::size_t index;
+    effects::Effect effect;
+    std::vector<double> start;
+    FitOptions options;
+};
+Standing with_in_place(const LoopData& data, const Place& place, const Standing& standing,
+                       const InPlace& change) {
+    Standing tried = standing;
+    tried.model.effects[change.index] = change.effect;
+    try {
+        tried.built = build(place, tried.model.effects);
+    } catch (const std::exception&) {
+        tried.fit.failed = true;
+        return tried;
+    }
+    refit(data, tried, change.start, change.options);
+    return tried;
+}
+
+/// Takes the moves that help; says whether any did.
+bool move_shape(const LoopData& data, const Place& place, Standing& standing,
+                std::size_t index, double part) {
+    bool helped = false;
+    for (const auto& effect : moved_shapes(standing.model.effects[index], part)) {
+        Standing tried = with_in_place(data, place, standing,
+                                       {index, effect, standing.fit.at.x, {2, 1e-3}});
+        if (tried.fit.failed || tried.fit.objective >= standing.fit.objective - 0.5)
+            continue;
+        standing = std::move(tried);
+        helped = true;
+    }
+    return helped;
+}
+
+}  // namespace
+
+Standing refine_shape(const LoopData& data, const Place& place, Standing standing,
+                      std::size_t index) {
+    constexpr int most_moves = 5;  ///< of one length
+    refit(data, standing, standing.fit.at.x,
+          {2, 1e-3});  // the objective by its own noise
+    for (const double part : {1.0, 0.5, 0.25})
+        for (int k = 0; k < most_moves && move_shape(data, place, standing, index, part);
+             ++k) {
+        }
+    settle(data, standing);
+    return standing;
+}
+
+int swap(const LoopData& data, const Place& place, Standing& standing, std::size_t effect,
+         const std::vector<effects::Effect>& rivals) {
+    int best = -1;
+    double most = clearly;
+    Standing chosen;
+    const std::size_t unknown = standing.built.first_effect() + effect;
+    for (std::size_t k = 0; k < rivals.size(); ++k) {
+        std::vector<double> start = standing.fit.at.x;
+        start[unknown] = rivals[k].most > 0 ? 0.5 : -0.5;
+        Standing tried = with_in_place(data, place, standing,
+                                       {effect, rivals[k], std::move(start), {6, 1e-3}});
+        if (tried.fit.failed || tried.fit.bound[unknown] != 0 ||
+            !is_plausible(rivals[k],
+                          tried.built.unknowns[unknown].value(tried.fit.at.x[unknown])))
+            continue;
+        const double gain = evidence(data, standing, tried);
+        if (gain <= most) continue;
+        most = gain, best = static_cast<int>(k);
+        chosen = std::move(tried);
+    }
+    if (best < 0) return best;
+    settle(data, chosen);
+    standing = std::move(chosen);
+    return best;
+}
+
+bool split(const LoopData& data, const Place& place, Standing& standing,
+           std::size_t effect) {
+    const effects::Effect whole = standing.model.effects[effect];
+    if (whole.hook != effects::Hook::operation ||
+        whole.driver != effects::Driver::another_day)
+        return false;
+    Standing tried = standing;
+    effects::Effect& plant = tried.model.effects[effect];
+    plant.hook = effects::Hook::plant_operation;
+    effects::Effect use = whole;
+    use.hook = effects::Hook::occupation;
+    use.name += ": use";
+    tried.model.effects.push_back(use);
+    try {
+        tried.built = build(place, tried.model.effects);
+    } catch (const std::exception&) {
+        return false;
+    }
+    std::vector<double> start = standing.fit.at.x;
+    start.push_back(start[standing.built.first_effect() + effect]);
+    refit(data, tried, std::move(start), {8, 1e-3});
+    if (tried.fit.failed || evidence(data, standing, tried) < clearly) return false;
+    constexpr double apart = 0.2;  ///< of the coefficients: else one name says it all
+    const std::size_t first = tried.built.first_effect() + effect;
+    const auto value = [&](std::size_t k) {
+        return tried.built.unknowns[k].value(tried.fit.at.x[k]);
+    };
+    if (std::abs(value(first) - value(tried.fit.at.x.size() - 1)) < apart) return false;
+    tried = refine_shape(data, place, std::move(tried), effect);
+    standing = refine_shape(data, place, std::move(tried), standing.model.effects.size());
+    return true;
+}
+
+namespace {
+
+/// The model without one of its effects, from where it stands.
+Standing without_effect(const LoopData& data, const Place& place,
+                        const Standing& standing, std::size_t effect) {
+    Standing without;
+    without.model = standing.model;
+    without.model.effects.erase(without.model.effects.begin() +
+                                static_cast<std::ptrdiff_t>(effect));
+    without.noise = standing.noise;
+    without.built = build(place, without.model.effects);
+    std::vector<double> start = standing.fit.at.x;
+    start.erase(start.begin() +
+                static_cast<std::ptrdiff_t>(standing.built.first_effect() + effect));
+    refit(data, without, std::move(start), {5, 1e-3});
+    return without;
+}
+
+}  // namespace
+
+std::vector<std::string> prune(const LoopData& data, const Place& place,
+                               Standing& standing, double least) {
+    std::vector<std::string> gone;
+    while (!standing.model.effects.empty()) {
+        double lowest = least;
+        std::size_t weakest = 0;
+        Standing best;
+        for (std::size_t k = 0; k < standing.model.effects.size(); ++k) {
+            Standing without = without_effect(data, place, standing, k);
+            if (without.fit.failed) continue;
+            const double carried = evidence(data, without, standing);
+            if (carried > lowest) continue;
+            lowest = carried, weakest = k;
+            best = std::move(without);
+        }
+        if (!best.built.fit_model) break;
+        gone.push_back(standing.model.effects[weakest].name);
+        settle(data, best);
+        standing = std::move(best);
+    }
+    return gone;
+}
+
+}  // namespace bemcal::study

@@ -1,0 +1,32 @@
+/// Moves of a model that stands: shapes refined, effects put in place of others, effects
+/// that leave.
+#pragma once
+
+#include "study/loop_baseline.hpp"
+
+#include <string>
+#include <vector>
+
+namespace bemcal::study {
+
+/// The model with the effect's thresholds and dates at their best values.
+Standing refine_shape(const LoopData& data, const Place& place, Standing standing,
+                      std::size_t effect);
+
+/// The model with the best of the rivals in place of an effect, where that explains
+/// clearly more; else as it was. Says which: -1 = none.
+int swap(const LoopData& data, const Place& place, Standing& standing, std::size_t effect,
+         const std::vector<effects::Effect>& rivals);
+
+/// Where all schedules follow another day's, the plant's and those of use may do so to
+/// different degrees: the effect becomes the plant's, and one of use joins as the last,
+/// where that explains clearly more and the degrees differ. Says whether it did.
+bool split(const LoopData& data, const Place& place, Standing& standing,
+           std::size_t effect);
+
+/// Effects leave that the model can do without for less than so much evidence, the least
+/// first. Returns their names.
+std::vector<std::string> prune(const LoopData& data, const Place& place,
+                               Standing& standing, double least);
+
+}  // namespace bemcal::study

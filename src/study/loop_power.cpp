@@ -1,0 +1,76 @@
+#include "study/loop_power.hpp"
+
+#include "effects/catalogue.hpp"
+
+#include <cmath>
+
+namespace bemcal::study {
+namespace {
+
+/// The catalogue's effects, each with one shape and place only.
+std::vector<effects::Effect> one_of_each(const LoopData& data, const Place& place) {
+    std::vector<effects::Effect> chosen;
+    for (effects::Effect& effect :
+         effects::named_candidates(*place.surroundings, data.quantities()))
+        if (chosen.empty() || chosen.back().name != effect.name)
+            chosen.push_back(std::move(effect));
+    return chosen;
+}
+
+void find_alias(std::size_t row, PowerTable& table) {
+    Power& power = table.rows[row];
+    constexpr double invisible = 0.02;
+    if (power.visibility < invisible) {
+        power.alias = "the calibrated parameters themselves";
+        power.correlation = 1;
+        return;
+    }
+    for (std::size_t other = 0; other < table.rows.size(); ++other) {
+        if (other == row) continue;
+        const double rho = correlation_of(table.screened[row].signature,
+                                          table.screened[other].signature, table.weights);
+        if (std::abs(rho) <= std::abs(power.correlation)) continue;
+        power.correlation = rho;
+        power.alias = table.rows[other].effect.name;
+    }
+}
+
+void find_bias(const Standing& standing, const Screened& screened, Power& power) {
+    for (std::size_t k = 0; k < screened.bias.size(); ++k)
+        if (std::abs(screened.bias[k]) > std::abs(power.bias)) {
+            power.bias = screened.bias[k];
+            power.parameter = standing.built.unknowns[k].name;
+        }
+}
+
+}  // namespace
+
+double correlation_of(std::span<const double> a, std::span<const double> b,
+                      std::span<const double> weights) {
+    double ab = 0, aa = 0, bb = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+        ab += weights[k] * a[k] * b[k];
+        aa += weights[k] * a[k] * a[k];
+        bb += weights[k] * b[k] * b[k];
+    }
+    return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
+}
+
+PowerTable power_of(const LoopData& data, const Place& place, const Standing& standing) {
+    PowerTable table;
+    table.screened =
+        screen(data, place, standing, one_of_each(data, place), Keep::signatures);
+    table.weights = weights_of(data.targets, standing.noise);
+    for (const Screened& screened : table.screened) {
+        Power power{screened.effect, 0, 0, {}, 0, {}, 0};
+        power.detectability =
+            std::abs(screened.effect.typical) * std::sqrt(screened.information);
+        power.visibility = screened.alone > 0 ? screened.information / screened.alone : 0;
+        find_bias(standing, screened, power);
+        table.rows.push_back(std::move(power));
+    }
+    for (std::size_t row = 0; row < table.rows.size(); ++row) find_alias(row, table);
+    return table;
+}
+
+}  // namespace bemcal::study

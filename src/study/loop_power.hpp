@@ -1,0 +1,35 @@
+/// Before the search: what these data could show at all.
+#pragma once
+
+#include "study/loop_search.hpp"
+
+namespace bemcal::study {
+
+/// One effect of the catalogue at its typical size.
+struct Power {
+    effects::Effect effect;
+    double detectability = 0;  ///< its size over what it can be known to; below 5: cannot
+    double visibility = 0;     ///< share that the other unknowns cannot follow
+    std::string alias;         ///< the effect that looks most like it
+    double correlation = 0;    ///< of both signatures
+    std::string parameter;     ///< that it would bias most
+    double bias = 0;           ///< [prior sd]
+};
+
+constexpr double least_detectability = 5;
+
+/// Effects whose signatures correlate more closely are one discovery.
+constexpr double one_class = 0.98;
+
+struct PowerTable {
+    std::vector<Power> rows;
+    std::vector<Screened> screened;  ///< [rows] with signatures
+    std::vector<double> weights;     ///< of the readings
+};
+PowerTable power_of(const LoopData& data, const Place& place, const Standing& standing);
+
+/// Correlation of two signatures in the weights' metric.
+double correlation_of(std::span<const double> a, std::span<const double> b,
+                      std::span<const double> weights);
+
+}  // namespace bemcal::study

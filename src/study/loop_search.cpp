@@ -1,0 +1,325 @@
+#include "study/loop_search.hpp"
+
+#include "effects/catalogue.hpp"
+#include "study/loop_consistency.hpp"
+#include "study/loop_days.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+namespace bemcal::study {
+namespace {
+
+constexpr std::size_t most_refitted = 36, most_of_a_kind = 3;
+constexpr double generic_penalty = 4.6;  ///< -2 log 0.1: the grammar's prior weight
+constexpr double slack = 1.5;  ///< how far beyond the plausible range a coefficient goes
+
+bool is_excluded(const LoopOptions& options, const effects::Effect& effect) {
+    return std::ranges::find(options.exclude, effect.name) != options.exclude.end();
+}
+
+std::vector<effects::Effect> candidates_of(const LoopData& data, const Place& place,
+                                           const Standing& standing) {
+    const auto meters = data.quantities();
+    auto all = effects::named_candidates(*place.surroundings, meters);
+    if (data.options.generic) {
+        const auto generic = effects::generic_candidates(*place.surroundings, meters);
+        all.insert(all.end(), generic.begin(), generic.end());
+    }
+    if (auto days = closed_days(data, place, standing)) all.push_back(*days);
+    std::erase_if(all, [&](const effects::Effect& effect) {
+        return is_excluded(data.options, effect) ||
+               std::ranges::any_of(standing.model.effects, [&](const auto& there) {
+                   return effects::are_equal(effect, there);
+               });
+    });
+    return all;
+}
+
+/// The best by gain, a few of each name only.
+std::vector<const Screened*> shortlist(const std::vector<Screened>& screened) {
+    std::vector<const Screened*> sorted;
+    sorted.reserve(screened.size());
+    for (const Screened& candidate : screened) sorted.push_back(&candidate);
+    std::ranges::stable_sort(
+        sorted, [](const Screened* a, const Screened* b) { return a->gain > b->gain; });
+    std::map<std::pair<int, std::string>, std::size_t> of_kind;
+    std::vector<const Screened*> list;
+    for (const Screened* candidate : sorted) {
+        const auto& effect = candidate->effect;
+        const std::pair key{
+            effect.number != 0 ? effect.number : -1 - static_cast<int>(effect.hook),
+            effect.number != 0 ? effect.name : ""};
+        if (list.size() >= most_refitted || candidate->gain <= 0) break;
+        if (++of_kind[key] <= most_of_a_kind) list.push_back(candidate);
+    }
+    return list;
+}
+
+/// A model with one more effect, from where the other stands. The tangent may lead to
+/// where nothing can be simulated (air flows below 0): then less of it.
+Standing with_effect(const LoopData& data, const Place& place, const Standing& from,
+                     const Screened& screened) {
+    Standing next;
+    next.model = from.model;
+    next.model.effects.push_back(screened.effect);
+    next.noise = from.noise;
+    next.built = build(place, next.model.effects);
+    for (const double part : {1.0, 0.7, 0.4}) {
+        std::vector<double> start = from.fit.at.x;
+        start.push_back(part * screened.coefficient / next.built.unknowns.back().scale);
+        refit(data, next, std::move(start), {4, 1e-3});
+        if (!next.fit.failed) break;
+    }
+    return next;
+}
+
+/// What freedom costs: the logarithm of how far the data narrow the coefficient.
+double occam(const Screened& screened) {
+    const double typical = screened.effect.typical;
+    return std::log1p(screened.information * typical * typical) +
+           (screened.effect.number == 0 ? generic_penalty : 0);
+}
+
+/// Residuals of unseen blocks of the model before, found once for all candidates.
+class Unseen {
+  public:
+    Unseen(const LoopData& data, const Standing& before) : data_(data), before_(before) {}
+
+    /// The blocks over which an effect is tested: shorter where it acts on few days.
+    struct Blocks {
+        std::vector<int> of_readings;
+        std::vector<double> left;  ///< residuals
+    };
+    const Blocks& blocks_for(const effects::Effect& effect) {
+        constexpr double days = 2;
+        if (effect.gate != effects::Gate::on_days) return filled(long_, data_.blocks);
+        return filled(short_, data_.blocks_of(days));
+    }
+
+  private:
+    const Blocks& filled(Blocks& blocks, std::vector<int> of_readings) {
+        if (!blocks.left.empty()) return blocks;
+        blocks.left =
+            left_out_of(data_, before_.built, before_.fit, before_.noise, of_readings);
+        blocks.of_readings = std::move(of_readings);
+        return blocks;
+    }
+
+    const LoopData& data_;
+    const Standing& before_;
+    Blocks long_, short_;
+};
+
+/// The blocks' losses and predictions under both models, weighted.
+std::vector<BlockChange> changes_of(std::span<const double> weights,
+                                    std::span<const int> blocks,
+                                    std::span<const double> old_left,
+                                    std::span<const double> left) {
+    std::map<int, BlockChange> changes;
+    for (std::size_t k = 0; k < left.size(); ++k) {
+        if (weights[k] <= 0) continue;
+        BlockChange& change = changes[blocks[k]];
+        const double moved = old_left[k] - left[k];
+        change.fall += weights[k] * (old_left[k] * old_left[k] - left[k] * left[k]);
+        change.moved += weights[k] * moved * moved;
+    }
+    std::vector<BlockChange> list;
+    list.reserve(changes.size());
+    for (const auto& [block, change] : changes) list.push_back(change);
+    return list;
+}
+
+/// Left-out errors before and after, and what they say.
+void judge_left_out(const LoopData& data, const Standing& before, Unseen& unseen,
+                    Refitted& candidate) {
+    const auto& [blocks, old_left] = unseen.blocks_for(candidate.effect);
+    candidate.standing.left_out = left_out_of(
+        data, candidate.standing.built, candidate.standing.fit, before.noise, blocks);
+    candidate.score = deviance(data.targets, before.noise, old_left) -
+                      deviance(data.targets, before.noise, candidate.standing.left_out);
+    candidate.consistency =
+        consistency_of(changes_of(weights_of(data.targets, before.noise), blocks,
+                                  old_left, candidate.standing.left_out));
+    const auto old_squares = mean_squares(data.targets, old_left),
+               squares = mean_squares(data.targets, candidate.standing.left_out);
+    for (std::size_t c = 0; c < squares.size(); ++c)
+        candidate.error.push_back(std::sqrt(squares[c] / old_squares[c]) - 1);
+}
+
+/// Relative change of the weighted error in the last quarter
+/// of training under fits to the first three: what follows time must foretell what comes.
+double change_of_last_quarter(const LoopData& data, const Standing& before,
+                              const Standing& after) {
+    const auto [first, last] = std::ranges::minmax(data.begins);
+    const auto from = first + 3 * (last - first) / 4;
+    auto weights = weights_of(data.targets, before.noise);
+    std::vector<double> is_last(weights.size(), 0.0);
+    for (std::size_t k = 0; k < weights.size(); ++k)
+        if (data.begins[k] >= from) std::swap(is_last[k], weights[k]);
+    const auto error_of = [&](const Standing& standing) {
+        const Fit fitted =
+            fit(*standing.built.fit_model, standing.built.unknowns, data.targets.measured,
+                weights, standing.fit.at.x, {4, 1e-3});
+        const auto residuals = residuals_of(data.targets.measured, fitted.at.predicted);
+        double sum = 0;
+        for (std::size_t k = 0; k < residuals.size(); ++k)
+            sum += is_last[k] * residuals[k] * residuals[k];
+        return sum;
+    };
+    return std::sqrt(error_of(after) / error_of(before)) - 1;
+}
+
+/// The first gate that is not passed.
+std::string objection_to(const LoopData& data, const Standing& before,
+                         const Refitted& candidate, double threshold) {
+    if (candidate.standing.fit.failed) return "cannot be simulated";
+    if (candidate.gain <= threshold) return "evidence below what noise shows";
+    if (!is_plausible(candidate.effect, candidate.coefficient))
+        return "coefficient not plausible";
+    double sum = 0, n = 0, highest = 0, lowest = 0;
+    constexpr double matters = 0.5;
+    for (std::size_t c = 0; c < candidate.error.size(); ++c) {
+        if (before.noise[c].share < matters) continue;
+        sum += candidate.error[c];
+        n += 1;
+        highest = std::max(highest, candidate.error[c]);
+        lowest = std::min(lowest, candidate.error[c]);
+    }
+    constexpr double more_of_grammar = 3;
+    const double least =
+        data.options.least_gain * (candidate.effect.number == 0 ? more_of_grammar : 1);
+    if (n > 0 && 100 * sum / n > -least) return "left-out error falls too little";
+    constexpr double in_exchange = 0.15;  ///< of what the best meter gains
+    const double most_loss =
+        std::max(data.options.most_loss, -100 * in_exchange * lowest);
+    if (100 * highest > most_loss) return "left-out error of a meter rises";
+    if (candidate.score <= 0) return "left-out score falls";
+    constexpr double seldom = 2;  ///< standard errors
+    // A season may be a wrong one, and do harm where it is: but nothing else does as
+    // well.
+    const bool is_overwhelming = candidate.gain > 3 * threshold;
+    if (candidate.consistency < seldom && !is_overwhelming)
+        return "too few unseen fortnights gain";
+    if (candidate.standing.fit.bound.back() != 0)
+        return "coefficient at the end of its range";
+    const double change = 100 * change_of_last_quarter(data, before, candidate.standing);
+    if (change > most_loss && !is_overwhelming) return "last quarter is foretold worse";
+    if (candidate.effect.driver == effects::Driver::elapsed && change > -least)
+        return "follows time, but does not foretell the last quarter";
+    return {};
+}
+
+/// Dozens of candidates stand beside each other; only one is fitted on, from its start.
+void drop_derivatives(Standing& standing) {
+    standing.fit.at.derivatives = {};
+}
+
+double newest_coefficient(const Standing& standing) {
+    return standing.built.unknowns.back().value(standing.fit.at.x.back());
+}
+
+std::vector<Refitted> refit_all(const LoopData& data, const Place& place,
+                                const Standing& standing,
+                                const std::vector<const Screened*>& list) {
+    std::vector<Refitted> ranking;
+    for (const Screened* screened : list) {
+        try {
+            Refitted candidate{screened->effect,
+                               with_effect(data, place, standing, *screened)};
+            if (candidate.standing.fit.failed) continue;
+            candidate.gain =
+                evidence(data, standing, candidate.standing) - occam(*screened);
+            drop_derivatives(candidate.standing);
+            ranking.push_back(std::move(candidate));
+        } catch (const std::exception&) {
+            continue;  // It cannot enter together with the others: no candidate.
+        }
+    }
+    std::ranges::stable_sort(
+        ranking, [](const Refitted& a, const Refitted& b) { return a.gain > b.gain; });
+    return ranking;
+}
+
+constexpr std::size_t most_judged = 14;
+
+/// Takes a quick refit to its end.
+void finish(const LoopData& data, const Standing& before, Refitted& candidate) {
+    Standing& standing = candidate.standing;
+    const double was = evidence(data, before, standing);
+    refit(data, standing, standing.fit.at.x, {10, 2e-4});
+    candidate.gain += evidence(data, before, standing) - was;
+    drop_derivatives(standing);
+}
+
+/// What the search would gain from noise: from what the best candidate leaves, for what
+/// is there to be found is no noise.
+double threshold_of(const LoopData& data, const Place& place, const Standing& standing,
+                    const Step& step) {
+    if (step.ranking.empty()) return 0;
+    std::vector<effects::Effect> effects;
+    effects.reserve(step.ranking.size());
+    for (const Refitted& candidate : step.ranking) effects.push_back(candidate.effect);
+    Standing rest = standing;
+    rest.residuals = step.ranking[0].standing.residuals;
+    return null_gain(screen(data, place, rest, effects, Keep::gains), data.options.alpha,
+                     data.options.seed);
+}
+
+/// The first that passes; one of the grammar only where nothing with a name comes near.
+int choice_of(const std::vector<Refitted>& ranking) {
+    constexpr double near = 0.6;  ///< of the gain
+    int first = -1;
+    for (std::size_t k = 0; k < ranking.size(); ++k) {
+        if (!ranking[k].objection.empty()) continue;
+        if (first < 0) first = static_cast<int>(k);
+        const double best = ranking[static_cast<std::size_t>(first)].gain;
+        if (ranking[k].effect.number != 0 && ranking[k].gain > near * best)
+            return static_cast<int>(k);
+    }
+    return first;
+}
+
+}  // namespace
+
+bool is_plausible(const effects::Effect& effect, double c) {
+    const double least = std::min(effect.least, effect.most),
+                 most = std::max(effect.least, effect.most);
+    const double width = (slack - 1) * std::max(std::abs(least), std::abs(most));
+    if (least >= 0) return c >= 0.3 * least && c <= most + width;
+    if (most <= 0) return c <= 0.3 * most && c >= least - width;
+    return c >= least - width && c <= most + width;
+}
+
+Step search(const LoopData& data, const Place& place, const Standing& standing) {
+    Step step;
+    step.screened =
+        screen(data, place, standing, candidates_of(data, place, standing), Keep::gains);
+    step.ranking = refit_all(data, place, standing, shortlist(step.screened));
+    const std::size_t n_judged = std::min(most_judged, step.ranking.size());
+    for (std::size_t k = 0; k < n_judged; ++k) finish(data, standing, step.ranking[k]);
+    std::stable_sort(
+        step.ranking.begin(),
+        step.ranking.begin() + static_cast<std::ptrdiff_t>(n_judged),
+        [](const Refitted& a, const Refitted& b) { return a.gain > b.gain; });
+    step.threshold = threshold_of(data, place, standing, step);
+    Unseen unseen(data, standing);
+    for (std::size_t k = 0; k < step.ranking.size(); ++k) {
+        Refitted& candidate = step.ranking[k];
+        if (k >= n_judged) {
+            candidate.objection = "not judged";
+            continue;
+        }
+        candidate.coefficient = newest_coefficient(candidate.standing);
+        judge_left_out(data, standing, unseen, candidate);
+        candidate.objection = objection_to(data, standing, candidate, step.threshold);
+    }
+    step.chosen = choice_of(step.ranking);
+    if (step.chosen >= 0)
+        settle(data, step.ranking[static_cast<std::size_t>(step.chosen)].standing);
+    return step;
+}
+
+}  // namespace bemcal::study

@@ -1,0 +1,63 @@
+/// The search for the next effect: every candidate is tried on the tangent of the model
+/// that stands, the best are refitted in full, and the first that passes all gates joins.
+#pragma once
+
+#include "study/loop_baseline.hpp"
+
+#include <string>
+#include <vector>
+
+namespace bemcal::study {
+
+/// A candidate seen from the model that stands.
+struct Screened {
+    effects::Effect effect;
+    double gain = 0;                ///< fall of the objective, all else refitted [-]
+    double coefficient = 0;         ///< where that is
+    double information = 0;         ///< of the coefficient, all else free
+    double alone = 0;               ///< the same with all else held
+    std::vector<double> by_block;   ///< its score, block by block: for the null
+    std::vector<double> signature;  ///< [targets] effect at its typical size, what the
+                                    ///< other unknowns can follow taken off; may be empty
+    std::vector<double> bias;  ///< [unknowns] what leaving it out does to them, at its
+                               ///< typical size [prior sd]
+};
+
+/// Where the signature is kept, and the bias.
+enum class Keep { gains, signatures };
+
+/// In the order of the candidates; those that cannot be simulated are left out.
+std::vector<Screened> screen(const LoopData& data, const Place& place,
+                             const Standing& standing,
+                             const std::vector<effects::Effect>& candidates, Keep keep);
+
+/// The largest gain that a screening of nothing but noise would show, exceeded with
+/// probability alpha: blocks' scores with random signs (multiplier bootstrap of the
+/// largest statistic, Chernozhukov, Chetverikov and Kato 2013).
+double null_gain(const std::vector<Screened>& screened, double alpha, std::uint64_t seed);
+
+/// A candidate after its refit.
+struct Refitted {
+    effects::Effect effect;
+    Standing standing;
+    double gain = 0;   ///< of evidence: fall of the deviance less what freedom costs
+    double score = 0;  ///< fall of the deviance of left-out blocks
+    std::vector<double> error{};  ///< [channels] relative change of the left-out error
+    double consistency = 0;       ///< fall of the blocks' losses over its standard error
+    std::string objection{};      ///< the gate that it did not pass; empty = none
+    double coefficient = 0;
+};
+
+/// One step of the search.
+struct Step {
+    std::vector<Refitted> ranking;  ///< best first
+    double threshold = 0;
+    int chosen = -1;  ///< of ranking; -1 = nothing passes
+    std::vector<Screened> screened;
+};
+Step search(const LoopData& data, const Place& place, const Standing& standing);
+
+/// Whether a coefficient lies in its effect's plausible range or little beyond.
+bool is_plausible(const effects::Effect& effect, double coefficient);
+
+}  // namespace bemcal::study

@@ -1,0 +1,115 @@
+#include "study/staged_goal.hpp"
+
+#include "study/meter_goal.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace bemcal::study {
+namespace {
+
+/// Sums over periods taken together.
+void add(const physics::ErrorSums& some, physics::ErrorSums& all) {
+    using Sums = physics::ErrorSums;
+    for (double Sums::* part :
+         {&Sums::n, &Sums::error, &Sums::square, &Sums::simulated,
+          &Sums::simulated_square, &Sums::product, &Sums::n_relative, &Sums::relative})
+        all.*part += some.*part;
+}
+
+bool is_read(const std::vector<physics::Request>& requests, std::size_t meter) {
+    return std::ranges::any_of(requests, [&](const physics::Request& request) {
+        return has_reading(request.readings[meter].values);
+    });
+}
+
+/// Meters of that name, or all that are read.
+std::vector<std::size_t> chosen_meters(const Case& building,
+                                       const CalibrationStage& stage,
+                                       const std::vector<physics::Request>& requests) {
+    const auto& names = stage.fit.meters;
+    std::vector<std::size_t> chosen;
+    for (std::size_t m = 0; m < building.meters.size(); ++m)
+        if (names.empty()
+                ? is_read(requests, m)
+                : std::ranges::find(names, building.meters[m].name) != names.end())
+            chosen.push_back(m);
+    if (chosen.empty() || (!names.empty() && chosen.size() != names.size()))
+        throw std::invalid_argument("the stage " + stage.name +
+                                    " has no such meters in " + building.name);
+    return chosen;
+}
+
+/// The requests for these meters only.
+std::vector<physics::Request> cut(const std::vector<physics::Request>& requests,
+                                  const std::vector<std::size_t>& meters) {
+    std::vector<physics::Request> some(requests.size());
+    for (std::size_t p = 0; p < requests.size(); ++p)
+        for (const std::size_t m : meters)
+            some[p].readings.push_back(requests[p].readings[m]);
+    return some;
+}
+
+}  // namespace
+
+StageGoal::StageGoal(const Case& building, const PeriodModels& models,
+                     const CalibrationStage& stage)
+    : fit_(stage.fit) {
+    std::vector<physics::Request> requests;
+    for (const std::string& name : stage.periods) {
+        batches_.push_back(&models.at(name)->batch);
+        requests.push_back(models.at(name)->request);
+    }
+    meters_ = chosen_meters(building, stage, requests);
+    requests_ = cut(requests, meters_);
+    for (std::size_t p = 0; p < stage.periods.size(); ++p)
+        for (std::size_t m = 0; m < meters_.size(); ++m)
+            if (!has_reading(requests_[p].readings[m].values))
+                throw std::invalid_argument("the meter " +
+                                            building.meters[meters_[m]].name +
+                                            " has no reading in " + stage.periods[p] +
+                                            ", a period of the stage " + stage.name);
+    if (!fit_.meter_weights.empty() && fit_.meter_weights.size() != meters_.size())
+        throw std::invalid_argument("the stage " + stage.name +
+                                    " needs a weight for each of its meters");
+}
+
+double StageGoal::objective_of(
+    const std::vector<const physics::PointAnswer*>& answers) const {
+    double sum = 0;
+    for (std::size_t m = 0; m < meters_.size(); ++m) {
+        physics::ErrorSums own, monthly;
+        for (const physics::PointAnswer* answer : answers) {
+            add(answer->errors[m], own);
+            add(answer->monthly_errors[m], monthly);
+        }
+        const MeterFit fit = fit_of(requests_[0].readings[m], own, monthly);
+        const bool is_monthly = fit_.resolution == ObjectiveResolution::monthly;
+        const double weight = fit_.meter_weights.empty() ? 1 : fit_.meter_weights[m];
+        sum += weight * objective_term(is_monthly ? fit.monthly : fit.own, fit_);
+    }
+    return sum;
+}
+
+std::vector<double> StageGoal::evaluate(const Matrix& points,
+                                        std::vector<std::string>& failures) const {
+    std::vector<std::vector<physics::PointAnswer>> answers;
+    answers.reserve(batches_.size());
+    for (std::size_t p = 0; p < batches_.size(); ++p)
+        answers.push_back(batches_[p]->evaluate(points, requests_[p]));
+    std::vector<double> values(points.rows, std::numeric_limits<double>::quiet_NaN());
+    failures.assign(points.rows, {});
+    for (std::size_t r = 0; r < points.rows; ++r) {
+        std::vector<const physics::PointAnswer*> of_point;
+        of_point.reserve(answers.size());
+        for (const auto& period : answers) {
+            if (failures[r].empty()) failures[r] = period[r].failure;
+            of_point.push_back(&period[r]);
+        }
+        if (failures[r].empty()) values[r] = objective_of(of_point);
+    }
+    return values;
+}
+
+}  // namespace bemcal::study

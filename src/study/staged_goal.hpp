@@ -1,0 +1,41 @@
+/// The objective of one stage of a calibration: its periods taken together, as a function
+/// of all parameters of the case.
+#pragma once
+
+#include "study/fit.hpp"
+#include "study/screening_plan.hpp"
+#include "study/staged.hpp"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bemcal::study {
+
+/// Periods made ready for the kernel, by name.
+using PeriodModels = std::map<std::string, std::unique_ptr<PeriodModel>>;
+
+class StageGoal {
+  public:
+    /// The models must outlive it. Throws std::invalid_argument where a period has no
+    /// reading of the stage's meters.
+    StageGoal(const Case& building, const PeriodModels& models,
+              const CalibrationStage& stage);
+
+    /// Its meters, by their index in the case.
+    const std::vector<std::size_t>& meters() const { return meters_; }
+    /// \param points  [n x parameters of the case]  \return [n]; NaN where one failed
+    std::vector<double> evaluate(const Matrix& points,
+                                 std::vector<std::string>& failures) const;
+
+  private:
+    double objective_of(const std::vector<const physics::PointAnswer*>& answers) const;
+
+    OptimisationOptions fit_;
+    std::vector<std::size_t> meters_;
+    std::vector<const physics::Batch*> batches_;  ///< [periods]
+    std::vector<physics::Request> requests_;      ///< [periods]
+};
+
+}  // namespace bemcal::study

@@ -1,0 +1,51 @@
+/// What a staged calibration is judged by: its periods simulated with the values before
+/// and after, and how far the data hold each parameter.
+#pragma once
+
+#include "study/datasets.hpp"
+#include "study/staged_goal.hpp"
+#include "study/staged_path.hpp"
+
+#include <string>
+#include <vector>
+
+namespace bemcal::study {
+
+/// Values that a period is simulated with.
+struct Version {
+    std::string name;
+    std::vector<double> point;  ///< [parameters of the case]
+};
+
+/// Periods seen together with several versions.
+struct Comparison {
+    std::string folder;  ///< of its datasets, below the study: "calibration/envelope"
+    std::vector<std::string> periods;
+    std::vector<Version> versions;
+    std::vector<std::size_t> meters;  ///< of the case
+};
+
+class StagedJudge {
+  public:
+    /// Case and models must outlive it.
+    StagedJudge(const Case& building, const PeriodModels& models, double accuracy)
+        : building_(building), models_(models), accuracy_(accuracy) {}
+
+    /// Series and errors of every version, the periods taken together; shares of the
+    /// readings within 0.5 and within the accuracy; the errors' cumulative distribution.
+    void compare(const Comparison& comparison, DatasetBuilder& datasets) const;
+
+    /// Standard deviations of a stage's estimates, in the parameters' units; NaN where
+    /// the stage leaves one alone, or it is discrete. [parameters of the case]
+    std::vector<double> spread_of(const CalibrationStage& stage, const StageFound& found,
+                                  const std::vector<std::size_t>& meters) const;
+
+  private:
+    CloseLook look(const std::string& period, std::span<const double> point) const;
+
+    const Case& building_;
+    const PeriodModels& models_;
+    double accuracy_;
+};
+
+}  // namespace bemcal::study

@@ -1,0 +1,82 @@
+#include "study/fit_model.hpp"
+#include "support/simple_building.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+using namespace bemcal;
+using namespace bemcal::study;
+
+namespace {
+
+/// A room of which the wall and the leaks are to be found from its heating.
+struct Room {
+    physics::Building building = test::simple_building();
+    physics::Drive drive = test::swinging_drive(building, 21 * 24, 3, 300);
+    std::vector<physics::Parameter> parameters;
+    std::vector<Unknown> unknowns;
+
+    Room() {
+        add("u_wall", "construction.wall.u_value");
+        add("leaks", "zone.room.flow.infiltration.air_change");
+    }
+
+    void add(const char* name, const char* path) {
+        parameters.push_back({name, "-", 0.2, 3, physics::Effect::factor,
+                              physics::resolve(building, path), 1});
+        unknowns.push_back({name, "-", 1, 0.5, 0.2, 3, false});
+    }
+
+    FitModel model() const {
+        return {building,
+                parameters,
+                drive,
+                {{physics::Quantity::heating, physics::Interval::hourly}}};
+    }
+
+    std::vector<double> readings(const FitModel& model, double u_wall,
+                                 double leaks) const {
+        Matrix point(1, 2);
+        point.values = {u_wall, leaks};
+        return model.predict(point).values;
+    }
+};
+
+}  // namespace
+
+TEST(FitModel, FindsWhatTheReadingsWereMadeWith) {
+    const Room room;
+    const FitModel model = room.model();
+    auto measured = room.readings(model, 1.7, 0.6);
+    measured[5] = std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> weights(measured.size(), 1e4);
+    weights[5] = 0;
+    const Fit found = fit(model, room.unknowns, measured, weights, {0, 0}, {30, 1e-12});
+    ASSERT_FALSE(found.failed);
+    EXPECT_NEAR(room.unknowns[0].value(found.at.x[0]), 1.7, 1e-4);
+    EXPECT_NEAR(room.unknowns[1].value(found.at.x[1]), 0.6, 1e-4);
+}
+
+TEST(FitModel, StaysWithinTheRanges) {
+    Room room;
+    const FitModel model = room.model();
+    const auto measured = room.readings(model, 2.5, 1);
+    room.unknowns[0].most = 1.2;
+    const std::vector<double> weights(measured.size(), 1e4);
+    const Fit found = fit(model, room.unknowns, measured, weights, {0, 0}, {20, 1e-9});
+    EXPECT_DOUBLE_EQ(room.unknowns[0].value(found.at.x[0]), 1.2);
+    EXPECT_EQ(found.bound[0], 1);
+}
+
+TEST(FitModel, WithoutReadingsThePriorHolds) {
+    Room room;
+    for (Unknown& unknown : room.unknowns) unknown.has_prior = true;
+    const FitModel model = room.model();
+    const auto measured = room.readings(model, 2, 2);
+    const std::vector<double> weights(measured.size(), 0.0);
+    const Fit found = fit(model, room.unknowns, measured, weights, {1, -0.5}, {20, 1e-9});
+    EXPECT_NEAR(found.at.x[0], 0, 1e-6);
+    EXPECT_NEAR(found.at.x[1], 0, 1e-6);
+}

@@ -1,0 +1,60 @@
+#include "study/find.hpp"
+#include "study/loop.hpp"
+#include "study/windy_case.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+using namespace bemcal;
+using namespace bemcal::study;
+using test::measure, test::n_days, test::n_training, test::named, test::windy_case;
+
+namespace {
+
+std::vector<Dataset> searched(const Case& made) {
+    LoopOptions options;
+    options.block_days = 7;
+    options.try_structures = false;
+    options.generic = false;
+    const std::vector<Case> buildings = {made};
+    const auto stage = make_loop("loop", buildings, options);
+    return stage->conclude({stage->run(0)});
+}
+
+}  // namespace
+
+TEST(Loop, FindsThePlantedEffectAndItsSize) {
+    Case made = windy_case();
+    measure(made, named("wind infiltration"), 0.08, 3);
+    const auto datasets = searched(made);
+    const auto& names = test::find(datasets, "effect").texts;
+    ASSERT_EQ(names.size(), 1U);
+    EXPECT_EQ(names[0], "wind infiltration");
+    EXPECT_NEAR(test::find(datasets, "effect_coefficient").values[0], 0.08, 0.01);
+    EXPECT_EQ(test::find(datasets, "effect_adequate").values[0], 1);
+    // The model is the building: what does not pass is noise, and intervals are its own.
+    EXPECT_EQ(test::find(datasets, "misfit").values[0], 1);
+}
+
+TEST(Loop, FindsNothingWhereNothingIs) {
+    Case made = windy_case();
+    measure(made, named("wind infiltration"), 0, 4);
+    EXPECT_TRUE(test::find(searched(made), "effect").texts.empty());
+}
+
+TEST(Loop, PredictsEveryHourOfAPeriodThatIsNotMeasured) {
+    Case made = windy_case();
+    measure(made, named("wind infiltration"), 0, 5);
+    made.meters[0].values.resize(static_cast<std::size_t>((n_training - 7) * 24));
+    made.meters[0].axis.n_steps = (n_training - 7) * 24;
+    const auto datasets = searched(made);
+    const auto& hours = test::find(datasets, "held_out/gas/simulated").values;
+    EXPECT_EQ(hours.size(), 3U * (n_days - n_training) * 24);
+    for (const double value : hours) EXPECT_TRUE(std::isfinite(value));
+}
+
+TEST(Loop, ABuildingWithoutReadingsIsRefusedByName) {
+    const std::vector<Case> buildings = {windy_case()};
+    EXPECT_THROW(make_loop("loop", buildings, {}), std::invalid_argument);
+}

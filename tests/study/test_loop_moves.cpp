@@ -1,0 +1,64 @@
+#include "study/loop_moves.hpp"
+#include "study/windy_case.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace bemcal;
+using namespace bemcal::study;
+using test::measure, test::named, test::windy_case;
+
+namespace {
+
+/// A building whose gas has wind infiltration in it, calibrated with that and with an
+/// effect that nothing in the readings follows.
+struct Model {
+    Model() : data(measured(), options()), place(make_place(data, {}, data.drives)) {
+        const LoopModel both{{}, {named("exhaust fan"), named("wind infiltration")}};
+        standing = calibrate(data, place, both,
+                             std::vector<double>(place.unknowns.size() + 2, 0.0));
+    }
+    static Case measured() {
+        Case made = windy_case();
+        measure(made, named("wind infiltration"), 0.08, 3);
+        return made;
+    }
+    static LoopOptions options() {
+        LoopOptions options;
+        options.block_days = 7;
+        return options;
+    }
+
+    LoopData data;
+    Place place;
+    Standing standing;
+};
+
+std::vector<std::string> names_of(const std::vector<effects::Effect>& effects) {
+    std::vector<std::string> names;
+    for (const effects::Effect& effect : effects) names.push_back(effect.name);
+    return names;
+}
+
+using Names = std::vector<std::string>;
+
+}  // namespace
+
+TEST(LoopMoves, AnEffectThatCarriesNothingLeaves) {
+    Model model;
+    EXPECT_EQ(prune(model.data, model.place, model.standing, 10), Names{"exhaust fan"});
+    EXPECT_EQ(names_of(model.standing.model.effects), Names{"wind infiltration"});
+}
+
+TEST(LoopMoves, EffectsThatCarryTooLittleLeaveTheLeastFirst) {
+    Model model;
+    EXPECT_EQ(prune(model.data, model.place, model.standing, 1e9),
+              (Names{"exhaust fan", "wind infiltration"}));
+    EXPECT_TRUE(model.standing.model.effects.empty());
+    EXPECT_EQ(model.standing.fit.at.x.size(), model.place.unknowns.size());
+}
+
+TEST(LoopMoves, NothingLeavesThatCarriesMoreThanIsAsked) {
+    Model model;
+    EXPECT_TRUE(prune(model.data, model.place, model.standing, -1e9).empty());
+    EXPECT_EQ(model.standing.model.effects.size(), 2U);
+}

@@ -1,0 +1,67 @@
+/// A small building in five months of wind, and gas readings of it with an effect.
+#pragma once
+
+#include "effects/catalogue.hpp"
+#include "effects/placement.hpp"
+#include "physics/simulate.hpp"
+#include "sampling/normal.hpp"
+#include "study/small_case.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace bemcal::test {
+
+inline constexpr int n_days = 150, n_training = 110;
+
+inline effects::Effect named(const std::string& name) {
+    for (const effects::Entry& entry : effects::catalogue())
+        if (entry.effect.name == name) return entry.effect;
+    throw std::out_of_range(name);
+}
+
+/// Five months of wind, a training period and one that is held out, no meters yet.
+inline study::Case windy_case() {
+    study::Case made = small_case();
+    made.weather = made_up_weather(n_days);
+    for (int k = 0; k < made.weather.axis.n_steps; ++k) {
+        made.weather.wind_speed.push_back(4 + 3 * std::sin(k / 17.0) + std::sin(k / 5.0));
+        made.weather.theta_e[static_cast<std::size_t>(k)] -= 8;
+    }
+    made.periods = {{"training", day(7), day(n_training)},
+                    {"held_out", day(n_training), day(n_days)}};
+    for (const physics::Parameter& parameter : made.parameters) {
+        stats::Prior prior;
+        prior.kind = stats::PriorKind::normal;
+        prior.a = parameter.nominal;
+        prior.b = 0.25 * (parameter.most - parameter.least);
+        prior.least = parameter.least;
+        prior.most = parameter.most;
+        made.priors.push_back({prior, {}});
+    }
+    return made;
+}
+
+/// Adds the gas meter of the building with the effect, with errors of 3 % of its mean.
+inline void measure(study::Case& made, const effects::Effect& effect, double coefficient,
+                    std::uint64_t seed) {
+    const study::Period all{"all", day(7), day(n_days)};
+    const physics::Drive drive = study::drive_of(made, all);
+    const auto around = effects::make_surroundings(made.building, drive, made.weather,
+                                                   made.periods[0].from);
+    const auto placed = effects::place(std::vector{effect}, around);
+    physics::Building building = placed.building;
+    physics::apply(placed.building, placed.parameters, std::vector{coefficient},
+                   building);
+    auto gas = physics::predict(building, placed.drive,
+                                physics::simulate(building, placed.drive),
+                                physics::Quantity::gas);
+    double mean = 0;
+    for (const double value : gas) mean += value / static_cast<double>(gas.size());
+    Stream random(seed, 0, 0);
+    for (double& value : gas) value += 0.03 * mean * sampling::standard_normal(random);
+    made.meters = {{"gas", physics::Quantity::gas, physics::Interval::hourly,
+                    study::axis_of(made, all), gas}};
+}
+
+}  // namespace bemcal::test
