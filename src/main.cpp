@@ -1,9 +1,14 @@
 /// The command line: one command for each thing a user does; rank 0 speaks for all ranks.
 #include "base/error.hpp"
+#include "effects/catalogue.hpp"
+#include "external/process.hpp"
 #include "job/plan.hpp"
+#include "job/slurm_lines.hpp"
 #include "report/merge_chains.hpp"
+#include "report/stock_files.hpp"
 #include "report/tables.hpp"
 #include "run/find_job.hpp"
+#include "run/output_place.hpp"
 #include "run/run_job.hpp"
 #include "run/signals.hpp"
 #include "run/threads.hpp"
@@ -30,11 +35,15 @@ using Clock = std::chrono::steady_clock;
 struct CommandLine {
     fs::path job, output, file;
     std::vector<fs::path> files;
+    fs::path last_night;
     std::string topic;
-    bool force = false, resume = false;
+    bool force = false, resume = false, rerun_failed = false, no_report = false;
     int n_threads = 0;
+    double item_seconds = 0;  ///< 0 = no limit
     double stop_after_s = 0;  ///< 0 = no limit
     int first_chain = 0;
+    bool slurm = false;
+    job::SlurmRequest slurm_request;
 };
 
 constexpr const char* footer =
@@ -53,9 +62,19 @@ void add_run(CLI::App& app, CommandLine& line) {
                     "result file; default: the job's, else NAME.h5");
     auto* force = run->add_flag("--force", line.force,
                                 "overwrite a result, drop an unfinished run");
-    run->add_flag("--resume", line.resume,
-                  "go on with an unfinished run, if there is one")
-        ->excludes(force);
+    auto* resume = run->add_flag("--resume", line.resume,
+                                 "go on with an unfinished run, if there is one")
+                       ->excludes(force);
+    run->add_flag("--rerun-failed", line.rerun_failed,
+                  "do only the items again that failed or took too long, and write the "
+                  "result anew")
+        ->excludes(force)
+        ->excludes(resume);
+    run->add_option("--item-seconds", line.item_seconds,
+                    "an item that takes longer counts as failed, and the others go on; "
+                    "default: no limit")
+        ->type_name("SECONDS")
+        ->check(CLI::PositiveNumber);
     run->add_option("--threads", line.n_threads,
                     "compute threads of each rank; default: its share of the cores")
         ->check(CLI::Range(1, 4096));
@@ -69,18 +88,39 @@ void add_run(CLI::App& app, CommandLine& line) {
            "number of the first chain of a posterior: runs of one job with other "
            "chains, say an array of a batch system, are put together by report")
         ->check(CLI::Range(0, 1000000000));
+    run->add_option(
+           "--after", line.last_night,
+           "of a stock: result of the last night; only what has changed since is "
+           "done again")
+        ->type_name("FILE")
+        ->check(CLI::ExistingFile);
+    run->add_flag("--no-report", line.no_report,
+                  "write no page with pictures beside the result of a loop");
 }
 
 void add_others(CLI::App& app, CommandLine& line) {
-    app.add_subcommand("check", "read everything, simulate nothing, print the plan")
-        ->add_option("JOB", line.job, "job file, or a folder NAME with NAME.toml")
+    CLI::App* check =
+        app.add_subcommand("check", "read everything, simulate nothing, print the plan");
+    check->add_option("JOB", line.job, "job file, or a folder NAME with NAME.toml")
         ->required();
+    auto* slurm = check->add_flag("--slurm", line.slurm,
+                                  "print what to ask Slurm for, as #SBATCH lines");
+    check
+        ->add_option("--nodes", line.slurm_request.n_nodes,
+                     "nodes to be used; default: 1")
+        ->needs(slurm)
+        ->check(CLI::Range(1, 100000));
+    check
+        ->add_option("--cores-per-node", line.slurm_request.cores_per_node,
+                     "of each node; default: what makes it half an hour, at most 16")
+        ->needs(slurm)
+        ->check(CLI::Range(1, 4096));
     app.add_subcommand("describe",
-                       "print every key of a job, dataset of a result, or number that "
-                       "a parameter may name")
-        ->add_option("TOPIC", line.topic, "job, results or parameters")
+                       "print every key of a job, dataset of a result, number that a "
+                       "parameter may name, or effect that a loop may find")
+        ->add_option("TOPIC", line.topic, "job, results, parameters or effects")
         ->required()
-        ->check(CLI::IsMember({"job", "results", "parameters"}));
+        ->check(CLI::IsMember({"job", "results", "parameters", "effects"}));
     app.add_subcommand("status", "print whether a result is complete, and its hash")
         ->add_option("FILE", line.file, "result file, also of a run that is not complete")
         ->required();
@@ -122,30 +162,51 @@ std::optional<Clock::time_point> stop_at(const CommandLine& line) {
     return Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
 }
 
+/// Table, history and page of a night.
+void write_stock(const fs::path& result, const run::JobOptions& options) {
+    const auto files = report::write_stock_files(result, store::read_result(result));
+    if (!files) return;
+    print_warning(fmt::format("wrote {}; nights: {}", files->table.string(),
+                              files->history.string()));
+    if (options.pages) print_warning(options.pages->write_stock(result, files->history));
+}
+
 ExitCode run_command(run::Comm& comm, const CommandLine& line) {
     const run::SignalWatch watch;  // already while the job is read
     run::JobOptions options;
     options.is_numbered = line.job.empty();
     options.output = line.output;
-    options.existing = line.force    ? run::Existing::force
-                       : line.resume ? run::Existing::resume
-                                     : run::Existing::refuse;
+    options.existing = line.force          ? run::Existing::force
+                       : line.resume       ? run::Existing::resume
+                       : line.rerun_failed ? run::Existing::rerun_failed
+                                           : run::Existing::refuse;
+    options.item_seconds = line.item_seconds;
     options.n_threads = line.n_threads;
     options.stop_at = stop_at(line);
     options.first_chain = line.first_chain;
+    options.last_night = line.last_night;
     options.version = BEMCAL_VERSION;
     options.say = print_warning;
     options.on_stage = print_tables;
+    if (!line.no_report)
+        options.pages = run::PageWriter{run::find_beside(
+            "scripts/loop_report", {BEMCAL_SOURCE_DIR, BEMCAL_DATA_DIR})};
     run::together(comm, [&] {
         options.job = line.job.empty()
                           ? run::find_quickstart({BEMCAL_SOURCE_DIR, BEMCAL_DATA_DIR})
                           : run::job_file(line.job);
     });
-    return run::run_job(comm, options).code;
+    const run::Outcome outcome = run::run_job(comm, options);
+    if (!outcome.stock.empty()) write_stock(outcome.stock, options);
+    return outcome.code;
 }
 
 ExitCode check_command(const CommandLine& line, int n_ranks) {
     const job::Job job = job::read_job(run::job_file(line.job));
+    if (line.slurm) {
+        fmt::print("{}", job::slurm_lines(job::plan_cost(job), line.slurm_request));
+        return ExitCode::ok;
+    }
     const auto cores = static_cast<int>(run::placement().cores.size());
     fmt::print("{}", job::plan_text(job, std::max(cores, n_ranks)));
     return ExitCode::ok;
@@ -154,15 +215,16 @@ ExitCode check_command(const CommandLine& line, int n_ranks) {
 ExitCode describe_command(const CommandLine& line) {
     const std::string text = line.topic == "job"       ? job::describe_job()
                              : line.topic == "results" ? store::describe_results()
+                             : line.topic == "effects" ? effects::describe()
                                                        : job::describe_parameters();
     fmt::print("{}", text);
     return ExitCode::ok;
 }
 
 ExitCode status_command(const CommandLine& line) {
-    const fs::path part = run::part_folder_of(line.file);
-    if (fs::exists(part / "identity.txt")) {
-        fmt::print("{}: {}", line.file.string(), run::part_status(part));
+    if (run::is_unfinished(line.file)) {
+        fmt::print("{}: {}", line.file.string(),
+                   run::part_status(run::part_folder_of(line.file)));
         return ExitCode::more_to_do;
     }
     fmt::print("{}: {}", line.file.string(),
@@ -227,15 +289,24 @@ int run_program(run::Comm& comm, int argc, char** argv) {
                                                       : alone(comm, app, line));
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    run::Comm comm(&argc, &argv);
+int reported_code(run::Comm& comm, int argc, char** argv) {
     try {
         return run_program(comm, argc, argv);
     } catch (const UserError& error) {
         if (comm.rank() == 0) print_warning(error.what());
         return static_cast<int>(error.exit_code());
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    run::Comm comm(&argc, &argv);
+    try {
+        const int code = reported_code(comm, argc, argv);
+        external::end_commands();
+        if (comm.has_left_threads()) comm.leave(code);
+        return code;
     } catch (const std::exception& error) {
         print_warning(
             fmt::format("program error on rank {}: {}", comm.rank(), error.what()));

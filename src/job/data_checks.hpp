@@ -1,36 +1,50 @@
-/// What is odd about a meter's readings: long runs of zeros, the same value for many
-/// hours, steps by a factor that one unit has to another.
+/// What is odd about the readings of a job's meters, and what is done about it: every
+/// finding becomes a line of the decisions, with dates and numbers.
 ///
-/// Findings only; what is done about them the job says. Leaves out what needs weather or
-/// a model: a heating meter's summer is a long run of zeros and rightly so.
+/// Corrected is what is certain by the thresholds of stats/data_*.hpp, everything else is
+/// stated and kept; the job overrules both. Leaves out what needs a model: a factor
+/// between 0.5 and 2, a schedule that does not fit.
 #pragma once
 
-#include <string>
-#include <vector>
+#include "job/series.hpp"
+#include "stats/data_readings.hpp"
+#include "study/case.hpp"
 
 namespace bemcal::job {
 
-struct Run {
-    int first = 0, n = 0;  ///< readings
-    double value = 0;
+/// What is done with readings that a check doubts.
+enum class Handling { check, keep, missing };
+enum class StepHandling { check, keep };
+
+struct CheckOptions {
+    Handling zeros = Handling::check;
+    Handling constant = Handling::check;
+    StepHandling steps = StepHandling::check;
+    int zero_run_h = 24, constant_run_h = 24;  ///< longer runs are stated
 };
 
-/// Runs of at least `least` readings with the same value; NaN ends a run. Zeros when
-/// `zeros`, other values when not.
-std::vector<Run> constant_runs(const std::vector<double>& readings, int least,
-                               bool zeros);
-
-struct UnitStep {
-    int at = 0;             ///< first reading after the step
-    double ratio = 1;       ///< level after / level before
-    double unit_ratio = 1;  ///< the known ratio that it is near
-    std::string units;      ///< "m3 to kWh"
+struct Finding {
+    std::string finding, action;
 };
 
-/// Change points at which the level of the non-zero readings changes by the ratio of two
-/// units (within 20 %) from one day to the next and stays so for three weeks.
-/// \param readings_per_day  24 for hourly ones
-std::vector<UnitStep> unit_steps(const std::vector<double>& readings,
-                                 int readings_per_day);
+/// The readings for stats/data_*.hpp; `values` must stay. The steps divide a day.
+stats::DataSeries data_series(const std::vector<double>& values,
+                              const physics::TimeAxis& axis, physics::Quantity quantity);
+
+/// Zeros that mean missing, constant fills and steps of the unit, in a meter's readings
+/// as they stand in the file; masked and corrected there.
+std::vector<Finding> check_series(RegularSeries& series, physics::Quantity quantity,
+                                  const CheckOptions& options);
+
+/// Summer time and lag of the days of each meter read by hours or finer, against the
+/// schedules and the declared electrical loads; stated only.
+void check_clocks(study::Case& building);
+
+/// Measured sunshine against the sun; stated where it is half an hour off or more.
+void check_weather_clock(study::Case& building);
+
+/// Meters that show the same, or a fixed share of it, in over 90 % of their readings;
+/// stated at both.
+void check_shared_meters(std::vector<study::Case>& buildings);
 
 }  // namespace bemcal::job

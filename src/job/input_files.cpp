@@ -31,6 +31,12 @@ struct Inflater {
     bool ok = false;
 };
 
+std::string hash_of(const std::string& bytes) {
+    Hasher hasher;
+    hasher.add(bytes.data(), bytes.size());
+    return hasher.hex();
+}
+
 [[noreturn]] void fail_gzip(const std::string& path, const char* what) {
     throw UserError(
         ExitCode::data,
@@ -56,6 +62,14 @@ std::string read_bytes(const std::filesystem::path& path) {
         throw UserError(ExitCode::data,
                         fmt::format("{}: the file is empty", path.string()));
     return bytes;
+}
+
+std::string file_hash(const std::filesystem::path& path) {
+    try {
+        return hash_of(read_bytes(path));
+    } catch (const UserError&) {
+        return {};  // a file that is missing has a state, too
+    }
 }
 
 std::string unpack_gzip(const std::string& bytes, const std::string& path) {
@@ -89,14 +103,17 @@ const std::string& InputFiles::text(const std::filesystem::path& path,
     try {
         bytes = reader_(path);
     } catch (const UserError& error) {
+        note(path, "");
         if (named_at.empty()) throw;
         throw UserError(error.exit_code(), fmt::format("{}: {}", named_at, error.what()));
     }
-    Hasher hasher;
-    hasher.add(bytes.data(), bytes.size());
-    log_.push_back({path, hasher.hex()});
+    log_.push_back({path, hash_of(bytes)});
     if (is_gzip(bytes)) bytes = unpack_gzip(bytes, path.string());
     return texts_.emplace(path.string(), std::move(bytes)).first->second;
+}
+
+void InputFiles::note(const std::filesystem::path& path, const std::string& hash) {
+    log_.push_back({path, hash});
 }
 
 const Csv& InputFiles::csv(const std::filesystem::path& path,

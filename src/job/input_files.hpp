@@ -17,6 +17,11 @@ namespace bemcal::job {
 /// empty.
 std::string read_bytes(const std::filesystem::path& path);
 
+/// Of a file's content as it lies on the disk; "" where it cannot be read.
+std::string file_hash(const std::filesystem::path& path);
+
+class WeatherMemory;
+
 /// Text behind gzip's format (RFC 1952); throws UserError (data) naming `path` where it
 /// is damaged or unpacks to more than 4 GB.
 std::string unpack_gzip(const std::string& bytes, const std::string& path);
@@ -32,6 +37,11 @@ class InputFiles {
     /// The file as CSV, parsed once.
     const Csv& csv(const std::filesystem::path& path, const std::string& named_at = "");
     const std::vector<InputFile>& log() const { return log_; }
+
+    /// Of a stock: weathers that were read already; empty = there are none.
+    std::shared_ptr<WeatherMemory> weathers;
+    /// A file that was read before by somebody else.
+    void note(const std::filesystem::path& path, const std::string& hash);
 
   private:
     Reader reader_;

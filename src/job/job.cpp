@@ -2,8 +2,10 @@
 #include "job/job.hpp"
 
 #include "base/error.hpp"
+#include "job/data_checks.hpp"
 #include "job/readers.hpp"
 #include "job/result_names.hpp"
+#include "job/stock.hpp"
 
 #include <algorithm>
 #include <list>
@@ -41,6 +43,8 @@ void check_meter_steps(const Sources& sources, const study::Case& building) {
                             meter.name, meter.axis.step_s, building.step_s));
 }
 
+}  // namespace
+
 study::Case read_case(const Sources& sources, InputFiles& files) {
     study::Case building;
     const Section& own = sources.own;
@@ -49,6 +53,7 @@ study::Case read_case(const Sources& sources, InputFiles& files) {
     read_run(sources, building);
     read_weather(sources, files, building);
     building.profiles = read_profiles(sources, files, building.weather.site);
+    building.columns = read_columns(sources);
     building.building = read_building(sources, building.profiles);
     building.building.name = building.name;
     check_building(sources, building);
@@ -57,6 +62,8 @@ study::Case read_case(const Sources& sources, InputFiles& files) {
     check_meter_steps(sources, building);
     return building;
 }
+
+namespace {
 
 void add_case(Job& job, study::Case building, const Section& own) {
     check_name(own, "name", Named::building, building.name);
@@ -117,6 +124,14 @@ bool has_readings(const study::Case& building) {
 
 /// What a study needs of a building: parameters, meters, the period that it names.
 void check_study(const Section& section, const StudySpec& study, const Job& job) {
+    if (job.simulator) {
+        check_simulator_study(section, study);
+        if (study.kind == StudyKind::grid)
+            check_grid(section, study.grid, *job.simulator);
+        if (study.kind == StudyKind::optimisation)
+            check_targets(section, study.grid, *job.simulator);
+        return;
+    }
     if (!is_of_buildings(study.kind)) return;
     for (const study::Case& building : job.buildings) {
         if (building.parameters.empty())
@@ -134,33 +149,88 @@ void check_study(const Section& section, const StudySpec& study, const Job& job)
     }
     if (study.kind == StudyKind::posterior)
         check_posterior(section, study.posterior, job.buildings);
+    if (study.kind == StudyKind::loop) check_loop(section, study.loop, job.buildings);
+    if (study.kind == StudyKind::optimisation)
+        check_optimisation(section, study.optimisation, job.buildings);
+    if (study.kind == StudyKind::optimisation && section.has("target"))
+        check_targets(section, study.grid, study.period, job.buildings);
+    if (study.kind == StudyKind::stages)
+        check_staged(section, study.staged, job.buildings);
+    if (study.kind == StudyKind::grid)
+        check_grid(section, study.grid, study.period, job.buildings);
+}
+
+/// The table and what is done with every line; the lines are read by those who work on
+/// them.
+void read_stock_job(const Section& root, InputFiles& files, Job& job) {
+    for (const char* key : {"buildings", "zone", "simulator", "scenario"})
+        if (root.has(key))
+            root.fail(key,
+                      "has no place beside [stock]; a building's sections stand in its "
+                      "template or in the files that its table names");
+    if (job.studies.size() != 1)
+        root.fail("study", fmt::format("has {} sections; a stock has one: screening, "
+                                       "posterior or loop",
+                                       job.studies.size()));
+    const StudyKind kind = job.studies[0].kind;
+    if (kind != StudyKind::screening && kind != StudyKind::posterior &&
+        kind != StudyKind::loop)
+        root.tables("study", "study")[0].fail_value(
+            "kind", "a stock has one study: screening, posterior or loop");
+    job.stock = read_stock(root.table("stock", "stock"), files);
 }
 
 }  // namespace
+
+void check_studies_of(const Section& root, Job& job) {
+    std::size_t next = 0;
+    for (const Section& section : root.tables("study", "study")) {
+        check_study(section, job.studies[next], job);
+        if (job.studies[next].kind == StudyKind::retrofit)
+            read_retrofit(root, section, next, job);
+        ++next;
+    }
+}
 
 bool is_of_buildings(StudyKind kind) {
     return kind != StudyKind::office_hour_sensitivity &&
            kind != StudyKind::kennedy_ohagan;
 }
 
+bool can_be_of_simulator(StudyKind kind) {
+    return kind == StudyKind::sensitivity || kind == StudyKind::kennedy_ohagan ||
+           kind == StudyKind::grid || kind == StudyKind::optimisation;
+}
+
 Job read_job(const std::filesystem::path& file, InputFiles& files) {
     Job job;
     job.file = file;
     job.text = files.text(file);
+    if (file.extension() == ".csv")
+        job.text = job_text_of_table(file.filename().string());
     const std::string name = file.string();
     const Node tree = parse_document(job.text, name);
     const Section root(tree, "job", name);
     job.name = root.has("name") ? root.text("name") : name_of_file(file);
     job.seed = static_cast<std::uint64_t>(root.integer("seed"));
-    job.studies = read_studies(root, files, job.seed);
+    if (root.has("simulator"))
+        job.simulator = external::make_command_simulator(
+            read_simulator(root.table("simulator", "simulator"), files, job.name));
+    job.studies = read_studies(root, files, job.seed, job.simulator);
     read_output(root, job);
-    if (root.has("buildings"))
+    if (root.has("stock")) {
+        read_stock_job(root, files, job);
+        job.inputs = files.log();
+        return job;
+    }
+    if (job.simulator) {
+        // There is no building; sections of one have no effect.
+    } else if (root.has("buildings"))
         read_building_files(root, files, job);
     else if (needs_building(job) || root.has("zone"))
         add_case(job, read_case({root, std::nullopt}, files), root);
-    std::size_t next = 0;
-    for (const Section& section : root.tables("study", "study"))
-        check_study(section, job.studies[next++], job);
+    check_shared_meters(job.buildings);
+    check_studies_of(root, job);
     check_all_used(tree, name);
     job.inputs = files.log();
     return job;

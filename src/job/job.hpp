@@ -2,16 +2,24 @@
 /// run.
 #pragma once
 
+#include "job/grid_spec.hpp"
 #include "study/case.hpp"
 #include "study/koh_options.hpp"
+#include "study/koh_runs.hpp"
+#include "study/loop_options.hpp"
+#include "study/optimisation.hpp"
 #include "study/posterior.hpp"
+#include "study/retrofit.hpp"
 #include "study/screening.hpp"
 #include "study/sensitivity.hpp"
+#include "study/simulator.hpp"
 #include "study/stage.hpp"
+#include "study/staged.hpp"
 
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,11 +32,25 @@ enum class StudyKind {
     office_hour_sensitivity,
     screening,
     posterior,
-    kennedy_ohagan
+    kennedy_ohagan,
+    loop,
+    optimisation,
+    retrofit,
+    grid,
+    stages
 };
 
 /// Whether a study is done with every building; the others know none.
 bool is_of_buildings(StudyKind kind);
+/// Whether it can be done with a [simulator] in place of a building.
+bool can_be_of_simulator(StudyKind kind);
+
+using SimulatorPointer = std::shared_ptr<const study::Simulator>;
+
+struct KohStudy {
+    study::KohOptions options;
+    std::optional<study::KohRuns> runs;  ///< to be made by the job's simulator
+};
 
 struct StudySpec {
     StudyKind kind = StudyKind::screening;
@@ -36,8 +58,13 @@ struct StudySpec {
     study::SensitivityOptions sensitivity;
     study::ScreeningOptions screening;
     study::PosteriorOptions posterior;
-    study::KohOptions koh;
-    std::string period;  ///< of a sensitivity or posterior; empty = the first one
+    KohStudy koh;
+    study::LoopOptions loop;
+    study::OptimisationOptions optimisation;
+    study::StagedOptions staged;
+    GridSpec grid;
+    std::vector<study::RetrofitOptions> retrofits;  ///< one for each building
+    std::string period;  ///< not of a screening; empty = the first one
     std::vector<physics::Quantity> quantities;  ///< outputs of a sensitivity study
     /// office_hour_sensitivity: each case fixes the named inputs of
     /// physics/office_hour.hpp
@@ -49,12 +76,16 @@ struct InputFile {
     std::string hash;  ///< of its content
 };
 
+class Stock;
+
 struct Job {
     std::filesystem::path file;
     std::string name;
     std::string text;  ///< the job file as read
     std::uint64_t seed = 0;
     std::vector<study::Case> buildings;
+    std::shared_ptr<const Stock> stock;  ///< in place of buildings, or nullptr
+    SimulatorPointer simulator;  ///< what is studied in place of a building, or nullptr
     std::vector<StudySpec> studies;  ///< in the order of the file
     std::vector<InputFile> inputs;   ///< every file read, the job's own first
     /// Default result file; empty = beside the working folder.

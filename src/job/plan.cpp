@@ -1,7 +1,11 @@
 #include "job/plan.hpp"
 
 #include "base/error.hpp"
+#include "job/readers.hpp"
+#include "job/stock_plan.hpp"
+#include "job/stock_stage.hpp"
 #include "study/koh_posterior.hpp"
+#include "study/loop.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +26,10 @@ std::unique_ptr<Stage> stage_of(const StudySpec& study, const Case& building) {
     if (study.kind == StudyKind::screening)
         return make_screening(name, building, study.screening);
     const study::Period& period = period_of(building, study.period);
+    if (study.kind == StudyKind::grid)
+        return make_grid(name,
+                         make_target_simulator(building, period, outputs_of(study.grid)),
+                         options_for(study.grid, building, period));
     if (study.kind == StudyKind::hourly_sensitivity)
         return make_hourly_sensitivity(name, building, period, study.quantities.at(0),
                                        study.sensitivity);
@@ -62,10 +70,67 @@ Stages posterior_stages(const StudySpec& study, const Job& job) {
     return stages;
 }
 
-/// What only shows when a posterior is put together is a mistake in the job.
-Stages checked_posterior_stages(const StudySpec& study, const Job& job) {
+/// One stage, an item for each building.
+Stages loop_stages(const StudySpec& study, const Job& job) {
+    Stages stages;
+    stages.push_back(make_loop(study.name, job.buildings, study.loop));
+    return stages;
+}
+
+/// What an optimisation against targets aims at, of a building.
+study::TargetAim aim_of(const StudySpec& study, const Case& building) {
+    const study::Period& period = period_of(building, study.period);
+    study::TargetAim aim{make_target_simulator(building, period, outputs_of(study.grid)),
+                         options_for(study.grid, building, period).targets,
+                         {}};
+    aim.values.reserve(building.priors.size());
+    for (const study::ParameterPrior& prior : building.priors)
+        aim.values.push_back(prior.values);
+    return aim;
+}
+
+Stages optimisation_stages(const StudySpec& study, const Job& job) {
+    Stages stages;
+    if (job.simulator) {
+        const auto targets = options_for(study.grid, *job.simulator).targets;
+        stages.push_back(make_optimisation(study.name, {job.simulator, targets, {}},
+                                           study.optimisation));
+        return stages;
+    }
+    for (const Case& building : job.buildings) {
+        const std::string name = building.name + "/" + study.name;
+        stages.push_back(
+            study.grid.targets.empty()
+                ? make_optimisation(name, building, study.optimisation)
+                : make_optimisation(name, aim_of(study, building), study.optimisation));
+    }
+    return stages;
+}
+
+Stages staged_stages(const StudySpec& study, const Job& job) {
+    Stages stages;
+    for (const Case& building : job.buildings)
+        stages.push_back(
+            make_staged(building.name + "/" + study.name, building, study.staged));
+    return stages;
+}
+
+Stages retrofit_stages(const StudySpec& study, const Job& job) {
+    Stages stages;
+    for (std::size_t b = 0; b < job.buildings.size(); ++b) {
+        const Case& building = job.buildings[b];
+        stages.push_back(make_retrofit(building.name + "/" + study.name, building,
+                                       period_of(building, study.period),
+                                       study.retrofits[b]));
+    }
+    return stages;
+}
+
+/// What only shows when a stage is put together is a mistake in the job.
+template <class Make>
+Stages checked_stages(Make make, const StudySpec& study, const Job& job) {
     try {
-        return posterior_stages(study, job);
+        return make(study, job);
     } catch (const std::invalid_argument& error) {
         throw UserError(ExitCode::config,
                         fmt::format("{}: the study {}: {}", job.file.string(), study.name,
@@ -77,12 +142,30 @@ Stages checked_posterior_stages(const StudySpec& study, const Job& job) {
 Stages stages_of(const StudySpec& study, const Job& job) {
     if (study.kind == StudyKind::office_hour_sensitivity)
         return office_hour_stages(study);
-    if (study.kind == StudyKind::posterior) return checked_posterior_stages(study, job);
+    if (study.kind == StudyKind::posterior)
+        return checked_stages(posterior_stages, study, job);
+    if (study.kind == StudyKind::loop) return checked_stages(loop_stages, study, job);
+    if (study.kind == StudyKind::optimisation)
+        return checked_stages(optimisation_stages, study, job);
+    if (study.kind == StudyKind::stages) return checked_stages(staged_stages, study, job);
     Stages stages;
-    if (study.kind == StudyKind::kennedy_ohagan) {
-        stages.push_back(make_koh_stage(study.name, study.koh));
+    if (job.simulator && study.kind == StudyKind::sensitivity) {
+        stages.push_back(make_sensitivity(study.name, job.simulator, study.sensitivity));
         return stages;
     }
+    if (job.simulator && study.kind == StudyKind::grid) {
+        stages.push_back(make_grid(study.name, job.simulator,
+                                   options_for(study.grid, *job.simulator)));
+        return stages;
+    }
+    if (study.kind == StudyKind::kennedy_ohagan) {
+        const KohStudy& koh = study.koh;
+        stages.push_back(
+            koh.runs ? make_koh_stage_with_runs(study.name, koh.options, *koh.runs)
+                     : make_koh_stage(study.name, koh.options));
+        return stages;
+    }
+    if (study.kind == StudyKind::retrofit) return retrofit_stages(study, job);
     for (const Case& building : job.buildings)
         stages.push_back(stage_of(study, building));
     return stages;
@@ -151,15 +234,23 @@ bool has_chains(const StudySpec& study) {
 }
 
 /// A posterior keeps the answers of all its rounds; the first one is the warm-up.
-double rounds_of(const StudySpec& study) {
+double rounds_of(const StudySpec& study, const Stage& stage) {
+    if (study.kind == StudyKind::optimisation)
+        return static_cast<double>(stage.n_simulations()) /
+               static_cast<double>(study.optimisation.points_per_item) / stage.n_items();
+    if (study.kind == StudyKind::stages)
+        return static_cast<double>(stage.n_simulations()) /
+               (stage.n_items() * study::points_per_staged_item);
     if (!has_chains(study)) return 1;
-    const study::ChainOptions& chains =
-        study.kind == StudyKind::posterior ? study.posterior.chains : study.koh.chains;
+    const study::ChainOptions& chains = study.kind == StudyKind::posterior
+                                            ? study.posterior.chains
+                                            : study.koh.options.chains;
     return 1 + std::ceil(static_cast<double>(chains.most_draws) / chains.draws_per_round);
 }
 
 double seconds_of(const StudySpec& study, const Case* building, double n) {
-    if (study.kind == StudyKind::kennedy_ohagan) return koh_seconds(study.koh);
+    if (study.kind == StudyKind::kennedy_ohagan)
+        return study.koh.runs ? 0 : koh_seconds(study.koh.options);
     if (building == nullptr) return n * office_hour_s;
     const double steps = n * steps_of(study, *building);
     if (is_coupled(*building)) return steps * coupled_step_s;
@@ -192,15 +283,22 @@ double series_bytes(const Case& building) {
     return 8.0 * static_cast<double>(n);
 }
 
+double series_bytes(const Job& job) {
+    double bytes = 0;
+    for (const Case& building : job.buildings) bytes += series_bytes(building);
+    return bytes;
+}
+
 std::string stage_lines(const Job& job, Total& total) {
     std::string text = fmt::format("{:<44} {:>8} {:>14} {:>10}\n", "stage", "items",
                                    "simulations", "answers");
     for (const StudySpec& study : job.studies) {
         std::size_t number = 0;
         for (const auto& stage : stages_of(study, job)) {
-            const Case* building =
-                is_of_buildings(study.kind) ? &job.buildings.at(number++) : nullptr;
-            const double items = stage->n_items() * rounds_of(study);
+            const Case* building = is_of_buildings(study.kind) && !job.simulator
+                                       ? &job.buildings.at(number++)
+                                       : nullptr;
+            const double items = stage->n_items() * rounds_of(study, *stage);
             const double bytes = static_cast<double>(stage->answer_bytes()) * items;
             const double simulations = most_simulations(study, job, *stage);
             text += fmt::format("{:<44} {:>8.0f} {:>14.0f} {:>10}\n", stage->name(),
@@ -238,6 +336,17 @@ bool has_posterior(const Job& job) {
     return std::any_of(job.studies.begin(), job.studies.end(), has_chains);
 }
 
+std::string study_lines(const Job& job) {
+    std::string text;
+    for (const StudySpec& study : job.studies)
+        if (study.kind == StudyKind::loop)
+            text += fmt::format("{}: {}\n\n", study.name, sentence_of(study.loop));
+        else if (study.kind == StudyKind::grid)
+            text +=
+                fmt::format("{}: {}\n\n", study.name, sentence_of(study.grid.options));
+    return text;
+}
+
 /// A job without studies can be read, but there is nothing to plan.
 void check_studies(const Job& job) {
     if (job.studies.empty())
@@ -253,30 +362,49 @@ void check_studies(const Job& job) {
 Stages make_plan(const Job& job) {
     check_studies(job);
     Stages stages;
+    if (job.stock) {
+        stages.push_back(make_stock_stage(job, {}));
+        return stages;
+    }
     for (const StudySpec& study : job.studies)
         for (auto& stage : stages_of(study, job)) stages.push_back(std::move(stage));
     return stages;
 }
 
+PlanCost plan_cost(const Job& job) {
+    check_studies(job);
+    if (job.stock) return stock_cost(job);
+    Total total;
+    stage_lines(job, total);
+    return {total.items, total.simulations, total.answers, series_bytes(job),
+            total.seconds};
+}
+
 std::string plan_text(const Job& job, int cores) {
     check_studies(job);
+    if (job.stock) return stock_plan_text(job, cores);
     Total total;
     std::string text =
         fmt::format("{}: buildings: {}, studies: {}, files read: {}\n", job.name,
                     job.buildings.size(), job.studies.size(), job.inputs.size());
     text += building_lines(job) + "\n" + stage_lines(job, total);
-    double data = 0;
-    for (const Case& building : job.buildings) data += series_bytes(building);
+    const double data = series_bytes(job);
     text += fmt::format("{:<44} {:>8.0f} {:>14.0f} {:>10}\n\n", "total", total.items,
                         total.simulations, words_of_bytes(total.answers));
     if (has_posterior(job))
         text +=
             "a posterior is counted with its whole budget; it ends when it has "
             "converged\n\n";
+    text += study_lines(job);
     text += fmt::format("memory: about {} on rank 0, {} on the others\n",
                         words_of_bytes(2 * total.answers + 3 * data),
                         words_of_bytes(3 * data));
     text += fmt::format("output: about {}\n", words_of_bytes(total.answers + data));
+    if (job.simulator)
+        return text + fmt::format(
+                          "time:   that of {:.0f} runs of the command, on {} "
+                          "core{}\n",
+                          total.simulations, std::max(cores, 1), cores > 1 ? "s" : "");
     text += fmt::format("time:   about {} on {} core{}, by rough costs of a step\n",
                         words_of_seconds(total.seconds / std::max(cores, 1)),
                         std::max(cores, 1), cores > 1 ? "s" : "");

@@ -7,6 +7,14 @@
 
 namespace bemcal::job {
 
+/// Of all stages together.
+struct PlanCost {
+    double items = 0, simulations = 0;
+    double answer_bytes = 0, data_bytes = 0;
+    double core_seconds = 0;  ///< by rough costs of a step
+};
+PlanCost plan_cost(const Job& job);
+
 /// Items, simulations, memory, output size and expected time of every stage on that many
 /// cores, and what was found in the data.
 std::string plan_text(const Job& job, int cores);

@@ -5,6 +5,7 @@
 #include "job/suggest.hpp"
 #include "physics/office_hour.hpp"
 #include "study/koh_posterior.hpp"
+#include "study/koh_runs.hpp"
 #include "study/office_hour_runs.hpp"
 
 #include <algorithm>
@@ -161,6 +162,35 @@ void simulate_runs(const Section& section, std::uint64_t seed, KohOptions& optio
     });
 }
 
+/// The job's [simulator], which will run the designs when the job does.
+study::KohRuns runs_to_make(const Section& section, const OutputScale& scale,
+                            std::uint64_t seed, const SimulatorPointer& simulator,
+                            KohOptions& options) {
+    if (!simulator)
+        section.fail_value("simulator",
+                           "the job has none; expected a section [simulator]");
+    const std::string output =
+        section.text(section.has("runs_output") ? "runs_output" : "field_output");
+    std::vector<std::string> names;
+    for (const study::Output& each : simulator->outputs()) names.push_back(each.name);
+    check_word(section, section.has("runs_output") ? "runs_output" : "field_output",
+               output, names, "output of the simulator");
+    study::KohRuns runs{
+        simulator,
+        static_cast<std::size_t>(std::ranges::find(names, output) - names.begin()),
+        scale.factor,
+        scale.offset,
+        static_cast<std::size_t>(section.integer("n_designs")),
+        seed};
+    at_key(section, "calibrated", [&] {
+        options.calibrated =
+            simulator_coordinates(*simulator, options.observations.t_names);
+    });
+    at_key(section, "inputs",
+           [&] { simulator_coordinates(*simulator, options.observations.x_names); });
+    return runs;
+}
+
 /// Names that are needed, each once.
 std::vector<std::string> read_names(const Section& section, std::string_view key,
                                     const std::vector<std::string>& taken) {
@@ -242,8 +272,10 @@ void read_koh_chains(const Section& section, std::uint64_t seed,
 
 }  // namespace
 
-KohOptions read_koh(const Section& section, InputFiles& files, std::uint64_t seed) {
-    KohOptions options;
+KohStudy read_koh(const Section& section, InputFiles& files, std::uint64_t seed,
+                  const SimulatorPointer& simulator) {
+    KohStudy study;
+    KohOptions& options = study.options;
     read_koh_chains(section, seed, options.chains);
     const OutputScale scale{section.number("output_factor"),
                             section.number("output_offset")};
@@ -252,20 +284,22 @@ KohOptions read_koh(const Section& section, InputFiles& files, std::uint64_t see
     if (section.has("runs") == section.has("simulator"))
         section.fail("kind",
                      "needs the simulator's runs: expected either runs, a file, "
-                     "or simulator = \"office_hour\"");
+                     "or simulator = \"office_hour\" or \"command\"");
     if (section.has("runs")) {
         read_runs(section, files, scale, options);
+    } else if (section.choice("simulator") == "command") {
+        study.runs = runs_to_make(section, scale, seed, simulator, options);
     } else {
-        section.choice("simulator");
         simulate_runs(section, seed, options);
     }
     read_priors(section, options);
     options.model = read_model(section);
     options.form = section.choice_as<study::KohForm>("form");
     section.number_if("n_predictive", options.n_predictive);
-    at_key(section, section.has("form") ? "form" : "kind",
-           [&] { make_koh_posterior(options); });
-    return options;
+    if (!study.runs)
+        at_key(section, section.has("form") ? "form" : "kind",
+               [&] { make_koh_posterior(options); });
+    return study;
 }
 
 }  // namespace bemcal::job

@@ -109,10 +109,10 @@ class MeterReader {
             append(series, series_of(sources[k], column_), sources[k].csv->file);
         note_gaps(series);
         correct(series);
-        if (series.axis.step_s <= 3600) {
-            check_steps(series);
-            check_runs(series, true);
-            check_runs(series, false);
+        const CheckOptions options = check_options();
+        if (series.axis.step_s <= 3600 && day_s % series.axis.step_s == 0) {
+            for (Finding& found : check_series(series, meter_.quantity, options))
+                decide(std::move(found.finding), std::move(found.action));
         }
         convert(series);
         return on_intervals(std::move(series));
@@ -181,40 +181,12 @@ class MeterReader {
         }
     }
 
-    void check_steps(const RegularSeries& series) {
-        if (meter_.quantity == Quantity::air_temperature) return;
-        for (const UnitStep& step : unit_steps(series.values, day_s / series.axis.step_s))
-            decide(
-                fmt::format("a step by {:.3g} at {}, near the {:g} between {}",
-                            step.ratio,
-                            physics::format_time(series.axis.begin_of(step.at)),
-                            step.unit_ratio, step.units),
-                "kept; if the season does not explain it, [[meter.scale]] corrects it");
-    }
-
-    /// Long runs of zeros, or of another value: reported, and missing if the job says so.
-    void check_runs(RegularSeries& series, bool zeros) {
-        const char* key = zeros ? "zeros" : "constant";
-        const bool masked = section_.choice(key) == "missing";
-        const long long hours = section_.integer(zeros ? "zero_run" : "constant_run");
-        const int least = static_cast<int>(hours * 3600 / series.axis.step_s) + 1;
-        const std::vector<Run> runs = constant_runs(series.values, least, zeros);
-        if (runs.empty()) return;
-        int total = 0;
-        Run longest;
-        for (const Run& run : runs) {
-            total += run.n;
-            if (run.n > longest.n) longest = run;
-            if (masked) std::fill_n(series.values.begin() + run.first, run.n, missing);
-        }
-        const double h = series.axis.step_s / 3600.0;
-        decide(fmt::format(
-                   "{} run{} of {} over {} h, {:g} h in all; the longest: {:g} h from {}",
-                   runs.size(), runs.size() == 1 ? "" : "s",
-                   zeros ? "zeros" : "the same value", hours, total * h, longest.n * h,
-                   physics::format_time(series.axis.begin_of(longest.first))),
-               masked ? "masked"
-                      : fmt::format("kept; {} = \"missing\" would mask them", key));
+    CheckOptions check_options() const {
+        return {section_.choice_as<Handling>("zeros"),
+                section_.choice_as<Handling>("constant"),
+                section_.choice_as<StepHandling>("steps"),
+                static_cast<int>(section_.integer("zero_run")),
+                static_cast<int>(section_.integer("constant_run"))};
     }
 
     void convert(RegularSeries& series) {
@@ -259,15 +231,21 @@ class MeterReader {
         return false;
     }
 
+    /// The training period needs readings; what else was not measured is predicted only.
     void check_readings(const std::string& file) {
-        for (const study::Period& period : building_.periods)
-            if (!has_reading_in(period))
-                section_.fail("file",
-                              fmt::format("{} has no reading of {} in the period {} ({} "
-                                          "to {}); check stamp, clock and mask",
-                                          file, column_, period.name,
-                                          physics::format_time(period.from),
-                                          physics::format_time(period.to)));
+        for (const study::Period& period : building_.periods) {
+            if (has_reading_in(period)) continue;
+            if (&period != &building_.periods.front()) {
+                decide("no reading in the period " + period.name, "predicted only there");
+                continue;
+            }
+            section_.fail(
+                "file",
+                fmt::format("{} has no reading of {} in the period {} ({} to "
+                            "{}); check stamp, clock and mask",
+                            file, column_, period.name, physics::format_time(period.from),
+                            physics::format_time(period.to)));
+        }
     }
 
     const Section& section_;
@@ -288,6 +266,7 @@ void read_meters(const Sources& sources, InputFiles& files, study::Case& buildin
         check_name(section, "name", Named::meter, meter.name);
         building.meters.push_back(std::move(meter));
     }
+    check_clocks(building);
 }
 
 }  // namespace bemcal::job

@@ -100,7 +100,7 @@ void check_overlap(const Section& section, const std::vector<Parameter>& before,
                    const Parameter& parameter) {
     const auto same = [](const Target& a, const Target& b) {
         return a.part == b.part && a.index == b.index && a.inner == b.inner &&
-               a.field == b.field && a.low == b.low;
+               a.field == b.field && a.slot == b.slot;
     };
     for (const Parameter& other : before) {
         if (other.name == parameter.name)

@@ -54,15 +54,14 @@ void read_chains(const Section& section, study::ChainOptions& chains) {
                         chains.most_draws, chains.draws_per_round));
 }
 
-namespace {
-
-/// A word that must be one of some names.
 void check_word(const Section& section, std::string_view key, const std::string& word,
                 const std::vector<std::string>& names, const std::string& what) {
     if (std::ranges::find(names, word) != names.end()) return;
     section.fail(key,
                  fmt::format("\"{}\" is no {}{}", word, what, suggestion(word, names)));
 }
+
+namespace {
 
 bool has_reading(const Case& building, const study::Period& period,
                  const std::string& meter) {
@@ -74,24 +73,26 @@ bool has_reading(const Case& building, const study::Period& period,
     return false;
 }
 
-void check_parameters(const Section& section, const PosteriorOptions& options,
+}  // namespace
+
+void check_parameters(const Section& section, const Learning& learning,
                       const Case& building) {
     std::vector<std::string> names;
     names.reserve(building.parameters.size());
     for (const physics::Parameter& parameter : building.parameters)
         names.push_back(parameter.name);
-    for (const std::string& parameter : options.parameters)
+    for (const std::string& parameter : learning.parameters)
         check_word(section, "parameters", parameter, names,
                    "parameter of " + building.name);
 }
 
-void check_meters(const Section& section, const PosteriorOptions& options,
+void check_meters(const Section& section, const Learning& learning,
                   const Case& building) {
     std::vector<std::string> names;
     names.reserve(building.meters.size());
     for (const study::Meter& meter : building.meters) names.push_back(meter.name);
-    const study::Period& period = period_of(building, options.period);
-    for (const std::string& meter : options.meters) {
+    const study::Period& period = period_of(building, learning.period);
+    for (const std::string& meter : learning.meters) {
         check_word(section, "meters", meter, names, "meter of " + building.name);
         if (!has_reading(building, period, meter))
             section.fail("meters",
@@ -99,11 +100,13 @@ void check_meters(const Section& section, const PosteriorOptions& options,
                                      "a meter with data",
                                      meter, building.name, period.name));
     }
-    if (options.meters.empty() && !has_reading(building, period, ""))
+    if (learning.meters.empty() && !has_reading(building, period, ""))
         section.fail("kind", fmt::format("needs readings, and no meter of {} has one in "
                                          "the period {}",
                                          building.name, period.name));
 }
+
+namespace {
 
 /// Draws are stored under the parameter's name, beside their dimensions.
 void check_parameter_names(const Section& section, const Case& building) {
@@ -134,6 +137,7 @@ PosteriorOptions read_posterior(const Section& section, std::uint64_t seed) {
     read_chains(section, options.chains);
     options.chains.seed = seed;
     options.residuals.autocorrelated = section.flag("autocorrelated");
+    options.residuals.proportional = section.flag("proportional");
     options.residuals.discrepancy = section.flag("discrepancy");
     options.period = section.text("period");
     options.parameters = section.texts("parameters");
@@ -141,6 +145,8 @@ PosteriorOptions read_posterior(const Section& section, std::uint64_t seed) {
     options.hold_out_weeks = section.number("hold_out_weeks");
     options.hold_out_hours = section.number("hold_out_hours");
     options.n_predictive = whole(section, "n_predictive");
+    options.level_change = section.number("level_change");
+    options.reading_weight = section.number("reading_weight");
     options.pooling = section.choice_as<study::Pooling>("pooling");
     if (options.pooling != study::Pooling::none) options.unseen = section.texts("unseen");
     return options;
@@ -149,13 +155,14 @@ PosteriorOptions read_posterior(const Section& section, std::uint64_t seed) {
 void check_posterior(const Section& section, const PosteriorOptions& options,
                      const std::vector<Case>& buildings) {
     check_unseen(section, options, buildings);
+    const Learning learning{options.period, options.parameters, options.meters};
     for (const Case& building : buildings) {
-        check_parameters(section, options, building);
+        check_parameters(section, learning, building);
         check_parameter_names(section, building);
     }
     for (const Case& building : buildings)
         if (std::ranges::find(options.unseen, building.name) == options.unseen.end())
-            check_meters(section, options, building);
+            check_meters(section, learning, building);
 }
 
 }  // namespace bemcal::job

@@ -91,7 +91,8 @@ void read_fixed(const Section& section, StudySpec& study) {
     }
 }
 
-StudySpec read_study(const Section& section, InputFiles& files, std::uint64_t seed) {
+StudySpec read_study(const Section& section, InputFiles& files, std::uint64_t seed,
+                     const SimulatorPointer& simulator) {
     StudySpec study;
     study.kind = section.choice_as<StudyKind>("kind");
     study.name = section.has("name") ? section.text("name") : section.choice("kind");
@@ -102,7 +103,21 @@ StudySpec read_study(const Section& section, InputFiles& files, std::uint64_t se
         study.period = study.posterior.period;
     } else if (study.kind == StudyKind::kennedy_ohagan) {
         check_name(section, "name", Named::building, study.name);
-        study.koh = read_koh(section, files, seed);
+        study.koh = read_koh(section, files, seed, simulator);
+    } else if (study.kind == StudyKind::loop) {
+        study.loop = read_loop(section, seed);
+        study.period = study.loop.period;
+    } else if (study.kind == StudyKind::grid) {
+        study.grid = read_grid(section);
+        study.period = section.text("period");
+    } else if (study.kind == StudyKind::retrofit) {
+        study.period = section.text("period");
+    } else if (study.kind == StudyKind::optimisation) {
+        study.optimisation = read_optimisation(section, seed);
+        study.period = study.optimisation.period;
+        study.grid.targets = read_targets(section);
+    } else if (study.kind == StudyKind::stages) {
+        study.staged = read_staged(section, seed);
     } else if (study.kind == StudyKind::screening) {
         read_screening(section, study.screening);
     } else {
@@ -130,10 +145,11 @@ std::vector<Quantity> read_quantities(const Section& section, std::string_view k
 }
 
 std::vector<StudySpec> read_studies(const Section& job, InputFiles& files,
-                                    std::uint64_t seed) {
+                                    std::uint64_t seed,
+                                    const SimulatorPointer& simulator) {
     std::vector<StudySpec> studies;
     for (const Section& section : job.tables("study", "study")) {
-        studies.push_back(read_study(section, files, seed));
+        studies.push_back(read_study(section, files, seed, simulator));
         const auto same = [&](const StudySpec& other) {
             return other.name == studies.back().name;
         };

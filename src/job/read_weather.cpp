@@ -1,8 +1,10 @@
 /// [site] and [weather]: EPW files or CSV columns, completed and cut to the periods.
 #include "base/error.hpp"
+#include "job/data_checks.hpp"
 #include "job/epw.hpp"
 #include "job/readers.hpp"
 #include "job/timed_csv.hpp"
+#include "job/weather_memory.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -279,11 +281,10 @@ void read_any_weather(const Section& section, const Section* site, InputFiles& f
 
 }  // namespace
 
-void read_weather(const Sources& sources, InputFiles& files, study::Case& building) {
-    if (!sources.has("weather")) sources.own.node("weather");
-    const Section section = sources.with("weather").table("weather", "weather");
-    std::optional<Section> site;
-    if (sources.has("site")) site = sources.with("site").table("site", "site");
+namespace {
+
+void read_weather_now(const Section& section, const std::optional<Section>& site,
+                      InputFiles& files, study::Case& building) {
     building.sky = section.choice_as<physics::SkyModel>("sky");
     read_any_weather(section, site ? &*site : nullptr, files, building);
     check_periods(section, building);
@@ -292,6 +293,40 @@ void read_weather(const Sources& sources, InputFiles& files, study::Case& buildi
          building.decisions);
     check_hours(section, building);
     at_key(section, "files", [&] { physics::complete_irradiance(building.weather); });
+    check_weather_clock(building);
+}
+
+/// What a weather is made of: contents of files, keys, hours that are needed.
+std::string key_of(const Section& section, const std::optional<Section>& site,
+                   InputFiles& files, const study::Case& building) {
+    std::string key = text_of(section, "files") + (site ? text_of(*site) : "");
+    key += fmt::format("{};", building.warm_up_hours);
+    for (const study::Period& period : building.periods)
+        key +=
+            fmt::format("{}:{}:{};", period.name, period.from.time_since_epoch().count(),
+                        period.to.time_since_epoch().count());
+    for (const std::string& file : section.texts("files")) {
+        const std::filesystem::path path = section.path(file);
+        const std::string hash = files.weathers->content_hash(path);
+        files.note(path, hash);
+        key += hash + ";";
+    }
+    return key;
+}
+
+}  // namespace
+
+void read_weather(const Sources& sources, InputFiles& files, study::Case& building) {
+    if (!sources.has("weather")) sources.own.node("weather");
+    const Section section = sources.with("weather").table("weather", "weather");
+    std::optional<Section> site;
+    if (sources.has("site")) site = sources.with("site").table("site", "site");
+    if (!files.weathers) return read_weather_now(section, site, files, building);
+    files.weathers->get(key_of(section, site, files, building), building,
+                        [&](study::Case& made) {
+                            InputFiles own;
+                            read_weather_now(section, site, own, made);
+                        });
 }
 
 }  // namespace bemcal::job

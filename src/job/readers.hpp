@@ -2,6 +2,7 @@
 /// physics/ or study/, and says where a mistake stands.
 #pragma once
 
+#include "external/command_simulator.hpp"
 #include "job/input_files.hpp"
 #include "job/job.hpp"
 #include "job/section.hpp"
@@ -24,6 +25,12 @@ struct Sources {
     bool has(std::string_view key) const { return with(key).has(key); }
 };
 
+/// A whole building; throws UserError.
+study::Case read_case(const Sources& sources, InputFiles& files);
+
+/// What studies need of a job's buildings: parameters, meters, the periods they name.
+void check_studies_of(const Section& root, Job& job);
+
 /// Site, sky and weather, cut to the periods and their warm-up, which must be known
 /// already.
 void read_weather(const Sources& sources, InputFiles& files, study::Case& building);
@@ -41,6 +48,9 @@ study::Period read_slashed_range(const Section& section, std::string_view key,
 /// Schedules, then series: the rows that `Input::profile` counts.
 std::vector<physics::Profile> read_profiles(const Sources& sources, InputFiles& files,
                                             const physics::Site& site);
+
+/// The series among them, with their units.
+std::vector<study::Column> read_columns(const Sources& sources);
 
 physics::Building read_building(const Sources& sources,
                                 const std::vector<physics::Profile>& profiles);
@@ -65,8 +75,15 @@ std::vector<double> read_values(const Section& section);
 /// Readings, corrected as the job says; findings and what was done go to case.decisions.
 void read_meters(const Sources& sources, InputFiles& files, study::Case& building);
 
+/// \param simulator  of the job, or nullptr
 std::vector<StudySpec> read_studies(const Section& job, InputFiles& files,
-                                    std::uint64_t seed);
+                                    std::uint64_t seed,
+                                    const SimulatorPointer& simulator);
+/// \param job  its name: of the folder of the points' folders, where the section has none
+external::CommandOptions read_simulator(const Section& section, InputFiles& files,
+                                        const std::string& job);
+/// Throws UserError where the study, or a key of it, needs a building.
+void check_simulator_study(const Section& section, const StudySpec& study);
 /// An input of paper 1's hour by its name; throws UserError at that key.
 const physics::OfficeHourInput& office_hour_input(const Section& section,
                                                   const std::string& name);
@@ -78,8 +95,64 @@ study::PosteriorOptions read_posterior(const Section& section, std::uint64_t see
 /// building it learns from has no reading in the period.
 void check_posterior(const Section& section, const study::PosteriorOptions& options,
                      const std::vector<study::Case>& buildings);
+study::LoopOptions read_loop(const Section& section, std::uint64_t seed);
+/// Throws UserError where the study names a meter, parameter or column that a building
+/// does not have, or a building has no reading in the period.
+void check_loop(const Section& section, const study::LoopOptions& options,
+                const std::vector<study::Case>& buildings);
+study::OptimisationOptions read_optimisation(const Section& section, std::uint64_t seed);
+/// Throws UserError where the study names a meter or parameter that a building does not
+/// have, a building has no reading in the period, or weights and meters differ in number.
+void check_optimisation(const Section& section, const study::OptimisationOptions& options,
+                        const std::vector<study::Case>& buildings);
+
+study::StagedOptions read_staged(const Section& section, std::uint64_t seed);
+/// Throws UserError where the study names what a building does not have, a stage has no
+/// reading in a period, or a validation period overlaps one that a stage sees.
+void check_staged(const Section& section, const study::StagedOptions& options,
+                  const std::vector<study::Case>& buildings);
+
+GridSpec read_grid(const Section& section);
+/// Throw UserError where the study names a parameter that is not there, a value outside
+/// its range, or a target without a measured value.
+void check_grid(const Section& section, const GridSpec& spec, const std::string& period,
+                const std::vector<study::Case>& buildings);
+void check_grid(const Section& section, const GridSpec& spec,
+                const study::Simulator& simulator);
+/// [[study.target]], of grids and optimisations.
+std::vector<GridTargetSpec> read_targets(const Section& section);
+/// Throw UserError where a target has no measured value.
+void check_targets(const Section& section, const GridSpec& spec,
+                   const std::string& period, const std::vector<study::Case>& buildings);
+void check_targets(const Section& section, const GridSpec& spec,
+                   const study::Simulator& simulator);
+
+/// What it will do, in a sentence for `check`.
+std::string sentence_of(const study::LoopOptions& options);
+
+/// Throws UserError at the key where a word is none of the names: "x" is no `what`.
+void check_word(const Section& section, std::string_view key, const std::string& word,
+                const std::vector<std::string>& names, const std::string& what);
+/// What a study learns, and from what.
+struct Learning {
+    const std::string& period;
+    const std::vector<std::string>& parameters;  ///< empty = all
+    const std::vector<std::string>& meters;      ///< empty = all with readings
+};
+/// Throw UserError where the building does not have them.
+void check_parameters(const Section& section, const Learning& learning,
+                      const study::Case& building);
+void check_meters(const Section& section, const Learning& learning,
+                  const study::Case& building);
+
+/// Study `number` of the job, of kind retrofit: the scenarios for every building, and the
+/// stage whose points they are applied to. Throws UserError where one does not fit.
+void read_retrofit(const Section& root, const Section& section, std::size_t number,
+                   Job& job);
+
 /// A Kennedy-O'Hagan study, with its data. Throws UserError where they do not fit.
-study::KohOptions read_koh(const Section& section, InputFiles& files, std::uint64_t seed);
+KohStudy read_koh(const Section& section, InputFiles& files, std::uint64_t seed,
+                  const SimulatorPointer& simulator);
 
 /// The quantities that words name; throws UserError at `key`.
 std::vector<physics::Quantity> read_quantities(const Section& section,

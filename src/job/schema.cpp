@@ -10,9 +10,10 @@ namespace bemcal::job {
 
 namespace {
 
-constexpr const char* part_sections[] = {
-    "construction", "glazing",   "boundary",  "zone",  "zone.surface",
-    "zone.window",  "zone.flow", "zone.load", "plant", "zone.coupling"};
+constexpr const char* part_sections[] = {"construction",  "glazing",      "boundary",
+                                         "zone",          "zone.surface", "zone.window",
+                                         "zone.flow",     "zone.load",    "plant",
+                                         "zone.coupling", "meter"};
 
 /// A number of a building as a row of the schema. Its default is written out for
 /// `describe`.
@@ -42,6 +43,8 @@ Table make_table() {
     for (const physics::Field& field : physics::fields())
         table.fallbacks.push_back(fmt::format("{}", field.fallback));
     for (std::size_t i = 0; i < physics::fields().size(); ++i) {
+        // A meter's factor is no key of [[meter]]: parameters reach it.
+        if (physics::fields()[i].part == physics::Part::meter) continue;
         const Key key = key_of(physics::fields()[i], table.fallbacks[i]);
         table.rows[key.section].push_back(key);
     }

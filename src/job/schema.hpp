@@ -49,6 +49,8 @@ struct SectionInfo {
 
 std::span<const SectionInfo> sections();
 std::span<const Key> key_table();
+/// Its rows of studies and output.
+std::span<const Key> study_keys();
 
 /// Every key of a section: its own rows, the included section's, and the building's
 /// fields.

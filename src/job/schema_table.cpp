@@ -1,7 +1,8 @@
-/// The table itself. A new option is one row here and one line in the reader of its
-/// section.
+/// The table itself: of the job and its buildings; studies are in schema_studies.cpp. A
+/// new option is one row here and one line in the reader of its section.
 #include "job/schema.hpp"
 
+#include <iterator>
 #include <limits>
 
 namespace bemcal::job {
@@ -67,7 +68,40 @@ constexpr SectionInfo section_table[] = {
      "kennedy_ohagan: of calibrated inputs, NAME = {kind = \"normal\", mean = 0.5, sd = "
      "0.2, normalised = true}; fixed, uniform, normal and beta, the others normalised "
      "only."},
+    {"scenario", "[[scenario]]", "",
+     "A retrofit, for a study of kind \"retrofit\"; the same for all buildings."},
+    {"scenario.change", "[[scenario.change]]", "",
+     "A number of the building that it changes; value, factor, offset or insulation says "
+     "how."},
+    {"study.grid", "[study.grid]", "",
+     "grid: values of parameters, NAME = [1, 3, 5]; every combination is simulated, and "
+     "parameters that are not named stay nominal."},
+    {"study.stage", "[[study.stage]]", "",
+     "grid: the same for the second stage, and the third, in place of a refinement."},
+    {"study.target", "[[study.target]]", "",
+     "grid: a number that the building is held against; default: the electricity and the "
+     "gas of the period."},
+    {"study.calibration_stage", "[[study.stage]]", "",
+     "stages: one of them, in their order."},
+    {"study.ranges", "ranges = {NAME = [0.1, 1.5]}", "",
+     "stages: ranges of this stage, within the parameters' own."},
+    {"study.validation", "[[study.validation]]", "",
+     "stages: a period that judges what they found."},
     {"output", "[output]", "", "What is kept."},
+    {"stock", "[stock]", "",
+     "Many buildings in place of one, a line of a table each; a screening, posterior or "
+     "loop is done with every one of them. Sections that a building leaves out are the "
+     "job's."},
+    {"simulator", "[simulator]", "",
+     "A program that is studied in place of a building: it runs once for each point, in "
+     "a "
+     "folder of its own."},
+    {"simulator.template", "[[simulator.template]]", "",
+     "An input file of the program with @NAME@ where a parameter's value belongs."},
+    {"simulator.parameter", "[[simulator.parameter]]", "",
+     "A number that is varied: @NAME@ in a template or in the command."},
+    {"simulator.output", "[[simulator.output]]", "",
+     "A number that the program has written."},
     {"input", "{value, low, schedule}", "",
      "A number that changes with time: low + (value - low) x schedule, or value x "
      "series."},
@@ -81,6 +115,38 @@ constexpr Key table[] = {
      "Files with a building each; without them the job file is the building."},
     {"job", "study", Type::tables, "", "", 0, 0, "[[study]]"},
     {"job", "output", Type::table, "", "", 0, 0, "[output]"},
+    {"job", "scenario", Type::tables, "", "", 0, 0, "[[scenario]]"},
+    {"job", "simulator", Type::table, "", "", 0, 0, "[simulator]"},
+    {"job", "stock", Type::table, "", "", 0, 0, "[stock]"},
+    // stock
+    {"stock", "table", Type::text, "", "", 0, 0,
+     "CSV file with a building a line: its name and, as columns, its own file, the "
+     "places "
+     "of the template, or floor_area, floors, weather, gas, electricity, ..."},
+    {"stock", "folder", Type::text, "", "", 0, 0,
+     "In place of a table: each *.toml in it is a building."},
+    {"stock", "template", Type::text, "", "", 0, 0,
+     "Description of a building, with @column@ where the table's cell belongs; without "
+     "one, and without a column `file`, the columns themselves describe it."},
+    {"stock", "recent_days", Type::number, "d", "28", 0, 3660,
+     "Of buildings that their columns describe: the last days with readings are kept "
+     "from "
+     "the calibration and show how well it predicts."},
+    {"stock", "window_days", Type::number, "d", "365", 1, 36600,
+     "Of the same: so many days before these are calibrated on."},
+    {"stock", "budget", Type::number, "", "0", 0, 1e15,
+     "Simulations of a night, kept by order of priority; 0 = no limit."},
+    {"stock", "hours", Type::number, "h", "0", 0, 1000,
+     "After so long no further building is begun in this night; 0 = no limit."},
+    {"stock", "drift_value", Type::number, "-", "0.2", 0, 1,
+     "A parameter drifts if it has moved by more than this share of its range, and out "
+     "of "
+     "its interval of the night before."},
+    {"stock", "drift_error", Type::number, "-", "1.5", 0, 1000,
+     "The error drifts if the RMSE of the recent days is above that of the calibration, "
+     "times this."},
+    {"stock", "keep_results", Type::flag, "", "false", 0, 0,
+     "Store the whole result of every building, not its lines of the summary only."},
     // building
     {"building", "name", Type::text, "", "", 0, 0, "Default: the file's name."},
     {"building", "holidays", Type::texts, "", "", 0, 0,
@@ -182,6 +248,8 @@ constexpr Key table[] = {
     {"series", "name", Type::text, "", required, 0, 0, ""},
     {"series", "file", Type::text, "", required, 0, 0, "CSV, may be gzipped."},
     {"series", "column", Type::text, "", required, 0, 0, ""},
+    {"series", "unit", Type::text, "", "", 0, 0,
+     "Of its values, for reports of effects that follow it: \"mm/h\"."},
     {"series", "factor", Type::number, "-", "1", -1e9, 1e9, "value x factor + offset."},
     {"series", "offset", Type::number, "", "0", -1e9, 1e9, ""},
     {"series", "fill_gaps", Type::integer, "h", "0", 0, 48,
@@ -256,12 +324,19 @@ constexpr Key table[] = {
     {"meter", "mask", Type::texts, "", "", 0, 0,
      "Times left out: \"2013-04-02/2013-04-05\" (whole days) or "
      "\"2013-04-02 03:00/2013-04-02 09:00\"."},
-    {"meter", "zeros", Type::choice, "keep|missing", "keep", 0, 0,
-     "What a run of zeros longer than zero_run is."},
-    {"meter", "zero_run", Type::integer, "h", "24", 1, 10000, ""},
-    {"meter", "constant", Type::choice, "keep|missing", "keep", 0, 0,
-     "What a run of the same value (not 0) longer than constant_run is."},
-    {"meter", "constant_run", Type::integer, "h", "24", 2, 10000, ""},
+    {"meter", "zeros", Type::choice, "check|keep|missing", "check", 0, 0,
+     "Zeros. check: missing where the meter is well above 0 at the same hours of the "
+     "days "
+     "around; keep: none is; missing: every run longer than zero_run is."},
+    {"meter", "zero_run", Type::integer, "h", "24", 1, 10000, "Longer runs are stated."},
+    {"meter", "constant", Type::choice, "check|keep|missing", "check", 0, 0,
+     "The same value (not 0) again and again. check: missing where it stays longer than "
+     "chance allows; keep: never; missing: every run longer than constant_run is."},
+    {"meter", "constant_run", Type::integer, "h", "24", 2, 10000,
+     "Longer runs are stated."},
+    {"meter", "steps", Type::choice, "check|keep", "check", 0, 0,
+     "Steps by the ratio of two units. check: corrected where they are certain; keep: "
+     "stated only."},
     {"meter", "scale", Type::tables, "", "", 0, 0, "[[meter.scale]]"},
     {"meter.scale", "from", Type::date, "", required, 0, 0, "First day or time."},
     {"meter.scale", "to", Type::date, "", "", 0, 0, "Last day; default: the end."},
@@ -304,123 +379,6 @@ constexpr Key table[] = {
     {"run", "step", Type::integer, "s", "3600", 60, 3600, "Divides 3600."},
     {"run", "warm_up_days", Type::number, "d", "42", 0, 366,
      "Simulated before a period, to forget the start."},
-    // studies
-    {"study", "kind", Type::choice,
-     "sensitivity|hourly_sensitivity|office_hour_sensitivity|screening|posterior|"
-     "kennedy_ohagan",
-     required, 0, 0, ""},
-    {"study", "name", Type::text, "", "", 0, 0, "Default: the kind."},
-    {"study", "period", Type::text, "", "", 0, 0,
-     "Of a sensitivity or posterior; default: the first period."},
-    {"study", "quantities", Type::texts, "", "", 0, 0,
-     "Of a sensitivity: totals (means) over the period; default: heating and cooling."},
-    {"study", "quantity", Type::choice,
-     "air_temperature|heating|cooling|electricity|gas|district", "heating", 0, 0,
-     "Of an hourly sensitivity."},
-    {"study", "n_base", Type::integer, "", "1024", 2, 1 << 24,
-     "Base points N of Saltelli's N (d + 2); a power of two is best."},
-    {"study", "scramble", Type::flag, "", "true", 0, 0, "Of the Sobol sequence."},
-    {"study", "n_bootstrap", Type::integer, "", "1000", 0, 100000, "For the intervals."},
-    {"study", "threshold", Type::number, "-", "0.05", 0, 1,
-     "Total-order index above which an input counts as sensitive."},
-    {"study", "n_points", Type::integer, "", "4096", 1, 1 << 30, "Of a screening."},
-    {"study", "points_per_item", Type::integer, "", "1024", 1, 1 << 20,
-     "Of a screening: points that are handed out together."},
-    {"study", "keep_points", Type::flag, "", "true", 0, 0,
-     "Of a screening: store every point, not the best only."},
-    {"study", "n_best", Type::integer, "", "20", 1, 100000, "Of a screening."},
-    {"study", "fixed", Type::table, "", "", 0, 0, "[study.fixed]"},
-    {"study", "parameters", Type::texts, "", "", 0, 0,
-     "Of a posterior: names of the parameters that it calibrates, the others stay "
-     "nominal; "
-     "default: all."},
-    {"study", "meters", Type::texts, "", "", 0, 0,
-     "Of a posterior: names of the meters it learns from; default: all with readings."},
-    {"study", "sampler", Type::choice, "nuts|random_walk|gibbs", "nuts", 0, 0,
-     "Of a posterior. nuts: Hamiltonian, with derivatives; the others: Metropolis steps "
-     "of "
-     "all parameters together, or of one after the other."},
-    {"study", "n_chains", Type::integer, "", "16", 1, 100000, "Of a posterior."},
-    {"study", "warm_up", Type::integer, "", "500", 1, 1000000,
-     "Of a posterior: first transitions of a chain, which adapt it and are not kept."},
-    {"study", "draws_per_round", Type::integer, "", "100", 2, 1000000,
-     "Of a posterior: draws of each chain between two looks at the targets."},
-    {"study", "most_draws", Type::integer, "", "4000", 2, 100000000,
-     "Of a posterior: per chain; the budget."},
-    {"study", "thin", Type::integer, "", "1", 1, 100000,
-     "Of a posterior: transitions per draw that is kept."},
-    {"study", "target_rhat", Type::number, "-", "1.01", 1, 100,
-     "Of a posterior: rank R-hat of every unknown is to be at most this."},
-    {"study", "target_ess", Type::number, "", "400", 0, 1e9,
-     "Of a posterior: effective draws, bulk and tail, of every unknown at least."},
-    {"study", "temperatures", Type::numbers, "", "", 1, 1e9,
-     "Of a posterior: [1, 2, 4, 8] runs each chain at all of these and swaps between "
-     "them; "
-     "default: 1 alone; of a kennedy_ohagan [1, 1.82, 3.33]."},
-    {"study", "autocorrelated", Type::flag, "", "true", 0, 0,
-     "Of a posterior: residuals remember the one before, AR(1); false: white noise."},
-    {"study", "discrepancy", Type::flag, "", "false", 0, 0,
-     "Of a posterior: a share of the residuals is slow: the model's own error."},
-    {"study", "hold_out_weeks", Type::number, "-", "0", 0, 0.9,
-     "Of a posterior: share of the training period's whole weeks kept for judging."},
-    {"study", "hold_out_hours", Type::number, "-", "0", 0, 0.9,
-     "Of a posterior: share of its other readings, drawn at random, kept for judging."},
-    {"study", "n_predictive", Type::integer, "", "200", 1, 1000000,
-     "Of a posterior: draws that are simulated for predictions; of a kennedy_ohagan "
-     "1000."},
-    {"study", "pooling", Type::choice, "none|full|partial", "none", 0, 0,
-     "Of a posterior. none: each building by itself; full: one value of each parameter "
-     "for "
-     "all; partial: each building has its own, drawn from a common population."},
-    {"study", "unseen", Type::texts, "", "", 0, 0,
-     "Of a pooled posterior: buildings that are predicted, but not learned from."},
-    {"study", "field", Type::text, "", required, 0, 0,
-     "Of a kennedy_ohagan: CSV file of measurements, a row for each, with their known "
-     "inputs."},
-    {"study", "field_output", Type::text, "", required, 0, 0,
-     "Of a kennedy_ohagan: column of the measurements."},
-    {"study", "inputs", Type::texts, "", required, 0, 0,
-     "Of a kennedy_ohagan: columns of the known inputs x, in both files."},
-    {"study", "calibrated", Type::texts, "", required, 0, 0,
-     "Of a kennedy_ohagan: the calibrated inputs t, columns of the runs; uniform over "
-     "the runs' range where [study.prior] does not say."},
-    {"study", "runs", Type::text, "", "", 0, 0,
-     "Of a kennedy_ohagan: CSV file of simulator runs: output, inputs, calibrated; "
-     "cheapest where every design of the calibrated is run at all field points."},
-    {"study", "runs_output", Type::text, "", "", 0, 0,
-     "Of a kennedy_ohagan: column of the runs' output; default: field_output."},
-    {"study", "output_factor", Type::number, "-", "1", -1e9, 1e9,
-     "Of a kennedy_ohagan: on both outputs: value x factor + offset."},
-    {"study", "output_offset", Type::number, "", "0", -1e9, 1e9, ""},
-    {"study", "output_unit", Type::text, "", "kWh", 0, 0,
-     "Of a kennedy_ohagan: of the output, for tables."},
-    {"study", "simulator", Type::choice, "office_hour", "", 0, 0,
-     "Of a kennedy_ohagan, in place of runs: designs of paper 1's hour are simulated at "
-     "all field points; inputs, calibrated and [study.fixed] name its 19 inputs."},
-    {"study", "n_designs", Type::integer, "", "100", 2, 10000,
-     "Of a kennedy_ohagan with a simulator: scrambled Sobol points."},
-    {"study", "prior", Type::table, "", "", 0, 0, "[study.prior]"},
-    {"study", "hyperpriors", Type::choice, "chong|paper", "chong", 0, 0,
-     "Of a kennedy_ohagan. chong: correlations Beta(1, 0.3), as bc-stan has them; paper: "
-     "Beta(1, 0.5) of the emulator and Beta(1, 0.4) of the discrepancy, paper 1, Table "
-     "7. "
-     "Precisions Gamma(10, 10), Gamma(10, 0.3), Gamma(10, 0.03) in both."},
-    {"study", "regression_factor", Type::flag, "", "false", 0, 0,
-     "Of a kennedy_ohagan: the emulator is multiplied by an unknown rho ~ N(1, 0.25)."},
-    {"study", "mean", Type::choice, "none|constant|linear", "none", 0, 0,
-     "Of a kennedy_ohagan: of emulator and discrepancy, with flat priors; linear in x."},
-    {"study", "mean_coefficients", Type::choice, "integrated|sampled", "integrated", 0, 0,
-     "Of a kennedy_ohagan with a mean: integrated out, or unknowns as all others."},
-    {"study", "form", Type::choice, "auto|dense|kronecker", "auto", 0, 0,
-     "Of a kennedy_ohagan: of the covariance; auto: kronecker where the runs are a full "
-     "grid."},
-    // output
-    {"output", "file", Type::text, "", "", 0, 0,
-     "Result file, from the working folder; default: the job's name with .h5."},
-    {"output", "hourly", Type::texts, "", "", 0, 0,
-     "Quantities of nominal and best to be stored by hour."},
-    {"output", "max_failed_share", Type::number, "-", "0.05", 0, 1,
-     "A larger share of failed points fails the batch."},
 };
 
 }  // namespace
@@ -429,7 +387,12 @@ std::span<const SectionInfo> sections() {
     return section_table;
 }
 std::span<const Key> key_table() {
-    return table;
+    static const std::vector<Key> all = [] {
+        std::vector<Key> keys(std::begin(table), std::end(table));
+        keys.insert(keys.end(), study_keys().begin(), study_keys().end());
+        return keys;
+    }();
+    return all;
 }
 
 }  // namespace bemcal::job

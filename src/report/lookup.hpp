@@ -24,6 +24,8 @@ class Group {
     std::vector<Group> groups_below(const std::string& leaf) const;
     const std::string& unit(const std::string& leaf) const;  ///< as it is stored
     double value(const std::string& leaf) const;  ///< NaN where it is not there
+    /// Another group of the same result.
+    Group elsewhere(std::string path) const { return {*result_, std::move(path)}; }
     Group inner(const std::string& name) const { return {*result_, path_ + "/" + name}; }
 
   private:

@@ -155,6 +155,10 @@ std::string parameter_table(const Group& study) {
 
 }  // namespace
 
+std::string candidate_tables(const Group& study) {
+    return fit_table(study) + parameter_table(study);
+}
+
 std::string screening_section(const Group& study) {
     return fmt::format(
                "\n{}: nominal -> best of {:.0f} points (best in {} by CV(RMSE))\n",

@@ -1,6 +1,7 @@
 #include "report/tables.hpp"
 
 #include "report/sections.hpp"
+#include "report/stock_tables.hpp"
 #include "report/text_table.hpp"
 
 #include <map>
@@ -75,16 +76,28 @@ std::string shortfall_lines(const store::ResultFile& result) {
 
 std::string tables_of(const store::ResultFile& result) {
     std::string text = shortfall_lines(result);
+    for (const Group& stock : groups_with(result, "stock_building"))
+        text += stock_section(stock);
     for (const Group& data : groups_with(result, "finding"))
         text += decision_section(data);
     for (const Group& study : groups_with(result, "total_order"))
         text += sensitivity_section(study);
     for (const Group& study : groups_with(result, "series_total_order"))
         text += hourly_section(study);
-    for (const Group& study : groups_with(result, "candidate_parameters"))
+    for (const Group& study : groups_with(result, "guideline_14_count"))
         text += screening_section(study);
+    for (const Group& study : groups_with(result, "objective"))
+        text += optimisation_section(study);
     for (const Group& study : groups_with(result, "unknown"))
         text += posterior_section(study);
+    for (const Group& study : groups_with(result, "structure_chosen"))
+        text += loop_section(study);
+    for (const Group& study : groups_with(result, "stage_points"))
+        text += grid_section(study);
+    for (const Group& study : groups_with(result, "saving_quantile"))
+        text += retrofit_section(study);
+    for (const Group& study : groups_with(result, "calibration_stage"))
+        text += staged_section(study);
     return text;
 }
 
@@ -94,6 +107,14 @@ std::string status_of(const store::ResultFile& result) {
     std::string text = !result.complete ? "NOT complete\n"
                        : missed.empty() ? "complete\n"
                                         : "complete, but a target was missed\n" + missed;
+    if (result.run.contains("failed"))
+        text += fmt::format("  FAILED: {}\n", result.run.at("failed"));
+    const auto to_rerun = result.run.find("items_to_rerun");
+    if (to_rerun != result.run.end() && to_rerun->second != "0")
+        text += fmt::format(
+            "  failed items: {}; `run JOB -o FILE --rerun-failed` does "
+            "only those again\n",
+            to_rerun->second);
     if (now != result.hash)
         text += fmt::format("  DAMAGED: its content has hash {}\n", now);
     text += fmt::format("  result hash {}\n", result.hash);

@@ -14,10 +14,6 @@ std::size_t width_of(const std::string& cell) {
         std::ranges::count_if(cell, [](char c) { return (c & 0xc0) != 0x80; }));
 }
 
-std::string cut(const std::string& cell, std::size_t widest) {
-    return width_of(cell) <= widest ? cell : cell.substr(0, widest - 2) + "..";
-}
-
 /// A column is one of numbers where every cell below the header begins like one.
 bool is_number(const std::string& cell) {
     return cell.empty() || cell == "-" || (cell.find_first_of("0123456789") <= 1);
@@ -29,6 +25,10 @@ std::string padded(const std::string& cell, std::size_t width, bool to_right) {
 }
 
 }  // namespace
+
+std::string cut(const std::string& cell, std::size_t widest) {
+    return width_of(cell) <= widest ? cell : cell.substr(0, widest - 2) + "..";
+}
 
 std::string TextTable::text(std::size_t widest) const {
     const std::size_t n_columns = rows_[0].size();

@@ -19,6 +19,8 @@ class TextTable {
     std::vector<std::vector<std::string>> rows_;
 };
 
+/// A cell of at most that many characters, ended by ".." where it is longer.
+std::string cut(const std::string& cell, std::size_t widest);
 /// A number for a table: "0.0512", "12.3", "4320", "nan" as "-".
 std::string in_short(double value);
 /// A share as "12.3 %", NaN as "-".

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <climits>
+#include <cstdio>
 #include <cstdlib>
 #include <deque>
 #include <list>
@@ -62,10 +63,20 @@ Comm::Comm(int* argc, char*** argv) : pending_(std::make_unique<Pending>()) {
 }
 
 Comm::~Comm() {
-    if (!pending_->is_started) return;
+    end();
+}
+
+void Comm::end() {
+    if (!std::exchange(pending_->is_started, false)) return;
     finish_sends();
     barrier();
     MPI_Finalize();
+}
+
+void Comm::leave(int exit_code) {
+    end();
+    std::fflush(nullptr);
+    std::_Exit(exit_code);
 }
 
 void Comm::send(int to, int tag, Bytes data) {

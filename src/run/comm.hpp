@@ -41,10 +41,18 @@ class Comm {
     std::vector<Bytes> all_gather(const Bytes& data);  ///< by rank
     [[noreturn]] void abort(int exit_code);            ///< ends every rank at once
 
+    /// Threads run on that nobody waits for: the process has to end by leave().
+    void note_left_threads() { has_left_threads_ = true; }
+    bool has_left_threads() const { return has_left_threads_; }
+    /// Ends MPI as the destructor does, with all ranks, and then the process at once.
+    [[noreturn]] void leave(int exit_code);
+
   private:
     struct Pending;
+    void end();
     std::unique_ptr<Pending> pending_;
     int rank_ = 0, size_ = 1;
+    bool has_left_threads_ = false;
 };
 
 std::string host_name();

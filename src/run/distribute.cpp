@@ -2,16 +2,15 @@
 
 #include "run/pool.hpp"
 #include "run/schedule.hpp"
+#include "run/together.hpp"
 #include "run/wire.hpp"
 #include "store/item_log.hpp"
 
 #include <algorithm>
 #include <chrono>
-#include <exception>
 #include <memory>
+#include <optional>
 #include <utility>
-
-#include <omp.h>
 
 namespace bemcal::run {
 namespace {
@@ -19,6 +18,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::microseconds;
 constexpr microseconds shortest_wait{100}, longest_wait{5000};
+constexpr std::chrono::seconds grace{1};  ///< of what runs when all must stop soon
 constexpr std::size_t message_bytes =
     1U << 24;  ///< an answers message is sent when this long
 
@@ -114,9 +114,12 @@ class Master {
 
     void stop(const Stop& reason) {
         if (has_ended_) return;
+        const bool is_news = !is_stopping_ || reason.how > reason_.how;
         if (reason_.text.empty()) reason_ = reason;
-        if (std::exchange(is_stopping_, true)) return;
-        if (options_.on_stopping && reason.text.empty()) options_.on_stopping();
+        if (!is_news) return;
+        if (!std::exchange(is_stopping_, true) && options_.on_stopping &&
+            reason.text.empty())
+            options_.on_stopping();
         send_to_all(Tag::stop);
     }
 
@@ -144,15 +147,14 @@ class Talker {
         : comm_(comm), pool_(pool), master_(master), options_(options) {}
 
     /// Until rank 0 says finish. \return why it ended
-    Stop talk(bool has_threads) {
+    Stop talk() {
         send(comm_, 0, Tag::hello, to_bytes(std::vector<int>{options_.n_threads}));
         microseconds wait = shortest_wait;
         while (!is_over_) {
             const bool received = receive_all();
             const bool delivered = deliver(pool_.take(received ? microseconds{0} : wait));
-            const bool computed = !has_threads && pool_.run_one();
             watch();
-            const bool active = received || delivered || computed || comm_.is_sending();
+            const bool active = received || delivered || comm_.is_sending();
             wait = active ? shortest_wait : std::min(longest_wait, wait * 2);
         }
         return reason_;
@@ -175,8 +177,7 @@ class Talker {
                 pool_.push(to_numbers(message.data));
                 break;
             case Tag::stop:
-                is_stopping_ = true;
-                pool_.drop();
+                stop(to_stop(message.data).how);
                 break;
             case Tag::finish:
                 is_over_ = true;
@@ -185,6 +186,13 @@ class Talker {
             default:
                 if (master_) master_->receive(message);
         }
+    }
+
+    void stop(Stopping how) {
+        if (how == Stopping::soon && !leave_at_) leave_at_ = Clock::now() + grace;
+        if (std::exchange(is_stopping_, true)) return;
+        pool_.drop();
+        guarded(options_.on_hurry);
     }
 
     /// Logs finished items and sends them to rank 0; after an error they are lost on
@@ -198,18 +206,24 @@ class Talker {
                 send(comm_, 0, Tag::answers, std::exchange(message, {}));
         }
         if (!message.empty()) send(comm_, 0, Tag::answers, std::move(message));
+        if (is_stopping_ && !finished.empty()) guarded(options_.on_hurry);
         return !finished.empty();
     }
 
     bool keep(const Finished& finished) {
-        if (has_failed_) return false;
+        if (options_.on_finished && !finished.is_left_behind)
+            guarded([&] { options_.on_finished(finished.item, finished.packed); });
+        return !has_failed_;
+    }
+
+    /// A callback; its error ends all ranks, and no callback follows it.
+    void guarded(const std::function<void()>& callback) {
+        if (has_failed_ || !callback) return;
         try {
-            if (options_.on_finished)
-                options_.on_finished(finished.item, finished.packed);
+            callback();
         } catch (const UserError& error) {
             fail(error);
         }
-        return !has_failed_;
     }
 
     void fail(const UserError& error) {
@@ -218,22 +232,11 @@ class Talker {
         send(comm_, 0, Tag::ask_stop, to_bytes(Stop{error.exit_code(), error.what()}));
     }
 
-    void tick() {
-        if (has_failed_ || !options_.on_tick) return;
-        try {
-            options_.on_tick();
-        } catch (const UserError& error) {
-            fail(error);
-        }
-    }
-
     /// Signals, the end of a stop, and rank 0's duties.
     void watch() {
-        tick();
-        if (!has_asked_ && options_.should_stop && options_.should_stop()) {
-            has_asked_ = true;
-            send(comm_, 0, Tag::ask_stop, to_bytes(Stop{ExitCode::more_to_do, {}}));
-        }
+        guarded(options_.on_tick);
+        ask_for_stop(options_.should_stop ? options_.should_stop() : Stopping::no);
+        if (leave_at_ && Clock::now() >= *leave_at_) pool_.leave_running();
         if (is_stopping_ && !has_stopped_ && pool_.is_idle()) {
             has_stopped_ = true;
             send(comm_, 0, Tag::stopped, {});
@@ -243,35 +246,23 @@ class Talker {
         master_->show_progress();
     }
 
+    void ask_for_stop(Stopping how) {
+        if (how <= asked_) return;
+        asked_ = how;
+        guarded(options_.on_hurry);
+        send(comm_, 0, Tag::ask_stop, to_bytes(Stop{ExitCode::more_to_do, {}, how}));
+    }
+
     Comm& comm_;
     Pool& pool_;
     Master* master_;
     const DistributeOptions& options_;
     Stop reason_;
     bool is_over_ = false, is_stopping_ = false, has_stopped_ = false;
-    bool has_failed_ = false, has_asked_ = false;
+    bool has_failed_ = false;
+    Stopping asked_ = Stopping::no;
+    std::optional<Clock::time_point> leave_at_;  ///< what runs then
 };
-
-/// One thread talks, n_threads compute. An exception of the talker ends the team, then is
-/// thrown.
-Stop run_team(Talker& talker, Pool& pool, int n_threads) {
-    Stop reason;
-    std::exception_ptr error;
-    omp_set_dynamic(0);
-#pragma omp parallel num_threads(n_threads + 1)
-    if (omp_get_thread_num() == 0) {
-        try {
-            reason = talker.talk(omp_get_num_threads() > 1);
-        } catch (...) {
-            error = std::current_exception();
-        }
-        pool.close();
-    } else {
-        pool.work();
-    }
-    if (error) std::rethrow_exception(error);
-    return reason;
-}
 
 }  // namespace
 
@@ -281,13 +272,18 @@ Distributed distribute(Comm& comm, const study::Stage& stage, Items items,
     std::unique_ptr<Master> master;
     if (comm.rank() == 0)
         master = std::make_unique<Master>(comm, std::move(items), options);
-    Pool pool(stage);
-    Talker talker(comm, pool, master.get(), options);
-    const Stop reason = run_team(talker, pool, options.n_threads);
+    std::unique_ptr<Pool> pool;
+    together(comm, [&] {
+        const std::chrono::duration<double> limit(options.item_seconds);
+        pool = std::make_unique<Pool>(
+            stage, PoolOptions{options.n_threads, limit, options.keep});
+    });
+    const Stop reason = Talker(comm, *pool, master.get(), options).talk();
     comm.finish_sends();
+    if (pool->has_left_behind()) comm.note_left_threads();
     if (!reason.text.empty()) throw UserError(reason.code, reason.text);
     return {master ? master->take() : std::vector<study::ItemAnswer>{},
-            reason.code != ExitCode::ok, seconds_since(begin), pool.busy_seconds()};
+            reason.code != ExitCode::ok, seconds_since(begin), pool->busy_seconds()};
 }
 
 }  // namespace bemcal::run

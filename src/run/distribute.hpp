@@ -9,9 +9,17 @@
 #include "study/stage.hpp"
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace bemcal::run {
+
+/// How a run ends before all is done.
+enum class Stopping {
+    no,
+    after_items,  ///< what runs is finished
+    soon          ///< what runs has a second, then it is left behind, to be done again
+};
 
 struct Progress {
     int items_done = 0, items_known = 0, items_total = 0;  ///< done includes known
@@ -23,13 +31,19 @@ struct Progress {
 /// empty.
 struct DistributeOptions {
     int n_threads = 1;
+    double item_seconds = 0;  ///< an item that takes longer is unfinished; 0 = no limit
+    /// What the stage refers to, itself included: a thread left behind may outlive it.
+    std::shared_ptr<const void> keep;
     /// On the rank that computed the item, before the item counts. A UserError ends all
     /// ranks.
     std::function<void(int item, const Bytes& packed)> on_finished;
     std::function<void()> on_tick;                     ///< every rank, between polls
     std::function<void(const Progress&)> on_progress;  ///< rank 0, a few times a second
     std::function<void()> on_stopping;  ///< rank 0, once, when a stop is asked for
-    std::function<bool()> should_stop;  ///< polled on every rank
+    /// Every rank, once a stop is asked for, and after the items that finish then: what
+    /// is finished has to be on the disk on return.
+    std::function<void()> on_hurry;
+    std::function<Stopping()> should_stop;  ///< polled on every rank
 };
 
 /// Items [first, first + count) of a stage, and on rank 0 what is known of their answers.

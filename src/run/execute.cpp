@@ -43,7 +43,8 @@ class Execution {
   public:
     Execution(Comm& comm, Work work, const ExecuteOptions& options)
         : comm_(comm),
-          work_(std::move(work)),
+          kept_(std::make_shared<Work>(std::move(work))),
+          work_(*kept_),
           options_(options),
           verdict_(work_.max_failed_share) {
         for (const auto& stage : work_.stages)
@@ -76,15 +77,36 @@ class Execution {
     void open_place() {
         place_ = prepare_output(options_.output, options_.existing, work_.identity);
         if (place_.is_complete) {
-            verdict_.take_shortfalls(store::read_result(options_.output).datasets);
+            const store::ResultFile result = store::read_result(options_.output);
+            verdict_.take_shortfalls(result.datasets);
+            verdict_.take_stored(result.run);
+            drop_part();  // of a run that ended between its result and this
             return;
         }
         lock_.emplace(part_folder_of(options_.output));
+        if (lock_->is_taken_by_another()) refuse_running(options_.output);
+        const auto n_failed =
+            options_.existing == Existing::rerun_failed ? drop_failed() : 0;
         n_resumed_ = place_.logs.records.size();
+        if (n_failed > 0)
+            say(fmt::format("doing again: {} that failed", counted(n_failed, "item")));
         if (n_resumed_ > 0 || place_.logs.n_damaged > 0)
             say(fmt::format(
                 "resuming: {} items are done; damaged records, to be done again: {}",
                 n_resumed_, place_.logs.n_damaged));
+    }
+
+    /// Forgets the answers of items that may succeed now. \return how many
+    int drop_failed() {
+        const auto n_stages = static_cast<int>(work_.stages.size());
+        return static_cast<int>(
+            std::erase_if(place_.logs.records, [&](const auto& record) {
+                const int stage = record.key.stage;
+                return stage >= 0 && stage < n_stages &&
+                       deserves_rerun(
+                           *work_.stages[static_cast<std::size_t>(stage)],
+                           store::unpack(record.packed.data(), record.packed.size()));
+            }));
     }
 
     bool is_complete_already() {
@@ -108,6 +130,8 @@ class Execution {
             n += stage->n_simulations();
             all_known = all_known && stage->n_simulations() > 0;
         }
+        if (work_.stages.size() == 1 && all_known)
+            return fmt::format("{} {}", n, work_.stages[0]->counts());
         if (all_known) return fmt::format("{} simulations", n);
         return n > 0 ? fmt::format("{} simulations and as many more as it takes", n)
                      : "as many simulations as it takes";
@@ -141,8 +165,10 @@ class Execution {
         items.known.resize(static_cast<std::size_t>(count));
         items.has.resize(static_cast<std::size_t>(count), false);
         for (auto& record : place_.logs.records) {
-            const int k = record.item - first;
-            if (record.stage != stage || k < 0 || k >= count) continue;
+            const int k = record.key.item - first;
+            if (record.key.stage != stage || record.key.start != start_ || k < 0 ||
+                k >= count)
+                continue;
             const auto at = static_cast<std::size_t>(k);
             items.known[at] = store::unpack(record.packed.data(), record.packed.size());
             items.has[at] = true;
@@ -159,10 +185,13 @@ class Execution {
     DistributeOptions distribute_options(int stage, ProgressLine& line) {
         DistributeOptions options;
         options.n_threads = threads_.n_threads;
+        options.item_seconds = options_.item_seconds;
+        options.keep = kept_;
         options.on_finished = [this, stage](int item, const Bytes& packed) {
-            log_->append(stage, item, packed);
+            log_->append({stage, item, start_}, packed);
         };
         options.on_tick = [this] { log_->sync_if_due(); };
+        options.on_hurry = [this] { log_->sync(); };
         options.on_progress = [&line](const Progress& progress) { line.show(progress); };
         options.on_stopping = [this, &line] {
             line.clear();
@@ -170,7 +199,9 @@ class Execution {
                             is_time_over() ? ", the time is over" : ""));
         };
         options.should_stop = [this] {
-            return SignalWatch::stop_requested() || is_time_over();
+            return SignalWatch::stop_requested() ? Stopping::soon
+                   : is_time_over()              ? Stopping::after_items
+                                                 : Stopping::no;
         };
         return options;
     }
@@ -178,13 +209,17 @@ class Execution {
     /// \return false where it was stopped
     bool run_stage(int index) {
         study::Stage& stage = *work_.stages[static_cast<std::size_t>(index)];
+        if (is_first()) stage.see(result_.datasets);
         ProgressLine line(stage.name(), stage.n_simulations());
         RoundOptions rounds;
         rounds.distribute = distribute_options(index, line);
         rounds.known = [&](int first, int count) {
             return known_items(index, first, count);
         };
-        rounds.on_round = [&](int round) { line.begin_round(round); };
+        rounds.on_round = [&](const RoundStart& start) {
+            start_ = start.checksum;
+            line.begin_round(start.round);
+        };
         const Distributed done =
             keeping<Distributed>([&] { return run_rounds(comm_, stage, rounds); });
         line.clear();
@@ -206,6 +241,8 @@ class Execution {
         part.datasets = stage.conclude(answers);
         const std::string missed = stage.shortfall(answers);
         if (!missed.empty()) part.datasets.push_back(shortfall_dataset(stage, missed));
+        std::ranges::move(failed_item_datasets(stage, answers),
+                          std::back_inserter(part.datasets));
         verdict_.take_shortfalls(part.datasets);
         if (options_.on_stage) options_.on_stage(part);
         std::ranges::move(part.datasets, std::back_inserter(result_.datasets));
@@ -213,9 +250,14 @@ class Execution {
 
     Outcome stopped() {
         together(comm_, [&] { log_->sync(); });
-        say(fmt::format("stopped; what is finished is kept in {}; go on with --resume",
-                        part_folder_of(options_.output).string()));
+        say(fmt::format("stopped; what is finished is kept in {}; go on with {}",
+                        part_folder_of(options_.output).string(), how_to_go_on()));
         return {ExitCode::more_to_do, {}};
+    }
+
+    const char* how_to_go_on() const {
+        return options_.existing == Existing::rerun_failed ? "--rerun-failed"
+                                                           : "--resume";
     }
 
     Outcome finish() {
@@ -223,6 +265,7 @@ class Execution {
         if (log_) spent_.log = log_->seconds();
         result_.run["items_resumed"] = std::to_string(n_resumed_);
         describe_run(comm_, threads_, spent_, result_.run);
+        verdict_.store(result_.run);
         Outcome outcome;
         keeping<void>([&] {
             together(comm_, [&] {
@@ -232,19 +275,31 @@ class Execution {
         });
         log_.reset();
         comm_.barrier();
-        if (is_first()) remove_part(outcome.hash);
+        if (is_first()) close_place(outcome.hash);
         outcome.code = agreed_code();
         return outcome;
     }
 
-    void remove_part(const std::string& hash) {
-        lock_.reset();
+    /// The logs are kept where a failed item may succeed later.
+    void drop_part() const {
         std::error_code ignored;
-        std::filesystem::remove_all(part_folder_of(options_.output), ignored);
+        if (verdict_.n_to_rerun() == 0)
+            std::filesystem::remove_all(part_folder_of(options_.output), ignored);
+    }
+
+    void close_place(const std::string& hash) {
+        lock_.reset();
+        drop_part();
         say(
             fmt::format("wrote {0}, result hash {1}; its tables again: bemcal-batch "
                         "report {0}",
                         options_.output.string(), hash));
+        if (verdict_.n_to_rerun() > 0)
+            say(
+                fmt::format("failed: {}; the others are kept in {}, and --rerun-failed "
+                            "does only the failed again",
+                            counted(verdict_.n_to_rerun(), "item"),
+                            part_folder_of(options_.output).string()));
     }
 
     /// Rank 0's verdict, on every rank: what failed must not look like success on any.
@@ -255,7 +310,8 @@ class Execution {
     }
 
     Comm& comm_;
-    Work work_;
+    std::shared_ptr<Work> kept_;  ///< also by threads that are left behind
+    Work& work_;
     const ExecuteOptions& options_;
     OutputPlace place_;
     std::optional<FolderLock> lock_;
@@ -264,6 +320,7 @@ class Execution {
     store::ResultFile result_;
     Spent spent_;
     std::size_t n_resumed_ = 0;
+    std::uint64_t start_ = 0;  ///< checksum of what this round starts from
     Verdict verdict_;
 };
 

@@ -25,19 +25,22 @@ namespace bemcal::run {
 /// All that is to be done, whatever it was read from.
 struct Work {
     std::vector<std::unique_ptr<study::Stage>> stages;
-    Identity identity;        ///< execute adds the stages
-    store::ResultFile frame;  ///< what is known before the first simulation
+    std::shared_ptr<const void> data;  ///< what the stages refer to; may be empty
+    Identity identity;                 ///< execute adds the stages
+    store::ResultFile frame;           ///< what is known before the first simulation
     /// More failed points than this and the batch has failed.
     double max_failed_share = 1;
 };
 
-/// What to do about a result, or an unfinished one, that is there already.
-enum class Existing { refuse, force, resume };
+/// What to do about a result, or an unfinished one, that is there already. rerun_failed:
+/// keeps the items that succeeded, does the others again, and replaces the result.
+enum class Existing { refuse, force, resume, rerun_failed };
 
 struct ExecuteOptions {
     std::filesystem::path output;
     Existing existing = Existing::refuse;
-    int n_threads = 0;  ///< 0 = see plan_threads
+    int n_threads = 0;        ///< 0 = see plan_threads
+    double item_seconds = 0;  ///< an item that takes longer is unfinished; 0 = no limit
     /// Rank 0's time to begin no more items, as after a signal; none: no limit.
     std::optional<std::chrono::steady_clock::time_point> stop_at = std::nullopt;
     std::function<void(const std::string&)> say;  ///< rank 0: one line for the user
@@ -51,6 +54,8 @@ struct Outcome {
     /// a stage missed its target. The same on all ranks.
     ExitCode code = ExitCode::ok;
     std::string hash;  ///< rank 0, where a result was written
+    std::filesystem::path
+        stock{};  ///< run_job, rank 0: that result, where it is a stock's
 };
 
 /// All ranks call it together; a UserError is thrown on all of them.

@@ -37,13 +37,19 @@ fs::path job_file(const fs::path& named) {
     return !fs::exists(job) && fs::exists(named / "job.toml") ? named / "job.toml" : job;
 }
 
+std::optional<fs::path> find_beside(const fs::path& file,
+                                    const std::vector<fs::path>& shared) {
+    for (const fs::path& folder : candidates(shared))
+        if (fs::exists(folder / file)) return folder / file;
+    return std::nullopt;
+}
+
 fs::path find_quickstart(const std::vector<fs::path>& shared) {
     const fs::path job = fs::path("jobs") / "quickstart" / "quickstart.toml";
+    if (const auto found = find_beside(job, shared)) return *found;
     std::string looked;
-    for (const fs::path& folder : candidates(shared)) {
-        if (fs::exists(folder / job)) return folder / job;
+    for (const fs::path& folder : candidates(shared))
         looked += "\n  " + (folder / job).string();
-    }
     throw UserError(
         ExitCode::no_input,
         fmt::format("the quickstart's job is not where it is expected; name a job, or "

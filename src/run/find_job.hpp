@@ -1,8 +1,9 @@
 /// Where a job file is: the one that is named, or the quickstart that came with the
-/// program.
+/// program; and where its other files are.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace bemcal::run {
@@ -11,9 +12,13 @@ namespace bemcal::run {
 /// jobs/office/office.toml.
 std::filesystem::path job_file(const std::filesystem::path& named);
 
-/// jobs/quickstart of the first of these folders that has it: `shared` (the program's own
-/// source or data folders), share/bemcal beside bin, and every folder above the program.
-/// Throws UserError that lists where it was looked for.
+/// A file that came with the program, jobs/... or scripts/..., of the first of these
+/// folders that has it: the program's own and share/bemcal beside it, every folder above
+/// it, then `shared` (the program's source or data folders).
+std::optional<std::filesystem::path> find_beside(
+    const std::filesystem::path& file, const std::vector<std::filesystem::path>& shared);
+
+/// The quickstart's job, found so. Throws UserError that lists where it was looked for.
 std::filesystem::path find_quickstart(const std::vector<std::filesystem::path>& shared);
 
 }  // namespace bemcal::run

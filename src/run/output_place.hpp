@@ -20,6 +20,13 @@ struct OutputPlace {
 OutputPlace prepare_output(const std::filesystem::path& output, Existing existing,
                            const Identity& identity);
 
+/// Whether a run of that output has items to do: a part folder without, or not of, a
+/// complete result.
+bool is_unfinished(const std::filesystem::path& output);
+
+/// Throws UserError: another run holds the part folder.
+[[noreturn]] void refuse_running(const std::filesystem::path& output);
+
 /// One line for everything that must be the same when a run resumes.
 std::string hash_of(const Identity& identity);
 

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <string_view>
 
 #include <fcntl.h>
@@ -57,18 +59,50 @@ void write_and_sync(const std::filesystem::path& path, const std::string& text) 
     if (!good) fail(path, "write");
 }
 
-std::map<int, int> items_by_stage(const store::LogContent& logs) {
-    std::map<int, int> counts;
-    for (const auto& record : logs.records) ++counts[record.stage];
-    return counts;
+struct StageDone {
+    int n_items = 0, n_failed = 0;  ///< an item with failed points counts as failed
+    std::string reason;             ///< the first
+};
+
+std::map<int, StageDone> items_by_stage(const store::LogContent& logs) {
+    std::map<int, StageDone> stages;
+    for (const auto& record : logs.records) {
+        StageDone& stage = stages[record.key.stage];
+        ++stage.n_items;
+        const auto answer = store::unpack(record.packed.data(), record.packed.size());
+        if (answer.error.empty() && answer.failures.empty()) continue;
+        if (stage.n_failed++ == 0)
+            stage.reason =
+                answer.error.empty() ? answer.failures[0].reason : answer.error;
+    }
+    return stages;
 }
 
 /// \param items  "16 items": of the first round
-std::string stage_status(int n_done, const std::string& items) {
-    if (n_done <= std::atoi(items.c_str()))
-        return fmt::format("{} of {} done", n_done, items);
-    return fmt::format("{} items done, {} of them in its first round", n_done,
-                       std::atoi(items.c_str()));
+std::string stage_status(const StageDone& done, const std::string& items) {
+    const int n_first = std::atoi(items.c_str());
+    std::string text = done.n_items <= n_first
+                           ? fmt::format("{} of {} done", done.n_items, items)
+                           : fmt::format("{} items done, {} of them in its first round",
+                                         done.n_items, n_first);
+    if (done.n_failed > 0)
+        text +=
+            fmt::format("; with failures: {}, the first: {}", done.n_failed, done.reason);
+    return text;
+}
+
+/// "3 s ago": the last item of any rank; empty = none yet.
+std::string last_written(const std::filesystem::path& folder) {
+    namespace fs = std::filesystem;
+    std::optional<fs::file_time_type> last;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".log" && entry.file_size() > 0)
+            last = std::max(last.value_or(fs::file_time_type::min()),
+                            entry.last_write_time());
+    if (!last) return {};
+    const auto age = fs::file_time_type::clock::now() - *last;
+    return fmt::format("  last item {} s ago\n",
+                       std::chrono::duration_cast<std::chrono::seconds>(age).count());
 }
 
 }  // namespace
@@ -128,7 +162,7 @@ std::string part_status(const std::filesystem::path& folder) {
     const Identity identity = read_identity(folder);
     const store::LogContent logs = store::read_logs(folder);
     const bool is_running = FolderLock(folder).is_taken_by_another();
-    std::map<int, int> done = items_by_stage(logs);
+    std::map<int, StageDone> done = items_by_stage(logs);
     std::string text = is_running ? "not complete: a run is writing it now\n"
                                   : fmt::format(
                                         "not complete: `bemcal-batch run JOB -o {} "
@@ -139,6 +173,7 @@ std::string part_status(const std::filesystem::path& folder) {
         if (key.starts_with(stage_prefix))
             text += fmt::format("  {}: {}\n", key.substr(stage_prefix.size()),
                                 stage_status(done[stage++], value));
+    text += last_written(folder);
     if (logs.n_damaged > 0)
         text += fmt::format("  {} damaged record{} in the logs: to be done again\n",
                             logs.n_damaged, logs.n_damaged == 1 ? "" : "s");

@@ -1,6 +1,7 @@
 #include "run/rounds.hpp"
 
 #include "base/error.hpp"
+#include "base/hash.hpp"
 #include "run/timer.hpp"
 #include "run/together.hpp"
 
@@ -30,6 +31,10 @@ study::Round to_round(const Bytes& bytes) {
     if (n_values > 0)
         std::memcpy(round.needed.data(), bytes.data() + sizeof round.n_items, n_values);
     return round;
+}
+
+std::uint64_t checksum_of(const study::Round& round) {
+    return checksum64(round.needed.data(), round.needed.size() * sizeof(double));
 }
 
 /// Rank 0's answer from the stage, on every rank; none: it is done.
@@ -63,8 +68,9 @@ void run_all(Comm& comm, study::Stage& stage, const RoundOptions& options,
              Distributed& all) {
     const Timer timer(all.seconds);
     int first = 0, count = stage.n_items();
-    for (int round = 1;; ++round) {
-        if (options.on_round) options.on_round(round);
+    RoundStart start;
+    for (;; ++start.round) {
+        if (options.on_round) options.on_round(start);
         run_round(comm, stage, first, count, options, all);
         if (all.stopped) return;
         const auto next = next_round(comm, stage, all.answers);
@@ -72,6 +78,7 @@ void run_all(Comm& comm, study::Stage& stage, const RoundOptions& options,
         first += count;
         count = next->n_items;
         stage.begin_round(first, *next);
+        start.checksum = checksum_of(*next);
     }
 }
 

@@ -7,15 +7,24 @@
 
 #include "run/distribute.hpp"
 
+#include <cstdint>
 #include <functional>
 
 namespace bemcal::run {
+
+/// Which round, and the checksum of what it starts from (0 in the first): the items of a
+/// round that starts from something else are others, whatever their numbers.
+struct RoundStart {
+    int round = 1;
+    std::uint64_t checksum = 0;
+};
 
 struct RoundOptions {
     DistributeOptions distribute;
     /// rank 0: what an earlier run left of items [first, first + count); may be empty
     std::function<Items(int first, int count)> known;
-    std::function<void(int round)> on_round;  ///< before each: 1, 2, ...
+    /// every rank, before each round and its `known`
+    std::function<void(const RoundStart& start)> on_round;
 };
 
 /// All ranks call it together. \return the answers of all rounds on rank 0, unless

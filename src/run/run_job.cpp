@@ -1,10 +1,16 @@
 #include "run/run_job.hpp"
 
+#include "job/stock.hpp"
+#include "job/stock_stage.hpp"
 #include "physics/batch.hpp"
 #include "run/timer.hpp"
 #include "run/together.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <cstring>
+#include <iterator>
+#include <memory>
 
 #include <fmt/format.h>
 
@@ -71,7 +77,8 @@ fs::path choose_output(Comm& comm, const job::Job& job, const JobOptions& option
 void set_first_chain(job::Job& job, int first_chain) {
     bool has_posterior = false;
     for (job::StudySpec& study : job.studies) {
-        study.posterior.chains.first_chain = study.koh.chains.first_chain = first_chain;
+        study.posterior.chains.first_chain = study.koh.options.chains.first_chain =
+            first_chain;
         has_posterior = has_posterior || study.kind == job::StudyKind::posterior ||
                         study.kind == job::StudyKind::kennedy_ohagan;
     }
@@ -93,6 +100,52 @@ Work work_of(const job::Job& job, const JobOptions& options) {
     }
     work.max_failed_share = job.max_failed_share;
     return work;
+}
+
+/// Of a result that was written now, by rank 0.
+void write_pages(const JobOptions& options, const fs::path& output,
+                 const std::vector<std::string>& loops) {
+    if (!options.pages) return;
+    for (const std::string& line : options.pages->write(output, loops)) options.say(line);
+}
+
+/// The last night's records, and a line of identity for them.
+job::StockNight night_of(const JobOptions& options, double hours, Work& work) {
+    job::StockNight night;
+    night.version = options.version;
+    if (!options.last_night.empty()) {
+        const store::ResultFile last = store::read_result(options.last_night);
+        night.before = job::records_in(last.datasets);
+        if (night.before.empty())
+            throw UserError(
+                ExitCode::data,
+                fmt::format("{}: is no result of a stock; --after takes that of "
+                            "the last night",
+                            options.last_night.string()));
+        work.identity.emplace_back("last night", last.hash);
+        work.frame.attributes["last_night"] = last.hash;
+    }
+    if (hours > 0) {
+        const auto end = std::chrono::steady_clock::now() +
+                         std::chrono::duration<double, std::ratio<3600>>(hours);
+        night.is_over = [end] { return std::chrono::steady_clock::now() >= end; };
+    }
+    return night;
+}
+
+std::vector<std::unique_ptr<study::Stage>> stages_of(const job::Job& job,
+                                                     const JobOptions& options,
+                                                     Work& work) {
+    if (!job.stock) {
+        if (!options.last_night.empty())
+            throw UserError(ExitCode::usage,
+                            "--after: the job has no [stock]; leave it out");
+        return job::make_plan(job);
+    }
+    std::vector<std::unique_ptr<study::Stage>> stages;
+    stages.push_back(
+        job::make_stock_stage(job, night_of(options, job.stock->options.hours, work)));
+    return stages;
 }
 
 }  // namespace
@@ -121,7 +174,8 @@ Identity identity_of(const job::Job& job, const std::string& version) {
 
 Outcome run_job(Comm& comm, const JobOptions& options) {
     double seconds_read = 0, seconds_plan = 0;
-    job::Job job;
+    const auto kept = std::make_shared<job::Job>();  // by threads that are left behind
+    job::Job& job = *kept;
     Work work;
     together(comm, [&] {
         const Timer timer(seconds_read);
@@ -131,14 +185,26 @@ Outcome run_job(Comm& comm, const JobOptions& options) {
     together(comm, [&] {
         const Timer timer(seconds_plan);
         work = work_of(job, options);
-        work.stages = job::make_plan(job);
+        work.stages = stages_of(job, options, work);
+        work.data = kept;
     });
     work.frame.run["seconds_read"] = fmt::format("{:.3f}", seconds_read);
     work.frame.run["seconds_plan"] = fmt::format("{:.3f}", seconds_plan);
     const fs::path output = choose_output(comm, job, options);
-    return execute(comm, std::move(work),
-                   {output, options.existing, options.n_threads, options.stop_at,
-                    options.say, options.on_stage});
+    std::vector<std::string> loops;  // rank 0's
+    const auto on_stage = [&](const store::ResultFile& part) {
+        std::ranges::copy(loops_in(part.datasets), std::back_inserter(loops));
+        if (options.on_stage) options.on_stage(part);
+    };
+    Outcome outcome =
+        execute(comm, std::move(work),
+                {output, options.existing, options.n_threads, options.item_seconds,
+                 options.stop_at, options.say, on_stage});
+    if (!outcome.hash.empty()) {
+        write_pages(options, output, loops);
+        if (job.stock) outcome.stock = output;
+    }
+    return outcome;
 }
 
 }  // namespace bemcal::run

@@ -3,9 +3,11 @@
 
 #include "job/job.hpp"
 #include "run/execute.hpp"
+#include "run/loop_page.hpp"
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace bemcal::run {
@@ -16,12 +18,15 @@ struct JobOptions {
     bool is_numbered = false;      ///< NAME-001.h5, or the next number that is free
     Existing existing = Existing::refuse;
     int n_threads = 0;
-    /// See ExecuteOptions.
+    double item_seconds = 0;  ///< as the next one, see ExecuteOptions
     std::optional<std::chrono::steady_clock::time_point> stop_at = std::nullopt;
+    /// Of a stock: the result that this night goes on from; empty = there is none.
+    std::filesystem::path last_night{};
     int first_chain = 0;  ///< number of the first chain of every posterior
     std::string version;
     std::function<void(const std::string&)> say;             ///< rank 0
     std::function<void(const store::ResultFile&)> on_stage;  ///< rank 0
+    std::optional<PageWriter> pages;                         ///< of loops; none: no pages
 };
 
 /// All ranks call it together; a UserError is thrown on all of them.

@@ -39,7 +39,9 @@ Schedule::Rank* Schedule::neediest() {
     const int block = block_size();
     Rank* found = nullptr;
     for (Rank& rank : ranks_) {
-        if (rank.n_threads == 0 || rank.n_outstanding >= rank.n_threads + block) continue;
+        // Single items are long: none waits at a rank while another has nothing.
+        const int ahead = block > 1 ? block : 0;
+        if (rank.n_threads == 0 || rank.n_outstanding >= rank.n_threads + ahead) continue;
         if (!found ||
             rank.n_outstanding * found->n_threads < found->n_outstanding * rank.n_threads)
             found = &rank;

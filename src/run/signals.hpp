@@ -4,9 +4,10 @@
 
 namespace bemcal::run {
 
-/// Catches them while it lives (one inside another changes nothing); a second one of the
-/// same kind ends the program at once. Also ignores SIGXFSZ, so that a file-size limit is
-/// an error of write() like a full disk.
+/// Catches them while it lives (one inside another changes nothing). Launchers pass on
+/// what they get, so that a rank may get the same signal twice: one more within a second
+/// changes nothing, a later one ends the program at once. Also ignores SIGXFSZ, so that a
+/// file-size limit is an error of write() like a full disk.
 class SignalWatch {
   public:
     SignalWatch();

@@ -14,9 +14,9 @@ class SyncedLog {
   public:
     SyncedLog(const std::filesystem::path& folder, int rank) : log_(folder, rank) {}
 
-    void append(int stage, int item, const Bytes& packed) {
+    void append(const store::ItemKey& key, const Bytes& packed) {
         const Timer timer(seconds_);
-        log_.append(stage, item, packed);
+        log_.append(key, packed);
         is_dirty_ = true;
     }
     void sync_if_due() {

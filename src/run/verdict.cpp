@@ -2,14 +2,17 @@
 
 #include "store/layout.hpp"
 
-#include <algorithm>
+#include <cstdlib>
+#include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace bemcal::run {
 namespace {
 
 constexpr const char* leaf = "shortfall";
+constexpr const char *failed_key = "failed", *rerun_key = "items_to_rerun";
 
 std::string first_reason(const study::ItemAnswer& answer) {
     if (!answer.error.empty() || answer.failures.empty()) return answer.error;
@@ -18,20 +21,33 @@ std::string first_reason(const study::ItemAnswer& answer) {
 
 }  // namespace
 
+bool deserves_rerun(const study::Stage& stage, const study::ItemAnswer& answer) {
+    return !answer.error.empty() ||
+           (stage.failures_may_pass() && !answer.failures.empty());
+}
+
 void Verdict::count(const study::Stage& stage,
                     const std::vector<study::ItemAnswer>& answers) {
     const auto n_items = static_cast<double>(answers.size());
     const auto n_known = static_cast<double>(stage.n_simulations());
     const double n_points = n_known > 0 ? n_known : n_items;
-    n_points_ += n_points;
+    double n_failed = 0;
+    std::string first_error;
     for (const auto& answer : answers) {
         const auto n_own = static_cast<double>(answer.failures.size());
         if (!answer.error.empty())
-            n_failed_ += n_points / n_items;
+            n_failed += n_points / n_items;
         else
-            n_failed_ += n_known > 0 ? n_own : 0;
-        if (first_error_.empty()) first_error_ = first_reason(answer);
+            n_failed += n_known > 0 ? n_own : 0;
+        if (first_error.empty()) first_error = first_reason(answer);
+        n_to_rerun_ += deserves_rerun(stage, answer);
     }
+    if (n_points > 0 && n_failed > n_points - 0.5)
+        lost_stages_.push_back(fmt::format("{}: all of it failed; the first: {}",
+                                           stage.name(), first_error));
+    n_points_ += n_points;
+    n_failed_ += n_failed;
+    if (first_error_.empty()) first_error_ = first_error;
 }
 
 void Verdict::take_shortfalls(const std::vector<study::Dataset>& datasets) {
@@ -41,14 +57,10 @@ void Verdict::take_shortfalls(const std::vector<study::Dataset>& datasets) {
                                   dataset.texts[0]);
 }
 
-ExitCode Verdict::code() const {
-    if (is_over_budget()) return ExitCode::data;
-    return shortfalls_.empty() ? ExitCode::ok : ExitCode::not_reached;
-}
-
-std::vector<std::string> Verdict::sentences() const {
-    std::vector<std::string> all = shortfalls_;
-    if (is_over_budget())
+std::vector<std::string> Verdict::failures() const {
+    std::vector<std::string> all = lost_stages_;
+    if (!stored_.empty()) all.push_back(stored_);
+    if (n_failed_ > max_failed_share_ * n_points_)
         all.push_back(fmt::format(
             "{:.0f} of {:.0f} simulations failed, more than the share of {} that the job "
             "accepts; the first: {}",
@@ -56,8 +68,49 @@ std::vector<std::string> Verdict::sentences() const {
     return all;
 }
 
+void Verdict::store(std::map<std::string, std::string>& run) const {
+    run[rerun_key] = std::to_string(n_to_rerun_);
+    const auto sentences = failures();
+    if (!sentences.empty())
+        run[failed_key] = fmt::format("{}", fmt::join(sentences, "; "));
+}
+
+void Verdict::take_stored(const std::map<std::string, std::string>& run) {
+    const auto failed = run.find(failed_key), rerun = run.find(rerun_key);
+    if (failed != run.end()) stored_ = failed->second;
+    if (rerun != run.end()) n_to_rerun_ = std::atoi(rerun->second.c_str());
+}
+
+ExitCode Verdict::code() const {
+    if (!failures().empty()) return ExitCode::data;
+    return shortfalls_.empty() ? ExitCode::ok : ExitCode::not_reached;
+}
+
+std::vector<std::string> Verdict::sentences() const {
+    std::vector<std::string> all = shortfalls_;
+    for (std::string& sentence : failures()) all.push_back(std::move(sentence));
+    return all;
+}
+
 study::Dataset shortfall_dataset(const study::Stage& stage, const std::string& sentence) {
     return {stage.name() + "/" + leaf, {}, {}, {}, {sentence}};
+}
+
+std::vector<study::Dataset> failed_item_datasets(
+    const study::Stage& stage, const std::vector<study::ItemAnswer>& answers) {
+    std::vector<double> items;
+    std::vector<std::string> reasons;
+    for (std::size_t item = 0; item < answers.size(); ++item) {
+        if (answers[item].error.empty()) continue;
+        items.push_back(static_cast<double>(item));
+        reasons.push_back(answers[item].error);
+    }
+    if (items.empty()) return {};
+    const std::string path = stage.name() + "/failed_item";
+    const std::vector<std::string> dims{"failed_item"};
+    const std::vector<std::size_t> shape{items.size()};
+    return {{path, dims, shape, std::move(items), {}},
+            {path + "_reason", dims, shape, {}, std::move(reasons)}};
 }
 
 }  // namespace bemcal::run

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/error.hpp"
+#include "run/distribute.hpp"
 #include "run/pool.hpp"
 
 #include <cstring>
@@ -20,22 +21,26 @@ enum class Tag : int {
     finish,    ///< from rank 0: leave; see Stop
 };
 
-/// Why it all ends: a signal (code more_to_do, no text), an error, or ok: all is done.
+/// Why it all ends: a signal or the time (code more_to_do, no text), an error, or ok: all
+/// is done.
 struct Stop {
     ExitCode code = ExitCode::ok;
     std::string text;
+    Stopping how = Stopping::soon;
 };
 
 inline Bytes to_bytes(const Stop& stop) {
-    Bytes bytes(1 + stop.text.size());
+    Bytes bytes(2 + stop.text.size());
     bytes[0] = static_cast<std::byte>(stop.code);
-    std::memcpy(bytes.data() + 1, stop.text.data(), stop.text.size());
+    bytes[1] = static_cast<std::byte>(stop.how);
+    std::memcpy(bytes.data() + 2, stop.text.data(), stop.text.size());
     return bytes;
 }
 
 inline Stop to_stop(const Bytes& bytes) {
     return {static_cast<ExitCode>(bytes[0]),
-            {reinterpret_cast<const char*>(bytes.data()) + 1, bytes.size() - 1}};
+            {reinterpret_cast<const char*>(bytes.data()) + 2, bytes.size() - 2},
+            static_cast<Stopping>(bytes[1])};
 }
 
 inline Bytes to_bytes(const std::vector<int>& numbers) {

@@ -5,11 +5,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <optional>
-#include <set>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -23,14 +24,14 @@ constexpr char magic[8] = {'\x89', 'b', 'e', 'm', 'i', 't', 'e', 'm'};
 
 struct Header {
     char mark[8];
-    std::int32_t stage, item;
+    ItemKey key;
     std::uint64_t bytes;
-    std::uint64_t checksum;  ///< of stage, item and bytes with the packed answer
+    std::uint64_t checksum;  ///< of key and bytes with the packed answer
 };
 
 std::uint64_t checksum_of(const Header& header, const std::byte* packed) {
     const std::uint64_t parts[2] = {
-        checksum64(&header.stage, offsetof(Header, checksum) - offsetof(Header, stage)),
+        checksum64(&header.key, offsetof(Header, checksum) - offsetof(Header, key)),
         checksum64(packed, header.bytes)};
     return checksum64(parts, sizeof parts);
 }
@@ -124,8 +125,25 @@ std::size_t next_mark(const std::vector<std::byte>& log, std::size_t from) {
     return static_cast<std::size_t>(found - log.begin());
 }
 
-void read_log(const std::vector<std::byte>& log, std::set<std::pair<int, int>>& seen,
-              LogContent& content) {
+/// A failed item counts as more than all of its points.
+std::size_t n_failures(const std::vector<std::byte>& packed) {
+    const study::ItemAnswer answer = unpack(packed.data(), packed.size());
+    return answer.error.empty() ? answer.failures.size() : SIZE_MAX;
+}
+
+/// Where each key's record stands.
+using Places = std::map<ItemKey, std::size_t>;
+
+void take(LogContent::Record record, Places& places, LogContent& content) {
+    const auto [place, is_new] = places.emplace(record.key, content.records.size());
+    if (is_new)
+        content.records.push_back(std::move(record));
+    else if (auto& other = content.records[place->second];
+             n_failures(record.packed) < n_failures(other.packed))
+        other = std::move(record);
+}
+
+void read_log(const std::vector<std::byte>& log, Places& places, LogContent& content) {
     for (std::size_t at = 0; at < log.size();) {
         const auto header = header_at(log, at);
         if (!header) {
@@ -134,9 +152,7 @@ void read_log(const std::vector<std::byte>& log, std::set<std::pair<int, int>>& 
             continue;
         }
         const auto* packed = log.data() + at + sizeof(Header);
-        if (seen.emplace(header->stage, header->item).second)
-            content.records.push_back(
-                {header->stage, header->item, {packed, packed + header->bytes}});
+        take({header->key, {packed, packed + header->bytes}}, places, content);
         at += sizeof(Header) + header->bytes;
     }
 }
@@ -185,11 +201,10 @@ ItemLog::~ItemLog() {
     ::close(file_);
 }
 
-void ItemLog::append(int stage, int item, const std::vector<std::byte>& packed) {
+void ItemLog::append(const ItemKey& key, const std::vector<std::byte>& packed) {
     Header header{};
     std::copy(std::begin(magic), std::end(magic), header.mark);
-    header.stage = stage;
-    header.item = item;
+    header.key = key;
     header.bytes = packed.size();
     header.checksum = checksum_of(header, packed.data());
     std::vector<std::byte> record(sizeof header + packed.size());
@@ -213,8 +228,8 @@ LogContent read_logs(const std::filesystem::path& folder) {
         if (entry.path().extension() == ".log") logs.push_back(entry.path());
     std::sort(logs.begin(), logs.end());
     LogContent content;
-    std::set<std::pair<int, int>> seen;
-    for (const auto& log : logs) read_log(bytes_of(log), seen, content);
+    Places places;
+    for (const auto& log : logs) read_log(bytes_of(log), places, content);
     return content;
 }
 

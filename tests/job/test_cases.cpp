@@ -1,5 +1,5 @@
-/// scripts/case_to_job: every case at hand becomes a job that is read without a
-/// complaint.
+/// scripts/case_to_job and scripts/run_case: every case at hand becomes a job that is
+/// read without a complaint.
 #include "job/plan.hpp"
 #include "job/small_office.hpp"
 
@@ -27,6 +27,23 @@ TEST(CaseToJob, EveryCaseBecomesAJobThatIsRead) {
             ASSERT_EQ(run_script(entry.path(), target), 0) << entry.path();
             EXPECT_EQ(message_of(target / "job.toml"), "") << entry.path();
         }
+    }
+}
+
+TEST(RunCase, AllCasesBecomeOneLoopThatIsRead) {
+    const std::filesystem::path cases = BEMCAL_ROOT "/../shared/cases/dev";
+    if (!std::filesystem::exists(cases)) GTEST_SKIP() << cases << " is not here";
+    const Folder folder;
+    std::string command = BEMCAL_ROOT "/scripts/run_case";
+    for (const auto& entry : std::filesystem::directory_iterator(cases))
+        command += " " + entry.path().string();
+    command += " " + folder.path().string() + " --job-only > /dev/null";
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    const Job job = read_job(folder / "job" / "job.toml");
+    EXPECT_EQ(job.buildings.size(), 10u);
+    for (const study::Case& building : job.buildings) {
+        ASSERT_EQ(building.periods.size(), 2u);
+        EXPECT_EQ(building.parameters.size(), building.priors.size());
     }
 }
 

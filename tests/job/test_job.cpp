@@ -112,8 +112,8 @@ TEST(Job, RunsOfZerosAreReportedAndMaskedOnlyWhenAsked) {
     std::string zeros = "time,elec_kWh,T_air_C\n";
     for (int k = 0; k < 59 * 24; ++k) {  // zeros in hours 100 to 149
         const auto time = physics::parse_time("2021-01-01") + std::chrono::hours(k + 1);
-        zeros += fmt::format("{},{},20\n", physics::format_time(time),
-                             k >= 100 && k < 150 ? 0.0 : 5.0 + k % 7);
+        zeros += fmt::format("{},{},{}\n", physics::format_time(time),
+                             k >= 100 && k < 150 ? 0.0 : 5.0 + k % 7, 20 + k % 3);
     }
     const study::Case kept = with_meter("zeros = \"keep\"", zeros);
     EXPECT_EQ(kept.meters[0].values[120], 0);

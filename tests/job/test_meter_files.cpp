@@ -83,6 +83,18 @@ TEST(MeterFiles, AMeterWithoutAFileIsPredictedOnly) {
         std::ranges::all_of(meter.values, [](double v) { return std::isnan(v); }));
 }
 
+TEST(MeterFiles, AHeldOutPeriodMayBeWithoutReadings) {
+    const Folder folder;
+    const std::string text =
+        replaced(small_office_text(), "mask = [\"2021-01-20/2021-01-21\"]",
+                 "mask = [\"2021-02-01/2021-02-28\"]");
+    const Job job = read_job(write_small_office(folder, text));
+    EXPECT_TRUE(std::ranges::any_of(job.buildings[0].decisions, [](const auto& decision) {
+        return decision.finding == "no reading in the period held_out" &&
+               decision.action == "predicted only there";
+    }));
+}
+
 TEST(MeterFiles, AFileNeedsItsColumn) {
     const Folder folder;
     const std::string text =

@@ -103,7 +103,8 @@ TEST(PosteriorStudy, TakesEveryKey) {
         "thin = 2\nsampler = \"random_walk\"\ntemperatures = [1, 2, 8]\n"
         "autocorrelated = false\ndiscrepancy = true\nhold_out_weeks = 0.25\n"
         "hold_out_hours = 0.1\nn_predictive = 30\nmeters = [\"air\"]\n"
-        "pooling = \"partial\"");
+        "pooling = \"partial\"\nreading_weight = 0.125\nlevel_change = 0.1\n"
+        "proportional = false");
     const study::PosteriorOptions& options = job.studies[1].posterior;
     EXPECT_EQ(options.period, "training");
     EXPECT_EQ(options.chains.n_chains, 4);
@@ -121,6 +122,9 @@ TEST(PosteriorStudy, TakesEveryKey) {
     EXPECT_EQ(options.hold_out_weeks, 0.25);
     EXPECT_EQ(options.hold_out_hours, 0.1);
     EXPECT_EQ(options.n_predictive, 30);
+    EXPECT_EQ(options.reading_weight, 0.125);
+    EXPECT_EQ(options.level_change, 0.1);
+    EXPECT_FALSE(options.residuals.proportional);
     EXPECT_EQ(options.meters, std::vector<std::string>{"air"});
     EXPECT_EQ(options.pooling, study::Pooling::partial);
 }

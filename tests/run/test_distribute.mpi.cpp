@@ -111,7 +111,9 @@ TEST(Distribute, AStopAskedForOnTheLastRankStopsAllOfThem) {
     int n_mine = 0;
     DistributeOptions options;
     options.on_finished = [&](int, const Bytes&) { ++n_mine; };
-    options.should_stop = [&] { return is_last && n_mine > 5; };
+    options.should_stop = [&] {
+        return is_last && n_mine > 5 ? Stopping::after_items : Stopping::no;
+    };
     EXPECT_TRUE(distribute_all(stage, options).stopped);
 }
 
@@ -135,7 +137,7 @@ TEST(Distribute, AnErrorOnTheLastRankIsThrownOnAllOfThem) {
 TEST(Distribute, AStageAfterAStoppedOneIsComplete) {
     const FakeStage stopped("a", {100000, std::chrono::milliseconds(1)});
     DistributeOptions options;
-    options.should_stop = [] { return true; };
+    options.should_stop = [] { return Stopping::soon; };
     EXPECT_TRUE(distribute_all(stopped, options).stopped);
     const FakeStage stage("b", {200});
     expect_complete(distribute_all(stage, {}), stage);

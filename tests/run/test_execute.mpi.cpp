@@ -1,12 +1,16 @@
 #include "run/execute.hpp"
+#include "run/output_place.hpp"
 #include "run/signals.hpp"
 #include "run/together.hpp"
+#include "run/verdict.hpp"
 #include "support/fake_stage.hpp"
 #include "support/mpi_world.hpp"
 #include "support/shared_folder.hpp"
 
 #include <atomic>
 #include <fstream>
+#include <memory>
+#include <thread>
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -65,6 +69,8 @@ std::string expected_hash(const SharedFolder& folder) {
         }
         for (auto& dataset : stage->conclude(answers))
             result.datasets.push_back(std::move(dataset));
+        for (auto& dataset : failed_item_datasets(*stage, answers))
+            result.datasets.push_back(std::move(dataset));
     }
     result.attributes["identity"] =
         store::read_result(folder / "a.h5").attributes.at("identity");
@@ -76,7 +82,8 @@ void expect_complete(const SharedFolder& folder, const Outcome& outcome) {
     if (!is_first()) return;
     EXPECT_EQ(outcome.hash, expected_hash(folder));
     EXPECT_EQ(store::read_result(folder / "a.h5").hash, outcome.hash);
-    EXPECT_FALSE(std::filesystem::exists(folder / "a.h5.part"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "a.h5.part")) << "one item failed";
+    EXPECT_FALSE(is_unfinished(folder / "a.h5"));
 }
 
 ExitCode code_of(Work work, const ExecuteOptions& options,
@@ -198,6 +205,156 @@ TEST(Execute, RefusesToResumeWithOtherDataAndNamesThem) {
                       options_of(folder / "a.h5", Existing::resume), &message),
               ExitCode::cannot_create);
     EXPECT_NE(message.find("weather.csv has changed"), std::string::npos) << message;
+}
+
+/// Some items throw, or take long, as long as the first flag is up; counts what was run.
+struct Trouble {
+    std::atomic<bool> is_there = true;
+    std::atomic<int> n_run = 0;
+    std::chrono::milliseconds sleep{0};  ///< 0: throws
+};
+
+class Troubled : public FakeStage {
+  public:
+    explicit Troubled(std::shared_ptr<Trouble> trouble)
+        : FakeStage("a", {60, {}, -1}), trouble_(std::move(trouble)) {}
+    study::ItemAnswer run(int item) const override {
+        ++trouble_->n_run;
+        if (item % 20 != 7 || !trouble_->is_there) return FakeStage::run(item);
+        if (trouble_->sleep.count() == 0) throw std::runtime_error("no licence");
+        std::this_thread::sleep_for(trouble_->sleep);
+        return FakeStage::run(item);
+    }
+
+  private:
+    std::shared_ptr<Trouble> trouble_;
+};
+
+Work troubled(const std::shared_ptr<Trouble>& trouble) {
+    Work work;
+    work.stages.push_back(std::make_unique<Troubled>(trouble));
+    work.identity = {{"version", "1"}};
+    work.frame.attributes = {{"program", "bemcal-batch"}, {"title", "troubled"}};
+    return work;
+}
+
+/// Of a run without trouble, in a folder of its own.
+std::string untroubled_hash() {
+    const SharedFolder folder;
+    const auto trouble = std::make_shared<Trouble>();
+    trouble->is_there = false;
+    const Outcome outcome = execute(world(), troubled(trouble),
+                                    options_of(folder / "a.h5", Existing::refuse));
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.h5.part"));
+    return outcome.hash;
+}
+
+std::vector<std::string> failed_reasons(const SharedFolder& folder) {
+    for (const auto& dataset : store::read_result(folder / "a.h5").datasets)
+        if (dataset.path == "a/failed_item_reason") return dataset.texts;
+    return {};
+}
+
+int over_all_ranks(int n) {
+    int sum = 0;
+    for (const Bytes& bytes : world().all_gather({static_cast<std::byte>(n)}))
+        sum += static_cast<int>(bytes[0]);
+    return sum;
+}
+
+TEST(Execute, RerunFailedDoesOnlyTheFailedItemsAndEndsAsIfTheyHadNotFailed) {
+    const std::string expected = untroubled_hash();
+    const SharedFolder folder;
+    const auto trouble = std::make_shared<Trouble>();
+    const ExecuteOptions rerun = options_of(folder / "a.h5", Existing::rerun_failed);
+    EXPECT_EQ(code_of(troubled(trouble), options_of(folder / "a.h5", Existing::refuse)),
+              ExitCode::ok);
+    if (is_first()) {
+        EXPECT_EQ(failed_reasons(folder), std::vector<std::string>(3, "no licence"));
+        EXPECT_EQ(store::read_result(folder / "a.h5").run.at("items_to_rerun"), "3");
+    }
+    trouble->is_there = false;
+    trouble->n_run = 0;
+    const Outcome outcome = execute(world(), troubled(trouble), rerun);
+    EXPECT_EQ(outcome.hash, expected);
+    EXPECT_EQ(over_all_ranks(trouble->n_run), 3);
+    EXPECT_EQ(code_of(troubled(trouble), rerun), ExitCode::cannot_create);
+}
+
+TEST(Execute, RerunFailedOfWhatStillFailsKeepsTheReason) {
+    const SharedFolder folder;
+    const auto trouble = std::make_shared<Trouble>();
+    execute(world(), troubled(trouble), options_of(folder / "a.h5", Existing::refuse));
+    execute(world(), troubled(trouble),
+            options_of(folder / "a.h5", Existing::rerun_failed));
+    if (is_first()) {
+        EXPECT_EQ(failed_reasons(folder), std::vector<std::string>(3, "no licence"));
+    }
+}
+
+TEST(Execute, AnItemOverItsTimeIsUnfinishedTheOthersGoOnAndItCanBeDoneAgain) {
+    const std::string expected = untroubled_hash();
+    const SharedFolder folder;
+    const auto trouble = std::make_shared<Trouble>();
+    trouble->sleep = std::chrono::seconds(6);
+    ExecuteOptions options = options_of(folder / "a.h5", Existing::refuse);
+    options.item_seconds = 0.3;
+    execute(world(), troubled(trouble), options);
+    if (is_first()) {
+        EXPECT_EQ(failed_reasons(folder),
+                  std::vector<std::string>(
+                      3, "unfinished: took longer than 0.3 s (--item-seconds)"));
+    }
+    trouble->is_there = false;
+    trouble->n_run = 0;
+    options.existing = Existing::rerun_failed;
+    EXPECT_EQ(execute(world(), troubled(trouble), options).hash, expected);
+    EXPECT_EQ(over_all_ranks(trouble->n_run), 3);
+}
+
+TEST(Execute, ASignalDoesNotWaitForALongItem) {
+    const SharedFolder folder;
+    const auto trouble = std::make_shared<Trouble>();
+    trouble->sleep = std::chrono::seconds(20);
+    class Raising : public Troubled {
+      public:
+        using Troubled::Troubled;
+        study::ItemAnswer run(int item) const override {
+            if (item == 7) ::raise(SIGUSR1);
+            return Troubled::run(item);
+        }
+    };
+    Work work = troubled(trouble);
+    work.stages[0] = std::make_unique<Raising>(trouble);
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_EQ(code_of(std::move(work), options_of(folder / "a.h5", Existing::refuse)),
+              ExitCode::more_to_do);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+    trouble->is_there = false;
+    const Outcome outcome = execute(world(), troubled(trouble),
+                                    options_of(folder / "a.h5", Existing::resume));
+    const std::string expected = untroubled_hash();
+    EXPECT_EQ(outcome.hash, expected);
+}
+
+TEST(Execute, AStageOfWhichNothingSucceededIsAFailedBatchAlsoWhenResumed) {
+    class Failing : public FakeStage {
+      public:
+        using FakeStage::FakeStage;
+        study::ItemAnswer run(int) const override {
+            throw std::runtime_error("no licence");
+        }
+    };
+    const SharedFolder folder;
+    const auto work = [] {
+        Work all = work_of();
+        all.stages[1] = std::make_unique<Failing>("b", FakeStage::Options{50, {}, -1});
+        return all;
+    };
+    EXPECT_EQ(code_of(work(), options_of(folder / "a.h5", Existing::refuse)),
+              ExitCode::data);
+    EXPECT_EQ(code_of(work(), options_of(folder / "a.h5", Existing::resume)),
+              ExitCode::data);
 }
 
 TEST(Execute, AFolderThatCannotBeMadeIsRefusedOnAllRanks) {

@@ -21,7 +21,7 @@ study::ItemAnswer answer_of(int item) {
 void write_items(const std::filesystem::path& folder, int rank, int first, int last) {
     ItemLog log(folder, rank);
     for (int item = first; item < last; ++item)
-        log.append(2, item, pack(answer_of(item)));
+        log.append({2, item}, pack(answer_of(item)));
     log.sync();
 }
 
@@ -59,8 +59,8 @@ TEST(ItemLog, ReadsTheLogsOfAllRanks) {
     EXPECT_EQ(content.n_damaged, 0);
     ASSERT_EQ(content.records.size(), 9U);
     for (const auto& record : content.records) {
-        EXPECT_EQ(record.stage, 2);
-        EXPECT_EQ(record.packed, pack(answer_of(record.item)));
+        EXPECT_EQ(record.key.stage, 2);
+        EXPECT_EQ(record.packed, pack(answer_of(record.key.item)));
     }
 }
 
@@ -69,6 +69,30 @@ TEST(ItemLog, AnItemThatStandsTwiceCountsOnce) {
     write_items(folder.path(), 0, 0, 5);
     write_items(folder.path(), 1, 0, 5);
     EXPECT_EQ(read_logs(folder.path()).records.size(), 5U);
+}
+
+TEST(ItemLog, OfSeveralAnswersTheOneWithTheFewestFailuresCounts) {
+    study::ItemAnswer failed, some_failed, good;
+    failed.error = "no licence";
+    some_failed.failures = {{3, "no licence"}};
+    good.values = {1.5};
+    for (const auto& order : {std::vector{failed, some_failed, good},
+                              std::vector{good, failed, some_failed}}) {
+        const test::TemporaryFolder folder;
+        ItemLog log(folder.path(), 0);
+        for (const study::ItemAnswer& answer : order) log.append({1, 7}, pack(answer));
+        const LogContent content = read_logs(folder.path());
+        ASSERT_EQ(content.records.size(), 1U);
+        EXPECT_EQ(content.records[0].packed, pack(good));
+    }
+}
+
+TEST(ItemLog, AnswersThatStartedFromSomethingElseAreOthers) {
+    const test::TemporaryFolder folder;
+    ItemLog log(folder.path(), 0);
+    log.append({1, 7, 100}, pack(answer_of(1)));
+    log.append({1, 7, 200}, pack(answer_of(2)));
+    EXPECT_EQ(read_logs(folder.path()).records.size(), 2U);
 }
 
 TEST(ItemLog, AChangedByteAnywhereCostsItsRecordOnlyAndIsCounted) {
@@ -107,14 +131,14 @@ TEST(ItemLog, AFullDiskIsAUserErrorAndKeepsWhatWasWritten) {
     const test::TemporaryFolder folder;
     ::signal(SIGXFSZ, SIG_IGN);
     ItemLog log(folder.path(), 0);
-    log.append(0, 0, pack(answer_of(1)));
+    log.append({0, 0}, pack(answer_of(1)));
     rlimit old{};
     ::getrlimit(RLIMIT_FSIZE, &old);
     const rlimit small{300, old.rlim_max};
     ::setrlimit(RLIMIT_FSIZE, &small);
     study::ItemAnswer large;
     large.values.resize(1000);
-    EXPECT_THROW(log.append(0, 1, pack(large)), UserError);
+    EXPECT_THROW(log.append({0, 1}, pack(large)), UserError);
     ::setrlimit(RLIMIT_FSIZE, &old);
     EXPECT_EQ(read_logs(folder.path()).records.size(), 1U);
 }

@@ -11,10 +11,21 @@
 namespace bemcal::store {
 namespace {
 
-TEST(Layout, EveryNameStandsOnce) {
+TEST(Layout, EveryNameStandsOnceWithItsDimensions) {
     std::set<std::string> names;
     for (const LayoutRow& row : layout())
-        EXPECT_TRUE(names.insert(row.leaf).second) << row.leaf;
+        EXPECT_TRUE(names.insert(std::string(row.leaf) + " " + row.dims).second)
+            << row.leaf;
+}
+
+TEST(Layout, OneNameMayStandForOtherDimensionsInAnotherKindOfStudy) {
+    const auto meaning = [](std::vector<std::string> dims) {
+        return std::string(
+            layout_of({"a/b/simulated", std::move(dims), {}, {}, {}}).dims);
+    };
+    EXPECT_EQ(meaning({"candidate", "time"}), "candidate time");
+    EXPECT_EQ(meaning({"model", "time"}), "model time");
+    EXPECT_THROW(meaning({"time"}), std::logic_error);
 }
 
 TEST(Layout, EveryNumberHasAUnitAndEveryRowAMeaning) {
@@ -41,6 +52,7 @@ TEST(Layout, NoPeriodMayBeCalledAsWhatAScreeningStores) {
     check(at("parameter"), at("failed_reason"));
     check(at("meter"), at("n_points"));
     check(at("unknown"), at("data_words"));
+    check(at("channel"), at("noise_floor"));
     EXPECT_EQ(job::refusal_of_name(job::Named::period, "heating"), "");
 }
 

@@ -1,0 +1,73 @@
+/// The keys of a [[study]] of kind "optimisation", and what it needs of the buildings.
+#include "job/readers.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace bemcal::job {
+namespace {
+
+/// What is minimised of the meters.
+void read_objective(const Section& section, study::OptimisationOptions& options) {
+    options.objective = section.choice_as<study::Objective>("objective");
+    if (options.objective != study::Objective::likelihood) {
+        options.cv_weight = section.number("cv_weight");
+        options.r2_weight = section.number("r2_weight");
+    }
+    options.meter_weights = section.numbers("meter_weights");
+}
+
+}  // namespace
+
+study::OptimisationOptions read_optimisation(const Section& section, std::uint64_t seed) {
+    study::OptimisationOptions options;
+    options.method = section.choice_as<study::OptimisationMethod>("method");
+    options.period = section.text("period");
+    options.parameters = section.texts("parameters");
+    options.seed = seed;
+    const bool is_of_meters = !section.has("target");
+    if (is_of_meters) {
+        options.meters = section.texts("meters");
+        options.resolution = section.choice_as<study::ObjectiveResolution>("resolution");
+    }
+    if (options.method == study::OptimisationMethod::nsga2) {
+        options.errors = section.choice_as<study::MeterError>("errors");
+        options.n_population = static_cast<int>(section.integer("n_population"));
+        options.n_generations = static_cast<int>(section.integer("n_generations"));
+        if (options.n_population % 2 != 0)
+            section.fail_value("n_population", "expected an even number");
+        return options;
+    }
+    if (is_of_meters) read_objective(section, options);
+    options.evaluations = static_cast<std::size_t>(section.integer("evaluations"));
+    if (options.method != study::OptimisationMethod::pattern)
+        options.n_particles = static_cast<int>(section.integer("n_particles"));
+    if (options.method == study::OptimisationMethod::swarm_then_pattern)
+        options.restart = section.flag("restart");
+    return options;
+}
+
+void check_optimisation(const Section& section, const study::OptimisationOptions& options,
+                        const std::vector<study::Case>& buildings) {
+    if (section.has("target")) {
+        for (const study::Case& building : buildings)
+            check_parameters(section, {options.period, options.parameters, {}}, building);
+        return;
+    }
+    const Learning learning{options.period, options.parameters, options.meters};
+    for (const study::Case& building : buildings) {
+        check_parameters(section, learning, building);
+        check_meters(section, learning, building);
+    }
+    if (options.meter_weights.empty()) return;
+    if (options.meters.size() != options.meter_weights.size())
+        section.fail("meter_weights",
+                     fmt::format("has {} numbers, but meters has {} names; expected one "
+                                 "for each",
+                                 options.meter_weights.size(), options.meters.size()));
+    for (const double weight : options.meter_weights)
+        if (!(weight >= 0)) section.fail("meter_weights", "expected no negative number");
+}
+
+}  // namespace bemcal::job

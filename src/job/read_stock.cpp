@@ -1,0 +1,222 @@
+/// [stock]: the table or folder, and from a line to a job of one building.
+#include "base/error.hpp"
+#include "base/hash.hpp"
+#include "job/readers.hpp"
+#include "job/result_names.hpp"
+#include "job/stock.hpp"
+#include "job/stock_description.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace bemcal::job {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string name_in(const StockLine& line) {
+    for (const char* column : {"name", "id", "building"})
+        if (const std::string name = line.cell(column); !name.empty()) return name;
+    return {};
+}
+
+/// A name that is missing, refused, or another line's is the line's complaint.
+void check_names(std::vector<StockLine>& lines) {
+    std::set<std::string> known;
+    for (StockLine& line : lines) {
+        const std::string found = line.name;
+        if (found.empty())
+            line.complaint = "has no name; expected a column name or id";
+        else if (found == "stock")
+            line.complaint = "the name \"stock\" is taken by the result";
+        else
+            line.complaint = refusal_of_name(Named::building, found);
+        if (line.complaint.empty() && !known.insert(found).second)
+            line.complaint = fmt::format("another line has the name \"{}\"", found);
+        if (!line.complaint.empty()) line.name = fmt::format("line {}", line.line);
+    }
+}
+
+std::vector<StockLine> lines_of(const Csv& csv) {
+    std::vector<StockLine> lines(csv.n_rows());
+    for (std::size_t row = 0; row < lines.size(); ++row) {
+        lines[row].line = csv.lines[row];
+        for (std::size_t k = 0; k < csv.columns.size(); ++k)
+            lines[row].cells[csv.columns[k]] = std::string(csv.cell(row, k));
+        lines[row].name = name_in(lines[row]);
+    }
+    return lines;
+}
+
+std::vector<StockLine> lines_of(const Section& section, const fs::path& folder) {
+    std::vector<StockLine> lines;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error))
+        if (entry.path().extension() == ".toml") {
+            lines.emplace_back();
+            lines.back().name = entry.path().stem().string();
+            lines.back().cells["file"] = entry.path().filename().string();
+        }
+    if (lines.empty())
+        section.fail_value(
+            "folder", error ? "cannot be read: " + error.message() : "holds no *.toml");
+    std::ranges::sort(lines, {}, &StockLine::name);
+    return lines;
+}
+
+bool is_letter(char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+bool is_in_name(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// The text with every @column@ in place; any other @ is itself.
+std::string filled(const std::string& text, const StockLine& line,
+                   const std::string& file) {
+    std::string result;
+    for (std::size_t at = 0; at < text.size();) {
+        std::size_t end = at + 1;
+        if (text[at] == '@' && end < text.size() && is_letter(text[end]))
+            while (end < text.size() && is_in_name(text[end])) ++end;
+        if (end == at + 1 || end >= text.size() || text[end] != '@') {
+            result += text[at++];
+            continue;
+        }
+        const std::string name = text.substr(at + 1, end - at - 1);
+        const auto cell = line.cells.find(name);
+        if (cell == line.cells.end())
+            throw UserError(
+                ExitCode::config,
+                fmt::format(
+                    "{}:{}: @{}@: the table has no such column", file,
+                    1 + std::count(text.begin(),
+                                   text.begin() + static_cast<std::ptrdiff_t>(at), '\n'),
+                    name));
+        result += cell->second;
+        at = end + 1;
+    }
+    return result;
+}
+
+struct OwnText {
+    std::string text, file;
+    std::vector<study::DataDecision> decisions;
+};
+
+OwnText own_text(const Stock& stock, const StockLine& line, InputFiles& files) {
+    if (const std::string file = line.cell("file"); !file.empty()) {
+        const fs::path folder =
+            fs::is_directory(stock.table) ? stock.table : stock.table.parent_path();
+        const fs::path path = folder / file;
+        return {filled(files.text(path), line, path.string()), path.string(), {}};
+    }
+    if (!stock.template_name.empty())
+        return {filled(stock.template_text, line, stock.template_name),
+                stock.template_name,
+                {}};
+    Description description = describe_line(stock, line, files);
+    return {std::move(description.text),
+            fmt::format("{}:{}", stock.table.string(), line.line),
+            std::move(description.decisions)};
+}
+
+/// The stock's seed and the building's name, whatever else the stock holds.
+std::uint64_t seed_of(std::uint64_t seed, const std::string& name) {
+    const std::string text = fmt::format("{}/{}", seed, name);
+    return checksum64(text.data(), text.size()) >> 11;
+}
+
+void set_seeds(Job& job) {
+    StudySpec& study = job.studies.at(0);
+    study.screening.seed = study.posterior.chains.seed = study.loop.seed = job.seed;
+}
+
+void add_building(const Section& own, const Section& root, const StockLine& line,
+                  InputFiles& files, Job& job) {
+    study::Case building = read_case({own, root}, files);
+    building.name = building.building.name = line.name;
+    job.buildings.push_back(std::move(building));
+}
+
+}  // namespace
+
+std::string StockLine::cell(const std::string& column) const {
+    const auto found = cells.find(column);
+    return found == cells.end() ? "" : found->second;
+}
+
+std::string Stock::hash_of(const StockLine& line) const {
+    Hasher hasher;
+    for (const auto& [column, cell] : line.cells) {
+        hasher.add(std::string_view(column));
+        hasher.add(std::string_view(cell));
+    }
+    hasher.add(std::string_view(template_text));
+    return hasher.hex();
+}
+
+std::shared_ptr<Stock> read_stock(const Section& section, InputFiles& files) {
+    auto stock = std::make_shared<Stock>();
+    stock->weathers = std::make_shared<WeatherMemory>();
+    if (section.has("table") == section.has("folder"))
+        section.fail("table", "expected either table or folder");
+    const bool is_folder = section.has("folder");
+    stock->table = section.path(section.text(is_folder ? "folder" : "table"));
+    stock->lines = is_folder ? lines_of(section, stock->table)
+                             : lines_of(files.csv(stock->table, section.where("table")));
+    check_names(stock->lines);
+    if (section.has("template")) {
+        const fs::path path = section.path(section.text("template"));
+        stock->template_name = path.string();
+        stock->template_text = files.text(path, section.where("template"));
+    }
+    StockOptions& options = stock->options;
+    options.recent_days = section.number("recent_days");
+    options.window_days = section.number("window_days");
+    options.budget = section.number("budget");
+    options.hours = section.number("hours");
+    options.drift_value = section.number("drift_value");
+    options.drift_error = section.number("drift_error");
+    options.keep_results = section.flag("keep_results");
+    return stock;
+}
+
+std::string job_text_of_table(const std::string& table) {
+    return fmt::format(
+        "# A table alone: each building is screened.\n[stock]\ntable = \"{}\"\n\n"
+        "[[study]]\nkind = \"screening\"\nn_points = 4096\n",
+        table);
+}
+
+Job read_stock_building(const Job& stock_job, const StockLine& line, InputFiles& files) {
+    const Stock& stock = *stock_job.stock;
+    if (!line.complaint.empty())
+        throw UserError(ExitCode::data, fmt::format("{}:{}: {}", stock.table.string(),
+                                                    line.line, line.complaint));
+    Job job;
+    job.file = stock_job.file;
+    job.name = line.name;
+    job.studies = stock_job.studies;
+    job.seed = seed_of(stock_job.seed, line.name);
+    set_seeds(job);
+    files.weathers = stock.weathers;
+    const std::string root_name = stock_job.file.string();
+    const Node root_tree = parse_document(stock_job.text, root_name);
+    const Section root(root_tree, "job", root_name);
+    OwnText own = own_text(stock, line, files);
+    const Node tree = parse_document(own.text, own.file);
+    add_building(Section(tree, "building", own.file), root, line, files, job);
+    check_studies_of(root, job);
+    check_all_used(tree, own.file);
+    auto& decisions = job.buildings[0].decisions;
+    decisions.insert(decisions.begin(), own.decisions.begin(), own.decisions.end());
+    job.inputs = files.log();
+    return job;
+}
+
+}  // namespace bemcal::job

@@ -1,0 +1,66 @@
+/// A stock: many buildings, one line of a table (or one file of a folder) each, and what
+/// is done with every one of them.
+///
+/// A line becomes a building only where it is worked on: nothing but the table is read
+/// beforehand, so that a broken building is one failed item, and memory does not grow
+/// with the stock. A building's text is its own file, the stock's template with
+/// `@column@` filled from the line, or the description that its columns give
+/// (stock_description.hpp). Sections that it leaves out are the job's.
+#pragma once
+
+#include "job/job.hpp"
+#include "job/section.hpp"
+#include "job/weather_memory.hpp"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bemcal::job {
+
+struct StockLine {
+    int line = 0;  ///< of the table; 0 in a folder
+    std::string name;
+    std::map<std::string, std::string> cells;  ///< of all columns
+    std::string complaint;                     ///< why it is none; empty = it is one
+    /// The cell, or nothing where there is no such column or it is empty.
+    std::string cell(const std::string& column) const;
+};
+
+struct StockOptions {
+    double recent_days = 28;    ///< kept from the calibration, at the end of the readings
+    double window_days = 365;   ///< calibrated on, before these
+    double budget = 0;          ///< simulations of a night; 0 = no limit
+    double hours = 0;           ///< after which no building is begun; 0 = no limit
+    double drift_value = 0.2;   ///< of the range
+    double drift_error = 1.5;   ///< recent RMSE over that of training
+    bool keep_results = false;  ///< every building's whole result as well
+};
+
+class InputFiles;
+
+class Stock {
+  public:
+    std::filesystem::path table;  ///< or the folder
+    std::string template_name;    ///< "" = none
+    std::string template_text;
+    std::vector<StockLine> lines;
+    StockOptions options;
+    std::shared_ptr<WeatherMemory> weathers;
+
+    /// What the line and its template say, before any data are read.
+    std::string hash_of(const StockLine& line) const;
+};
+
+/// [stock] of a job. A line that cannot be read keeps its complaint.
+std::shared_ptr<Stock> read_stock(const Section& section, InputFiles& files);
+
+/// The job that a table alone stands for.
+std::string job_text_of_table(const std::string& table);
+
+/// A job of this one building, with the stock's studies and random numbers of its own.
+/// Throws UserError as any job does.
+Job read_stock_building(const Job& stock_job, const StockLine& line, InputFiles& files);
+
+}  // namespace bemcal::job

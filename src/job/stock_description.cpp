@@ -1,0 +1,365 @@
+#include "job/stock_description.hpp"
+
+#include "base/error.hpp"
+#include "job/stock_readings.hpp"
+#include "physics/calendar.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace bemcal::job {
+
+namespace {
+
+/// What the box does not take from the line: an office's use and its ranges.
+constexpr const char* common_text = R"(
+[[schedule]]
+name = "day"
+summer_time = "eu"
+weekdays = [0, 0, 0, 0, 0, 0.5, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0.5, 0, 0, 0, 0, 0]
+weekend = 0
+[[schedule]]
+name = "occupied"
+summer_time = "eu"
+weekdays = [0, 0, 0, 0, 0, 0, 0, 0.2, 0.6, 1, 1, 1, 1, 1, 1, 1, 1, 0.7, 0.3, 0.1, 0, 0, 0, 0]
+weekend = 0.1
+[[parameter]]
+name = "envelope"
+target = ["construction.*.u_value", "glazing.window.u_value"]
+mode = "factor"
+min = 0.4
+max = 2.0
+[[parameter]]
+name = "g_window"
+target = "glazing.window.solar_transmittance"
+min = 0.1
+max = 0.8
+[[parameter]]
+name = "infiltration"
+target = "zone.building.flow.infiltration.air_change"
+min = 0.1
+max = 2.0
+[[parameter]]
+name = "ventilation"
+target = "zone.building.flow.ventilation.air_change"
+min = 0
+max = 4
+[[parameter]]
+name = "set_point"
+target = "zone.building.heating_set_point"
+mode = "offset"
+min = -3
+max = 3
+[[parameter]]
+name = "set_back"
+target = "zone.building.heating_set_point.low"
+mode = "offset"
+min = -5
+max = 3
+[[parameter]]
+name = "heat_capacity"
+target = "zone.building.heat_capacity"
+min = 80000
+max = 600000
+)";
+
+struct MeterKind {
+    const char* name;
+    const char* quantity;
+};
+constexpr MeterKind meter_kinds[] = {
+    {"gas", "gas"}, {"electricity", "electricity"}, {"heat", "district"}};
+
+struct GasUnit {
+    const char* unit;
+    double kwh;
+};
+constexpr GasUnit gas_units[] = {{"kWh", 1}, {"m3", 11.22}, {"100 ft3", 31.77}};
+constexpr double usual_gas = 160;       ///< [kWh/(m2 a)] of a heated building, about
+constexpr double large_building = 2e4;  ///< [m2] that are hardly one building
+
+class Writer {
+  public:
+    Writer(const Stock& stock, const StockLine& line, InputFiles& files)
+        : stock_(stock), line_(line), files_(files) {}
+
+    Description write() {
+        floor_area_ = required("floor_area", "floor_area_m2");
+        if (!(floor_area_ > 0)) fail("floor_area", "expected more than 0 m2");
+        for (const MeterKind& kind : meter_kinds)
+            if (!line_.cell(kind.name).empty()) add_meter(kind);
+        if (meters_.empty())
+            fail("gas",
+                 "there is no meter; expected a file under gas, electricity or heat");
+        doubt_single_meter();
+        add_place();
+        add_periods();
+        add_envelope();
+        add_zone();
+        return {text_ + common_text + load_parameters() + gas_parameters() + meters_,
+                std::move(decisions_)};
+    }
+
+  private:
+    [[noreturn]] void fail(const std::string& column, const std::string& message) const {
+        throw UserError(ExitCode::data,
+                        fmt::format("{}:{}: {}: {}", stock_.table.string(), line_.line,
+                                    column, message));
+    }
+
+    double number_of(const std::string& column, const std::string& cell) const {
+        double value = 0;
+        const char* end = cell.data() + cell.size();
+        const auto [at, error] = std::from_chars(cell.data(), end, value);
+        if (error != std::errc() || at != end || !std::isfinite(value))
+            fail(column, fmt::format("\"{}\" is not a number", cell.substr(0, 40)));
+        return value;
+    }
+
+    double number(const std::string& column, double fallback) const {
+        const std::string cell = line_.cell(column);
+        return cell.empty() ? fallback : number_of(column, cell);
+    }
+
+    double required(const std::string& column, const std::string& other) const {
+        for (const std::string& name : {column, other})
+            if (const std::string cell = line_.cell(name); !cell.empty())
+                return number_of(name, cell);
+        fail(column, "is missing");
+    }
+
+    std::string word(const std::string& column, const std::string& fallback) const {
+        const std::string cell = line_.cell(column);
+        if (cell.find_first_of("\"\\\n") != std::string::npos)
+            fail(column, "holds a quote or backslash");
+        return cell.empty() ? fallback : cell;
+    }
+
+    std::filesystem::path path(const std::string& column) const {
+        return stock_.table.parent_path() / line_.cell(column);
+    }
+
+    void decide(const std::string& series, std::string finding, std::string action) {
+        decisions_.push_back({series, std::move(finding), std::move(action)});
+    }
+
+    void add_meter(const MeterKind& kind) {
+        const std::string name = kind.name;
+        const std::string column = word(name + "_column", line_.name);
+        const ReadingsLook look = look_at(files_.csv(path(name)), column);
+        if (look.last_day.empty())
+            fail(name,
+                 fmt::format("{} has no reading of {}", path(name).string(), column));
+        first_day_ = std::max(first_day_, look.first_day);
+        last_day_ =
+            last_day_.empty() ? look.last_day : std::min(last_day_, look.last_day);
+        if (name == "electricity" && look.total > 0)
+            mean_load_ =
+                std::clamp(1000 * look.total / look.hours / floor_area_, 2.0, 500.0);
+        std::string unit = word(name + "_unit", "kWh");
+        if (unit == "auto") unit = chosen_unit(name, look);
+        if (look.quantum > 0)
+            decide(name,
+                   fmt::format("{:.1f} % of its readings are whole multiples of {:.4g}",
+                               100 * look.quantum_share, look.quantum),
+                   "kept; shared: a share of another meter's pulses, or a conversion");
+        ++n_meters_;
+        has_gas_ = has_gas_ || name == "gas";
+        meters_ += fmt::format(
+            "[[meter]]\nname = \"{}\"\nquantity = \"{}\"\nfile = \"{}\"\ncolumn = "
+            "\"{}\"\n"
+            "unit = \"{}\"\n",
+            name, kind.quantity, word(name, ""), column, unit);
+    }
+
+    /// By a year's gas of a square metre; says what the others would make of it.
+    std::string chosen_unit(const std::string& name, const ReadingsLook& look) {
+        const double year = look.total / look.hours * 8760 / floor_area_;
+        const auto oddity = [&](const GasUnit& unit) {
+            return std::abs(std::log(std::max(year * unit.kwh, 1e-9) / usual_gas));
+        };
+        const GasUnit* best = &gas_units[0];
+        std::string all;
+        for (const GasUnit& unit : gas_units) {
+            if (oddity(unit) < oddity(*best)) best = &unit;
+            all += fmt::format("{}{:.3g} as {}", all.empty() ? "" : ", ", year * unit.kwh,
+                               unit.unit);
+        }
+        decide(name, fmt::format("its unit is not said; kWh a year and m2: {}", all),
+               fmt::format("unit: taken as {}; {}_unit says it", best->unit, name));
+        return best->unit;
+    }
+
+    /// A site's meter reads like a building's.
+    void doubt_single_meter() {
+        const bool others_have = line_.cells.contains("electricity");
+        if (floor_area_ < large_building || !has_gas_ || !others_have ||
+            !line_.cell("electricity").empty())
+            return;
+        decide("gas",
+               fmt::format("{:.0f} m2 and no electricity of its own, which others of the "
+                           "stock have",
+                           floor_area_),
+               "kept; shared: it may be the meter of several buildings");
+    }
+
+    void add_place() {
+        const std::string file = word("weather", "");
+        if (file.empty()) fail("weather", "is missing");
+        const std::string temperature = word("outdoor_temperature", "");
+        for (const char* key : {"latitude", "longitude", "utc_offset", "elevation"})
+            if (const std::string cell = line_.cell(key); !cell.empty())
+                site_ += fmt::format("{} = {}\n", key, number_of(key, cell));
+        if (!temperature.empty() && line_.cell("utc_offset").empty())
+            site_ += "utc_offset = 0\n";
+        if (!site_.empty()) text_ += "[site]\n" + site_;
+        text_ += fmt::format("[weather]\nfiles = [\"{}\"]\n", file);
+        if (temperature.empty()) return;
+        text_ += "format = \"csv\"\ntemperature = \"hour_mean\"\nfill_gaps = 48\n";
+        text_ +=
+            fmt::format("[weather.columns]\noutdoor_temperature = \"{}\"\n", temperature);
+        for (const char* key :
+             {"global_horizontal", "direct_normal", "diffuse_horizontal", "cloud_cover"})
+            if (const std::string column = word(key, ""); !column.empty())
+                text_ += fmt::format("{} = {{column = \"{}\", stamp = \"{}\"}}\n", key,
+                                     column, word(std::string(key) + "_stamp", "start"));
+    }
+
+    physics::Seconds day_in(const std::string& column,
+                            const std::string& fallback) const {
+        const std::string cell = line_.cell(column);
+        try {
+            return physics::parse_time((cell.empty() ? fallback : cell).substr(0, 10));
+        } catch (const std::exception& error) {
+            fail(column, error.what());
+        }
+    }
+
+    static std::string day_of(physics::Seconds time) {
+        return physics::format_time(time).substr(0, 10);
+    }
+
+    /// The last days are kept, and a window before them is calibrated on.
+    void add_periods() {
+        using std::chrono::days;
+        physics::Seconds from = day_in("from", first_day_);
+        const physics::Seconds last = day_in("to", last_day_);
+        const auto recent = days(static_cast<int>(stock_.options.recent_days));
+        const auto window = days(static_cast<int>(stock_.options.window_days));
+        const physics::Seconds end = last - recent;
+        from = std::max(from, end - window + days(1));
+        if (from >= end)
+            fail("to", fmt::format("readings from {} to {} are too few for a calibration",
+                                   day_of(from), day_of(last)));
+        text_ += fmt::format("[periods]\ntraining = [\"{}\", \"{}\"]\n", day_of(from),
+                             day_of(end));
+        if (recent.count() > 0)
+            text_ += fmt::format("recent = [\"{}\", \"{}\"]\n", day_of(end + days(1)),
+                                 day_of(last));
+    }
+
+    void add_envelope() {
+        constexpr struct {
+            const char *name, *column;
+            double u;
+        } parts[] = {
+            {"wall", "u_wall", 1.2}, {"roof", "u_roof", 0.7}, {"floor", "u_floor", 0.4}};
+        for (const auto& part : parts)
+            text_ += fmt::format("[[construction]]\nname = \"{}\"\nu_value = {}\n",
+                                 part.name, number(part.column, part.u));
+        text_ += fmt::format(
+            "[[glazing]]\nname = \"window\"\nu_value = {}\nsolar_transmittance = 0.6\n",
+            number("u_window", 3));
+    }
+
+    void add_zone() {
+        const double floors =
+            std::max(1.0, number("floors", std::ceil(floor_area_ / 1500)));
+        const double height = number("height", 3.4), glass = number("glass_share", 0.3);
+        const double floor = floor_area_ / floors;
+        const double wall = std::sqrt(floor) * floors * height;  // of one side
+        text_ += fmt::format(
+            "[[zone]]\nname = \"building\"\nfloor_area = {}\nvolume = {}\nclass = "
+            "\"{}\"\n"
+            "heating_set_point = {{value = 21, low = 18, schedule = \"day\"}}\n"
+            "cooling_set_point = 60\ncooling_capacity = 0\n",
+            floor_area_, floor_area_ * height, word("class", "medium"));
+        for (const int azimuth : {0, 90, 180, 270}) {
+            text_ += fmt::format(
+                "[[zone.surface]]\nconstruction = \"wall\"\narea = {}\nazimuth = {}\n",
+                wall * (1 - glass), azimuth);
+            text_ += fmt::format(
+                "[[zone.window]]\nglazing = \"window\"\narea = {}\nazimuth = {}\n",
+                wall * glass, azimuth);
+        }
+        text_ += fmt::format(
+            "[[zone.surface]]\nconstruction = \"roof\"\narea = {0}\nazimuth = 0\ntilt = "
+            "0\n"
+            "[[zone.surface]]\nconstruction = \"floor\"\narea = {0}\nadjustment = 0.5\n"
+            "in_sun = false\n"
+            "[[zone.flow]]\nname = \"infiltration\"\nair_change = 0.5\n"
+            "[[zone.flow]]\nname = \"ventilation\"\nair_change = {{value = 1, schedule = "
+            "\"day\"}}\n",
+            floor);
+        add_loads();
+    }
+
+    void add_loads() {
+        const char* carrier =
+            line_.cell("electricity").empty() ? "" : "carrier = \"electricity\"\n";
+        text_ += fmt::format(
+            "[[zone.load]]\nname = \"steady\"\ndensity = {1:.4g}\n{0}"
+            "[[zone.load]]\nname = \"use\"\n"
+            "density = {{value = {2:.4g}, schedule = \"occupied\"}}\n{0}",
+            carrier, 0.7 * mean_load_, 0.9 * mean_load_);
+        if (has_gas_)
+            text_ +=
+                "[[zone.load]]\nname = \"hot_water\"\ndensity = 1\nheat_fraction = 0\n"
+                "carrier = \"gas\"\n";
+        text_ +=
+            fmt::format("[plant]\nheating_carrier = \"{}\"\nheating_efficiency = {}\n",
+                        has_gas_                     ? "gas"
+                        : line_.cell("heat").empty() ? "electricity"
+                                                     : "district",
+                        number("efficiency", has_gas_ ? 0.85 : 1));
+    }
+
+    /// Around what the electricity meter shows on average.
+    std::string load_parameters() const {
+        return fmt::format(
+            "[[parameter]]\nname = \"steady_gains\"\ntarget = "
+            "\"zone.building.load.steady.density\"\nmin = 0\nmax = {:.4g}\n"
+            "[[parameter]]\nname = \"people_and_devices\"\ntarget = "
+            "\"zone.building.load.use.density\"\nmin = 0\nmax = {:.4g}\n",
+            1.4 * mean_load_, 3 * mean_load_);
+    }
+
+    std::string gas_parameters() const {
+        if (!has_gas_) return {};
+        return "[[parameter]]\nname = \"efficiency\"\ntarget = "
+               "\"plant.heating_efficiency\"\nmin = 0.7\nmax = 0.95\n"
+               "[[parameter]]\nname = \"hot_water\"\ntarget = "
+               "\"zone.building.load.hot_water.density\"\nmin = 0\nmax = 15\n";
+    }
+
+    const Stock& stock_;
+    const StockLine& line_;
+    InputFiles& files_;
+    double floor_area_ = 0;
+    double mean_load_ = 10;  ///< [W/m2]
+    int n_meters_ = 0;
+    bool has_gas_ = false;
+    std::string first_day_, last_day_, site_, text_, meters_;
+    std::vector<study::DataDecision> decisions_;
+};
+
+}  // namespace
+
+Description describe_line(const Stock& stock, const StockLine& line, InputFiles& files) {
+    return Writer(stock, line, files).write();
+}
+
+}  // namespace bemcal::job

@@ -1,0 +1,28 @@
+/// A building's description from a few columns of a stock's table: a box.
+///
+/// floor_area [m2] is all that is needed of the building; floors, height [m] of a storey,
+/// glass_share of the walls, class, u_wall, u_roof, u_floor, u_window and efficiency may
+/// be said. Data: weather (EPW, or CSV with outdoor_temperature and global_horizontal as
+/// columns, latitude, longitude, utc_offset), and for each of gas, electricity, heat a
+/// file, with NAME_column and NAME_unit where they are not the building's name and kWh;
+/// of gas the unit may be `auto`: the one of kWh, m3 and 100 ft3 that makes a year's
+/// gas by square metre most like a building's. Periods are from and to, or where readings
+/// begin and end. Use is that of offices; eleven parameters take up what that misses.
+#pragma once
+
+#include "job/input_files.hpp"
+#include "job/stock.hpp"
+
+#include <vector>
+
+namespace bemcal::job {
+
+struct Description {
+    std::string text;                            ///< TOML
+    std::vector<study::DataDecision> decisions;  ///< what was chosen by itself, and why
+};
+
+/// Throws UserError with TABLE:LINE and the column.
+Description describe_line(const Stock& stock, const StockLine& line, InputFiles& files);
+
+}  // namespace bemcal::job

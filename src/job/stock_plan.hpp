@@ -1,0 +1,16 @@
+/// What `check` says of a stock: every building is read, none is simulated.
+#pragma once
+
+#include "job/plan.hpp"
+
+#include <string>
+
+namespace bemcal::job {
+
+/// Lines that are broken with their reasons, findings, simulations, expected time.
+std::string stock_plan_text(const Job& job, int cores);
+
+/// The same in numbers, by the first building that can be read.
+PlanCost stock_cost(const Job& job);
+
+}  // namespace bemcal::job

@@ -1,0 +1,142 @@
+/// What a loop says of the data: what was found in them, what they can show, and what
+/// they still hold.
+#include "report/loop_parts.hpp"
+#include "report/text_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace bemcal::report {
+namespace {
+
+constexpr double least_seen = 5;         ///< detectability
+constexpr double same_signature = 0.98;  ///< correlation
+constexpr std::size_t most_rows = 15, most_alarms = 10;
+
+/// Indices of the values, the largest first, NaN last.
+std::vector<std::size_t> from_the_largest(const std::vector<double>& values) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+        return values[a] > values[b] ||
+               (values[a] == values[a] && values[b] != values[b]);
+    });
+    return order;
+}
+
+void add_power(TextTable& table, const Group& study, std::size_t k) {
+    const auto number = [&](const char* leaf) {
+        return three_digits(number_at(study.values(leaf), k));
+    };
+    table.add({text_at(study.texts("power_effect"), k), number("power_detectability"),
+               percent(number_at(study.values("power_visibility"), k)),
+               text_at(study.texts("power_alias"), k), number("power_alias_correlation"),
+               text_at(study.texts("power_bias_parameter"), k), number("power_bias")});
+}
+
+std::string unseen_line(const Group& study) {
+    std::vector<std::string> names;
+    const auto& effects = study.texts("power_effect");
+    for (std::size_t k = 0; k < effects.size(); ++k)
+        if (!(number_at(study.values("power_detectability"), k) >= least_seen))
+            names.push_back(effects[k]);
+    if (names.empty()) return {};
+    return wrapped(
+        fmt::format("would not be seen in these data (detectability below "
+                    "{:g}): {}",
+                    least_seen, fmt::join(names, ", ")));
+}
+
+/// Pairs with the same signature, each once.
+std::string alias_line(const Group& study) {
+    std::vector<std::string> pairs;
+    const auto &effects = study.texts("power_effect"),
+               &likes = study.texts("power_alias");
+    for (std::size_t k = 0; k < std::min(effects.size(), likes.size()); ++k) {
+        const double r = number_at(study.values("power_alias_correlation"), k);
+        if (!(std::abs(r) >= same_signature)) continue;
+        if (std::ranges::find(pairs, likes[k] + " and " + effects[k]) == pairs.end())
+            pairs.push_back(effects[k] + " and " + likes[k]);
+    }
+    if (pairs.empty()) return {};
+    return wrapped(fmt::format("cannot be told apart: {}", fmt::join(pairs, "; ")));
+}
+
+/// A cell of the localisation.
+struct Alarm {
+    std::size_t hook, driver;
+    double before, after;
+};
+
+std::vector<Alarm> alarms_of(const Group& study) {
+    const auto &before = study.values("localisation"),
+               &after = study.values("localisation_after");
+    const std::size_t n_drivers = study.texts("driver").size();
+    std::vector<Alarm> alarms;
+    for (std::size_t k = 0; k < before.size() && n_drivers > 0; ++k)
+        if (before[k] > 1 || number_at(after, k) > 1)
+            alarms.push_back(
+                {k / n_drivers, k % n_drivers, before[k], number_at(after, k)});
+    std::ranges::stable_sort(alarms, std::ranges::greater{}, &Alarm::before);
+    return alarms;
+}
+
+}  // namespace
+
+std::string loop_decision_table(const Group& study) {
+    TextTable table({"data", "finding", "done about it"});
+    const auto& series = study.texts("decision_series");
+    for (std::size_t k = 0; k < series.size(); ++k)
+        table.add({series[k], text_at(study.texts("decision_finding"), k),
+                   text_at(study.texts("decision_action"), k)});
+    return text_of(table, 38);
+}
+
+std::string loop_structure_table(const Group& study) {
+    const auto &names = study.texts("structure"),
+               &chosen = study.texts("structure_chosen");
+    TextTable table({"structure tried", "score", ""});
+    for (std::size_t k = 0; k < names.size(); ++k)
+        table.add({names[k], three_digits(number_at(study.values("structure_score"), k)),
+                   !chosen.empty() && chosen[0] == names[k] ? "chosen" : ""});
+    return text_of(table, 60);
+}
+
+std::string loop_power_table(const Group& study) {
+    const auto& detectability = study.values("power_detectability");
+    TextTable table({"effect in these data", "d", "visible", "most like", "r",
+                     "left out it biases", "by sd"});
+    const std::vector<std::size_t> order = from_the_largest(detectability);
+    for (std::size_t i = 0; i < std::min(order.size(), most_rows); ++i)
+        if (detectability[order[i]] >= least_seen) add_power(table, study, order[i]);
+    return text_of(table, 21) + unseen_line(study) + alias_line(study);
+}
+
+std::string loop_localisation_table(const Group& study) {
+    TextTable table({"alarm: seen from", "ordered by", "before", "after"});
+    const std::vector<Alarm> alarms = alarms_of(study);
+    const std::size_t n = std::min(alarms.size(), most_alarms);
+    for (std::size_t k = 0; k < n; ++k)
+        table.add({text_at(study.texts("hook"), alarms[k].hook),
+                   text_at(study.texts("driver"), alarms[k].driver),
+                   three_digits(alarms[k].before), three_digits(alarms[k].after)});
+    std::string text = text_of(table, 36);
+    if (alarms.size() > n)
+        text += fmt::format("  and {} more above 1\n", alarms.size() - n);
+    return text;
+}
+
+std::string loop_unexplained_table(const Group& study) {
+    TextTable table({"not explained", "of the variance", "where"});
+    const auto& channels = study.texts("channel");
+    for (std::size_t c = 0; c < channels.size() && study.has("unexplained"); ++c)
+        table.add({channels[c], percent(number_at(study.values("unexplained"), c)),
+                   text_at(study.texts("unexplained_where"), c)});
+    return text_of(table, 60);
+}
+
+}  // namespace bemcal::report

@@ -1,0 +1,41 @@
+/// The tables of a loop; each is text, empty where the result has nothing for it.
+#pragma once
+
+#include "report/lookup.hpp"
+
+#include <string>
+#include <vector>
+
+namespace bemcal::report {
+
+/// The hourly errors of what was held out, in sentences.
+std::string loop_headline(const Group& study);
+/// Errors of the three models for every channel, period and interval.
+std::string loop_fit_table(const Group& study);
+
+/// What was found in the data; the structures that were tried.
+std::string loop_decision_table(const Group& study);
+std::string loop_structure_table(const Group& study);
+/// What the data can show at all: the effects most clearly seen, those that would not be,
+/// and those that cannot be told apart.
+std::string loop_power_table(const Group& study);
+/// Where the residual raises an alarm, before and after.
+std::string loop_localisation_table(const Group& study);
+/// What drivers and calendar still predict of the residual.
+std::string loop_unexplained_table(const Group& study);
+
+/// A number with three digits, NaN as "-".
+std::string three_digits(double value);
+/// "0.841 +- 0.051"
+std::string plus_minus_brief(double value, double sd);
+/// The element, or NaN beyond the end.
+double number_at(const std::vector<double>& values, std::size_t k);
+/// The element, or "" beyond the end.
+std::string text_at(const std::vector<std::string>& texts, std::size_t k);
+/// Lines of at most 98 columns, the first indented by two, the others by four.
+std::string wrapped(const std::string& sentence);
+/// The table, or nothing where it has no row.
+class TextTable;
+std::string text_of(const TextTable& table, std::size_t widest);
+
+}  // namespace bemcal::report

@@ -1,0 +1,168 @@
+#include "report/stock_tables.hpp"
+
+#include "report/text_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace bemcal::report {
+namespace {
+
+constexpr std::size_t most_rows = 10;
+
+/// First and last period of a building's first meter.
+struct Errors {
+    std::string meter;
+    double before = std::nan(""), training = std::nan(""), recent = std::nan("");
+    double bias = std::nan("");
+};
+
+std::vector<Errors> errors_of(const Group& stock) {
+    std::vector<Errors> errors(stock.texts("stock_building").size());
+    const auto& of = stock.values("stock_fits_of");
+    const auto& meters = stock.texts("stock_fit_meter");
+    for (std::size_t k = 0; k < of.size(); ++k) {
+        Errors& error = errors.at(static_cast<std::size_t>(of[k]));
+        const bool is_first = error.meter.empty();
+        if (is_first) error.meter = meters[k];
+        if (meters[k] != error.meter) continue;
+        const double cv = stock.values("stock_fit_cv_rmse")[k];
+        if (is_first) {
+            error.before = stock.values("stock_fit_before")[k];
+            error.training = cv;
+        }
+        error.recent = cv;
+        error.bias = stock.values("stock_fit_nmbe")[k];
+    }
+    return errors;
+}
+
+std::string percent(double share) {
+    return std::isfinite(share) ? fmt::format("{:.1f} %", 100 * share) : "-";
+}
+
+std::string number(double value) {
+    return std::isfinite(value) ? fmt::format("{:.6g}", value) : "";
+}
+
+/// RFC 4180.
+std::string cell(const std::string& text) {
+    if (text.find_first_of(",\"\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + "\"";
+}
+
+std::string counts_line(const Group& stock) {
+    std::map<std::string, int> counts;
+    for (const std::string& status : stock.texts("stock_status")) ++counts[status];
+    std::string text = fmt::format("\n{}: buildings: {}", stock.path(),
+                                   stock.texts("stock_status").size());
+    for (const auto& [status, n] : counts) text += fmt::format(", {}: {}", status, n);
+    const auto& drift = stock.texts("stock_drift");
+    const auto n_drift = static_cast<std::ptrdiff_t>(drift.size()) -
+                         std::ranges::count(drift, std::string());
+    return text + fmt::format(", drifting: {}\n", n_drift);
+}
+
+/// The texts of a dataset that are not empty, with their buildings.
+std::string list_of(const Group& stock, const char* title, const char* leaf) {
+    const auto& names = stock.texts("stock_building");
+    const auto& texts = stock.texts(leaf);
+    TextTable table({title, ""});
+    std::size_t n = 0;
+    for (std::size_t k = 0; k < texts.size(); ++k)
+        if (!texts[k].empty() && ++n <= most_rows) table.add({names[k], texts[k]});
+    if (n > most_rows) table.add({"...", fmt::format("and {} more", n - most_rows)});
+    return table.is_empty() ? "" : "\n" + table.text(100);
+}
+
+std::string findings_list(const Group& stock) {
+    const auto& of = stock.values("stock_findings_of");
+    TextTable table({"findings", "data", "finding", "done about it"});
+    for (std::size_t k = 0; k < std::min(of.size(), 4 * most_rows); ++k)
+        table.add({stock.texts("stock_building")[static_cast<std::size_t>(of[k])],
+                   stock.texts("stock_finding_series")[k],
+                   stock.texts("stock_finding")[k],
+                   stock.texts("stock_finding_action")[k]});
+    return table.is_empty() ? "" : "\n" + table.text(50);
+}
+
+std::string worst_list(const Group& stock) {
+    const auto errors = errors_of(stock);
+    std::vector<std::size_t> order(errors.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::erase_if(order, [&](std::size_t k) { return !std::isfinite(errors[k].recent); });
+    std::ranges::stable_sort(order, std::greater(),
+                             [&](std::size_t k) { return errors[k].recent; });
+    TextTable table({"worst", "meter", "CV(RMSE) as it started", "calibrated",
+                     "last period", "NMBE there"});
+    for (std::size_t k = 0; k < std::min(order.size(), most_rows); ++k) {
+        const Errors& error = errors[order[k]];
+        table.add({stock.texts("stock_building")[order[k]], error.meter,
+                   percent(error.before), percent(error.training), percent(error.recent),
+                   percent(error.bias)});
+    }
+    return table.is_empty() ? "" : "\n" + table.text(30);
+}
+
+}  // namespace
+
+std::string stock_section(const Group& stock) {
+    return counts_line(stock) + list_of(stock, "failed", "stock_reason") +
+           list_of(stock, "drifting", "stock_drift") + worst_list(stock) +
+           findings_list(stock);
+}
+
+std::string stock_csv(const Group& stock) {
+    std::string text =
+        "building,status,cause,reason,drift,nights_since,simulations,meter,"
+        "cv_rmse_start,cv_rmse_training,cv_rmse_last_period,nmbe_last_period,findings\n";
+    const auto errors = errors_of(stock);
+    std::vector<std::string> findings(errors.size());
+    const auto& of = stock.values("stock_findings_of");
+    for (std::size_t k = 0; k < of.size(); ++k) {
+        std::string& all = findings.at(static_cast<std::size_t>(of[k]));
+        all += fmt::format("{}{}: {}: {}", all.empty() ? "" : "; ",
+                           stock.texts("stock_finding_series")[k],
+                           stock.texts("stock_finding")[k],
+                           stock.texts("stock_finding_action")[k]);
+    }
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+        for (const char* leaf : {"stock_building", "stock_status", "stock_cause",
+                                 "stock_reason", "stock_drift"})
+            text += cell(stock.texts(leaf)[k]) + ",";
+        const Errors& error = errors[k];
+        text +=
+            fmt::format("{},{},{},{},{},{},{},{}\n", number(stock.values("stock_age")[k]),
+                        number(stock.values("stock_simulations")[k]), error.meter,
+                        number(error.before), number(error.training),
+                        number(error.recent), number(error.bias), cell(findings[k]));
+    }
+    return text;
+}
+
+std::string stock_history_head() {
+    return "night,building,status,cause,cv_rmse_training,cv_rmse_last_period,"
+           "nmbe_last_period,drift,reason\n";
+}
+
+std::string stock_history(const Group& stock, const std::string& night) {
+    std::string text;
+    const auto errors = errors_of(stock);
+    for (std::size_t k = 0; k < errors.size(); ++k)
+        text += fmt::format(
+            "{},{},{},{},{},{},{},{},{}\n", cell(night),
+            cell(stock.texts("stock_building")[k]), stock.texts("stock_status")[k],
+            cell(stock.texts("stock_cause")[k]), number(errors[k].training),
+            number(errors[k].recent), number(errors[k].bias),
+            cell(stock.texts("stock_drift")[k]), cell(stock.texts("stock_reason")[k]));
+    return text;
+}
+
+}  // namespace bemcal::report

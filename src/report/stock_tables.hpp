@@ -1,0 +1,21 @@
+/// A night over a stock: what a look at it needs first, and its table as CSV.
+#pragma once
+
+#include "report/lookup.hpp"
+
+#include <string>
+
+namespace bemcal::report {
+
+/// How many buildings were done, why, and which failed, drift, or predict worst.
+std::string stock_section(const Group& stock);
+
+/// A line for each building: status, cause, reason, drift, errors of its first meter in
+/// the first and last period, findings.
+std::string stock_csv(const Group& stock);
+
+/// The same in short, for a history of nights. \param night  stands first in each line
+std::string stock_history(const Group& stock, const std::string& night);
+std::string stock_history_head();
+
+}  // namespace bemcal::report

@@ -1,0 +1,101 @@
+/// Studies of kind "optimisation": what the keys become, and what is refused.
+#include "job/plan.hpp"
+#include "job/small_office.hpp"
+
+#include <gtest/gtest.h>
+
+namespace bemcal::job {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+constexpr const char* screening_study =
+    "kind = \"screening\"\nn_points = 256\npoints_per_item = 64";
+
+std::filesystem::path write_job(const Folder& folder, const std::string& keys) {
+    return write_small_office(folder, replaced(small_office_text(), screening_study,
+                                               "kind = \"optimisation\"\n" + keys));
+}
+
+TEST(OptimisationStudy, TakesEveryKey) {
+    const Folder folder;
+    const Job job = read_job(write_job(
+        folder,
+        "period = \"training\"\nparameters = [\"infiltration\"]\nmeters = [\"air\"]\n"
+        "objective = \"fraction\"\ncv_weight = 0.6\nr2_weight = 0.4\n"
+        "meter_weights = [2]\nresolution = \"monthly\"\nevaluations = 300\n"
+        "n_particles = 12\nrestart = false"));
+    ASSERT_EQ(job.studies[1].kind, StudyKind::optimisation);
+    const study::OptimisationOptions& options = job.studies[1].optimisation;
+    EXPECT_EQ(options.method, study::OptimisationMethod::swarm_then_pattern);
+    EXPECT_EQ(options.objective, study::Objective::fraction);
+    EXPECT_EQ(options.resolution, study::ObjectiveResolution::monthly);
+    EXPECT_EQ(options.parameters, Texts{"infiltration"});
+    EXPECT_EQ(options.meters, Texts{"air"});
+    EXPECT_EQ(options.cv_weight, 0.6);
+    EXPECT_EQ(options.r2_weight, 0.4);
+    EXPECT_EQ(options.meter_weights, std::vector<double>{2});
+    EXPECT_EQ(options.evaluations, 300U);
+    EXPECT_EQ(options.n_particles, 12);
+    EXPECT_FALSE(options.restart);
+    EXPECT_EQ(options.seed, job.seed);
+    EXPECT_NE(plan_text(job, 1).find("300"), std::string::npos);
+}
+
+TEST(OptimisationStudy, TakesNsga2AndItsKeys) {
+    const Folder folder;
+    const Job job = read_job(write_job(folder,
+                                       "method = \"nsga2\"\nerrors = \"signed\"\n"
+                                       "n_population = 20\nn_generations = 7"));
+    const study::OptimisationOptions& options = job.studies[1].optimisation;
+    EXPECT_EQ(options.method, study::OptimisationMethod::nsga2);
+    EXPECT_EQ(options.errors, study::MeterError::signed_);
+    EXPECT_EQ(options.n_population, 20);
+    EXPECT_EQ(options.n_generations, 7);
+}
+
+TEST(OptimisationStudy, TakesTargetsInPlaceOfMeters) {
+    const Folder folder;
+    const Job job = read_job(write_job(folder,
+                                       "evaluations = 300\n[[study.target]]\n"
+                                       "quantity = \"electricity\"\nmeasured = 5\n"
+                                       "unit = \"MWh\""));
+    ASSERT_EQ(job.studies[1].grid.targets.size(), 1U);
+    EXPECT_NEAR(job.studies[1].grid.targets[0].measured.at(0), 5000, 1e-9);
+    EXPECT_NE(plan_text(job, 1).find("300"), std::string::npos);
+}
+
+struct Bad {
+    const char *keys, *message;
+};
+
+TEST(OptimisationStudy, RefusesWhatCannotBeFitted) {
+    for (const Bad& bad : std::initializer_list<Bad>{
+             {"meters = [\"water\"]", "study.meters: \"water\" is no meter of"},
+             {"parameters = [\"height\"]",
+              "study.parameters: \"height\" is no parameter"},
+             {"meters = [\"air\"]\nmeter_weights = [1, 2]",
+              "study.meter_weights: has 2 numbers, but meters has 1 names; expected one "
+              "for each"},
+             {"method = \"nsga2\"\nn_population = 21",
+              "study.n_population = 21: expected an even number"},
+             {"method = \"nsga2\"\nevaluations = 100", "study.evaluations"},
+             {"meters = [\"air\"]\n[[study.target]]\nquantity = \"gas\"\nmeasured = 1",
+              "study.meters"},
+             {"[[study.target]]\nquantity = \"gas\"\nmeasured = 0",
+              "study.target.measured = 0: errors are in per cent of it; expected a "
+              "number other than 0"},
+             {"[[study.target]]\nquantity = \"district\"",
+              "study.target: the target district is missing"},
+             {"method = \"swarms\"",
+              "study.method = \"swarms\": expected one of swarm_then_pattern, swarm, "
+              "pattern, nsga2; did you mean \"swarm\"?"}}) {
+        const Folder folder;
+        EXPECT_NE(message_of(write_job(folder, bad.keys)).find(bad.message),
+                  std::string::npos)
+            << message_of(write_job(folder, bad.keys));
+    }
+}
+
+}  // namespace
+}  // namespace bemcal::job

@@ -1,0 +1,264 @@
+#include "report/tables.hpp"
+#include "store/layout.hpp"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+namespace bemcal::report {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+using study::Dataset;
+using Texts = std::vector<std::string>;
+using Numbers = std::vector<double>;
+
+Dataset texts(const std::string& leaf, const std::string& dim, Texts values) {
+    return {"office/loop/" + leaf, {dim}, {values.size()}, {}, std::move(values)};
+}
+
+Dataset numbers(const std::string& leaf, const std::string& dim, Numbers values) {
+    return {"office/loop/" + leaf, {dim}, {values.size()}, std::move(values), {}};
+}
+
+/// n, cv_rmse, nmbe, rmse of gas and of the air temperature (mean 20 degC).
+Numbers metrics(double gas, double air, bool is_measured) {
+    if (!is_measured) return {0, nan, nan, nan, 0, nan, nan, nan};
+    return {8760, gas, 0.5 * gas, 3, 8760, air / 20, -0.1 * air / 20, air};
+}
+
+/// [model x period x resolution x channel x metric]; the plain, before and after.
+Numbers fit(bool is_held_out) {
+    Numbers all;
+    for (const double scale : {4.0, 2.0, 1.0})
+        for (const bool is_measured : {true, is_held_out})
+            for (const double by : {1.0, 0.5}) {
+                const Numbers one =
+                    metrics(0.1 * scale * by, 0.3 * scale * by, is_measured);
+                all.insert(all.end(), one.begin(), one.end());
+            }
+    return all;
+}
+
+void add_effect(store::ResultFile& result, bool is_adequate) {
+    const auto add = [&](Dataset dataset) {
+        result.datasets.push_back(std::move(dataset));
+    };
+    add(texts("effect", "effect", {"wind infiltration"}));
+    add(texts("effect_hook", "effect", {"infiltration"}));
+    add(texts("effect_driver", "effect", {"wind"}));
+    add(texts("effect_shape", "effect", {"wind above 3 m/s"}));
+    add(texts("effect_gate", "effect", {"always"}));
+    add(texts("effect_unit", "effect", {"1/h per m/s"}));
+    add(texts("effect_class", "effect",
+              {"stack infiltration; wind infiltration; outdoor shift"}));
+    add(texts("effect_separates", "effect", {"calm and windy nights apart"}));
+    add(numbers("effect_coefficient", "effect", {0.083}));
+    add(numbers("effect_least", "effect", {0.079}));
+    add(numbers("effect_most", "effect", {0.087}));
+    add(numbers("effect_gain", "effect", {412}));
+    add(numbers("effect_adequate", "effect", {is_adequate ? 1.0 : 0.0}));
+}
+
+void add_background(store::ResultFile& result) {
+    const auto add = [&](Dataset dataset) {
+        result.datasets.push_back(std::move(dataset));
+    };
+    add(texts("step_effect", "step", {"wind infiltration", "meter drift"}));
+    add(texts("step_verdict", "step", {"accepted", "evidence below what noise shows"}));
+    add(numbers("step_gain", "step", {412, 11}));
+    add(numbers("step_threshold", "step", {24, 24}));
+    add(numbers("step_score", "step", {160, -4}));
+    add({"office/loop/step_error",
+         {"step", "channel"},
+         {2, 2},
+         {-0.31, 0.004, nan, nan},
+         {}});
+    add(texts("hook", "hook", {"infiltration", "gains"}));
+    add(texts("driver", "driver", {"wind", "hour of the day"}));
+    add({"office/loop/localisation",
+         {"hook", "driver"},
+         {2, 2},
+         {3.4, 0.2, 0.5, 1.2},
+         {}});
+    add({"office/loop/localisation_after",
+         {"hook", "driver"},
+         {2, 2},
+         {0.4, 0.2, 0.5, 1.1},
+         {}});
+    add(texts("power_effect", "power", {"faint", "clear", "thermal bridge"}));
+    add(texts("power_alias", "power", {"clear", "faint", "H_op"}));
+    add(texts("power_bias_parameter", "power", {"u_wall", "u_wall", "u_wall"}));
+    add(numbers("power_detectability", "power", {2, 95, 7}));
+    add(numbers("power_visibility", "power", {0.5, 0.9, 0.01}));
+    add(numbers("power_alias_correlation", "power", {0.4, 0.4, 1}));
+    add(numbers("power_bias", "power", {0.1, -3.5, 1}));
+    add(numbers("unexplained", "channel", {0.07, nan}));
+    add(texts("unexplained_where", "channel", {"weekday mornings", ""}));
+}
+
+store::ResultFile loop_result(bool is_held_out = true, bool is_adequate = true) {
+    store::ResultFile result;
+    const auto add = [&](Dataset dataset) {
+        result.datasets.push_back(std::move(dataset));
+    };
+    add(texts("channel", "channel", {"gas", "air"}));
+    add(texts("channel_unit", "channel", {"kWh", "degC"}));
+    add(texts("model", "model", {"plain", "before", "after"}));
+    add(texts("period", "period", {"training", "held_out"}));
+    add(texts("resolution", "resolution", {"hourly", "monthly"}));
+    add(texts("metric", "metric", {"n", "cv_rmse", "nmbe", "rmse"}));
+    add({"office/loop/fit",
+         {"model", "period", "resolution", "channel", "metric"},
+         {3, 2, 2, 2, 4},
+         fit(is_held_out),
+         {}});
+    add(texts("parameter", "parameter", {"u_wall"}));
+    add(texts("parameter_unit", "parameter", {"-"}));
+    add(numbers("parameter_prior_mean", "parameter", {1}));
+    add(numbers("parameter_prior_sd", "parameter", {0.2}));
+    add({"office/loop/parameter_value",
+         {"model", "parameter"},
+         {3, 1},
+         {1.4, 1.3, 1.05},
+         {}});
+    add({"office/loop/parameter_sd",
+         {"model", "parameter"},
+         {3, 1},
+         {0.05, 0.04, 0.03},
+         {}});
+    add(texts("structure", "structure", {"standard", "second mass"}));
+    add(numbers("structure_score", "structure", {1.31, 0.94}));
+    add({"office/loop/structure_chosen", {}, {}, {}, {"second mass"}});
+    add(texts("decision_series", "decision", {"gas"}));
+    add(texts("decision_finding", "decision", {"60 h of the same value"}));
+    add(texts("decision_action", "decision", {"masked"}));
+    add(numbers("noise_floor", "channel", {0.08, nan}));
+    add_effect(result, is_adequate);
+    add_background(result);
+    return result;
+}
+
+/// Runs of spaces as one.
+std::string squeezed(const std::string& text) {
+    std::istringstream words(text);
+    std::string out;
+    for (std::string word; words >> word;) out += (out.empty() ? "" : " ") + word;
+    return out;
+}
+
+testing::AssertionResult says(const std::string& text, const std::string& phrase) {
+    if (squeezed(text).find(phrase) != std::string::npos)
+        return testing::AssertionSuccess();
+    return testing::AssertionFailure() << "no \"" << phrase << "\" in\n" << text;
+}
+
+TEST(LoopTables, EveryDatasetIsOneOfTheLayout) {
+    for (const Dataset& dataset : loop_result().datasets)
+        EXPECT_NO_THROW(store::layout_of(dataset)) << dataset.path;
+}
+
+TEST(LoopTables, BeginWithTheErrorsOfWhatWasHeldOut) {
+    const std::string text = tables_of(loop_result());
+    EXPECT_TRUE(says(text, "office/loop: 1 effect found that the description lacks"));
+    EXPECT_TRUE(
+        says(text,
+             "error in held_out, before and after: gas from 20.0 to 10.0 % (plain "
+             "40.0), air from 0.60 to 0.30 K (plain 1.20)"));
+}
+
+TEST(LoopTables, SayWhereNothingWasHeldOut) {
+    const std::string text = tables_of(loop_result(false));
+    EXPECT_TRUE(says(text, "no readings were held out"));
+    EXPECT_EQ(text.find("held_out"), std::string::npos) << text;
+}
+
+TEST(LoopTables, HaveErrorsBiasesAndTheFloorOfEachChannelWithATemperatureInKelvin) {
+    const std::string text = tables_of(loop_result());
+    EXPECT_TRUE(
+        says(text, "held_out gas hourly 8760 40.0 20.0 10.0 8.0 20.0 10.0 5.0 %"));
+    EXPECT_TRUE(
+        says(text, "training air monthly 8760 0.60 0.30 0.15 -0.06 -0.03 -0.01 K"));
+}
+
+TEST(LoopTables, AnEffectHasItsIntervalItsLikesAndWhatWouldTellThemApart) {
+    const std::string text = tables_of(loop_result());
+    EXPECT_TRUE(says(text, "wind infiltration 0.083 0.079 to 0.087 1/h per m/s 412 yes"));
+    EXPECT_TRUE(says(text, "enters at infiltration, wind above 3 m/s"));
+    EXPECT_TRUE(says(text, "cannot tell it from: stack infiltration; outdoor shift"));
+    EXPECT_TRUE(says(text, "what would tell: calm and windy nights apart"));
+    EXPECT_EQ(text.find("NOT adequate"), std::string::npos);
+}
+
+TEST(LoopTables, AnEffectThatLeavesTheAlarmIsNotCalledAdequate) {
+    const std::string text = tables_of(loop_result(true, false));
+    EXPECT_TRUE(says(text, "1/h per m/s 412 NO"));
+    EXPECT_TRUE(says(text, "NOT adequate: the alarm that raised it stays with it"));
+}
+
+TEST(LoopTables, TheSearchEndsWithItsReason) {
+    const std::string text = tables_of(loop_result());
+    EXPECT_TRUE(says(text, "1 wind infiltration 412 24 160 gas -31.0 accepted"));
+    EXPECT_TRUE(says(text, "2 meter drift 11 24 -4 - evidence"));
+    EXPECT_TRUE(says(text, "the search ended: evidence below what noise shows"));
+}
+
+TEST(LoopTables, ParametersMoveInStandardDeviationsOfTheirPriors) {
+    EXPECT_TRUE(says(tables_of(loop_result()),
+                     "u_wall - 1 +- 0.2 1.4 1.3 +- 0.04 1.05 +- 0.03 -1.25"));
+}
+
+TEST(LoopTables, ThePowerTableNamesWhatCannotBeSeenOrToldApart) {
+    const std::string text = tables_of(loop_result());
+    EXPECT_TRUE(says(text, "clear 95 90.0 % faint 0.4 u_wall -3.5 thermal bridge 7"));
+    EXPECT_TRUE(
+        says(text, "would not be seen in these data (detectability below 5): faint"));
+    EXPECT_TRUE(says(text, "cannot be told apart: thermal bridge and H_op"));
+}
+
+TEST(LoopTables, AlarmsStandFromTheLoudestOn) {
+    EXPECT_TRUE(says(tables_of(loop_result()),
+                     "infiltration wind 3.4 0.4 gains hour of the day 1.2 1.1"));
+}
+
+TEST(LoopTables, WhatTheDataChecksSaidAlreadyIsNotSaidAgain) {
+    store::ResultFile result = loop_result();
+    EXPECT_TRUE(says(tables_of(result), "gas 60 h of the same value masked"));
+    for (const char* leaf : {"series", "finding", "action"})
+        result.datasets.push_back({std::string("office/data/") + leaf,
+                                   {"decision"},
+                                   {1},
+                                   {},
+                                   {"60 h of the same value"}});
+    const std::string text = tables_of(result);
+    EXPECT_EQ(text.find("masked"), std::string::npos) << text;
+}
+
+TEST(LoopTables, StructuresDataAndWhatIsLeftAreThere) {
+    const std::string text = tables_of(loop_result());
+    EXPECT_TRUE(says(text, "second mass 0.94 chosen"));
+    EXPECT_TRUE(says(text, "gas 60 h of the same value masked"));
+    EXPECT_TRUE(says(text, "gas 7.0 % weekday mornings"));
+}
+
+TEST(LoopTables, FindingNothingIsAResultAndWhatIsNotKnownADash) {
+    store::ResultFile result = loop_result();
+    std::erase_if(result.datasets, [](const Dataset& d) {
+        return d.path.find("effect") != std::string::npos;
+    });
+    const std::string text = tables_of(result);
+    EXPECT_TRUE(says(text, "no effect found that passes"));
+    EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+}
+
+TEST(LoopTables, FitIntoAHundredColumns) {
+    std::istringstream lines(tables_of(loop_result(true, false)));
+    for (std::string line; std::getline(lines, line);)
+        EXPECT_LE(line.size(), 100U) << line;
+}
+
+}  // namespace
+}  // namespace bemcal::report

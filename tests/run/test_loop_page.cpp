@@ -1,0 +1,73 @@
+#include "run/loop_page.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+namespace bemcal::run {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+/// A shell script stands for the writer of pages: it gets RESULT PAGE [--stage STAGE].
+class LoopPage : public ::testing::Test {
+  protected:
+    PageWriter writer(const std::string& script) const {
+        const auto path = folder_ / "loop_report";
+        std::ofstream(path) << script << "\n";
+        return {path, "/bin/sh"};
+    }
+    std::string text_of(const std::string& name) const {
+        std::ifstream file(folder_ / name);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    std::string result() const { return (folder_ / "a.h5").string(); }
+    std::string place(const std::string& name) const { return (folder_ / name).string(); }
+
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(LoopPage, IsWrittenBesideTheResult) {
+    const auto lines =
+        writer("echo talk; echo talk >&2; echo $1 $3 >$2").write(result(), {"a/loop"});
+    EXPECT_EQ(lines, Lines{"wrote " + place("a.html") + ", the same with pictures"});
+    EXPECT_EQ(text_of("a.html"), result() + "\n");
+}
+
+TEST_F(LoopPage, OfSeveralHasTheBuildingAndWhereNeededTheStudyInItsName) {
+    const auto lines =
+        writer("echo $4 >$2").write(result(), {"shop/loop", "inn/loop", "inn/again"});
+    EXPECT_EQ(lines.size(), 3U);
+    EXPECT_EQ(text_of("a-shop.html"), "shop/loop\n");
+    EXPECT_EQ(text_of("a-inn-loop.html"), "inn/loop\n");
+    EXPECT_EQ(text_of("a-inn-again.html"), "inn/again\n");
+}
+
+TEST_F(LoopPage, ThatCannotBeMadeIsALineThatSaysHowToMakeIt) {
+    const PageWriter failing = writer("exit 3");
+    const std::string how = "to make it: " + failing.script->string() + " " + result() +
+                            " " + place("a.html");
+    const Lines lines = failing.write(result(), {"a/loop"});
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_TRUE(lines[0].starts_with("no page")) << lines[0];
+    EXPECT_TRUE(lines[0].ends_with(how)) << lines[0];
+    const PageWriter without_python{failing.script, folder_ / "no_such_program"};
+    EXPECT_EQ(without_python.write(result(), {"a/loop"}), lines);
+    const PageWriter without_script{std::nullopt, "/bin/sh"};
+    EXPECT_TRUE(without_script.write(result(), {"a/loop"})[0].ends_with(
+        "to make it: scripts/loop_report " + result() + " " + place("a.html")));
+}
+
+TEST_F(LoopPage, IsOfEveryLoopThatIsInTheResult) {
+    const study::Dataset chosen{"a/loop/structure_chosen", {}, {}, {}, {"standard"}};
+    const study::Dataset another{"a/screening/parameter", {"parameter"}, {1}, {}, {"g"}};
+    EXPECT_EQ(loops_in({another, chosen}), Lines{"a/loop"});
+}
+
+TEST_F(LoopPage, OfNoLoopIsNone) {
+    EXPECT_TRUE(writer("exit 0").write(result(), {}).empty());
+}
+
+}  // namespace
+}  // namespace bemcal::run
