@@ -39,8 +39,7 @@ inline void try_csv(const std::string& text) {
             const Stamps stamps = stamps_in(csv, 0, rules);
             for (std::size_t column = 1; column < csv.columns.size(); ++column) {
                 RegularSeries series = lay(csv, stamps, numbers_in(csv, column));
-                constant_runs(series.values, 24, true);
-                unit_steps(series.values, 24);
+                check_series(series, physics::Quantity::electricity, {});
                 fill_gaps(series.values, 3);
             }
         } catch (const UserError&) {

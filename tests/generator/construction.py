@@ -36,6 +36,7 @@ class Element:
     absorptance: float = 0.6
     h_inside: float = 2.5                   # convective film [W/(m2 K)]
     sun_share: float = 0.0                  # of the transmitted sun that falls on its inside
+    conductance: float = 1.0                # factor on that of every layer
 
 
 @dataclass
@@ -98,10 +99,10 @@ def add_chain(builder, element):
     resistance = 0.0
     for r, c in cells_of(element.layers):
         cell = builder.node(c * element.area)
-        builder.link(last, cell, element.area / (resistance + r / 2))
+        builder.link(last, cell, element.conductance * element.area / (resistance + r / 2))
         last, resistance = cell, r / 2
     inner = builder.node()
-    builder.link(last, inner, element.area / resistance)
+    builder.link(last, inner, element.conductance * element.area / resistance)
     return outer, inner
 
 

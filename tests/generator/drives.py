@@ -8,7 +8,7 @@ import numpy as np
 
 import sun
 from office import AZIMUTH, FACADES
-from weather import STEPS_PER_HOUR
+from weather import STEPS_PER_HOUR, season
 
 
 @dataclass(frozen=True)
@@ -33,6 +33,10 @@ class Drives:
     season_day: np.ndarray        # day of the year, from 0
     bright: np.ndarray            # whether a facade has over 250 W/m2 [n_facades x n_steps]
     elapsed: np.ndarray           # 0 to 1 over the measured period (negative before)
+    years: np.ndarray             # since the first measured step (negative before)
+    ghi: np.ndarray               # global horizontal irradiance [W/m2]
+    theta_ground: np.ndarray      # follows the year a month and a half late [degC]
+    seed: int                     # of effects that draw
     people: np.ndarray            # [W]
     lights: np.ndarray
     equipment: np.ndarray
@@ -43,6 +47,9 @@ class Drives:
     wind_share: np.ndarray        # added by wind [1/h]
     stack: float                  # added [1/h per K^0.5]
     extra_air: np.ndarray         # outdoor air beside both [1/h]
+    recovery: np.ndarray          # heat recovery of the mechanical air [-]
+    neighbour: np.ndarray         # conductance to another temperature [W/K]
+    theta_neighbour: np.ndarray   # [degC]
     opening: np.ndarray           # windows, when the room is warm and it is cooler outside [1/h]
     opening_above: float          # [degC]
     blinds: np.ndarray            # share of the transmitted sun kept [n_facades x n_steps]
@@ -51,6 +58,17 @@ class Drives:
     heating_on: np.ndarray        # 0..1 of the capacity
     cooling_on: np.ndarray
     cop_factor: np.ndarray
+    efficiency_factor: np.ndarray  # of the boiler
+    gas_use: np.ndarray           # beside heating [W]
+    sensor_drift: np.ndarray      # of the air temperature [K]
+    sky_factor: float = 1.0       # on the difference of sky and air temperature
+    roof_sun: float = 1.0         # on the sun that the roof absorbs
+    envelope_factor: float = 1.0  # on the conductance of walls and roof ...
+    envelope_from: int = 0        # ... from this step on
+    part_load_loss: float = 0.0   # of the boiler at no load [-]
+    cop_slope: float = 0.0        # COP lost per kelvin outdoors above 27 degC [1/K]
+    reheat: float = 0.0           # heating per cooling [-]
+    hours_late: int = 0           # of the meters' clocks
     latent_share: float = 0.0     # of the fresh air's moisture that the cooling coil removes
     meter_factor: dict = field(default_factory=dict)  # meter -> [n_steps]
 
@@ -75,6 +93,13 @@ def wobble(rng, n_steps, daily, hourly):
     return np.repeat(np.exp(logs), STEPS_PER_HOUR)
 
 
+def ground_temperature(weather):
+    """Soil near the surface: the climate's year, 45 days late and weaker [degC]."""
+    climate = weather.climate
+    winter, _ = season(weather.times - np.timedelta64(45, "D"))
+    return climate.t_mean - 0.6 * climate.t_annual * winter
+
+
 def make_drives(office, weather, noise, seed, measured_from):
     """The drives of an office without any effect."""
     times, n = weather.times, len(weather.times)
@@ -94,6 +119,8 @@ def make_drives(office, weather, noise, seed, measured_from):
         season_day=(days - times.astype("datetime64[Y]")).astype(int), bright=np.array(bright),
         humidity_ratio=humidity_ratio(weather.theta_e, weather.relative_humidity),
         elapsed=((times - start) / (times[-1] - start)).astype(float),
+        years=(times - start) / np.timedelta64(365 * 24, "h"), ghi=weather.ghi,
+        theta_ground=ground_temperature(weather), seed=seed,
         people=area * office.people * lively("people", noise.people),
         lights=area * office.lights * lively("lights", noise.lights),
         equipment=area * office.equipment * lively("equipment", noise.equipment),
@@ -102,6 +129,8 @@ def make_drives(office, weather, noise, seed, measured_from):
         infiltration=np.full(n, 0.6 * office.infiltration),
         wind_share=0.3 * office.infiltration * weather.wind / weather.climate.wind_mean,
         stack=0.04 * office.infiltration, extra_air=still.copy(), opening=still.copy(),
+        recovery=still.copy(), neighbour=still.copy(), theta_neighbour=still.copy(),
+        efficiency_factor=np.ones(n), gas_use=still.copy(), sensor_drift=still.copy(),
         opening_above=24.0, blinds=np.ones((4, n)),
         heating_set=office.heating_setback + plant * (office.heating_set - office.heating_setback),
         cooling_set=office.cooling_setback + plant * (office.cooling_set - office.cooling_setback),

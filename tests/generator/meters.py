@@ -31,13 +31,25 @@ def cooling_power(office, drives, cooling):
     """Electric power of the chiller [W]: better when it is cool outside, worse at part load."""
     full = office.cooling_capacity * office.floor_area
     cop = office.cooling_cop * (1 - 0.012 * (np.clip(drives.theta_e, 15, 40) - 30))
+    if drives.cop_slope:
+        cop = cop * (1 - drives.cop_slope * np.clip(drives.theta_e - 27, -15, 15))
     return cooling / (cop * drives.cop_factor * part_load(np.clip(cooling / full, 0, 1)))
 
 
 def heating_power(office, drives, heating):
+    """Electric power of the heat pump [W]."""
+    if office.heat_source != "heat pump":
+        return 0.0
     full = office.heating_capacity * office.floor_area
     cop = office.heating_cop * (1 + 0.02 * (np.clip(drives.theta_e, -5, 20) - 8))
     return heating / (cop * part_load(np.clip(heating / full, 0, 1)))
+
+
+def boiler_power(office, drives, heating):
+    """Gas of the boiler: a little less efficient at part load, with `part_load_loss` more so [W]."""
+    ratio = np.clip(heating / (office.heating_capacity * office.floor_area), 0, 1)
+    efficiency = office.heating_efficiency * drives.efficiency_factor * (0.96 + 0.04 * ratio)
+    return heating / efficiency * (1 + drives.part_load_loss * np.exp(-ratio / 0.15))
 
 
 def latent_cooling(drives, cooling):
@@ -46,17 +58,34 @@ def latent_cooling(drives, cooling):
     return drives.latent_share * 1.2 * drives.fresh_air * moisture * LATENT_HEAT * (cooling > 0)
 
 
-def true_meters(office, drives, run):
-    """Hourly energy without any meter's error [kWh]."""
+def true_powers(office, drives, run):
+    """What flows through every meter at every step [W]."""
     cooling = run.asked_cooling + latent_cooling(drives, run.asked_cooling)
+    heating = run.asked_heating + drives.reheat * cooling if drives.reheat else run.asked_heating
     fans = office.fan_power * 1000 * drives.fresh_air
     electric = (drives.lights + drives.equipment + drives.base_load + fans
-                + PUMP_SHARE * (cooling + run.asked_heating)
+                + PUMP_SHARE * (cooling + heating)
                 + cooling_power(office, drives, cooling)
-                + heating_power(office, drives, run.asked_heating))
-    powers = {"electricity": electric, "cooling": cooling, "heating": run.asked_heating}
-    return {name: hour_means(power * drives.meter_factor.get(name, 1.0)) / 1000
-            for name, power in powers.items()}
+                + heating_power(office, drives, heating))
+    powers = {"electricity": electric, "cooling": cooling, "heating": heating}
+    if office.heat_source == "boiler":
+        powers["gas"] = boiler_power(office, drives, heating) + drives.gas_use
+    return powers
+
+
+def true_meters(office, drives, run):
+    """Hourly energy without any meter's error [kWh]."""
+    return {name: late(hour_means(power * drives.meter_factor.get(name, 1.0)) / 1000, drives)
+            for name, power in true_powers(office, drives, run).items()}
+
+
+def true_air(drives, run):
+    """Hourly mean of the air temperature, as a sensor without noise shows it [degC]."""
+    return late(hour_means(run.theta_air + drives.sensor_drift), drives)
+
+
+def late(hourly, drives):
+    return np.roll(hourly, drives.hours_late)
 
 
 def red(rng, n, keep):
@@ -84,6 +113,15 @@ def gaps(n, noise, rng):
         first = rng.integers(n)
         missing[first:first + rng.integers(1, noise.longest_gap + 1)] = True
     return missing
+
+
+def read_sensor(true, rng):
+    """What a temperature sensor shows: 0.08 K white and 0.12 K slow noise, steps of 0.1 K."""
+    n = len(true)
+    shown = true + 0.08 * rng.standard_normal(n) + 0.12 * red(rng, n, 0.9)
+    readings = np.round(shown, 1)
+    readings[gaps(n, MeterNoise(), rng)] = np.nan
+    return readings
 
 
 def read_meters(true, seed, noise=MeterNoise()):

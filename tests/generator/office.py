@@ -63,7 +63,9 @@ class Office:
     heating_capacity: float = 70.0  # [W/m2]
     cooling_capacity: float = 130.0
     cooling_cop: float = 3.6
-    heating_cop: float = 3.0
+    heat_source: str = "heat pump"  # or "boiler"
+    heating_cop: float = 3.0        # of the heat pump
+    heating_efficiency: float = 0.9  # of the boiler
     base_load: float = 0.8          # lifts, pumps, outdoor lights [W/m2]
     holidays: tuple = ()            # dates "2021-10-01"
     schedules: dict = field(default_factory=_schedules)
@@ -83,6 +85,12 @@ class Office:
     def facade_area(self, facade):
         side = self.length if facade in ("south", "north") else self.width
         return side * self.storey_height * self.floors
+
+    def opaque_elements(self, conductance=1.0):
+        return opaque_elements(self, conductance)
+
+    def windows(self):
+        return windows(self)
 
 
 SPREAD = {  # standard deviation of the truth around the design, relative
@@ -111,18 +119,18 @@ def insulated(u_value, layers, place):
     return layers[:place] + [("insulation", thickness)] + layers[place:]
 
 
-def opaque_elements(office):
-    """Walls, roof, ground floor, inner slabs and partitions."""
+def opaque_elements(office, conductance=1.0):
+    """Walls, roof, ground floor, inner slabs and partitions; `conductance` of walls and roof."""
     brick = [("plaster", 0.02), ("brick", 0.2), ("plaster", 0.02)]
     roof = [("screed", 0.04), ("concrete", office.slab_thickness), ("plaster", 0.01)]
     ground = [("soil", 2.0), ("concrete", office.slab_thickness), ("screed", 0.04)]
     slab = [("plaster", 0.01), ("concrete", office.slab_thickness), ("screed", 0.04)]
     walls = [Element(f, office.facade_area(f) * (1 - office.window_share[f]),
                      insulated(office.u_wall, brick, 1), (90.0, AZIMUTH[f]),
-                     absorptance=office.absorptance_wall, sun_share=0.03) for f in FACADES]
+                     absorptance=office.absorptance_wall, sun_share=0.03, conductance=conductance) for f in FACADES]
     return walls + [
         Element("roof", office.footprint, insulated(office.u_roof, roof, 1), (0.0, 0.0),
-                absorptance=office.absorptance_roof, h_inside=1.5),
+                absorptance=office.absorptance_roof, h_inside=1.5, conductance=conductance),
         Element("ground", office.footprint, ground, ground=True, h_inside=1.5, sun_share=0.13),
         Element("slabs", office.footprint * (office.floors - 1), slab, h_inside=1.5,
                 sun_share=0.42),

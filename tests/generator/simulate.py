@@ -8,7 +8,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-import office as office_model
 import sun
 from construction import RHO_C_AIR, make_network
 from weather import STEP_S
@@ -49,15 +48,23 @@ def sky_temperature(weather):
     return weather.theta_e - 5.5 * (1 - weather.cloud)
 
 
+def surroundings_temperature(weather, drives):
+    """The same at the building."""
+    if drives.sky_factor == 1:
+        return sky_temperature(weather) + drives.theta_e - weather.theta_e
+    return drives.theta_e + drives.sky_factor * (sky_temperature(weather) - weather.theta_e)
+
+
 def source_rows(network, elements, windows, weather, drives):
     """Heat into every node from outdoors, sky, ground, sun and radiant gains [n_steps x n]."""
     deep = weather.climate.t_mean
     rows = (np.outer(drives.theta_e, network.outdoor)
-            + np.outer(sky_temperature(weather) + drives.theta_e - weather.theta_e, network.sky)
+            + np.outer(surroundings_temperature(weather, drives), network.sky)
             + deep * network.ground)
     for element in (e for e in elements if e.plane):
         beam, diffuse, _ = sun.plane_irradiance(weather, *element.plane)
-        absorbed = element.absorptance * element.area * (beam + diffuse)
+        share = element.absorptance * (drives.roof_sun if element.name == "roof" else 1)
+        absorbed = share * element.area * (beam + diffuse)
         rows[:, network.outer[element.name]] += absorbed
     entered = sum(transmitted_sun(w, weather, keep)
                   for w, keep in zip(windows, drives.blinds))
@@ -74,6 +81,13 @@ class Zone:
     """The network with its step solved, and the state."""
 
     def __init__(self, network, air_capacity, theta_start):
+        self.use(network)
+        self.air_store = air_capacity / STEP_S
+        self.x = np.full(len(network.capacity), theta_start)
+        self.theta_air, self.heating, self.cooling = theta_start, 0.0, 0.0
+
+    def use(self, network):
+        """Takes a network with the same nodes; the state stays."""
         solved = np.linalg.inv(np.diag(network.capacity / STEP_S) + network.conduction)
         self.solved = solved
         self.keep = solved * (network.capacity / STEP_S)
@@ -83,11 +97,8 @@ class Zone:
         self.air = network.air
         self.air_own = network.air.sum() - network.air @ self.b
         self.heating_gain = 1 - RADIANT_HEATING + network.air @ self.c
-        self.air_store = air_capacity / STEP_S
         self.capacity = network.capacity
         self.lost = network.outdoor + network.sky + network.ground
-        self.x = np.full(len(network.capacity), theta_start)
-        self.theta_air, self.heating, self.cooling = theta_start, 0.0, 0.0
 
 
 def command(free, slope, set_point, capacity):
@@ -123,7 +134,17 @@ def air_loss(drives, k, volume, theta_air):
               + drives.stack * abs(difference) ** 0.5)
     if drives.opening[k] > 0 and theta_air > drives.opening_above and difference > 1:
         change += drives.opening[k]
-    return RHO_C_AIR * (change * volume / 3600 + drives.fresh_air[k])
+    fresh = drives.fresh_air[k] * (1 - drives.recovery[k])
+    return RHO_C_AIR * (change * volume / 3600 + fresh)
+
+
+def surroundings(drives, k, loss):
+    """Conductance and temperature of outdoor air and neighbour together."""
+    other = drives.neighbour[k]
+    if other == 0:
+        return loss, drives.theta_e[k]
+    total = loss + other
+    return total, (loss * drives.theta_e[k] + other * drives.theta_neighbour[k]) / total
 
 
 def run_chunk(zone, office, drives, rows, convective, first, out):
@@ -136,8 +157,8 @@ def run_chunk(zone, office, drives, rows, convective, first, out):
         control = (drives.heating_set[k], drives.cooling_set[k],
                    drives.heating_on[k] * office.heating_capacity * office.floor_area,
                    drives.cooling_on[k] * office.cooling_capacity * office.floor_area)
-        asked = step(zone, solved_rows[i], air_rows[i], loss, drives.theta_e[k], convective[i],
-                     control)
+        total, theta = surroundings(drives, k, loss)
+        asked = step(zone, solved_rows[i], air_rows[i], total, theta, convective[i], control)
         out.asked_heating[k], out.asked_cooling[k] = asked
         out.emitted_heating[k], out.emitted_cooling[k] = zone.heating, zone.cooling
         out.theta_air[k], out.air_conductance[k] = zone.theta_air, loss
@@ -156,15 +177,24 @@ def part_of(series_owner, first, last):
     return type(series_owner)(**cut)
 
 
+def chunks(n_steps, change):
+    """(first, last) of the chunks; one begins at `change`."""
+    bounds = sorted({*range(0, n_steps, MONTH), change, n_steps})
+    return zip(bounds[:-1], bounds[1:])
+
+
 def simulate(office, weather, drives, theta_start=22.0):
     """The whole period. The first weeks still remember theta_start: leave them out."""
-    elements, windows = office_model.opaque_elements(office), office_model.windows(office)
+    elements, windows = office.opaque_elements(), office.windows()
     network = make_network(elements, windows)
     zone = Zone(network, AIR_MULTIPLIER * RHO_C_AIR * office.volume, theta_start)
     n = len(weather.times)
     out = Trajectory(*(np.zeros(n) for _ in range(9)))
-    for first in range(0, n, MONTH):
-        last = min(first + MONTH, n)
+    for first, last in chunks(n, drives.envelope_from):
+        if first == drives.envelope_from and drives.envelope_factor != 1:
+            other = office.opaque_elements(drives.envelope_factor)
+            network = make_network(other, windows)
+            zone.use(network)
         rows, convective = source_rows(network, elements, windows,
                                        part_of(weather, first, last), part_of(drives, first, last))
         out.convective[first:last] = convective

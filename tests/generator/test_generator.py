@@ -1,32 +1,46 @@
 """The generator itself: its balance closes, effects change what they should, seeds decide."""
+import copy
+import json
 import pathlib
 import sys
+import tempfile
+import tomllib
 import unittest
 
 import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parents[1] / "scripts")]
 
+import case_folder
 import construction
+import designs
+import house
 import meters
 import office as office_model
 import simulate as finer
 import sun
+from case import Recipe
+from cases import loop_job
 from drives import AVERAGE_DAYS, DayNoise, make_drives
-from effects import EFFECTS, apply_effects
+from effect import rng_of
+from effects import EFFECTS, INSIDE, OUTSIDE, apply_effects
 from office import Office, as_built
 from quickstart import RECIPE, days_of
-from weather import STEP_S, STEPS_PER_HOUR, synthetic_weather
+from weather import CLIMATES, STEP_S, STEPS_PER_HOUR, synthetic_weather
 
 FIRST = "2021-11-01"
 SUMMER = "2021-06-28"   # a Monday
+WINTER = "2021-01-04"
+A_YEAR_BEFORE = {SUMMER: "2020-06-28", WINTER: "2020-01-04", FIRST: "2020-11-01"}
+BOILER = Office(heat_source="boiler")
 DAYS = 14
 
 
-def run(first=FIRST, effects=None, seed=5, noise=AVERAGE_DAYS, design=Office()):
-    """Drives, trajectory and true meters of a fortnight."""
+def run(first=FIRST, effects=None, seed=5, noise=AVERAGE_DAYS, design=Office(), since=None):
+    """Drives, trajectory and true meters of a fortnight, `since` when it is measured."""
     weather = synthetic_weather("hot_humid", first, DAYS, seed)
-    drives = make_drives(design, weather, noise, seed, first)
+    drives = make_drives(design, weather, noise, seed, since or first)
     apply_effects(drives, design, effects or {})
     trajectory = finer.simulate(design, weather, drives)
     return drives, trajectory, meters.true_meters(design, drives, trajectory)
@@ -88,6 +102,20 @@ class Balance(unittest.TestCase):
             np.testing.assert_allclose(np.diff(stored), STEP_S * gain[1:],
                                        atol=1e-9 * np.abs(stored).max())
 
+    def test_heat_in_equals_heat_stored_with_a_neighbour_and_while_insulation_is_added(self):
+        drives, *_ = run(FIRST)
+        days = int(365 * rng_of(drives).uniform(0.3, 0.7)) - DAYS // 2
+        drives, out, _ = run(FIRST, {"neighbour": 0.2, "retrofit": 0.3},
+                             since=np.datetime64(FIRST) - days)
+        self.assertGreater(drives.envelope_from, 0)
+        stored = (out.stored + finer.AIR_MULTIPLIER * construction.RHO_C_AIR * Office().volume
+                  * out.theta_air)
+        gain = (out.surface_gain + out.air_conductance * (drives.theta_e - out.theta_air)
+                + drives.neighbour * (drives.theta_neighbour - out.theta_air)
+                + out.convective + out.emitted_heating - out.emitted_cooling)
+        np.testing.assert_allclose(np.diff(stored), STEP_S * gain[1:],
+                                   atol=1e-9 * np.abs(stored).max())
+
     def test_the_emitters_give_what_the_plant_delivers(self):
         _, out, _ = run(SUMMER)
         kept = finer.TAU_COOLING * out.emitted_cooling[-1]
@@ -104,20 +132,42 @@ class Balance(unittest.TestCase):
 class Effects(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.summer, cls.winter = run(SUMMER)[2], run("2021-01-04")[2]
+        cls.plain = {first: run(first, since=A_YEAR_BEFORE[first], design=BOILER)[2]
+                     for first in (SUMMER, WINTER)}
+        cls.summer = run(SUMMER)[2]
 
     def test_there_is_none_by_default(self):
         self.assertEqual(run.__defaults__[1], None)
         self.assertEqual(type(RECIPE)("hot_humid", FIRST, 1, 1, Office()).effects, {})
 
-    def test_each_changes_some_meter_in_some_season(self):
+    def test_each_changes_the_drives_of_a_year_in_some_climate(self):
+        changed = {climate: self.changed_drives(climate) for climate in CLIMATES}
         for name in EFFECTS:
-            changed = 0.0
-            for first, plain in ((SUMMER, self.summer), ("2021-01-04", self.winter)):
-                meters_now = run(first, {name: None})[2]
-                changed += sum(np.abs(meters_now[m] - plain[m]).sum() for m in plain)
-            if name != "closed_weeks":   # 20 July is in neither fortnight
-                self.assertGreater(changed, 1, name)
+            self.assertTrue(any(names[name] for names in changed.values()), name)
+
+    def changed_drives(self, climate):
+        """{effect: fields of the drives that it changes}"""
+        weather = synthetic_weather(climate, "2021-01-01", 365, 5)
+        plain = make_drives(BOILER, weather, AVERAGE_DAYS, 5, "2021-01-01")
+        changed = {}
+        for name in EFFECTS:
+            drives = copy.deepcopy(plain)
+            apply_effects(drives, BOILER, {name: None})
+            changed[name] = [field for field, value in vars(plain).items()
+                             if not np.array_equal(value, getattr(drives, field))]
+        return changed
+
+    def test_sizes_are_drawn_from_the_plausible_range(self):
+        rng = np.random.default_rng(1)
+        for name, effect in EFFECTS.items():
+            sizes = [effect.draw(rng) for _ in range(20)]
+            self.assertTrue(all(effect.least <= abs(size) <= effect.most for size in sizes), name)
+            self.assertTrue(effect.least <= effect.size <= effect.most, name)
+            self.assertEqual(min(sizes) < 0, effect.either_sign, name)
+
+    def test_some_are_of_kinds_that_no_catalogue_has(self):
+        self.assertEqual(set(INSIDE) & set(OUTSIDE), set())
+        self.assertGreaterEqual(len(OUTSIDE), 6)
 
     def test_degraded_cop_changes_electricity_only(self):
         now = run(SUMMER, {"degraded_cop": None})[2]
@@ -132,15 +182,33 @@ class Effects(unittest.TestCase):
         self.assertEqual(self.summer["cooling"][saturday].sum(), 0)
 
     def test_signs(self):
-        more = {"exhaust_fan": ("2021-01-04", "heating", 1), "server_heat": (SUMMER, "cooling", 1),
+        more = {"exhaust_fan": (WINTER, "heating", 1), "server_heat": (SUMMER, "cooling", 1),
                 "heat_island": (SUMMER, "cooling", 1), "blinds": (SUMMER, "cooling", -1),
-                "wind_infiltration": ("2021-01-04", "heating", 1),
-                "latent_load": (SUMMER, "cooling", 1),
-                "night_ventilation": (SUMMER, "cooling", -1)}
+                "wind_infiltration": (WINTER, "heating", 1),
+                "stack_infiltration": (WINTER, "heating", 1),
+                "latent_load": (SUMMER, "cooling", 1), "roof_sun": (SUMMER, "cooling", 1),
+                "night_ventilation": (SUMMER, "cooling", -1), "sky_loss": (WINTER, "heating", 1),
+                "heat_recovery": (WINTER, "heating", -1), "retrofit": (WINTER, "heating", -1),
+                "thermal_bridge": (WINTER, "heating", 1), "early_start": (WINTER, "heating", 1),
+                "reheat": (SUMMER, "heating", 1), "cop_temperature": (SUMMER, "electricity", 1),
+                "demand_response": (SUMMER, "cooling", -1), "gas_step": (WINTER, "gas", 1),
+                "part_load": (WINTER, "gas", 1), "standing_losses": (SUMMER, "gas", 1),
+                "hot_water": (SUMMER, "gas", 1), "degraded_boiler": (WINTER, "gas", 1),
+                "frozen_valve": (WINTER, "heating", 0), "snow": (SUMMER, "cooling", 0),
+                "heat_and_power": (WINTER, "electricity", -1)}
         for name, (first, meter, sign) in more.items():
-            plain = self.summer if first == SUMMER else self.winter
-            now = run(first, {name: None})[2]
-            self.assertGreater(sign * (now[meter].sum() - plain[meter].sum()), 0, name)
+            now = run(first, {name: None}, since=A_YEAR_BEFORE[first], design=BOILER)[2]
+            change = now[meter].sum() - self.plain[first][meter].sum()
+            self.assertEqual(np.sign(change), sign, name)
+
+    def test_a_late_clock_moves_the_record(self):
+        now = run(SUMMER, {"meter_late": 1.0})[2]
+        np.testing.assert_array_equal(now["cooling"][1:], self.summer["cooling"][:-1])
+
+    def test_shifted_schedules_come_later(self):
+        plain, now = run(SUMMER)[0], run(SUMMER, {"schedule_shift": 0.5})[0]
+        steps = STEPS_PER_HOUR // 2
+        np.testing.assert_array_equal(now.people[steps:], plain.people[:-steps])
 
 
 class Meters(unittest.TestCase):
@@ -150,6 +218,19 @@ class Meters(unittest.TestCase):
         expected = 1000 * np.sqrt(0.02 ** 2 + 0.025 ** 2 + 0.008 ** 2)
         self.assertAlmostEqual(shown.std(), expected, delta=0.1 * expected)
         np.testing.assert_array_equal(shown, np.round(shown))
+
+    def test_a_sensor_has_the_stated_noise_and_steps(self):
+        shown = meters.read_sensor(np.full(8760, 21.03), np.random.default_rng(1))
+        there = shown[~np.isnan(shown)]
+        self.assertAlmostEqual(there.std(), np.hypot(0.08, 0.12), delta=0.02)
+        np.testing.assert_allclose(there, np.round(there, 1))
+
+    def test_only_a_boiler_burns_gas(self):
+        self.assertEqual(set(self.names(Office())), {"electricity", "cooling", "heating"})
+        self.assertEqual(set(self.names(BOILER)), {"electricity", "cooling", "heating", "gas"})
+
+    def names(self, design):
+        return run(SUMMER, design=design)[2]
 
     def test_gaps_have_the_stated_share(self):
         shown = meters.read_meter(np.full(8760, 50.0), meters.MeterNoise(),
@@ -169,6 +250,98 @@ class Meters(unittest.TestCase):
         _, _, metered = run(SUMMER, design=design)
         self.assertEqual(metered["cooling"][24:48].sum(), 0)
         self.assertGreater(metered["cooling"][48:72].sum(), 0)
+
+
+class House(unittest.TestCase):
+    """A winter week of paper 3's house."""
+    TRUTH = {"lighting": 5.0, "appliances": 6.0, "set_point_lounge": 17.0, "set_point_rooms": 16.0,
+             "air_change": 3.0}
+
+    @classmethod
+    def setUpClass(cls):
+        cls.weather = synthetic_weather("cool_maritime", WINTER, 7, 1)
+
+    def week(self, fuel, **changed):
+        """kWh of both zones."""
+        return sum(house.energies(zone, self.weather, AVERAGE_DAYS, 1)[fuel].sum()
+                   for zone in house.zones_of(self.TRUTH | changed, {}))
+
+    def test_lights_appliances_and_pumps_make_the_electricity(self):
+        daily = sum(self.TRUTH[name] * sum(hours) for name, hours in
+                    (("lighting", house.LIT), ("appliances", house.USED)))
+        pumps = self.week("electricity") - 84 * 7 * daily / 1000
+        heat = sum(house.energies(zone, self.weather, AVERAGE_DAYS, 1)["heating"].sum()
+                   for zone in house.zones_of(self.TRUTH, {}))
+        self.assertAlmostEqual(pumps / heat, meters.PUMP_SHARE, places=6)
+
+    def test_gas_rises_with_set_points_and_air_and_falls_with_gains(self):
+        plain = self.week("gas")
+        for name, change in (("set_point_lounge", 1), ("set_point_rooms", 1), ("air_change", 1),
+                             ("lighting", -1), ("appliances", -1)):
+            more = self.week("gas", **{name: self.TRUTH[name] + change})
+            self.assertGreater(more, plain, name)
+
+    def test_a_seed_draws_one_house_within_the_first_grid(self):
+        (first, _), (again, _), (other, _) = (house.drawn_house(s) for s in (1, 1, 2))
+        self.assertEqual(first, again)
+        for name, (least, most) in house.RANGES.items():
+            self.assertTrue(least < first[name] < most, name)
+            self.assertNotEqual(first[name], other[name])
+
+    def test_the_bill_is_of_the_days_after_the_settling_ones(self):
+        weather = synthetic_weather("cool_maritime", WINTER, house.SETTLING_DAYS + 1, 1)
+        zones = house.zones_of(self.TRUTH, {})
+        last = [house.energies(zone, weather, AVERAGE_DAYS, 2 + k)["gas"][-24:].sum()
+                for k, zone in enumerate(zones)]
+        self.assertEqual(house.bill_of(zones, weather, 1, AVERAGE_DAYS)["gas"], round(sum(last)))
+
+
+class Folder(unittest.TestCase):
+    def test_a_seed_draws_one_design_within_its_ranges(self):
+        first, again, other = (designs.drawn_design(np.random.default_rng(s)) for s in (1, 1, 2))
+        self.assertEqual(first, again)
+        self.assertNotEqual(first, other)
+        for name, (least, most) in designs.RANGES.items():
+            self.assertTrue(least <= getattr(first[1], name) <= most, name)
+
+    def test_drawn_effects_fit_the_design(self):
+        heat_pump = Office()
+        drawn = designs.drawn_effects(np.random.default_rng(1), heat_pump, INSIDE, 30)
+        self.assertEqual(len(drawn), 30)
+        self.assertTrue(all(INSIDE[name].fits(heat_pump) for name in drawn))
+        self.assertFalse(INSIDE["gas_step"].fits(heat_pump))
+
+    def test_description_and_weather_become_a_job(self):
+        recipe = Recipe("continental", "2021-01-01", 730, 1, Office(heat_source="boiler"))
+        weather = synthetic_weather("continental", "2021-01-01", 2, 1)
+        with tempfile.TemporaryDirectory() as place:
+            folder = pathlib.Path(place)
+            (folder / "building.json").write_text(json.dumps(
+                case_folder.building(recipe, "office")))
+            for k, name in enumerate(("train", "test")):
+                case_folder.write_epw(folder / f"weather_{name}.epw", weather, 24 * k, 24 * k + 24)
+            case_folder.write_readings(
+                folder / "measured.csv", weather.times[::STEPS_PER_HOUR][:24],
+                {"heat_kWh": np.arange(24.0), "gas_kWh": np.full(24, np.nan)})
+            job, _ = loop_job.write_job([folder], folder / "job")
+            text = next(pathlib.Path(job).parent.glob(f"{folder.name}.toml")).read_text()
+            readings = (folder / "measured.csv").read_text().splitlines()
+            epw = (folder / "weather_test.epw").read_text().splitlines()
+        building = tomllib.loads(text)
+        self.assertEqual(building["periods"]["held_out"], ["2021-01-02", "2021-01-02"])
+        self.assertEqual(building["plant"]["heating_carrier"], "gas")
+        self.assertEqual(readings[1], "2021-01-01T01:00:00,0,")
+        self.assertEqual(len(epw), 8 + 24)
+        self.assertEqual(epw[8].split(",")[:5], ["2021", "1", "2", "1", "60"])
+
+    def test_the_floor_with_soil_conducts_as_the_network_does(self):
+        net = construction.make_network([e for e in office_model.opaque_elements(Office())
+                                         if e.ground], [])
+        held = 1.0 * net.air   # air and star at 1 K, ground at 0
+        x = np.linalg.solve(net.conduction, held)
+        flow = (net.ground * x).sum() / Office().footprint
+        self.assertAlmostEqual(flow, 1 / (1 / case_folder.ground_u_value(Office())
+                                          + 1 / 1.5 - 1 / (1.5 + 5.1)), delta=0.01)
 
 
 if __name__ == "__main__":

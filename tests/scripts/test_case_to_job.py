@@ -126,7 +126,7 @@ class CaseToJob(unittest.TestCase):
         self.case["plant"]["cooling_available"] = "none"
         (self.folder / "job" / "job.toml").unlink()
         names = [{p["name"] for p in part} for part in (with_cooling, self.job()["parameter"])]
-        self.assertEqual(names[0] - names[1], {"cooling_set_point", "cooling_cop"})
+        self.assertEqual(names[0] - names[1], {"cooling_set_point", "cooling_cop", "cooling_capacity"})
 
     def test_a_building_of_a_job_leaves_the_shared_sections_to_the_job(self):
         self.files["measured.csv"] = readings(2017, 0)

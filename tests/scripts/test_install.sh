@@ -13,6 +13,7 @@ cd /
 for script in build check environment install-packages test; do
   [[ ! -e $prefix/share/bemcal/scripts/$script ]] || fail "scripts/$script works on a checkout only"
 done
+"$prefix/share/bemcal/scripts/loop_report" --help >/dev/null || fail "the installed loop_report does not start"
 shopt -s nullglob
 for job in "$prefix"/share/bemcal/jobs/*/quickstart*.toml "$prefix"/share/bemcal/jobs/quickstart*.toml; do
   "$prefix/bin/bemcal-batch" check "$job" >/dev/null || fail "check of the installed $job failed"

@@ -5,7 +5,7 @@
 #include "study/points.hpp"
 #include "study/posterior_density.hpp"
 #include "study/posterior_results.hpp"
-#include "support/rank_uniformity.hpp"
+#include "support/ranked_fit.hpp"
 
 #include <cmath>
 #include <limits>
@@ -24,11 +24,6 @@ inline study::Meter empty_meter(const study::Case& building, physics::Quantity q
                         std::numeric_limits<double>::quiet_NaN());
     return meter;
 }
-
-struct SimulatedFit {
-    std::vector<std::string> names;
-    std::vector<int> ranks;  ///< of the truth among n_ranks draws, for each free unknown
-};
 
 class FitOfSimulatedData {
   public:
@@ -49,7 +44,10 @@ class FitOfSimulatedData {
         parts->buildings.push_back(with_data(*space, truth, random));
         parts->space = space;
         parts->arrangement = study::make_arrangement(study::Pooling::none, space, {});
-        return ranked(*space, truth, draws_of(parts, seed, n_draws), n_ranks);
+        const auto density = study::make_posterior_density(parts);
+        const Matrix draws = draws_of(*density, options_.chains.sampler,
+                                      {seed, options_.chains.n_chains, n_draws});
+        return ranked(names_of(*space), truth, draws, n_ranks);
     }
 
   private:
@@ -76,41 +74,11 @@ class FitOfSimulatedData {
         return std::make_unique<study::BuildingModel>(filled, filled.periods[0], choice_);
     }
 
-    /// [draws x dimension], the chains' draws taken in turn.
-    Matrix draws_of(const std::shared_ptr<study::PosteriorParts>& parts,
-                    std::uint64_t seed, int n_draws) const {
-        const auto density = study::make_posterior_density(parts);
-        std::vector<sampling::ChainTask> tasks;
-        for (int c = 0; c < options_.chains.n_chains; ++c)
-            tasks.push_back({seed, static_cast<std::uint32_t>(c), 0, {}});
-        const auto warm =
-            sampling::run_chains(*density, options_.chains.sampler, tasks, 0);
-        for (std::size_t c = 0; c < tasks.size(); ++c) {
-            tasks[c].round = 1;
-            tasks[c].state = warm[c].state;
-        }
-        const auto parts_of_chains =
-            sampling::run_chains(*density, options_.chains.sampler, tasks, n_draws);
-        Matrix all(tasks.size() * static_cast<std::size_t>(n_draws),
-                   density->dimension());
-        for (std::size_t d = 0; d < static_cast<std::size_t>(n_draws); ++d)
-            for (std::size_t c = 0; c < tasks.size(); ++c)
-                std::ranges::copy(parts_of_chains[c].draws.row(d),
-                                  all.row(d * tasks.size() + c).begin());
-        return all;
-    }
-
-    static SimulatedFit ranked(const study::Space& space,
-                               const std::vector<double>& truth, const Matrix& draws,
-                               int n_ranks) {
-        SimulatedFit fit;
-        for (std::size_t f = 0; f < space.n_free(); ++f) {
-            std::vector<double> column(draws.rows);
-            for (std::size_t r = 0; r < draws.rows; ++r) column[r] = draws(r, f);
-            fit.names.push_back(space.coordinates()[space.index_of(f)].name);
-            fit.ranks.push_back(rank_of(truth[f], column, n_ranks));
-        }
-        return fit;
+    static std::vector<std::string> names_of(const study::Space& space) {
+        std::vector<std::string> names;
+        for (std::size_t f = 0; f < space.n_free(); ++f)
+            names.push_back(space.coordinates()[space.index_of(f)].name);
+        return names;
     }
 
     study::BuildingModel model() const {

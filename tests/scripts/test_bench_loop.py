@@ -1,0 +1,146 @@
+#!/usr/bin/python3
+"""The loop's bench: what it draws, what it takes for right and for false, and its figures."""
+import pathlib
+import re
+import sys
+import unittest
+from collections import Counter
+
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "bench"))
+
+import bench_loop       # noqa: E402
+import loop_names       # noqa: E402
+import loop_scores      # noqa: E402
+from effects import EFFECTS, INSIDE, OUTSIDE  # noqa: E402
+
+
+def found(name, members=(), adequate=True, hook="gains", driver="hour of the day",
+          interval=(0, 1)):
+    return {"name": name, "class": list(members), "adequate": adequate, "hook": hook,
+            "driver": driver, "interval": list(interval)}
+
+
+def scored(planted, effects, kind="single", after=0.5, d=20.0, decisions=()):
+    errors = {"plain": {"heat_kWh": 30.0}, "before": {"heat_kWh": 20.0},
+              "after": {"heat_kWh": 20.0 * after}}
+    return loop_scores.Scored("case", kind, planted, list(effects), list(decisions), errors, {},
+                              {name: d for name in planted}, {})
+
+
+class Draws(unittest.TestCase):
+    def test_all_and_the_first_of_them_have_the_same_shares(self):
+        self.assertEqual(Counter(bench_loop.kinds(160)),
+                         {"null": 60, "single": 60, "pair": 20, "outside": 20})
+        self.assertEqual(Counter(bench_loop.kinds(8)),
+                         {"null": 3, "single": 3, "pair": 1, "outside": 1})
+
+    def test_a_case_has_what_its_kind_says(self):
+        for number, kind in enumerate(bench_loop.kinds(24)):
+            case = bench_loop.recipe(3, number, kind)
+            table, n = bench_loop.DRAWN[kind]
+            self.assertEqual(len(case.effects), n)
+            self.assertTrue(set(case.effects) <= set(table))
+            self.assertEqual(case, bench_loop.recipe(3, number, kind))
+
+    def test_effects_are_drawn_from_all_that_fit(self):
+        drawn = Counter(name for number in range(2000)
+                        for name in bench_loop.recipe(5, number, "single").effects)
+        self.assertEqual(set(drawn), set(INSIDE))
+
+
+class Names(unittest.TestCase):
+    def test_every_effect_has_its_row(self):
+        self.assertEqual(set(loop_names.RIGHT), set(EFFECTS))
+        for name in INSIDE:
+            self.assertTrue(loop_names.RIGHT[name].names, name)
+
+    def test_every_name_is_the_catalogues(self):
+        rows = "".join(path.read_text() for path in (ROOT / "src/effects").glob("*_rows.cpp"))
+        catalogue = set(re.findall(r'\.name = "([^"]+)"', rows))
+        used = {name for right in loop_names.RIGHT.values() for name in right.names}
+        self.assertEqual(used - catalogue, set())
+        self.assertEqual(loop_names.ALWAYS_THERE - catalogue, set())
+
+    def test_places_are_hooks_and_drivers(self):
+        words = (ROOT / "src/effects/names.cpp").read_text()
+        for right in loop_names.RIGHT.values():
+            for place in right.places:
+                for word in place:
+                    self.assertIn(f'"{word}"', words)
+
+
+class Scores(unittest.TestCase):
+    def test_the_planted_name_is_right(self):
+        case = scored({"blinds": 0.5}, [found("blinds")])
+        self.assertTrue(loop_scores.is_named(case, "blinds"))
+        self.assertEqual(loop_scores.false_effects(case), [])
+
+    def test_a_place_without_a_name_is_right_too(self):
+        case = scored({"server_heat": 2}, [found("a sentence", hook="gains", driver="constant")])
+        self.assertTrue(loop_scores.is_named(case, "server_heat"))
+
+    def test_a_class_of_at_most_three_counts_as_a_class_only(self):
+        members = ["night purge", "blinds", "shade"]
+        small = scored({"blinds": 0.5}, [found("night purge", members)])
+        self.assertFalse(loop_scores.is_named(small, "blinds"))
+        self.assertTrue(loop_scores.is_classed(small, "blinds"))
+        large = scored({"blinds": 0.5}, [found("night purge", members + ["early start"])])
+        self.assertFalse(loop_scores.is_classed(large, "blinds"))
+
+    def test_another_effect_is_false_and_wrong_where_it_is_adequate(self):
+        for adequate in (True, False):
+            case = scored({"blinds": 0.5}, [found("blinds"), found("reheat", adequate=adequate)])
+            self.assertEqual([e["name"] for e in loop_scores.false_effects(case)], ["reheat"])
+            self.assertEqual(loop_scores.is_adequate_but_wrong(case), adequate)
+
+    def test_what_is_always_there_is_false_unless_the_error_falls(self):
+        for after, n in ((0.9, 0), (1.1, 1)):
+            case = scored({}, [found("stack infiltration")], "null", after)
+            self.assertEqual(len(loop_scores.false_effects(case)), n)
+
+    def test_a_clock_is_a_decision(self):
+        decision = {"finding": "the meter's clock is 1 h late"}
+        self.assertTrue(loop_scores.is_named(scored({"meter_late": 1}, [], decisions=[decision]),
+                                             "meter_late"))
+        self.assertFalse(loop_scores.is_named(scored({"meter_late": 1}, []), "meter_late"))
+
+    def test_the_weaker_of_two_decides_whether_both_can_be_seen(self):
+        case = scored({"blinds": 0.5, "reheat": 0.2}, [])
+        self.assertTrue(loop_scores.is_detectable(case))
+        case.detectability["blinds"] = 4.9
+        self.assertFalse(loop_scores.is_detectable(case))
+
+    def test_closed_is_over_the_affected_channels_of_some_energy(self):
+        truth = {"expected_floor": {"heat_kWh": 10, "cool_kWh": 10, "T_air_C": 0.2},
+                 "without_effect": {"heat_kWh": 30, "cool_kWh": 90, "T_air_C": 0.3},
+                 "held_out_kWh_m2": {"heat_kWh": 50, "cool_kWh": 1}}
+        self.assertEqual(loop_scores.affected(truth), ["heat_kWh"])
+        errors = {"plain": {"heat_kWh": 50.0}, "after": {"heat_kWh": 20.0}}
+        self.assertAlmostEqual(loop_scores.closed(errors, truth, "plain", "after"), 0.75)
+
+    def test_intervals_of_right_names_cover_or_do_not(self):
+        truth = {"climate": "continental"}
+        planted = {"wind_infiltration": 0.26}   # at 2.6 m/s: 0.1 1/h per m/s
+        for interval, hit in (((0.05, 0.12), True), ((0.2, 0.3), False)):
+            effects = [found("wind infiltration", interval=interval)]
+            self.assertEqual(loop_scores.coverage(effects, planted, truth), [hit])
+        self.assertEqual(loop_scores.coverage([found("blinds")], planted, truth), [])
+
+    def test_true_parameters_are_relative_to_the_design(self):
+        numbers = {name: 2.0 for name in [*loop_scores.FACTORS.values(),
+                                          *loop_scores.OFFSETS.values()]}
+        truth = {"design": numbers, "built": {**numbers, "u_wall": 3.0, "heating_set": 2.5}}
+        true = loop_scores.true_parameters(truth)
+        self.assertEqual((true["u_wall"], true["heating_set_point"], true["people"]),
+                         (1.5, 0.5, 1.0))
+
+    def test_shares_of_nothing_are_unknown(self):
+        self.assertTrue(np.isnan(bench_loop.share([])))
+        self.assertEqual(bench_loop.share([True, False]), 50)
+
+
+if __name__ == "__main__":
+    unittest.main()

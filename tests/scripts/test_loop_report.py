@@ -1,0 +1,209 @@
+#!/usr/bin/python3
+"""scripts/loop_report makes one page that needs nothing else, and says what the numbers say."""
+import html.parser
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import h5py
+import numpy as np
+
+sys.dont_write_bytecode = True
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "scripts"), str(pathlib.Path(__file__).parent)]
+
+import fake_loop_result  # noqa: E402
+from report import page, pictures, result, words  # noqa: E402
+
+THREE = {"air": "degC", "electricity": "kWh", "gas": "kWh"}
+ONE = {"gas": "kWh"}
+VOID = {"meta", "img", "br", "link"}
+MAY_STAY_OPEN = {"td", "th", "dt", "dd"}
+
+
+class Page(html.parser.HTMLParser):
+    """Words, images and what the page refers to."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.images, self.references, self.words, self.open = [], [], [], []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        if tag == "img":
+            self.images.append(attributes)
+        self.references += [attributes[key] for key in ("src", "href", "srcset")
+                            if key in attributes]
+        if tag not in VOID | MAY_STAY_OPEN:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open and self.open[-1] == tag, f"</{tag}> closes {self.open[-1:]}"
+        self.open.pop()
+
+    def handle_data(self, data):
+        if not self.open or self.open[-1] not in ("style", "script"):
+            self.words.append(data)
+
+    @property
+    def text(self):
+        return " ".join(" ".join(self.words).split())
+
+
+class LoopReport(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.file = fake_loop_result.write(cls.folder / "office.h5", channels=THREE)
+        cls.loop = result.read(cls.file)
+        cls.html = page.html_of(cls.loop)
+        cls.page = Page(cls.html)
+
+    def small(self, name, **options):
+        file = fake_loop_result.write(self.folder / name, channels=ONE, **options)
+        return result.read(file)
+
+    def test_the_page_needs_nothing_else(self):
+        self.assertEqual(self.page.open, [])
+        for reference in self.page.references:
+            self.assertTrue(reference.startswith("data:"), reference[:80])
+        bare = re.sub(r"data:[^\"]*", "", self.html)
+        for request in ("http:", "https:", "@import", "url(", "<script", "<link"):
+            self.assertNotIn(request, bare)
+        self.assertLess(len(self.html), 3e6)
+
+    def test_every_picture_says_in_words_what_it_shows(self):
+        self.assertGreaterEqual(len(self.page.images), 6 * len(self.loop.channels))
+        alts = [image["alt"] for image in self.page.images]
+        self.assertEqual(len(set(alts)), len(alts))
+        for alt in alts:
+            self.assertGreater(len(alt), 40, alt)
+
+    def test_every_channel_has_its_errors_and_pictures(self):
+        for row in self.loop.errors():
+            self.assertIn(f"{row.channel} {row.resolution} {words.error_of(row, result.PLAIN)}",
+                          self.page.text)
+        for channel in self.loop.channels:
+            self.assertTrue(any(channel in image["alt"] for image in self.page.images), channel)
+
+    def test_what_is_not_known_is_a_dash(self):
+        said = self.page.text + " ".join(image["alt"] for image in self.page.images)
+        self.assertNotRegex(said, r"(?i)\b(nan|inf|none)\b")
+        self.assertRegex(self.page.text, r"thermostat_band .* – – [^–]* K ")
+
+    def test_errors_are_those_of_the_stored_series(self):
+        row = next(row for row in self.loop.judged_errors() if row.channel == "gas")
+        series = self.loop.series("gas")
+        error = series.residual(result.AFTER)
+        self.assertAlmostEqual(row.error[result.AFTER], 100 * np.sqrt(np.nanmean(error**2))
+                               / np.nanmean(series.measured))
+        row = next(row for row in self.loop.judged_errors() if row.channel == "air")
+        self.assertEqual(row.unit, "K")
+        self.assertAlmostEqual(row.bias[result.PLAIN],
+                               np.nanmean(self.loop.series("air").residual(result.PLAIN)))
+
+    def test_the_first_paragraph_names_effects_errors_and_what_is_left(self):
+        lead = self.page.text[:1500]
+        for phrase in ("Two effects were found", "wind infiltration (0.083 1/h per m/s; or else "
+                       "stack infiltration or outdoor shift)", "these data cannot tell", "Not adequate: blind control",
+                       "in held_out, which the search has not seen, the error fell for",
+                       "it stayed the same for electricity", "Not explained:", "9 % for gas"):
+            self.assertIn(phrase, lead)
+
+    def test_without_held_out_readings_it_says_so(self):
+        loop = self.small("training.h5", held_out=False)
+        self.assertEqual(loop.judged, "training")
+        text = Page(page.html_of(loop)).text
+        self.assertIn("No readings were held out", text)
+        self.assertIn("No held-out readings.", text)
+
+    def test_finding_nothing_is_a_result(self):
+        text = Page(page.html_of(self.small("none.h5", found=0))).text
+        self.assertIn("No effect was found that the description of office lacks", text)
+        self.assertIn("None that passes.", text)
+
+    def test_a_channel_that_is_read_by_the_month_has_errors_and_no_pictures(self):
+        file = fake_loop_result.write(self.folder / "monthly.h5", channels=ONE)
+        with h5py.File(file, "a") as stored:
+            for period in fake_loop_result.BEGIN:
+                stored[f"office/loop/{period}/gas/measured"][:] = np.nan
+            stored["office/loop/fit"][:, :, 0] = np.nan
+        loop = result.read(file)
+        self.assertEqual([row.resolution for row in loop.judged_errors()], ["monthly"])
+        self.assertEqual(pictures.of_channel(loop, 0), [])
+        self.assertIn("Not read by the hour in this period", page.html_of(loop))
+
+    def test_what_a_result_lacks_is_left_out(self):
+        file = fake_loop_result.write(self.folder / "lean.h5", channels=ONE)
+        with h5py.File(file, "a") as stored:
+            for name in list(stored["office/loop"]):
+                if name.startswith(("power", "localisation", "candidate", "decision", "unexplained",
+                                    "noise")):
+                    del stored["office/loop"][name]
+            for period in fake_loop_result.BEGIN:
+                del stored[f"office/loop/{period}/outdoor_temperature"]
+        text = page.html_of(result.read(file))
+        self.assertNotIn("Against outdoor temperature", text)
+        self.assertNotIn("What these data can show", text)
+
+    def test_names_of_a_job_are_text_and_not_markup(self):
+        loop = self.small("markup.h5", stage="a <b> & c/loop")
+        self.assertIn("a &lt;b&gt; &amp; c: what", page.html_of(loop))
+
+    def test_the_command_writes_the_page_and_says_which_loops_there_are(self):
+        def run(*arguments):
+            program = ROOT / "scripts" / "loop_report"
+            return subprocess.run([program, *arguments], capture_output=True, text=True)
+        file = fake_loop_result.write(self.folder / "small.h5", channels=ONE)
+        out = self.folder / "page.html"
+        done = run(file, out, "--stage", "shop/loop")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("office/loop", done.stderr)
+        done = run(file, out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(out.read_text(encoding="utf-8"),
+                         page.html_of(result.read(file)))
+
+
+class Numbers(unittest.TestCase):
+    def test_the_autocorrelation_of_a_wave_is_a_wave_in_spite_of_gaps(self):
+        hours = np.arange(24 * 60)
+        wave = np.sin(2 * np.pi * hours / 24)
+        wave[::7] = np.nan
+        values = pictures.autocorrelation(wave, [12, 24])
+        np.testing.assert_allclose(values, [-1, 1], atol=0.05)
+
+    def test_hours_and_months_are_those_of_the_clock(self):
+        time = np.datetime64("2021-01-01", "s").astype(float) + 3600 * np.arange(8760.0)
+        month = time.astype("datetime64[s]").astype("datetime64[M]").astype(int) % 12
+        simulated = np.where((month == 1) & (np.arange(8760) % 24 == 5), 3.0, 0.0)
+        series = result.Series(time, np.zeros(8760), simulated[None], np.array([]))
+        cells = pictures.hour_and_month(series, 0)
+        self.assertEqual(cells[5, 1], 3)
+        self.assertEqual(cells.sum(), 3)
+
+    def test_a_weeks_first_day_is_a_monday(self):
+        time = np.datetime64("2021-01-01", "s").astype(float) + 3600 * np.arange(24 * 30.0)
+        series = result.Series(time, np.ones(720), np.ones((3, 720)), np.array([]))
+        days = [np.datetime64(int(time[k]), "s").astype("datetime64[D]") for k in
+                pictures.weeks_of(series)]
+        self.assertEqual(str(days[0]), "2021-01-04")
+        self.assertEqual(len(days), 3)
+
+    def test_numbers_are_short_and_have_a_true_minus(self):
+        self.assertEqual(words.number(0.08312), "0.0831")
+        self.assertEqual(words.number(-12345.6), "−12346")
+        self.assertEqual(words.number(float("nan")), "–")
+        self.assertEqual(words.fixed(-0.001, 2), "0.00")
+        self.assertEqual(words.signed(0.5, 1), "+0.5")
+        self.assertEqual(words.listed(["a", "b", "c"]), "a, b and c")
+
+
+if __name__ == "__main__":
+    unittest.main()

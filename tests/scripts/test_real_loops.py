@@ -1,0 +1,64 @@
+#!/usr/bin/python3
+"""What scripts/change_point_baseline prints of a loop is read by bench/bench_real_loops.py, and has
+the errors that the result has."""
+import contextlib
+import importlib.machinery
+import importlib.util
+import io
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "bench"), str(pathlib.Path(__file__).parent)]
+
+import bench_real_loops  # noqa: E402
+import fake_loop_result  # noqa: E402
+from report import result  # noqa: E402
+
+
+def printed_of(file):
+    """What change_point_baseline prints, with a choice of few regressions only."""
+    loader = importlib.machinery.SourceFileLoader("change_point_baseline",
+                                                  str(ROOT / "scripts" / "change_point_baseline"))
+    script = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
+    loader.exec_module(script)
+    script.GROUPINGS = {name: script.GROUPINGS[name] for name in ("one", "weekend")}
+    script.CHANGE_POINTS = (1,)
+    sys.argv = ["change_point_baseline", str(file)]
+    with contextlib.redirect_stdout(io.StringIO()) as printed:
+        script.main()
+    return printed.getvalue()
+
+
+class RealLoops(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        with tempfile.TemporaryDirectory() as folder:
+            file = fake_loop_result.write(pathlib.Path(folder) / "office.h5",
+                                          channels={"air": "degC", "gas": "kWh"})
+            cls.loop = result.read(file)
+            cls.errors = bench_real_loops.errors_of(printed_of(file))
+
+    def test_the_models_errors_are_those_of_the_stored_series(self):
+        names = ("plain", "before", "after")
+        for channel, unit in (("air", "K"), ("gas", "%")):
+            models = self.errors["office", channel, self.loop.judged]
+            row = next(row for row in self.loop.judged_errors()
+                       if row.channel == channel and row.resolution == "hourly")
+            for k, name in enumerate(names):
+                self.assertEqual(models[name][1], unit)
+                self.assertAlmostEqual(models[name][0], row.error[k], delta=0.01)
+
+    def test_a_meter_has_a_regression_beside_it_and_a_temperature_none(self):
+        period = self.loop.judged
+        hourly, unit, monthly = self.errors["office", "gas", period]["regression"]
+        self.assertEqual(unit, "%")
+        self.assertTrue(0 < hourly < 200 and 0 < monthly < 200)
+        self.assertNotIn("regression", self.errors["office", "air", period])
+
+
+if __name__ == "__main__":
+    unittest.main()

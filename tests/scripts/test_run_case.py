@@ -1,0 +1,199 @@
+#!/usr/bin/python3
+"""scripts/run_case reads a case's description, weather and training readings and nothing else, makes
+one job of several cases, and writes what a loop found as tables."""
+import csv
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import tomllib
+import unittest
+
+import h5py
+import numpy as np
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parents[1] / "scripts")]
+
+from cases import loop_result, running  # noqa: E402
+from test_case_to_job import OFFICE, epw, readings  # noqa: E402
+
+PROGRAM = HERE.parents[1] / "scripts" / "run_case"
+KEPT_BACK = ("measured_test.csv", "truth.json")
+HOURS = 48
+
+
+def write_case(folder, case=OFFICE):
+    folder.mkdir(parents=True)
+    for name, text in {"building.json": json.dumps(case), "weather_train.epw": epw(2017),
+                       "weather_test.epw": epw(2018), "measured.csv": readings(2017, 5)}.items():
+        (folder / name).write_text(text)
+    return folder
+
+
+class Folders(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+
+class Jobs(Folders):
+    def run_script(self, *arguments):
+        return subprocess.run([PROGRAM, *arguments, self.folder / "out", "--job-only"],
+                              capture_output=True, text=True)
+
+    def job(self, *cases):
+        done = self.run_script(*cases)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return self.folder / "out" / "job"
+
+    def building(self, case=OFFICE):
+        self.job(write_case(self.folder / "a", case))
+        return tomllib.loads((self.folder / "out/job/a.toml").read_text())
+
+    def test_what_is_kept_back_is_neither_needed_nor_opened(self):
+        case = write_case(self.folder / "a")
+        without = (self.job(case) / "a.toml").read_text()
+        for name in KEPT_BACK:
+            (case / name).mkdir()  # opening a folder fails, also for root
+        self.assertEqual((self.job(case) / "a.toml").read_text(), without)
+        for name in KEPT_BACK:
+            self.assertNotIn(name, without)
+
+    def test_the_held_out_year_is_that_of_the_weather(self):
+        building = self.building()
+        self.assertEqual(building["periods"], {"training": ["2017-01-01", "2017-12-31"],
+                                               "held_out": ["2018-01-01", "2018-12-31"]})
+        self.assertEqual([pathlib.Path(meter["file"]).name for meter in building["meter"]],
+                         ["measured.csv"] * 2)
+
+    def test_declared_closed_days_stay_declared(self):
+        self.assertEqual(self.building()["holidays"], ["01-01/01-03"])
+
+    def test_structure_is_left_to_the_loop(self):
+        targets = str([p["target"] for p in self.building()["parameter"]])
+        for number in ("proportional_band", "air_capacity", "emitter", "second_mass"):
+            self.assertNotIn(number, targets)
+
+    def test_every_parameter_has_a_prior_within_its_range(self):
+        for p in self.building()["parameter"]:
+            self.assertTrue(p["min"] <= p["prior"]["mean"] <= p["max"], p)
+            self.assertGreater(p["prior"]["sd"], 0)
+
+    def test_factors_on_shares_keep_them_below_one(self):
+        case = json.loads(json.dumps(OFFICE))
+        case["envelope"]["solar_absorptance_wall"] = 0.9
+        found = {p["name"]: p["max"] for p in self.building(case)["parameter"]}
+        self.assertLess(0.9 * found["absorptance"], 1)
+
+    def test_cases_become_buildings_of_one_job(self):
+        cases = [write_case(self.folder / name) for name in ("a", "b")]
+        job = tomllib.loads((self.job(*cases) / "job.toml").read_text())
+        self.assertEqual(job["buildings"], ["a.toml", "b.toml"])
+        self.assertEqual(job["study"], [{"kind": "loop"}])
+        names = [tomllib.loads((self.folder / "out/job" / file).read_text())["name"]
+                 for file in job["buildings"]]
+        self.assertEqual(names, ["a", "b"])
+
+    def test_what_is_wrong_is_said_in_a_line(self):
+        case = write_case(self.folder / "a")
+        (case / "measured.csv").unlink()
+        for arguments, words in (([case], "measured.csv: is not there"),
+                                 ([self.folder / "none"], "expected a case folder"),
+                                 ([write_case(self.folder / "c/b"),
+                                   write_case(self.folder / "d/b")], "two folders")):
+            done = self.run_script(*arguments)
+            self.assertNotEqual(done.returncode, 0)
+            self.assertIn(words, done.stderr)
+            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+
+
+def write_result(path):
+    """A loop's result of two buildings with the datasets that are read."""
+    words = {"model": ["plain", "before", "after"], "channel": ["air", "cold"],
+             "effect": ["heat island"], "effect_hook": ["outdoor air"],
+             "effect_driver": ["constant"], "effect_shape": ["linear"],
+             "effect_gate": ["always"], "effect_unit": ["K"],
+             "effect_class": ["heat island; sky loss"], "effect_separates": ["a logger"],
+             "decision_series": ["cold"], "decision_finding": ["zeros"],
+             "decision_action": ["kept"]}
+    numbers = {"effect_coefficient": [1.5], "effect_least": [1.2], "effect_most": [1.8],
+               "effect_adequate": [1.0], "effect_gain": [200.0]}
+    begin = np.datetime64("2018-01-01T00", "s").astype(np.int64)
+    with h5py.File(path, "w") as file:
+        for building in ("a", "b"):
+            loop = file.create_group(f"{building}/loop")
+            for name, values in words.items():
+                loop[name] = np.array(values, h5py.string_dtype())
+            for name, values in numbers.items():
+                loop[name] = values
+            loop["held_out/time"] = begin + 3600.0 * np.arange(HOURS)
+            for k, channel in enumerate(words["channel"]):
+                loop[f"held_out/{channel}/simulated"] = \
+                    100 * k + np.arange(3)[:, None] + np.zeros(HOURS)
+        file["input_file"] = np.array(["a.toml"], h5py.string_dtype())
+
+
+class Results(Folders):
+    def setUp(self):
+        super().setUp()
+        self.result = self.folder / "result.h5"
+        write_result(self.result)
+        loop_result.write_files(str(self.result), "a", str(self.folder))
+
+    def test_every_hour_is_predicted_and_stamped_at_its_end(self):
+        for value, model in enumerate(("plain", "before", "after")):
+            with open(self.folder / f"{model}.csv") as text:
+                rows = list(csv.reader(text))
+            self.assertEqual(rows[0], ["timestamp", "T_air_C", "cool_kWh"])
+            self.assertEqual(rows[1], ["2018-01-01T01:00:00", str(value), str(100 + value)])
+            self.assertEqual(len(rows), 1 + HOURS)
+            self.assertEqual(rows[-1][0], "2018-01-03T00:00:00")
+
+    def test_an_effect_is_a_record(self):
+        effect, = json.loads((self.folder / "effects.json").read_text())
+        self.assertEqual(effect["class"], ["heat island", "sky loss"])
+        self.assertEqual(effect["interval"], [1.2, 1.8])
+        self.assertIs(effect["adequate"], True)
+        self.assertEqual((effect["name"], effect["hook"], effect["coefficient"], effect["unit"]),
+                         ("heat island", "outdoor air", 1.5, "K"))
+
+    def test_a_decision_is_a_record(self):
+        self.assertEqual(json.loads((self.folder / "decisions.json").read_text()),
+                         [{"series": "cold", "finding": "zeros", "action": "kept"}])
+
+    def test_each_case_gets_its_own_part_of_the_result(self):
+        part = str(self.folder / "part.h5")
+        loop_result.cut_out(str(self.result), "a", ["a", "b"], part)
+        with h5py.File(part) as file:
+            self.assertEqual(set(file), {"a", "input_file"})
+
+    def test_a_result_without_the_loop_is_refused(self):
+        with self.assertRaisesRegex(loop_result.CaseError, "expected the result of a loop"):
+            loop_result.write_files(str(self.result), "c", str(self.folder))
+
+
+class Runs(Folders):
+    def run_program(self, code, writes=True):
+        """A program that writes its result, or does not, and ends with `code`."""
+        program, result = self.folder / "program", self.folder / "result.h5"
+        program.write_text(f"#!/bin/sh\n{'echo > $4' if writes else ':'}\nexit {code}\n")
+        program.chmod(0o755)
+        running.run(program, "job.toml", result, 1)
+
+    def test_a_missed_target_has_a_result(self):
+        self.run_program(0)
+        self.run_program(1)
+
+    def test_without_a_new_result_there_is_an_error(self):
+        self.run_program(0)
+        for code, writes in ((70, True), (1, False), (0, False)):
+            with self.assertRaises(loop_result.CaseError) as raised:
+                self.run_program(code, writes)
+            self.assertEqual(raised.exception.code, code)
+
+
+if __name__ == "__main__":
+    unittest.main()
