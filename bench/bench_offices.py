@@ -4,20 +4,22 @@ its description and weather by what the other nine tell; gd_11 is predicted from
 
 Cooling + heating, hour by hour and by month, against the readings of both years: CV(RMSE) with the
 design values and after calibration, and the share of hours within the 90 % interval: of all, and of
-those in which something was metered. The interval of the sum takes the two meters' errors as
-independent. Prints a table, then lines `name value unit
-reference ratio`, and writes gd_11.csv. Needs the readings in ../shared.
+those in which something was metered. Errors were learned of hours in which a meter is in use: the
+sum's interval is that of the meter with the larger prediction. Prints a table, with each posterior's largest rank R-hat and fewest effective draws (of
+one that has not converged they say how far it is), then lines `name value unit reference ratio`,
+and writes gd_11.csv. Needs the readings in ../shared.
 
-The job's eight chains are one item of work, of one thread; as many offices as there are cores are
-left out at a time. BEMCAL_PROGRAM may name another program than the release build's.
+The job's chains are one item of work, of one thread; as many offices as there are cores are left
+out at a time. BEMCAL_PROGRAM may name another program than the release build's.
 
-    bench_offices.py [--only gd_03 ...] [--set KEY=VALUE ...] [--csv FILE]
+    bench_offices.py [--only gd_03 ...] [--set KEY=VALUE ...] [--at-once N] [--csv FILE]
 """
 import argparse
 import concurrent.futures
 import os
 import pathlib
 import re
+import resource
 import subprocess
 import sys
 import tempfile
@@ -34,7 +36,7 @@ OFFICES = [f"gd_{k:02d}" for k in range(1, 11)]
 KEPT_BACK = "gd_11"
 NOT_CONVERGED = 1  # of the program; its result is whole
 COLUMNS = ("office", "design hourly", "hourly", "design monthly", "monthly", "bias", "coverage",
-           "coverage > 0")
+           "coverage > 0", "R-hat", "ESS")
 
 
 def job_without(office, folder, changes):
@@ -76,11 +78,19 @@ def prediction(result, office):
     with h5py.File(result) as file:
         cold, heat = (meter_of(file, office, meter) for meter in ("cold", "heat"))
     total = {leaf: cold[leaf] + heat[leaf] for leaf in ("nominal", "predicted_mean")}
-    for leaf, sign in (("predicted_q05", -1), ("predicted_q95", 1)):
-        off = [(m[leaf] - m["predicted_mean"]).abs() for m in (cold, heat)]
-        total[leaf] = (total["predicted_mean"] + sign * numpy.hypot(*off)).clip(lower=0)
+    heats = heat["predicted_mean"] > cold["predicted_mean"]
+    for leaf in ("predicted_q05", "predicted_q95"):
+        off = [meter[leaf] - meter["predicted_mean"] for meter in (heat, cold)]
+        total[leaf] = (total["predicted_mean"] + numpy.where(heats, *off)).clip(lower=0)
     return pandas.DataFrame(total | {"heat": heat["predicted_mean"],
                                      "cool": cold["predicted_mean"]})
+
+
+def convergence(result):
+    """Largest rank R-hat, fewest effective draws of all unknowns."""
+    with h5py.File(result) as file:
+        of = {name: file["posterior"][name][:] for name in ("rhat_rank", "ess_bulk", "ess_tail")}
+    return [of["rhat_rank"].max(), min(of["ess_bulk"].min(), of["ess_tail"].min())]
 
 
 def measured(office):
@@ -98,7 +108,7 @@ def by_month(series):
 
 
 def errors_of(predicted, readings):
-    """The table's row: hours with both readings, and their sums by month."""
+    """Of the hours with both readings, and of their sums by month."""
     predicted, readings = predicted[readings.notna()], readings.dropna()
     mean = predicted.predicted_mean
     within = (readings >= predicted.predicted_q05) & (readings <= predicted.predicted_q95)
@@ -111,13 +121,22 @@ def errors_of(predicted, readings):
 
 def predicted_without(office, changes):
     with tempfile.TemporaryDirectory() as folder:
-        return prediction(run(job_without(office, folder, changes)), office)
+        result = run(job_without(office, folder, changes))
+        return prediction(result, office), convergence(result)
+
+
+def row_of(office, predicted, converged):
+    row = [*errors_of(predicted, measured(office)), *converged]
+    print(f"{office:<8}" + "".join(f"{value:15.1f}" for value in row[:-2]) +
+          f"{row[-2]:15.3f}{row[-1]:15.0f}", flush=True)
+    return row
 
 
 def print_results(rows):
     errors = numpy.array(list(rows.values()))
     median = numpy.median(errors, axis=0)
-    print(f"{'median':<8}" + "".join(f"{value:16.1f}" for value in median))
+    print(f"{'median':<8}" + "".join(f"{value:15.1f}" for value in median[:-2]))
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
     better = int((errors[:, 1] < errors[:, 0]).sum())
     for name, value, unit, reference in (
             ("offices_hourly", median[1], "%", 30), ("offices_monthly", median[3], "%", 15),
@@ -125,7 +144,10 @@ def print_results(rows):
             ("offices_monthly_design", median[2], "%", 33.13),
             ("offices_better_than_design", better, "offices", 8),
             ("offices_coverage", median[5], "%", 90),
-            ("offices_coverage_in_use", median[6], "%", 90)):
+            ("offices_coverage_in_use", median[6], "%", 90),
+            ("offices_worst_rhat", errors[:, 7].max(), "-", 1.01),
+            ("offices_least_ess", errors[:, 8].min(), "draws", 400),
+            ("offices_processor_time", (used.ru_utime + used.ru_stime) / 60, "min", 20)):
         print(f"{name} {value:.2f} {unit} {reference} {value / reference:.3f}")
 
 
@@ -142,21 +164,23 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--only", nargs="*", default=OFFICES, help="leave these out only")
     parser.add_argument("--set", nargs="*", default=[], help="other values of the study's keys")
+    parser.add_argument("--at-once", type=int, default=len(os.sched_getaffinity(0)),
+                        help="offices at a time; default: the cores")
     parser.add_argument("--csv", help="predict gd_11 into this file")
     options = parser.parse_args()
     if not CASES.exists():
         print(f"skipped: no readings in {CASES}")
         return
-    print(f"{COLUMNS[0]:<8}" + "".join(f"{name:>16}" for name in COLUMNS[1:]))
+    print(f"{COLUMNS[0]:<8}" + "".join(f"{name:>15}" for name in COLUMNS[1:]))
     offices = [*options.only, KEPT_BACK]
     rows = {}
-    with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
+    with concurrent.futures.ThreadPoolExecutor(options.at_once) as pool:
         runs = {office: pool.submit(predicted_without, office, options.set) for office in offices}
         for office in options.only:
-            rows[office] = errors_of(runs[office].result(), measured(office))
-            print(f"{office:<8}" + "".join(f"{value:16.1f}" for value in rows[office]), flush=True)
+            rows[office] = row_of(office, *runs[office].result())
+        kept_back, _ = runs[KEPT_BACK].result()
         print_results(rows)
-        write_kept_back(runs[KEPT_BACK].result(),
+        write_kept_back(kept_back,
                         options.csv or large_job.ROOT / "build" / "bench" / "gd_11.csv")
 
 

@@ -3,7 +3,7 @@
 line of a table stands on the terminal and until the program ends; and what a second core gives.
 
 Prints `name value unit reference ratio`: seconds, what is asked, and their ratio; then the lines of
-bench_scaling for the quickstart. Wants two idle cores. BEMCAL_BENCH_RUNS overrides the number of runs.
+bench_scaling for the quickstart without its loop. Wants two idle cores. BEMCAL_BENCH_RUNS overrides the number of runs.
 """
 import pathlib
 import statistics

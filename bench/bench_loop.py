@@ -1,0 +1,208 @@
+#!/usr/bin/python3
+"""The search for missing effects on cases of the test generator: nulls, one effect, two, and effects
+that the catalogue cannot express, all drawn by seed.
+
+    bench_loop.py [--only N] [--seed S] [--ranks R] [--folder DIR] [--ladder]
+                  [--cases-only | --score-only]
+
+Writes the cases (about 10 s of a core each; those that are there stay), runs the loop on all of them
+as one job, which goes on where it was stopped, and prints a line for each case and then
+`name value unit reference ratio`. The cases come in turns, so that the first N are a fair sample.
+"""
+import argparse
+import concurrent.futures
+import csv
+import os
+import pathlib
+import subprocess
+import sys
+import time
+
+import numpy as np
+
+import large_job
+import loop_scores  # also finds the generator and scripts/cases
+from case import Recipe
+from case_folder import write_case
+from cases import loop_job, running
+from cases.folder import CaseError
+from designs import drawn_design, drawn_effects
+from effects import INSIDE, OUTSIDE
+
+TURN = ("null", "single", "null", "single", "null", "single", "pair", "outside")
+TURNS = 20  # 60 nulls, 60 singles, 20 pairs, 20 outside
+DRAWN = {"null": (INSIDE, 0), "single": (INSIDE, 1), "pair": (INSIDE, 2), "outside": (OUTSIDE, 1)}
+LADDER = {"hourly": ({}, None), "electricity": ({"meters": '["electricity"]'}, None),
+          "monthly": ({}, "monthly")}
+
+
+def kinds(n):
+    return (TURN * TURNS)[:n]
+
+
+def recipe(seed, number, kind):
+    """The case of that number; the same for the same arguments."""
+    rng = np.random.default_rng([seed, number])
+    climate, design = drawn_design(rng)
+    effects, n = DRAWN[kind]
+    own = int(rng.integers(2 ** 31))
+    return Recipe(climate, "2021-01-01", 730, own, design, drawn_effects(rng, design, effects, n))
+
+
+def make_case(folder, seed, number, kind):
+    if not (folder / "truth.json").exists():
+        write_case(folder, recipe(seed, number, kind))
+
+
+def make_cases(folder, seed, n):
+    """{folder: kind} of the first n cases."""
+    cases = {folder / f"case_{number:03}": kind for number, kind in enumerate(kinds(n))}
+    with concurrent.futures.ProcessPoolExecutor(len(os.sched_getaffinity(0))) as pool:
+        done = [pool.submit(make_case, case, seed, number, kind)
+                for number, (case, kind) in enumerate(cases.items())]
+        for number, one in enumerate(concurrent.futures.as_completed(done), 1):
+            one.result()
+            print(f"\rcases {number}/{n}", end="", file=sys.stderr, flush=True)
+    print(file=sys.stderr)
+    return cases
+
+
+def run(cases, folder, options, rung):
+    """The loop on all cases; the result's path and seconds. An unfinished run goes on."""
+    keys, interval = LADDER[rung]
+    job, _ = loop_job.write_job(list(cases), folder / f"job_{rung}_{len(cases)}", options=keys,
+                                interval=interval)
+    result = pathlib.Path(job).with_name("result.h5")
+    if options.score_only:
+        return result, np.nan
+    result.unlink(missing_ok=True)
+    begin = time.perf_counter()
+    try:
+        running.run(large_job.PROGRAM, job, result, options.ranks, ["--resume"],
+                    stdout=subprocess.DEVNULL)
+    except CaseError as error:
+        sys.exit(f"bench_loop: {error}; the same command goes on with it")
+    return result, time.perf_counter() - begin
+
+
+# --- what is printed
+
+def line(name, value, unit, reference):
+    ratio = f"{value / reference:.3f}" if reference else "-"
+    print(f"{name} {value:.3f} {unit} {reference if reference else '-'} {ratio}", flush=True)
+
+
+def share(flags):
+    flags = list(flags)
+    return 100 * sum(flags) / len(flags) if flags else np.nan
+
+
+def row_of(s):
+    d = ", ".join(f"{size:.0f}" for size in s.detectability.values())
+    planted = ", ".join(f"{name} {size:.3g}" for name, size in s.planted.items())
+    found = "; ".join(e["name"] + ("" if e["adequate"] else " (not adequate)") for e in s.found)
+    step = [f"{100 * s.closed[pair]:.0f}" for pair in s.closed]
+    right = all(map(lambda name: loop_scores.is_named(s, name), s.planted)) and \
+        not loop_scores.false_effects(s)
+    return [s.name, s.kind, planted, d, found, "yes" if right else "no", *step,
+            *(f"{s.parameters[model]:.2f}" for model in ("plain", "before", "after"))]
+
+
+HEAD = ["case", "kind", "planted", "d", "found", "right", "closed by structure", "by effects",
+        "in all", "rms z plain", "before", "after"]
+
+
+def write_table(scored, path):
+    with open(path, "w", newline="") as out:
+        csv.writer(out, lineterminator="\n").writerows([HEAD, *map(row_of, scored)])
+    for row in [HEAD, *map(row_of, scored)]:
+        print(" | ".join(row))
+
+
+def of_kind(scored, *kind):
+    return [s for s in scored if s.kind in kind]
+
+
+def print_names(scored):
+    nulls, singles, pairs = (of_kind(scored, kind) for kind in ("null", "single", "pair"))
+    seen = [s for s in singles if loop_scores.is_detectable(s)]
+    unseen = [s for s in singles if not loop_scores.is_detectable(s)]
+    seen_pairs = [s for s in pairs if loop_scores.is_detectable(s)]
+    named = lambda s: all(loop_scores.is_named(s, name) for name in s.planted)
+    classed = lambda s: all(loop_scores.is_classed(s, name) for name in s.planted)
+    line("loop_nulls_with_a_false_effect", sum(bool(loop_scores.false_effects(s)) for s in nulls),
+         f"of_{len(nulls)}", 3 * len(nulls) / 60)
+    line("loop_nulls_with_any_effect", sum(bool(s.found) for s in nulls), f"of_{len(nulls)}", 0)
+    line("loop_detectable_singles", len(seen), f"of_{len(singles)}", 0)
+    line("loop_strict_name", share(map(named, seen)), "%", 70)
+    line("loop_class", share(map(classed, seen)), "%", 85)
+    line("loop_cannot_tell_below", share(not s.found for s in unseen), "%", 0)
+    line("loop_both_of_a_pair", share(map(classed, seen_pairs)), "%", 65)
+    line("loop_both_of_a_pair_strict", share(map(named, seen_pairs)), "%", 0)
+    line("loop_adequate_but_wrong", share(map(loop_scores.is_adequate_but_wrong, of_kind(
+        scored, "single", "pair", "outside"))), "%", 5)
+    line("loop_adequate_but_wrong_outside", share(map(loop_scores.is_adequate_but_wrong, of_kind(
+        scored, "outside"))), "%", 0)
+
+
+def print_errors(scored):
+    planted = of_kind(scored, "single", "pair")
+    for name, step, reference in (("structure", ("plain", "before"), 0),
+                                  ("effects", ("before", "after"), 0),
+                                  ("all", ("plain", "after"), 0.6)):
+        shares = [s.closed[step] for s in planted if not np.isnan(s.closed[step])]
+        line(f"loop_closed_by_{name}", float(np.median(shares)) if shares else np.nan, "-",
+             reference)
+    worse = [max(s.errors["after"][c] / s.errors["before"][c] - 1 for c in s.errors["after"])
+             for s in scored]
+    line("loop_a_channel_worse_by_1_percent", sum(by > 0.01 for by in worse),
+         f"of_{len(scored)}", 0)
+    cut = [1 - s.parameters["after"] / s.parameters["before"] for s in planted]
+    line("loop_parameter_error_cut", 100 * float(np.median(cut)) if cut else np.nan, "%", 30)
+    line("loop_coverage", share(hit for s in of_kind(scored, "single") for hit in s.covered),
+         "%", 80)
+
+
+def print_ladder(cases, folder, options):
+    """Strict names on less data, in cases that these data cannot show."""
+    for rung in ("electricity", "monthly"):
+        result, _ = run(cases, folder, options, rung)
+        singles = of_kind(loop_scores.scores(result, cases), "single")
+        unseen = [s for s in singles if not loop_scores.is_detectable(s)]
+        named = share(all(loop_scores.is_named(s, name) for name in s.planted) for s in unseen)
+        line(f"loop_{rung}_detectable", len(singles) - len(unseen), f"of_{len(singles)}", 0)
+        line(f"loop_{rung}_named_below", named, "%", 5)
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("--only", type=int, default=len(TURN) * TURNS, help="the first so many")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--ranks", type=int, default=len(os.sched_getaffinity(0)))
+    parser.add_argument("--folder", type=pathlib.Path, help="default: build/bench/loop_SEED")
+    parser.add_argument("--ladder", action="store_true",
+                        help="also electricity alone, and meters by month")
+    parser.add_argument("--cases-only", action="store_true", help="write the cases, run nothing")
+    parser.add_argument("--score-only", action="store_true", help="read the last run's result")
+    return parser.parse_args()
+
+
+def main():
+    options = arguments()
+    folder = (options.folder or large_job.ROOT / "build" / "bench" /
+              f"loop_{options.seed}").absolute()
+    cases = make_cases(folder, options.seed, options.only)
+    if options.cases_only:
+        return
+    result, seconds = run(cases, folder, options, "hourly")
+    scored = loop_scores.scores(result, cases)
+    write_table(scored, result.with_name("cases.csv"))
+    print_names(scored)
+    print_errors(scored)
+    line("loop_seconds_per_case", seconds * options.ranks / len(cases), "core_s", 40)
+    if options.ladder:
+        print_ladder(cases, folder, options)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,121 @@
+"""What the generator's effects are called in the catalogue, and their coefficients there.
+
+`names`: any of them is the right one. `places`: (hook, driver) of the grammar where the catalogue has
+no name. `coefficient`: of a generator's size and truth, in the catalogue's unit; None where the two
+forms differ too much to compare. Effects of no catalogue have the names that would not be wrong.
+"""
+from dataclasses import dataclass
+from typing import Callable
+
+CLOCK = "clock"                 # in a data decision
+YEARS = 2.0                     # of a case
+MEAN_WIND = {"hot_humid": 2.2, "cool_maritime": 3.9, "continental": 2.6}  # [m/s]
+
+
+@dataclass(frozen=True)
+class Right:
+    names: tuple = ()
+    places: tuple = ()
+    coefficient: Callable = None
+    is_decision: bool = False
+
+
+def same(size, truth):
+    return size
+
+
+def less(size, truth):
+    return -size
+
+
+def named(*names, **more):
+    return Right(names, **more)
+
+
+STATION = ("urban heat island or station offset", "urban heat island at night")
+STEP = named("step of a meter", coefficient=same)
+
+RIGHT = {
+    "heat_island": named(*STATION),
+    "station_bias": named(*STATION, coefficient=same),
+    "station_in_sun": named("weather sensor in the sun", coefficient=less),
+    "roof_sun": named("sun on opaque elements", "sun on walls"),
+    "sky_loss": named("long-wave loss to the sky"),
+    "wind_infiltration": named("wind infiltration", "infiltration by strong wind",
+                               coefficient=lambda size, truth: size / MEAN_WIND[truth["climate"]]),
+    "stack_infiltration": named("stack infiltration", coefficient=same),
+    "window_opening": named("windows opened while occupied", "windows opened in warm rooms"),
+    "night_ventilation": named("night purge", "windows opened in warm rooms"),
+    "exhaust_fan": named("exhaust fan on weekdays", "exhaust fan", coefficient=same),
+    "heat_recovery": named("heat recovery", "heat recovery bypassed"),
+    "thermal_bridge": named("thermal bridges"),
+    "ground": named("ground coupling", coefficient=same),
+    "neighbour": named("cold or warm neighbour", coefficient=same),
+    "facade_shading": named("shade in a season", "shade"),
+    "blinds": named("blinds"),
+    "soiling": named("soiling of windows", coefficient=less),
+    "retrofit": named("retrofit of walls", coefficient=less),
+    "unmetered_people": named("gains that no meter sees", coefficient=same),
+    "server_heat": named("gains that no meter sees", places=(("gains", "constant"),)),
+    "weekend_use": named("use at weekends", "loads at weekends"),
+    "saturday_operation": named("Saturdays worked", "Saturday mornings worked",
+                                "plant runs at weekends as on weekdays"),
+    "four_day_week": named("a free weekday", coefficient=same),
+    "single_holidays": named("holidays"),
+    "closed_weeks": named("holidays"),
+    "occupancy_trend": named("occupancy trend", coefficient=same),
+    "occupancy_step": named("tenants move in or out", coefficient=same),
+    "evening_load": named("evening use", coefficient=same),
+    "night_equipment": named("use at night", "evening use"),
+    "schedule_shift": named("schedules earlier or later"),
+    "summer_time": named("summer time not applied"),
+    "weekend_setback_missing": named("plant runs at weekends as on weekdays"),
+    "early_start": named("early start"),
+    "heating_drift": named("heating set-point drift", coefficient=same),
+    "heating_curve": named("heating curve"),
+    "summer_set_point": named("cooling set-point of a season",
+                              places=(("cooling set-point", "outdoor temperature"),)),
+    "cooling_locked": named("cooling locked out"),
+    "heating_locked": named("heating locked out"),
+    "demand_response": named("demand response", coefficient=same),
+    "reheat": named("reheat"),
+    "part_load": named("part-load efficiency of heating"),
+    "cop_temperature": named("COP over outdoor temperature",
+                             coefficient=lambda size, truth: size / (1 + 7 * size)),
+    "degraded_cop": named("drift of COP", coefficient=lambda size, truth: -size / YEARS),
+    "degraded_boiler": named("drift of heating efficiency",
+                             coefficient=lambda size, truth: -size / YEARS),
+    "latent_load": named("latent load", "latent load on the meter of cooling"),
+    "standing_losses": named("standing losses", coefficient=same),
+    "hot_water": named("hot water", coefficient=same),
+    "electricity_step": STEP, "cooling_step": STEP, "heating_step": STEP, "gas_step": STEP,
+    "meter_late": named("clock of the meter", is_decision=True),
+    # outside the catalogue
+    "tenant_change": named("tenants move in or out"),
+    "frozen_valve": named(),
+    "snow": named("snow, albedo or dirt"),
+    "sensor_drift": named(),
+    "random_windows": named("windows open on some days"),
+    "heat_and_power": named(),
+}
+
+# What the generator always has and a 5R1C lacks: not false where the held-out error falls.
+ALWAYS_THERE = {
+    "wind infiltration", "infiltration by strong wind", "stack infiltration",
+    "sun on opaque elements", "sun on walls", "second thermal mass", "part-load COP of cooling",
+    "part-load efficiency of heating", "COP over outdoor temperature",
+    "heating efficiency over outdoor temperature"}
+
+
+def is_right(effect, planted):
+    """Whether a found effect (a record of effects.json) is the planted one."""
+    right = RIGHT[planted]
+    return effect["name"] in right.names or (effect["hook"], effect["driver"]) in right.places
+
+
+def is_in_class(effect, planted, most=3):
+    """Whether the planted one is in the found one's class of at most `most`."""
+    others = [name for name in effect["class"] if name]
+    return is_right(effect, planted) or (
+        len(set(others) | {effect["name"]}) <= most
+        and bool(set(others) & set(RIGHT[planted].names)))

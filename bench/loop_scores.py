@@ -1,0 +1,171 @@
+"""How well a loop did on generated cases: from its result and the cases' truth to the bench's figures.
+
+A case's record holds its kind, what was planted, what was found, and the errors of the held-out
+year. Detectability is the power table's, scaled from the catalogue's typical size to the planted.
+"""
+import json
+import sys
+from dataclasses import dataclass, field
+
+import h5py
+import numpy as np
+import pandas
+
+import large_job
+
+sys.path[:0] = [str(large_job.ROOT / "scripts"), str(large_job.ROOT / "tests" / "generator")]
+
+from case_folder import COLUMNS as CHANNELS, YEAR, error   # noqa: E402
+from cases import loop_result                              # noqa: E402
+from effects import EFFECTS                                # noqa: E402
+from loop_names import ALWAYS_THERE, CLOCK, RIGHT, is_in_class, is_right  # noqa: E402
+
+DETECTABLE = 5
+AIR = CHANNELS["air"]
+LEAST_EFFECT = {True: 0.2, False: 3.0}   # of an affected channel: K for the air, points of CV(RMSE)
+LEAST_ENERGY = 5.0                       # of a material meter [kWh/m2 in the year]
+# parameter: the truth's number it is a factor on (or an offset from)
+FACTORS = {"u_wall": "u_wall", "u_roof": "u_roof", "u_window": "u_window",
+           "solar_transmittance": "g_window", "absorptance": "absorptance_wall",
+           "people": "people", "lights": "lights", "equipment": "equipment",
+           "infiltration": "infiltration", "ventilation": "fresh_air", "fans": "fan_power",
+           "heating_efficiency": "heating_efficiency", "heating_cop": "heating_cop",
+           "cooling_cop": "cooling_cop"}
+OFFSETS = {"heating_set_point": "heating_set", "cooling_set_point": "cooling_set"}
+
+
+@dataclass
+class Scored:
+    name: str
+    kind: str
+    planted: dict
+    found: list
+    decisions: list
+    errors: dict            # {model: {column: error}}
+    closed: dict            # {(from, to): share}, NaN where no channel is affected
+    detectability: dict     # planted effect -> d, NaN where the table lacks it
+    parameters: dict        # {model: rms error in prior standard deviations}
+    covered: list = field(default_factory=list)   # of right names with a coefficient
+
+
+def true_parameters(truth):
+    """{parameter: its true value}; ventilation and fans differ by the air that is moved."""
+    design, built = truth["design"], truth["built"]
+    values = {name: built[own] / design[own] for name, own in FACTORS.items()}
+    return values | {name: built[own] - design[own] for name, own in OFFSETS.items()}
+
+
+def parameter_errors(loop, truth):
+    true = true_parameters(truth)
+    names, sd = loop_result.texts(loop, "parameter"), loop["parameter_prior_sd"][:]
+    known = [k for k, name in enumerate(names) if name in true and sd[k] > 0]
+    wanted = np.array([true[names[k]] for k in known])
+    off = {model: (loop["parameter_value"][row][known] - wanted) / sd[known]
+           for row, model in enumerate(loop_result.texts(loop, "model"))}
+    return {model: float(np.sqrt(np.nanmean(z ** 2))) for model, z in off.items()}
+
+
+def held_out(case):
+    """{column: [n_hours]} of measured_test.csv."""
+    table = pandas.read_csv(case / "measured_test.csv", index_col=0)
+    return {column: table[column].to_numpy(float) for column in table}
+
+
+def errors_of(loop, readings):
+    found = {}
+    for model in loop_result.texts(loop, "model"):
+        _, predicted = loop_result.predictions(loop, model)
+        found[model] = {column: error(column, series[:YEAR], readings[column])
+                        for column, series in predicted.items() if column in readings}
+    return found
+
+
+def affected(truth):
+    """Columns that the planted effects move, and where energy flows."""
+    size = {column: abs(truth["without_effect"][column] - best)
+            for column, best in truth["expected_floor"].items()}
+    return [column for column, by in size.items() if by >= LEAST_EFFECT[column == AIR] and
+            (column == AIR or truth["held_out_kWh_m2"][column] >= LEAST_ENERGY)]
+
+
+def closed(errors, truth, begin, end):
+    """Mean over the affected channels of the share of the reducible error that is closed."""
+    best = truth["expected_floor"]
+    shares = [(errors[begin][c] - errors[end][c]) / (errors[begin][c] - best[c])
+              for c in affected(truth) if c in errors[end] and errors[begin][c] > best[c]]
+    return float(np.mean(shares)) if shares else np.nan
+
+
+def detectability(loop, planted):
+    names = loop_result.texts(loop, "power_effect")
+    table = {}
+    for name, d in zip(names, loop["power_detectability"][:]):
+        table[name] = max(d, table.get(name, 0))
+    return {effect: max((table.get(name, np.nan) for name in RIGHT[effect].names),
+                        default=np.nan) * abs(size) / EFFECTS[effect].size
+            for effect, size in planted.items()}
+
+
+def coverage(found, planted, truth):
+    """For each found effect with the right name whether its interval holds the truth."""
+    return [effect["interval"][0] <= RIGHT[name].coefficient(size, truth) <= effect["interval"][1]
+            for name, size in planted.items() if RIGHT[name].coefficient
+            for effect in found if is_right(effect, name)][:1]
+
+
+def score(file, case, kind):
+    """The record of one case."""
+    truth, loop = json.loads((case / "truth.json").read_text()), file[case.name]["loop"]
+    found = loop_result.records(loop, loop_result.EFFECT)
+    errors, planted = errors_of(loop, held_out(case)), truth["effects"]
+    steps = (("plain", "before"), ("before", "after"), ("plain", "after"))
+    return Scored(case.name, kind, planted, found,
+                  loop_result.records(loop, loop_result.DECISION), errors,
+                  {step: closed(errors, truth, *step) for step in steps},
+                  detectability(loop, planted), parameter_errors(loop, truth),
+                  coverage(found, planted, truth))
+
+
+def scores(result, cases):
+    """`cases`: {folder: kind}"""
+    with h5py.File(result) as file:
+        return [score(file, case, kind) for case, kind in cases.items()
+                if "loop" in file.get(case.name, ())]
+
+
+# --- what was right
+
+def was_decided(scored):
+    return any(CLOCK in decision["finding"].lower() for decision in scored.decisions)
+
+
+def is_named(scored, planted):
+    if RIGHT[planted].is_decision:
+        return was_decided(scored)
+    return any(is_right(effect, planted) for effect in scored.found)
+
+
+def is_classed(scored, planted):
+    return is_named(scored, planted) or any(is_in_class(effect, planted)
+                                            for effect in scored.found)
+
+
+def error_fell(scored):
+    before, after = scored.errors["before"], scored.errors["after"]
+    return sum(after[c] / before[c] for c in after) < len(after)
+
+
+def false_effects(scored):
+    """Found effects that are neither planted, nor in its class, nor always there."""
+    excused = ALWAYS_THERE if error_fell(scored) else set()
+    return [effect for effect in scored.found if effect["name"] not in excused
+            and not any(is_in_class(effect, name) for name in scored.planted)]
+
+
+def is_detectable(scored):
+    """Of several, the least; where the table lacks it, it is taken to be."""
+    return all(not d < DETECTABLE for d in scored.detectability.values())
+
+
+def is_adequate_but_wrong(scored):
+    return any(effect["adequate"] for effect in false_effects(scored))

@@ -1,0 +1,1 @@
+"""Case folders as jobs: building.json, weather and readings become what bemcal-batch reads."""

@@ -1,0 +1,204 @@
+"""building.json as the sections of one building: a 5R1C of one zone with what the case declares."""
+import calendar
+import os
+from dataclasses import dataclass
+from datetime import datetime
+from typing import Callable
+
+from cases.folder import ground_temperatures, mean_outdoor_temperature
+from cases.meters import meters
+from cases.toml import number, numbers, scheduled, section, texts
+
+AIR_CHANGE_PER_FLOW = 3.6  # l/s in m3/h
+CONCRETE_CAPACITY = 2.3e6  # J/(m3 K), 2300 kg/m3 of 1000 J/(kg K)
+BASE_LOAD = 0.5            # W/m2 of electricity that no case declares
+
+
+@dataclass(frozen=True)
+class Manner:
+    """How a case is written."""
+    files: tuple            # paths of the readings
+    place: Callable         # name in the case folder -> path that the job writes
+    name: str = ""          # of the building; default: the case's
+    heat_by_month: bool = False  # heat of few hours is held against its months
+    for_loop: bool = False  # with a base load, and the ground's months
+    interval: str = None    # of all meters, where it is not the readings' own
+
+
+def schedules(case):
+    for name, days in case["schedules"].items():
+        if isinstance(days, dict):
+            yield section("[[schedule]]", name=name, weekdays=numbers(days["wd"]),
+                          saturday=numbers(days["sat"]), sunday=numbers(days["sun"]))
+    hot_water = case.get("domestic_hot_water")
+    if hot_water:
+        for name, key in (("hot_water", "hourly_shares"), ("cooking", "cooking_shares")):
+            yield section("[[schedule]]", name=name, every_day=numbers(hot_water[key]))
+    if heating_season(case):
+        first, last = heating_season(case)
+        yield section("[[schedule]]", name="heating_season", every_day=0, holidays="[]")
+        yield section("[[schedule.period]]", dates=f"{first}/{last}", every_day=1)
+
+
+def heating_season(case):
+    """("10-15", "04-15") of "15 Oct - 15 Apr"; None for all year."""
+    words = case["plant"]["heating_available"]
+    if " - " not in words:
+        return None
+    return [datetime.strptime(day + " 2001", "%d %b %Y").strftime("%m-%d")
+            for day in words.split(" - ")]
+
+
+def envelope(case):
+    e = case["envelope"]
+    yield section("[[construction]]", name="wall", u_value=e["U_wall"],
+                  solar_absorptance=e["solar_absorptance_wall"])
+    if case["geometry"]["roof_area_exposed_m2"] > 0:
+        yield section("[[construction]]", name="roof", u_value=e["U_roof"],
+                      solar_absorptance=e["solar_absorptance_roof"])
+    if case["geometry"]["ground_floor_area_m2"] > 0:
+        yield section("[[construction]]", name="floor",
+                      u_value=e["U_ground_floor_with_1p2m_soil"])
+    yield section("[[glazing]]", name="window", u_value=e["U_window"],
+                  solar_transmittance=e["SHGC_normal"], frame_fraction=e["frame_fraction"])
+
+
+def elements(case):
+    g = case["geometry"]
+    for facade in g["facades"]:
+        if facade["adiabatic"]:
+            continue
+        window = facade["area_m2"] * facade["window_to_wall"]
+        azimuth = facade["azimuth_deg_from_north"]
+        if facade["area_m2"] > window:
+            yield section("[[zone.surface]]", name=f"facade_{facade['id']}", construction="wall",
+                          area=facade["area_m2"] - window, azimuth=azimuth)
+        if window > 0:
+            yield section("[[zone.window]]", name=f"facade_{facade['id']}", glazing="window",
+                          area=window, azimuth=azimuth)
+    if g["roof_area_exposed_m2"] > 0:
+        yield section("[[zone.surface]]", name="roof", construction="roof", tilt=0,
+                      area=g["roof_area_exposed_m2"])
+    if g["ground_floor_area_m2"] > 0:
+        yield section("[[zone.surface]]", name="floor", construction="floor", boundary="ground",
+                      area=g["ground_floor_area_m2"])
+
+
+def air_flows(case):
+    area, volume = case["geometry"]["gross_floor_area_m2"], case["geometry"]["air_volume_m3"]
+    yield section("[[zone.flow]]", name="infiltration",
+                  air_change=case["envelope"]["infiltration_ACH"])
+    v = case["ventilation"]
+    peak = v["flow_l_s_m2_peak"] * area * AIR_CHANGE_PER_FLOW / volume
+    yield section("[[zone.flow]]", name="ventilation", air_change=scheduled(peak, "vent"),
+                  heat_recovery=v["heat_recovery"] or None)
+
+
+def loads(case, base_load):
+    i, v = case["internal"], case["ventilation"]
+    area = case["geometry"]["gross_floor_area_m2"]
+    yield section("[[zone.load]]", name="people",
+                  density=scheduled(i["people_per_m2"] * i["sensible_W_per_person"], "occ"))
+    for name, key, schedule in (("lights", "lighting_W_m2", "light"),
+                                ("equipment", "equipment_W_m2", "equip")):
+        yield section("[[zone.load]]", name=name, density=scheduled(i[key], schedule),
+                      carrier="electricity")
+    fans = v["flow_l_s_m2_peak"] * v["specific_fan_power_W_per_l_s"]
+    if fans > 0:
+        yield section("[[zone.load]]", name="fans", density=scheduled(fans, "vent"),
+                      carrier="electricity", heat_fraction=0)
+    if base_load:
+        yield section("[[zone.load]]", name="base", density=BASE_LOAD, carrier="electricity",
+                      heat_fraction=0)
+    hot_water = case.get("domestic_hot_water")
+    if hot_water:
+        # Shares of a day's energy: an hour with share s has the power s x energy / 1 h.
+        density = hot_water["kWh_per_day_useful"] * 1000 / area
+        yield section("[[zone.load]]", name="hot_water", density=scheduled(density, "hot_water"),
+                      carrier="gas", heat_fraction=0,
+                      efficiency=case["plant"]["heating_efficiency"])
+        yield section("[[zone.load]]", name="cooking", carrier="gas",
+                      density=scheduled(hot_water["cooking_gas_W_peak"] / area, "cooking"))
+
+
+def has_cooling(case):
+    return case["plant"]["cooling_available"] != "none" and \
+        case["plant"]["cooling_capacity_W_m2"] > 0
+
+
+def cooling_keys(plant):
+    setback = plant["cooling_setback_C"]
+    if isinstance(setback, (int, float)):
+        return dict(cooling_set_point=scheduled(plant["cooling_set_C"], "hvac", setback),
+                    cooling_capacity=plant["cooling_capacity_W_m2"])
+    return dict(cooling_set_point=plant["cooling_set_C"],
+                cooling_capacity=plant["cooling_capacity_W_m2"],
+                cooling_available=scheduled(1, "hvac"))
+
+
+def heat_capacity(case):
+    """C_m of the slabs [J/(m2 K)], both faces to the depth that ISO 13790 (12.3.1) lets count,
+    0.1 m or half the slab; None, the class's, where they are not of concrete."""
+    e = case["envelope"]
+    if e.get("slab") != "concrete" or not e.get("slab_thickness_m"):
+        return None
+    return CONCRETE_CAPACITY * min(e["slab_thickness_m"], 2 * 0.1)
+
+
+def heating_carrier(plant):
+    words = plant["heat_source"].lower()
+    return "gas" if "gas" in words else "electricity" if "heat pump" in words or \
+        "electric" in words else "none"
+
+
+def zone(case, base_load):
+    p, g = case["plant"], case["geometry"]
+    cooling = cooling_keys(p) if has_cooling(case) else \
+        dict(cooling_set_point=60, cooling_capacity=0)
+    yield section("[[zone]]", name="zone", floor_area=g["gross_floor_area_m2"],
+                  volume=g["air_volume_m3"], **{"class": case["envelope"]["construction"]},
+                  heat_capacity=heat_capacity(case),
+                  heating_set_point=scheduled(p["heating_set_C"], "hvac", p["heating_setback_C"]),
+                  heating_capacity=p["heating_capacity_W_m2"],
+                  heating_available=scheduled(1, "heating_season")
+                  if heating_season(case) else None, **cooling)
+    yield from elements(case)
+    yield from air_flows(case)
+    yield from loads(case, base_load)
+    carrier = heating_carrier(p)
+    yield section("[plant]", heating_carrier=carrier,
+                  heating_efficiency=p["heating_COP" if carrier == "electricity" and
+                                       "heating_COP" in p else "heating_efficiency"],
+                  cooling_cop=p["cooling_COP"] if has_cooling(case) else None)
+
+
+def ground(epw, by_month):
+    """Below the floor: what the weather file says of every month, else the air's yearly mean."""
+    months = ground_temperatures(epw) if by_month else None
+    if not months:
+        yield section("[[boundary]]", name="ground", temperature=mean_outdoor_temperature(epw))
+        return
+    yield section("[[schedule]]", name="ground", every_day=months[0])
+    for month, theta in enumerate(months, 1):
+        last = calendar.monthrange(2001, month)[1] + (month == 2)
+        yield section("[[schedule.period]]", every_day=theta,
+                      dates=f"{month:02}-01/{month:02}-{last}")
+    yield section("[[boundary]]", name="ground", temperature=scheduled(1, "ground"))
+
+
+def building_parts(case, case_dir, manner):
+    """What one building is: all but periods, parameters and studies."""
+    closed = case["declared_closed_days"].get("list_mm_dd", [])
+    site = case["site"]
+    weather = [manner.place(site[key]) for key in ("weather_train", "weather_test")]
+    yield section("", name=manner.name or case["case"],
+                  holidays=texts(closed) if closed else None).lstrip()
+    yield section("[site]", latitude=site["latitude"], longitude=site["longitude"],
+                  utc_offset=site["utc_offset_h"], elevation=site["elevation_m"])
+    yield section("[weather]", files=texts(weather))
+    yield from schedules(case)
+    yield from envelope(case)
+    if case["geometry"]["ground_floor_area_m2"] > 0:
+        yield from ground(os.path.join(case_dir, site["weather_train"]), manner.for_loop)
+    yield from zone(case, manner.for_loop)
+    yield from meters(case, manner)

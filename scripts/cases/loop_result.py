@@ -1,0 +1,98 @@
+"""What a loop found, from the result file into the files of a case."""
+import csv
+import json
+import os
+
+import h5py
+import numpy as np
+
+from cases.folder import CaseError
+from cases.meters import CHANNELS
+
+HOUR = 3600
+HELD_OUT = "held_out"
+COLUMNS = {meter: column for column, (meter, _, _) in CHANNELS.items()}
+# key in effects.json: dataset
+EFFECT = {"name": "effect", "hook": "effect_hook", "driver": "effect_driver",
+          "shape": "effect_shape", "gate": "effect_gate", "coefficient": "effect_coefficient",
+          "interval": ("effect_least", "effect_most"), "unit": "effect_unit",
+          "class": "effect_class", "adequate": "effect_adequate", "gain": "effect_gain",
+          "separates": "effect_separates"}
+DECISION = {"series": "decision_series", "finding": "decision_finding",
+            "action": "decision_action"}
+CONVERT = {"class": lambda text: text.split("; "), "adequate": bool}
+
+
+def texts(group, name):
+    return list(group[name].asstr()[:])
+
+
+def values(group, name):
+    """A dataset as plain Python values; of two, their pairs."""
+    if isinstance(name, tuple):
+        return list(zip(*(values(group, part) for part in name)))
+    if h5py.check_string_dtype(group[name].dtype):
+        return texts(group, name)
+    return group[name][:].tolist()
+
+
+def records(group, table):
+    """A list of dictionaries, one for each row of the table's datasets."""
+    columns = [[CONVERT.get(key, lambda value: value)(value) for value in values(group, name)]
+               for key, name in table.items()]
+    return [dict(zip(table, row)) for row in zip(*columns)]
+
+
+def stamps(begins):
+    """Ends of the hours, as measured.csv writes them."""
+    return np.datetime_as_string((begins.astype(np.int64) + HOUR).astype("datetime64[s]"))
+
+
+def predictions(loop, model):
+    """Time stamps, and {column: [n_hours]} of the held-out period."""
+    row, period = texts(loop, "model").index(model), loop[HELD_OUT]
+    return stamps(period["time"][:]), {
+        COLUMNS.get(channel, channel): period[channel]["simulated"][row]
+        for channel in texts(loop, "channel")}
+
+
+def write_predictions(path, loop, model):
+    times, columns = predictions(loop, model)
+    with open(path, "w", newline="") as out:
+        writer = csv.writer(out, lineterminator="\n")
+        writer.writerow(["timestamp", *columns])
+        writer.writerows([time, *(f"{value:.6g}" for value in row)]
+                         for time, *row in zip(times, *columns.values()))
+
+
+def write_json(path, rows):
+    with open(path, "w") as out:
+        json.dump(rows, out, indent=1)
+        out.write("\n")
+
+
+def loop_of(file, building, study):
+    try:
+        return file[building][study]
+    except KeyError:
+        raise CaseError(f"{file.filename}: {building}/{study} is not there; expected the result "
+                        "of a loop") from None
+
+
+def write_files(result, building, folder, study="loop"):
+    """plain.csv, before.csv, after.csv, effects.json and decisions.json of one building."""
+    with h5py.File(result) as file:
+        loop = loop_of(file, building, study)
+        for model in texts(loop, "model"):
+            write_predictions(os.path.join(folder, f"{model}.csv"), loop, model)
+        write_json(os.path.join(folder, "effects.json"), records(loop, EFFECT))
+        write_json(os.path.join(folder, "decisions.json"), records(loop, DECISION))
+
+
+def cut_out(result, building, others, path):
+    """The result with this building only."""
+    with h5py.File(result) as whole, h5py.File(path, "w") as part:
+        part.attrs.update(whole.attrs)
+        for name in whole:
+            if name == building or name not in others:
+                whole.copy(name, part)

@@ -1,0 +1,32 @@
+"""Running a job over ranks."""
+import os
+import subprocess
+
+from cases.folder import CaseError
+
+TARGET_MISSED = 1  # exit code of the program; its result is whole
+OPEN_MPI_AS_ROOT = ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM")
+
+
+def environment():
+    """What Open MPI and OpenMP need on one machine (scripts/environment)."""
+    as_root = OPEN_MPI_AS_ROOT if os.getuid() == 0 else ()
+    return {"OMP_WAIT_POLICY": "passive", **os.environ, **{name: "1" for name in as_root}}
+
+
+def made_at(path):
+    return os.stat(path).st_mtime_ns if os.path.exists(path) else None
+
+
+def run(program, job, result, ranks, words=(), **more):
+    """Runs the job. `words`: further words of the command; `more`: of subprocess.run. Raises
+    CaseError where no result was made; its `code` is then the program's."""
+    command = [str(program), "run", str(job), "-o", str(result), *words]
+    if ranks > 1:
+        command = ["mpirun", "-np", str(ranks), "--oversubscribe", *command]
+    before = made_at(result)
+    code = subprocess.run(command, env=environment(), **more).returncode
+    if code not in (0, TARGET_MISSED) or made_at(result) == before:
+        error = CaseError(f"{job}: no result, exit code {code}")
+        error.code = code
+        raise error

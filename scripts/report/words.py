@@ -1,0 +1,169 @@
+"""Numbers and findings in words."""
+import math
+
+from report.result import AFTER, BEFORE, PLAIN
+
+DASH = "–"
+LEAST_SEEN = 5                 # detectability
+SAME_SIGNATURE = 0.98          # correlation
+SMALL = 0.005                  # changes below this share are none
+LARGE = 0.02                   # unexplained shares below it are not listed
+
+
+def number(value, digits=3):
+    """With so many digits; a dash for what is not known."""
+    if not math.isfinite(value):
+        return DASH
+    if 1000 <= abs(value) < 1e6:
+        return f"{value:.0f}".replace("-", "−")
+    return f"{value:.{digits}g}".replace("-", "−")
+
+
+def fixed(value, decimals):
+    text = f"{value:.{decimals}f}".replace("-", "−") if math.isfinite(value) else DASH
+    return text.lstrip("−") if text.strip("−0.") == "" else text
+
+
+def signed(value, decimals):
+    return ("+" if value > 0 else "") + fixed(value, decimals)
+
+
+def percent(share, decimals=0):
+    return f"{fixed(100 * share, decimals)} %" if math.isfinite(share) else DASH
+
+
+def error_of(row, model, kind="error"):
+    """"12.3" or, of a temperature, "0.41"."""
+    return fixed(getattr(row, kind)[model], 2 if row.unit == "K" else 1)
+
+
+def plus_minus(value, sd):
+    """"0.84 ± 0.05"; what is nothing beside its standard deviation is 0."""
+    if not (math.isfinite(sd) and math.isfinite(value)):
+        return number(value)
+    return f"{number(value if abs(value) > 1e-6 * sd else 0)} ± {number(sd, 2)}"
+
+
+def listed(texts, last="and"):
+    """"a, b and c"."""
+    texts = list(texts)
+    return texts[0] if len(texts) == 1 else f"{', '.join(texts[:-1])} {last} {texts[-1]}" \
+        if texts else ""
+
+
+def coefficient(loop, k):
+    """"0.083 1/h per m/s, 90 % interval 0.079 to 0.087"."""
+    unit = loop.texts("effect_unit")[k]
+    of = "" if unit in ("", "-") else " " + unit
+    return f"{number(loop.value('effect_coefficient', k))}{of}, 90 % interval " \
+           f"{number(loop.value('effect_least', k))} to {number(loop.value('effect_most', k))}"
+
+
+def in_words(count):
+    few = ("No", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine")
+    return few[count] if count < len(few) else str(count)
+
+
+def others(loop, k):
+    """Effects that the data cannot tell from it."""
+    members = loop.texts("effect_class")[k].split("; ")
+    return [name for name in members if name and name != loop.texts("effect")[k]]
+
+
+def found_one(loop, k):
+    like = others(loop, k)
+    unit = loop.texts("effect_unit")[k]
+    size = number(loop.value("effect_coefficient", k)) + ("" if unit in ("", "-") else " " + unit)
+    return f"{loop.texts('effect')[k]} ({size}" + \
+        (f"; or else {listed(like, 'or')}" if like else "") + ")"
+
+
+def found(loop):
+    """What was found."""
+    names = loop.texts("effect")
+    if not names:
+        return f"No effect was found that the description of {loop.building} lacks: no candidate " \
+               "predicted better what was kept from it."
+    text = ("One effect was" if len(names) == 1 else f"{in_words(len(names))} effects were") + \
+        f" found that the description of {loop.building} lacks: " + \
+        listed(found_one(loop, k) for k in range(len(names))) + "."
+    if any(others(loop, k) for k in range(len(names))):
+        text += " Where it says or else, these data cannot tell."
+    unsure = [name for k, name in enumerate(names) if loop.value("effect_adequate", k) != 1]
+    return text + (f" Not adequate: {listed(unsure)}; the alarm stays, so that the name is only "
+                   "the nearest one." if unsure else "")
+
+
+def change_of(row, since, until):
+    """"gas by 49 % (from 24.1 to 12.3 %)"."""
+    by_month = "" if row.resolution == "hourly" else f"{row.resolution} "
+    return f"{row.channel} by {percent(abs(row.removed(since, until)))} " \
+           f"({by_month}from {error_of(row, since)} to {error_of(row, until)} {row.unit})"
+
+
+def changes(rows, since, until):
+    """"gas fell by ...; electricity stayed the same"; the largest falls first."""
+    known = [row for row in rows if math.isfinite(row.removed(since, until))]
+    known.sort(key=lambda row: -row.removed(since, until))
+    parts = []
+    for verb, those in (("the error fell", [row for row in known
+                                            if row.removed(since, until) >= SMALL]),
+                        ("it rose", [row for row in known
+                                     if row.removed(since, until) <= -SMALL])):
+        if those:
+            parts.append(f"{verb} for {listed(change_of(row, since, until) for row in those)}")
+    same = [row.channel for row in known if abs(row.removed(since, until)) < SMALL]
+    if same:
+        parts.append(f"it stayed the same for {listed(same)}" if parts
+                     else f"the error stayed the same for {listed(same)}")
+    return "; ".join(parts)
+
+
+def judged(loop):
+    """What the effects did to the errors where the model was judged."""
+    rows = loop.judged_errors()
+    if not rows or not loop.texts("effect"):
+        return "" if rows else "No channel has readings, so that there is no error."
+    where = f"With {'it' if len(loop.texts('effect')) == 1 else 'them'}, in {loop.judged}, which " \
+        "the search has not seen, " if loop.has_held_out else \
+        "No readings were held out, so that nothing here shows how well the model predicts; in " \
+        "training, where any effect lowers it, "
+    return f"{where}{changes(rows, BEFORE, AFTER)}."
+
+
+def structure(loop):
+    """What the choice of the structure had done to them."""
+    rows = loop.judged_errors()
+    chosen = loop.text("structure_chosen")
+    return f"Before any effect, from the plain model to the structure chosen ({chosen}), in " \
+           f"{loop.judged} {changes(rows, PLAIN, BEFORE)}." if rows else ""
+
+
+def unexplained(loop):
+    """What is left."""
+    known = [(share, c) for c, share in enumerate(loop.values("unexplained"))
+             if math.isfinite(share)]
+    where = loop.texts("unexplained_where")
+    large = [f"{percent(share)} for {loop.channels[c]}"
+             + (f" ({where[c]})" if c < len(where) and where[c] else "")
+             for share, c in sorted(known, reverse=True) if share >= LARGE]
+    if large:
+        return "Not explained: of the variance that remains, weather and calendar still predict " + \
+            listed(large) + "."
+    return "Of what remains, weather and calendar predict less than 2 % of the variance." \
+        if known else ""
+
+
+def unseen(loop):
+    names = loop.texts("power_effect")
+    return [name for k, name in enumerate(names)
+            if not loop.value("power_detectability", k) >= LEAST_SEEN]
+
+
+def aliases(loop):
+    """Pairs with the same signature, each once."""
+    pairs = [(name, loop.texts("power_alias")[k]) for k, name in
+             enumerate(loop.texts("power_effect"))
+             if abs(loop.value("power_alias_correlation", k)) >= SAME_SIGNATURE]
+    return [f"{a} and {b}" for k, (a, b) in enumerate(pairs)
+            if (b, a) not in pairs[:k] and (a, b) not in pairs[:k]]
