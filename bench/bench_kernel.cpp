@@ -120,6 +120,7 @@ void print_plain(const Bench& bench) {
 }
 
 InstructionSet set_named(const std::string& name) {
+    if (name == "v4") return InstructionSet::v4;
     return name == "scalar" ? InstructionSet::scalar : InstructionSet::v3;
 }
 

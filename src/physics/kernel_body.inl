@@ -19,6 +19,32 @@ inline const double* as_operands(const double* columns) {
     return columns;
 }
 
+/// The columns of a regime that every step of a segment needs: operands, or held in
+/// registers where there are 32 of them, as loads are what such a loop waits for.
+template <bool held>
+class Coefficients {
+  public:
+    explicit Coefficients(const double* regime) : regime_(regime) {
+        if constexpr (held)
+#pragma GCC unroll 16
+            for (int k = 0; k < n_held; ++k) held_[k] = column(regime, k);
+    }
+    /// To be called at the begin of a step.
+    const double* regime() { return regime_ = as_operands(regime_); }
+    template <int k>
+    V get() const {
+        if constexpr (held && k < n_held)
+            return held_[k];
+        else
+            return column(regime_, k);
+    }
+
+  private:
+    static constexpr int n_held = StandardColumn::drivers + 2;
+    const double* regime_;
+    V held_[held ? n_held : 1];  // what is not got from here is not loaded
+};
+
 /// phi_sol [W]: the sum of aperture times irradiance. planes < 0: known at run time only.
 template <int planes>
 [[gnu::always_inline]] inline V sunshine(const double* apertures,
@@ -36,14 +62,15 @@ struct Terms {
 };
 
 /// Irradiance is not looked at where planes = 0.
-template <int planes, bool more_drivers>
+template <int planes, bool more_drivers, bool held>
 [[gnu::always_inline]] inline Terms terms_of_step(const ZoneTime& zone,
+                                                  const Coefficients<held>& of,
                                                   const double* regime, const double* row,
                                                   const double* drivers) {
     using C = StandardColumn;
     const V theta_e = broadcast(drivers[0]);
-    Terms terms{fma(column(regime, C::drivers), theta_e, column(row, 0)),
-                fma(column(regime, C::drivers + 1), theta_e, column(row, 1))};
+    Terms terms{fma(of.template get<C::drivers>(), theta_e, column(row, 0)),
+                fma(of.template get<C::drivers + 1>(), theta_e, column(row, 1))};
     if constexpr (more_drivers)
         for (int k = 1; k < zone.n_drivers; ++k) {
             const V driver = broadcast(drivers[k]);
@@ -89,23 +116,23 @@ struct Standard {
     [[gnu::always_inline]] inline void advance(const Segment& segment, long stride,
                                                Watch& watch) {
         using C = StandardColumn;
-        const double* regime = group.regimes + segment.regime * zone.regime_size;
-        const V zero = broadcast(0);
+        Coefficients<many_registers> of(group.regimes +
+                                        segment.regime * zone.regime_size);
         for (int step = segment.begin; step < segment.end; ++step) {
-            regime = as_operands(regime);
+            const double* regime = of.regime();
             const double* row = group.rows + zone.row_offset[step];
-            Terms terms = terms_of_step<planes, more_drivers>(zone, regime, row, drivers);
+            Terms terms =
+                terms_of_step<planes, more_drivers>(zone, of, regime, row, drivers);
             (Hooks::act(group, step, terms), ...);
             if constexpr (requires { watch.keep(theta_m); }) watch.keep(theta_m);
-            const V asked = fnma(column(regime, C::gain), theta_m, terms.asked);
-            const V heat = min(max(asked, zero), column(regime, C::most_heating));
-            const V cool = max(min(add(asked, column(regime, C::gap)), zero),
-                               column(regime, C::most_cooling));
-            theta_m =
-                add(add(fma(column(regime, C::keep), theta_m, terms.mass), heat), cool);
+            const V asked = fnma(of.get<C::gain>(), theta_m, terms.asked);
+            const V heat = min(positive_part(asked), of.get<C::most_heating>());
+            const V cool = max(negative_part(add(asked, of.get<C::gap>())),
+                               of.get<C::most_cooling>());
+            theta_m = add(add(fma(of.get<C::keep>(), theta_m, terms.mass), heat), cool);
             if constexpr (Watch::sums_powers) {
-                heating = fma(column(regime, C::watts), heat, heating);
-                cooling = fnma(column(regime, C::watts), cool, cooling);
+                heating = fma(of.get<C::watts>(), heat, heating);
+                cooling = fnma(of.get<C::watts>(), cool, cooling);
             }
             watch.see(step, regime, asked, heat, cool);
             drivers += stride;

@@ -66,12 +66,11 @@ struct MixedGroup {
         using C = StandardColumn;
         regime = as_operands(regime);
         const double* row = group.rows + zone.row_offset[step];
-        const Terms terms =
-            terms_of_step<planes, more_drivers>(zone, regime, row, drivers);
-        const V zero = broadcast(0);
+        const Terms terms = terms_of_step<planes, more_drivers>(
+            zone, Coefficients<false>(regime), regime, row, drivers);
         const V asked = fnma(column(regime, C::gain), theta_m, terms.asked);
-        const V heat = min(max(asked, zero), column(regime, C::most_heating));
-        const V cool = max(min(add(asked, column(regime, C::gap)), zero),
+        const V heat = min(positive_part(asked), column(regime, C::most_heating));
+        const V cool = max(negative_part(add(asked, column(regime, C::gap))),
                            column(regime, C::most_cooling));
         theta_m = add(add(fma(column(regime, C::keep), theta_m, terms.mass), heat), cool);
         const V heated = fma(column(row, MixedColumn::per_heating), heat,

@@ -43,6 +43,12 @@ inline V fms(V x, V y, V z) {
 inline V fnma(V x, V y, V z) {
     return {fnma(x.a, y.a, z.a), fnma(x.b, y.b, z.b)};
 }
+inline V positive_part(V x) {
+    return {positive_part(x.a), positive_part(x.b)};
+}
+inline V negative_part(V x) {
+    return {negative_part(x.a), negative_part(x.b)};
+}
 inline V magnitude(V x) {
     return {magnitude(x.a), magnitude(x.b)};
 }

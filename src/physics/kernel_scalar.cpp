@@ -8,6 +8,7 @@ namespace {
 
 using V = double;
 constexpr int lanes = 1;
+constexpr bool many_registers = false;
 
 inline V load(const double* at) {
     return *at;
@@ -26,6 +27,12 @@ inline V sub(V x, V y) {
 }
 inline V mul(V x, V y) {
     return x * y;
+}
+inline V positive_part(V x) {
+    return x > 0 ? x : 0;
+}
+inline V negative_part(V x) {
+    return x < 0 ? x : 0;
 }
 inline V min(V x, V y) {
     return x < y ? x : y;

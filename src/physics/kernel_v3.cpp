@@ -9,6 +9,7 @@ namespace {
 
 using Register = __m256d;
 constexpr int width = 4;
+constexpr bool many_registers = false;
 
 inline Register load_register(const double* at) {
     return _mm256_loadu_pd(at);
@@ -45,6 +46,13 @@ inline Register fnma(Register x, Register y, Register z) {
 }
 inline Register magnitude(Register x) {
     return _mm256_and_pd(x, _mm256_castsi256_pd(_mm256_set1_epi64x(0x7fffffffffffffff)));
+}
+
+inline Register positive_part(Register x) {
+    return max(x, _mm256_setzero_pd());
+}
+inline Register negative_part(Register x) {
+    return min(x, _mm256_setzero_pd());
 }
 
 using RegisterMask = __m256d;

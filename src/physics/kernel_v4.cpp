@@ -9,6 +9,7 @@ namespace {
 
 using Register = __m512d;
 constexpr int width = 8;
+constexpr bool many_registers = true;
 
 inline Register load_register(const double* at) {
     return _mm512_loadu_pd(at);
@@ -46,6 +47,16 @@ inline Register fnma(Register x, Register y, Register z) {
 }
 inline Register magnitude(Register x) {
     return _mm512_abs_pd(x);
+}
+
+// As integers, whose sign is the same, and in other units of the processor.
+inline Register positive_part(Register x) {
+    return _mm512_castsi512_pd(
+        _mm512_maskz_max_epi64(0xFF, _mm512_castpd_si512(x), _mm512_setzero_si512()));
+}
+inline Register negative_part(Register x) {
+    return _mm512_castsi512_pd(
+        _mm512_maskz_min_epi64(0xFF, _mm512_castpd_si512(x), _mm512_setzero_si512()));
 }
 
 using RegisterMask = __mmask8;
