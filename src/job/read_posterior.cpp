@@ -146,6 +146,7 @@ PosteriorOptions read_posterior(const Section& section, std::uint64_t seed) {
     options.hold_out_hours = section.number("hold_out_hours");
     options.n_predictive = whole(section, "n_predictive");
     options.level_change = section.number("level_change");
+    options.lasting_weeks = section.number("lasting_weeks");
     options.reading_weight = section.number("reading_weight");
     options.pooling = section.choice_as<study::Pooling>("pooling");
     if (options.pooling != study::Pooling::none) options.unseen = section.texts("unseen");

@@ -81,6 +81,10 @@ constexpr Key table[] = {
      "Of a posterior: use and operation change from year to year. In other periods than "
      "the training one energies are predicted times an unknown factor; this is the "
      "standard deviation of its logarithm after a year, growing with the root of time."},
+    {"study", "lasting_weeks", Type::number, "weeks", "0", 0, 26,
+     "Of a posterior without discrepancy: predictions of other periods have errors that "
+     "last for about so long, beside short ones; their share is what the training "
+     "period's residuals show; 0: none."},
     {"study", "reading_weight", Type::number, "-", "1", 1e-6, 1,
      "Of a posterior: the likelihood is raised to this power; 0.006, a week of hours for "
      "one, where errors last for long in ways that the residuals do not know."},

@@ -45,6 +45,9 @@ struct PosteriorOptions {
     /// Standard deviation of what the logarithm of an energy meter's level does in a year
     /// for reasons that no description tells; it grows with the root of time.
     double level_change = 0;
+    /// Predictions of other periods have errors that last for so long [weeks], of the
+    /// size that training shows (lasting_errors.hpp); 0 = none beyond the likelihood's.
+    double lasting_weeks = 0;
     Pooling pooling = Pooling::none;
     std::vector<std::string> unseen;  ///< buildings that are predicted only
 };

@@ -1,5 +1,6 @@
 #include "study/posterior_results.hpp"
 
+#include "study/lasting_errors.hpp"
 #include "study/points.hpp"
 #include "study/predictive.hpp"
 #include "study/some_draws.hpp"
@@ -134,9 +135,23 @@ class Conclusion {
             if (&period == &training || period.name == training.name)
                 add_period(model, of_building, period);
             else
-                add_period(BuildingModel(building, period, choice_like(model)),
-                           of_building, period);
+                add_other_period(model, of_building, period);
         }
+    }
+
+    void add_other_period(const BuildingModel& trained,
+                          const BuildingModel::Points& of_building,
+                          const Period& period) {
+        MeterChoice choice = choice_like(trained);
+        const double weeks = of_.options.lasting_weeks;
+        if (weeks <= 0 || choice.residuals.discrepancy)
+            return add_period(BuildingModel(trained.building(), period, choice),
+                              of_building, period);
+        choice.residuals.discrepancy = true;
+        const BuildingModel model(trained.building(), period, choice);
+        const auto shares = lasting_shares(trained, of_building, weeks);
+        add_period(model, with_lasting_errors(trained, of_building, model, shares, weeks),
+                   period);
     }
 
     void add_unseen(const Case& building) {

@@ -104,6 +104,7 @@ TEST(PosteriorStudy, TakesEveryKey) {
         "autocorrelated = false\ndiscrepancy = true\nhold_out_weeks = 0.25\n"
         "hold_out_hours = 0.1\nn_predictive = 30\nmeters = [\"air\"]\n"
         "pooling = \"partial\"\nreading_weight = 0.125\nlevel_change = 0.1\n"
+        "lasting_weeks = 4\n"
         "proportional = false");
     const study::PosteriorOptions& options = job.studies[1].posterior;
     EXPECT_EQ(options.period, "training");
@@ -124,6 +125,7 @@ TEST(PosteriorStudy, TakesEveryKey) {
     EXPECT_EQ(options.n_predictive, 30);
     EXPECT_EQ(options.reading_weight, 0.125);
     EXPECT_EQ(options.level_change, 0.1);
+    EXPECT_EQ(options.lasting_weeks, 4);
     EXPECT_FALSE(options.residuals.proportional);
     EXPECT_EQ(options.meters, std::vector<std::string>{"air"});
     EXPECT_EQ(options.pooling, study::Pooling::partial);
