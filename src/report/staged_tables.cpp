@@ -79,7 +79,7 @@ void add_row(TextTable& table, const Group& comparison, std::size_t meter,
 std::string comparison_table(const Group& study, const std::string& kind) {
     const double accuracy = study.value("accuracy");
     TextTable table({"period", "meter", "values", "RMSD", "CV %", "R2", "mean",
-                     "<= 0.5 %", fmt::format("<= {} %", in_short(accuracy)),
+                     "% <= 0.5", fmt::format("% <= {}", in_short(accuracy)),
                      "50 % <=", "90 % <="});
     for (const Group& comparison : study.inner(kind).groups_below("version_fit"))
         for (std::size_t m = 0; m < comparison.texts("meter").size(); ++m)
