@@ -119,6 +119,34 @@ void check_parameter_names(const Section& section, const Case& building) {
                                      parameter.name));
 }
 
+bool is_unseen(const PosteriorOptions& options, const Case& building) {
+    return std::ranges::find(options.unseen, building.name) != options.unseen.end();
+}
+
+/// Residuals that were learnt from a meter are drawn for the same one of another
+/// building.
+void check_meters_of_unseen(const Section& section, const PosteriorOptions& options,
+                            const Case& unseen, const Case& seen) {
+    for (const study::Meter& meter : seen.meters) {
+        const bool is_used =
+            options.meters.empty() ||
+            std::ranges::find(options.meters, meter.name) != options.meters.end();
+        if (!is_used || !has_reading(seen, period_of(seen, options.period), meter.name))
+            continue;
+        if (std::ranges::none_of(unseen.meters, [&](const study::Meter& other) {
+                return other.name == meter.name && other.quantity == meter.quantity &&
+                       other.interval == meter.interval;
+            }))
+            section.fail(
+                "unseen",
+                fmt::format("{0} has no {1} meter \"{2}\" of {3}, and {4}, which is "
+                            "learned from, has; expected it in {0} too (it may be "
+                            "without readings)",
+                            unseen.name, physics::name_of(meter.interval), meter.name,
+                            physics::name_of(meter.quantity), seen.name));
+    }
+}
+
 void check_unseen(const Section& section, const PosteriorOptions& options,
                   const std::vector<Case>& buildings) {
     std::vector<std::string> names;
@@ -128,6 +156,12 @@ void check_unseen(const Section& section, const PosteriorOptions& options,
         check_word(section, "unseen", name, names, "building of this job");
     if (!options.unseen.empty() && options.unseen.size() >= buildings.size())
         section.fail("unseen", "has every building: none is left to learn from");
+    if (options.unseen.empty()) return;
+    const auto seen = std::ranges::find_if(
+        buildings, [&](const Case& building) { return !is_unseen(options, building); });
+    for (const Case& building : buildings)
+        if (is_unseen(options, building))
+            check_meters_of_unseen(section, options, building, *seen);
 }
 
 }  // namespace
@@ -162,8 +196,7 @@ void check_posterior(const Section& section, const PosteriorOptions& options,
         check_parameter_names(section, building);
     }
     for (const Case& building : buildings)
-        if (std::ranges::find(options.unseen, building.name) == options.unseen.end())
-            check_meters(section, learning, building);
+        if (!is_unseen(options, building)) check_meters(section, learning, building);
 }
 
 }  // namespace bemcal::job

@@ -145,5 +145,37 @@ TEST(PosteriorStudy, IsAStageForEachBuildingOrOneForAll) {
     }
 }
 
+/// What the sample job says of its building.
+std::string building_text(const std::string& name) {
+    const std::string text = small_office_text();
+    const auto run = text.find("[run]"), schedule = text.find("[[schedule]]"),
+               study = text.find("[[study]]"), site = text.find("[site]");
+    return "name = \"" + name + "\"\n" + text.substr(site, run - site) +
+           text.substr(schedule, study - schedule);
+}
+
+/// A posterior that learns from one building and predicts another.
+std::string message_of_pair(const std::string& unseen) {
+    const Folder folder;
+    write_small_office(folder);
+    folder.write("one.toml", building_text("one"));
+    folder.write("other.toml", unseen);
+    return message_of(
+        folder.write("pair.toml",
+                     "seed = 1\nbuildings = [\"one.toml\", \"other.toml\"]\n"
+                     "[[study]]\nkind = \"posterior\"\n"
+                     "pooling = \"full\"\nunseen = [\"other\"]\n"));
+}
+
+TEST(PosteriorStudy, PredictsAnUnseenBuildingByTheMetersOfASeenOne) {
+    EXPECT_EQ(message_of_pair(building_text("other")), "");
+    const std::string message = message_of_pair(
+        replaced(building_text("other"), "name = \"electricity\"", "name = \"power\""));
+    EXPECT_NE(message.find("study.unseen: other has no hourly meter \"electricity\" of "
+                           "electricity, and one, which is learned from, has"),
+              std::string::npos)
+        << message;
+}
+
 }  // namespace
 }  // namespace bemcal::job
