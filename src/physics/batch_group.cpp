@@ -63,10 +63,7 @@ Batch::Group::Group(const Batch::Plan& shared, std::shared_ptr<Written> of_other
     const int lanes = plan.table.lanes;
     for (const ZonePlan& zone : plan.zones) zones.push_back(make_zone(zone, lanes));
     floor_share_ = LaneArray(zones.size(), lanes);
-    const std::size_t steps = longest(plan.chunks);
-    of_zone_ = make_rows(steps, lanes);
-    if (zones.size() > 1) of_building_ = make_rows(steps, lanes);
-    shown_ = LaneArray(steps, lanes);
+    most_steps_ = longest(plan.chunks);
 }
 
 /// Parameters before the first that changes are at their values already.
@@ -128,7 +125,15 @@ bool Batch::Group::is_finite(int lane) const {
     return std::isfinite(sum);
 }
 
+/// Sums alone need no rows, which are larger than all the rest.
+void Batch::Group::make_room(kernel::Show show) {
+    if (show == kernel::Show::sums || !of_zone_.heating.empty()) return;
+    of_zone_ = make_rows(most_steps_, plan.table.lanes);
+    if (zones.size() > 1) of_building_ = make_rows(most_steps_, plan.table.lanes);
+}
+
 kernel::PowerRows Batch::Group::run(int begin, int end, kernel::Show show) {
+    make_room(show);
     const kernel::PowerRows of_zone = of_zone_.pointers();
     const bool add = zones.size() > 1 && show != kernel::Show::sums;
     if (add)
@@ -199,6 +204,7 @@ kernel::ZoneLanes Batch::Group::mixed(Quantity quantity) {
 const double* Batch::Group::show(Quantity quantity, const kernel::PowerRows& rows,
                                  int begin, int end) {
     if (const double* power = shown_as_it_is(quantity, plan, rows)) return power;
+    if (shown_.empty()) shown_ = LaneArray(most_steps_, plan.table.lanes);
     plan.table.meter(meter(quantity), rows, begin, end, shown_.data());
     return shown_.data();
 }

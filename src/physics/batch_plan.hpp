@@ -70,7 +70,7 @@ struct Batch::Group {
     /// Returns the building's rows.
     kernel::PowerRows run(int begin, int end, kernel::Show show);
     /// Steps that a run may show.
-    int most_steps() const { return static_cast<int>(shown_.columns()); }
+    int most_steps() const { return static_cast<int>(most_steps_); }
     kernel::MeterLanes meter(Quantity quantity);
     /// The only zone, a standard one, with the meter's form in its rows.
     kernel::ZoneLanes mixed(Quantity quantity);
@@ -87,11 +87,13 @@ struct Batch::Group {
     std::array<LaneArray, n_quantities> plain;  ///< of coupled buildings, over the period
 
   private:
+    void make_room(kernel::Show show);
     void write_building(std::span<const double> point, std::size_t lane);
     void write_mixed(Quantity quantity);
 
-    Network network_;                                 ///< scratch
-    LaneArray floor_share_;                           ///< [zones x lanes]
+    Network network_;        ///< scratch
+    LaneArray floor_share_;  ///< [zones x lanes]
+    std::size_t most_steps_ = 1;
     Rows of_zone_, of_building_;                      ///< of a chunk
     LaneArray shown_;                                 ///< a quantity over a chunk
     std::array<LaneArray, n_quantities> meters_;      ///< coefficients,
