@@ -78,8 +78,9 @@ void print_instructions(const std::string& self) {
     }
 }
 
+constexpr std::size_t n = 1024;  ///< points of an item
+
 void print_times(const Bench& bench) {
-    constexpr std::size_t n = 160;
     const Matrix points = bench.points(n);
     const Batch scalar = bench.batch(InstructionSet::scalar),
                 v3 = bench.batch(InstructionSet::v3);
@@ -106,7 +107,7 @@ void print_v4(const Bench& bench) {
         fmt::print("v4: this processor has no AVX-512, so its kernel cannot run here\n");
         return;
     }
-    const Matrix points = bench.points(160);
+    const Matrix points = bench.points(n);
     const Batch scalar = bench.batch(InstructionSet::scalar),
                 v4 = bench.batch(InstructionSet::v4);
     const auto [one, annual] = medians<2>({[&] { scalar.evaluate(points, bench.annual); },

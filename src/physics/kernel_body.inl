@@ -24,10 +24,12 @@ inline const double* as_operands(const double* columns) {
 template <bool held>
 class Coefficients {
   public:
-    explicit Coefficients(const double* regime) : regime_(regime) {
-        if constexpr (held)
-#pragma GCC unroll 16
-            for (int k = 0; k < n_held; ++k) held_[k] = column(regime, k);
+    explicit Coefficients(const double* regime) : regime_(regime) { load(); }
+    /// Those of another regime, or the same.
+    void change_to(const double* regime) {
+        if (regime == regime_) return;
+        regime_ = regime;
+        load();
     }
     /// To be called at the begin of a step.
     const double* regime() { return regime_ = as_operands(regime_); }
@@ -40,6 +42,11 @@ class Coefficients {
     }
 
   private:
+    void load() {
+        if constexpr (held)
+#pragma GCC unroll 16
+            for (int k = 0; k < n_held; ++k) held_[k] = column(regime_, k);
+    }
     static constexpr int n_held = StandardColumn::drivers + 2;
     const double* regime_;
     V held_[held ? n_held : 1];  // what is not got from here is not loaded
@@ -94,6 +101,7 @@ struct Standard {
     const ZoneLanes& group;
     const double* drivers;
     V theta_m, heating, cooling;
+    Coefficients<many_registers> of;
 
     Standard(const ZoneTime& time, const ZoneLanes& points, int begin)
         : zone(time),
@@ -102,7 +110,8 @@ struct Standard {
                   static_cast<long>(begin) * (time.n_drivers + time.n_planes)),
           theta_m(load(points.state)),
           heating(load(points.sums)),
-          cooling(load(points.sums + lanes)) {}
+          cooling(load(points.sums + lanes)),
+          of(points.regimes) {}
 
     void write() const {
         store(group.state, theta_m);
@@ -116,8 +125,7 @@ struct Standard {
     [[gnu::always_inline]] inline void advance(const Segment& segment, long stride,
                                                Watch& watch) {
         using C = StandardColumn;
-        Coefficients<many_registers> of(group.regimes +
-                                        segment.regime * zone.regime_size);
+        of.change_to(group.regimes + segment.regime * zone.regime_size);
         for (int step = segment.begin; step < segment.end; ++step) {
             const double* regime = of.regime();
             const double* row = group.rows + zone.row_offset[step];
