@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
+#include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -13,6 +16,8 @@ namespace {
 constexpr std::size_t least_days = 60;
 constexpr double near = 0.1, least_share = 0.7, least_variation = 1.2;
 constexpr double least_correlation = 0.97;  ///< of the changes from day to day
+constexpr std::string_view shared_with = "shared with ";
+constexpr std::string_view kept = "kept; shared: both may show one meter";
 
 double middle_of(std::vector<double> values) {
     auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -100,32 +105,45 @@ bool can_be_one(const Sketch& a, const Sketch& b) {
 
 void note(StockRecord& at, const StockRecord& with, double ratio, std::size_t n_days) {
     const std::string meter = at.fits.empty() ? "meter" : at.fits.front().meter;
-    at.findings.push_back(
-        {meter,
-         fmt::format("shared with {}: {:.4g} times its daily sums, over "
-                     "{} days",
-                     with.name, ratio, n_days),
-         "kept; shared: both may show one meter"});
+    at.findings.push_back({meter,
+                           fmt::format("{}{}: {:.4g} times its daily sums, over {} days",
+                                       shared_with, with.name, ratio, n_days),
+                           std::string(kept)});
 }
 
-/// What an earlier night said of it is said anew.
-void forget(StockRecord& record) {
-    std::erase_if(record.findings, [](const study::DataDecision& finding) {
-        return finding.action == "kept; shared: both may show one meter";
+std::string partner_in(const std::string& finding) {
+    return finding.substr(shared_with.size(), finding.rfind(": ") - shared_with.size());
+}
+
+/// What an earlier night said of pairs that are looked at again.
+void forget(StockRecord& record, const std::set<std::string>& unchanged) {
+    std::erase_if(record.findings, [&](const study::DataDecision& finding) {
+        return finding.action == kept &&
+               (!unchanged.contains(record.name) ||
+                !unchanged.contains(partner_in(finding.finding)));
     });
+}
+
+/// Nothing was done with it this night.
+bool is_unchanged(const StockRecord& record) {
+    return record.age > 0;
 }
 
 }  // namespace
 
 void find_shared_meters(std::vector<StockRecord>& records) {
-    for (StockRecord& record : records) forget(record);
+    std::set<std::string> unchanged;
+    for (const StockRecord& record : records)
+        if (is_unchanged(record)) unchanged.insert(record.name);
+    for (StockRecord& record : records) forget(record, unchanged);
     std::vector<Sketch> sketches;
     sketches.reserve(records.size());
     for (const StockRecord& record : records) sketches.push_back(sketch_of(record));
     for (std::size_t i = 0; i < records.size(); ++i)
         for (std::size_t j = i + 1; j < records.size(); ++j) {
-            if (!can_be_one(sketches[i], sketches[j])) continue;
             StockRecord &a = records[i], &b = records[j];
+            if (is_unchanged(a) && is_unchanged(b)) continue;
+            if (!can_be_one(sketches[i], sketches[j])) continue;
             const Pairs pairs = pairs_of(a, b);
             if (pairs.ratios.size() < least_days) continue;
             const auto [low, high] = std::ranges::minmax(pairs.first);

@@ -9,7 +9,8 @@
 
 namespace bemcal::job {
 
-/// Adds a finding to both.
+/// Adds a finding to both. Two buildings that nothing was done with keep what an earlier
+/// night found of them.
 void find_shared_meters(std::vector<StockRecord>& records);
 
 }  // namespace bemcal::job

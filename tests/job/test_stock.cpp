@@ -92,22 +92,65 @@ std::vector<double> some_days(double factor, int first) {
     return days;
 }
 
-TEST(StockShared, FindsOneMeterBehindTwoBuildingsOfDifferentPeriods) {
+/// Two that show one meter, and a third under the same weather; worked on this night.
+std::vector<StockRecord> three_buildings() {
     std::vector<StockRecord> records(3, some_record());
-    for (StockRecord& record : records) record.findings.clear();
+    for (StockRecord& record : records) {
+        record.findings.clear();
+        record.age = 0;
+    }
     records[0].daily = some_days(1, 0);
     records[1].daily = some_days(0.2, 40);
     records[1].name = "annex";
     records[1].daily_start = 40;
+    records[2].name = "neighbour";
     records[2].daily = some_days(1, 0);
-    for (std::size_t k = 0; k < 180; ++k)  // another building under the same weather
+    for (std::size_t k = 0; k < 180; ++k)
         records[2].daily[k] *= 1 + 0.2 * std::sin(3.0 * static_cast<double>(k));
+    return records;
+}
+
+TEST(StockShared, FindsOneMeterBehindTwoBuildingsOfDifferentPeriods) {
+    auto records = three_buildings();
     for (int night = 0; night < 2; ++night) find_shared_meters(records);
     ASSERT_EQ(records[0].findings.size(), 1U);
     EXPECT_EQ(records[0].findings[0].finding,
               "shared with annex: 5 times its daily sums, over 140 days");
     EXPECT_EQ(records[1].findings.size(), 1U);
     EXPECT_TRUE(records[2].findings.empty());
+}
+
+TEST(StockShared, KeepsWhatWasFoundOfTwoThatNothingWasDoneWith) {
+    auto records = three_buildings();
+    find_shared_meters(records);
+    records[0].age = records[1].age = 1;
+    records[0].daily.clear();  // it is not looked at
+    find_shared_meters(records);
+    ASSERT_EQ(records[0].findings.size(), 1U);
+    ASSERT_EQ(records[1].findings.size(), 1U);
+    EXPECT_EQ(records[1].findings[0].finding,
+              "shared with house: 0.2 times its daily sums, over 140 days");
+}
+
+TEST(StockShared, LooksAnewWhereOneOfTwoWasWorkedOnOrIsGone) {
+    auto records = three_buildings();
+    find_shared_meters(records);
+    records[0].age = 1;
+    for (double& day : records[1].daily) day *= 2;
+    find_shared_meters(records);
+    ASSERT_EQ(records[0].findings.size(), 1U);
+    EXPECT_EQ(records[0].findings[0].finding,
+              "shared with annex: 2.5 times its daily sums, over 140 days");
+    records[1].daily = records[2].daily;  // a meter of its own
+    find_shared_meters(records);
+    EXPECT_TRUE(records[0].findings.empty());
+
+    auto others = three_buildings();
+    find_shared_meters(others);
+    others.erase(others.begin() + 1);
+    for (StockRecord& record : others) record.age = 1;
+    find_shared_meters(others);
+    EXPECT_TRUE(others[0].findings.empty());
 }
 
 TEST(StockReadings, AreASharesPulsesWhereTheyAreMultiplesOfNoRoundNumber) {
