@@ -34,23 +34,45 @@ int from_environment() {
     return text ? std::atoi(text) : 0;
 }
 
-struct Host {
-    std::set<int> cores;
+/// Ranks of a host that may use these cores and no others.
+struct Bound {
+    std::vector<int> cores;
     int n_ranks = 0, n_threads = 0;
-    bool is_cramped = false;  ///< a rank has more threads than cores
+    bool is_crowded() const { return n_threads > static_cast<int>(cores.size()); }
 };
 
-std::map<std::string, Host> hosts_of(const std::vector<Placement>& ranks,
-                                     const std::vector<int>& n_threads) {
-    std::map<std::string, Host> hosts;
+Bound bound_to(const std::vector<int>& cores, const std::string& host,
+               const std::vector<Placement>& ranks, const std::vector<int>& n_threads) {
+    Bound bound{cores};
     for (std::size_t r = 0; r < ranks.size(); ++r) {
-        Host& host = hosts[ranks[r].host];
-        host.cores.insert(ranks[r].cores.begin(), ranks[r].cores.end());
-        host.n_threads += n_threads[r];
-        host.n_ranks += 1;
-        host.is_cramped |= n_threads[r] > static_cast<int>(ranks[r].cores.size());
+        if (ranks[r].host != host || !std::ranges::includes(cores, ranks[r].cores))
+            continue;
+        bound.n_ranks += 1;
+        bound.n_threads += n_threads[r];
     }
+    return bound;
+}
+
+std::map<std::string, std::set<int>> cores_of_hosts(const std::vector<Placement>& ranks) {
+    std::map<std::string, std::set<int>> hosts;
+    for (const Placement& rank : ranks)
+        hosts[rank.host].insert(rank.cores.begin(), rank.cores.end());
     return hosts;
+}
+
+/// All of the host's cores where they are too few, else those of the first rank that has
+/// to share its own; where neither is, all of them.
+Bound most_telling(const std::string& host, const std::set<int>& all,
+                   const std::vector<Placement>& ranks,
+                   const std::vector<int>& n_threads) {
+    const Bound whole = bound_to({all.begin(), all.end()}, host, ranks, n_threads);
+    if (whole.is_crowded()) return whole;
+    for (const Placement& rank : ranks) {
+        if (rank.host != host) continue;
+        const Bound part = bound_to(rank.cores, host, ranks, n_threads);
+        if (part.is_crowded()) return part;
+    }
+    return whole;
 }
 
 }  // namespace
@@ -80,16 +102,16 @@ int default_threads(const std::vector<Placement>& ranks, int rank) {
 std::vector<std::string> crowded_hosts(const std::vector<Placement>& ranks,
                                        const std::vector<int>& n_threads) {
     std::vector<std::string> sentences;
-    for (const auto& [name, host] : hosts_of(ranks, n_threads)) {
-        if (!host.is_cramped && host.n_threads <= static_cast<int>(host.cores.size()))
-            continue;
+    for (const auto& [name, cores] : cores_of_hosts(ranks)) {
+        const Bound bound = most_telling(name, cores, ranks, n_threads);
+        if (!bound.is_crowded()) continue;
         sentences.push_back(fmt::format(
-            "{}: {} rank{} with {} compute threads may use only {} core{}, so that "
-            "threads share "
-            "cores; use fewer (--threads), or give each rank more cores: mpirun --map-by "
-            "slot:PE=THREADS or --bind-to none",
-            name, host.n_ranks, host.n_ranks == 1 ? "" : "s", host.n_threads,
-            host.cores.size(), host.cores.size() == 1 ? "" : "s"));
+            "{}: {} rank{} with {} compute thread{} may use only {} core{} ({}), so that "
+            "threads share cores; use fewer (--threads), or give each rank more cores: "
+            "mpirun --map-by slot:PE=THREADS or --bind-to none",
+            name, bound.n_ranks, bound.n_ranks == 1 ? "" : "s", bound.n_threads,
+            bound.n_threads == 1 ? "" : "s", bound.cores.size(),
+            bound.cores.size() == 1 ? "" : "s", fmt::join(bound.cores, ", ")));
     }
     return sentences;
 }
@@ -107,7 +129,7 @@ ThreadPlan plan_threads(Comm& comm, int asked) {
     plan.n_threads = n_threads[static_cast<std::size_t>(comm.rank())];
     plan.n_threads_total = 0;
     for (const int n : n_threads) plan.n_threads_total += n;
-    plan.n_hosts = static_cast<int>(hosts_of(ranks, n_threads).size());
+    plan.n_hosts = static_cast<int>(cores_of_hosts(ranks).size());
     plan.warnings = crowded_hosts(ranks, n_threads);
     return plan;
 }

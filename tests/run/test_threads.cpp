@@ -34,6 +34,20 @@ TEST(Threads, WarnsWhereThreadsShareACoreAndSaysWhatToDo) {
     EXPECT_NE(warnings[0].find("slot:PE="), std::string::npos);
 }
 
+TEST(Threads, WarnsWhereRanksAreBoundToOneCoreThoughOthersAreFree) {
+    const std::vector<Placement> ranks{
+        {"a", {0}}, {"a", {1, 2, 3}}, {"a", {0}}, {"b", {0}}};
+    const auto warnings = crowded_hosts(ranks, {1, 1, 1, 1});
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_TRUE(warnings[0].starts_with(
+        "a: 2 ranks with 2 compute threads may use only 1 core (0), so that threads "
+        "share cores"))
+        << warnings[0];
+    EXPECT_EQ(crowded_hosts(ranks, {1, 3, 1, 2}).size(), 2U);
+    EXPECT_TRUE(
+        crowded_hosts({{"a", {0, 1, 2}}, {"a", {1, 2}}, {"a", {2}}}, {1, 1, 1}).empty());
+}
+
 TEST(Threads, ThisProcessHasACore) {
     EXPECT_FALSE(placement().cores.empty());
 }
