@@ -164,7 +164,8 @@ std::optional<Clock::time_point> stop_at(const CommandLine& line) {
 
 /// Table, history and page of a night.
 void write_stock(const fs::path& result, const run::JobOptions& options) {
-    const auto files = report::write_stock_files(result, store::read_result(result));
+    const auto files =
+        report::write_stock_files(result, store::read_result(result, "stock"));
     if (!files) return;
     print_warning(fmt::format("wrote {}; nights: {}", files->table.string(),
                               files->history.string()));

@@ -4,6 +4,7 @@
 #include "base/hash.hpp"
 
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -55,7 +56,12 @@ std::string read_bytes(const std::filesystem::path& path) {
         throw UserError(ExitCode::no_input,
                         fmt::format("{}: cannot be opened ({})", path.string(),
                                     std::strerror(errno)));
-    std::string bytes(std::istreambuf_iterator<char>(in), {});
+    const std::uintmax_t size = std::filesystem::file_size(path, ignored);
+    std::string bytes(ignored ? 0 : size, '\0');
+    in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<std::size_t>(in.gcount()));
+    // What has no size, a pipe say, or has grown.
+    if (!in.bad()) bytes.append(std::istreambuf_iterator<char>(in), {});
     if (in.bad())
         throw UserError(ExitCode::io, fmt::format("{}: reading failed", path.string()));
     if (bytes.empty())

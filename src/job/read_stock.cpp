@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <numeric>
 #include <set>
 
 #include <fmt/format.h>
@@ -42,24 +43,33 @@ void check_names(std::vector<StockLine>& lines) {
 }
 
 std::vector<StockLine> lines_of(const Csv& csv) {
+    std::vector<std::size_t> order(csv.columns.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::sort(order, {}, [&](std::size_t k) { return csv.columns[k]; });
+    std::vector<std::string> sorted;
+    for (const std::size_t k : order) sorted.push_back(csv.columns[k]);
+    const auto columns = std::make_shared<const std::vector<std::string>>(sorted);
     std::vector<StockLine> lines(csv.n_rows());
     for (std::size_t row = 0; row < lines.size(); ++row) {
         lines[row].line = csv.lines[row];
-        for (std::size_t k = 0; k < csv.columns.size(); ++k)
-            lines[row].cells[csv.columns[k]] = std::string(csv.cell(row, k));
+        lines[row].columns = columns;
+        lines[row].cells.reserve(order.size());
+        for (const std::size_t k : order) lines[row].cells.emplace_back(csv.cell(row, k));
         lines[row].name = name_in(lines[row]);
     }
     return lines;
 }
 
 std::vector<StockLine> lines_of(const Section& section, const fs::path& folder) {
+    const auto columns = std::make_shared<const std::vector<std::string>>(1, "file");
     std::vector<StockLine> lines;
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder, error))
         if (entry.path().extension() == ".toml") {
             lines.emplace_back();
             lines.back().name = entry.path().stem().string();
-            lines.back().cells["file"] = entry.path().filename().string();
+            lines.back().columns = columns;
+            lines.back().cells = {entry.path().filename().string()};
         }
     if (lines.empty())
         section.fail_value(
@@ -88,8 +98,8 @@ std::string filled(const std::string& text, const StockLine& line,
             continue;
         }
         const std::string name = text.substr(at + 1, end - at - 1);
-        const auto cell = line.cells.find(name);
-        if (cell == line.cells.end())
+        const std::string* cell = line.find(name);
+        if (cell == nullptr)
             throw UserError(
                 ExitCode::config,
                 fmt::format(
@@ -97,7 +107,7 @@ std::string filled(const std::string& text, const StockLine& line,
                     1 + std::count(text.begin(),
                                    text.begin() + static_cast<std::ptrdiff_t>(at), '\n'),
                     name));
-        result += cell->second;
+        result += *cell;
         at = end + 1;
     }
     return result;
@@ -146,15 +156,21 @@ void add_building(const Section& own, const Section& root, const StockLine& line
 }  // namespace
 
 std::string StockLine::cell(const std::string& column) const {
-    const auto found = cells.find(column);
-    return found == cells.end() ? "" : found->second;
+    const std::string* found = find(column);
+    return found == nullptr ? "" : *found;
+}
+
+const std::string* StockLine::find(const std::string& column) const {
+    const auto at = std::ranges::lower_bound(*columns, column);
+    if (at == columns->end() || *at != column) return nullptr;
+    return &cells[static_cast<std::size_t>(at - columns->begin())];
 }
 
 std::string Stock::hash_of(const StockLine& line) const {
     Hasher hasher;
-    for (const auto& [column, cell] : line.cells) {
-        hasher.add(std::string_view(column));
-        hasher.add(std::string_view(cell));
+    for (std::size_t k = 0; k < line.cells.size(); ++k) {
+        hasher.add(std::string_view((*line.columns)[k]));
+        hasher.add(std::string_view(line.cells[k]));
     }
     hasher.add(std::string_view(template_text));
     return hasher.hex();

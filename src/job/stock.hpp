@@ -12,7 +12,6 @@
 #include "job/section.hpp"
 #include "job/weather_memory.hpp"
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,10 +21,14 @@ namespace bemcal::job {
 struct StockLine {
     int line = 0;  ///< of the table; 0 in a folder
     std::string name;
-    std::map<std::string, std::string> cells;  ///< of all columns
-    std::string complaint;                     ///< why it is none; empty = it is one
+    std::shared_ptr<const std::vector<std::string>> columns;  ///< sorted; of all lines
+    std::vector<std::string> cells;                           ///< in their order
+    std::string complaint;  ///< why it is none; empty = it is one
+    bool has(const std::string& column) const { return find(column) != nullptr; }
     /// The cell, or nothing where there is no such column or it is empty.
     std::string cell(const std::string& column) const;
+    /// \return nullptr where there is no such column
+    const std::string* find(const std::string& column) const;
 };
 
 struct StockOptions {

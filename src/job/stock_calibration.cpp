@@ -213,7 +213,7 @@ void sketch(const Case& building, StockRecord& record) {
                            ? std::numeric_limits<double>::quiet_NaN()
                            : meter.values[static_cast<std::size_t>(step)];
             }
-            record.daily.push_back(sum);
+            record.daily.push_back(static_cast<float>(sum));
         }
         return;
     }

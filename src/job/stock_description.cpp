@@ -195,7 +195,7 @@ class Writer {
 
     /// A site's meter reads like a building's.
     void doubt_single_meter() {
-        const bool others_have = line_.cells.contains("electricity");
+        const bool others_have = line_.has("electricity");
         if (floor_area_ < large_building || !has_gas_ || !others_have ||
             !line_.cell("electricity").empty())
             return;

@@ -6,6 +6,7 @@
 #include "job/job.hpp"
 #include "study/stage.hpp"
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -48,18 +49,20 @@ struct StockRecord {
     std::vector<study::DataDecision> findings;
     /// Daily sums of the first energy meter of the last days, to find meters that are
     /// one.
-    std::vector<double> daily;
+    std::vector<float> daily;
 
     bool is_failed() const { return status == "failed"; }
 };
 
-/// As an item's numbers: 8 characters in a number.
+/// As an item's numbers: how many bytes, then 8 of them in a number.
 std::vector<double> pack(const StockRecord& record);
 /// \param used  so many numbers were its own
 StockRecord unpack_record(std::span<const double> packed, std::size_t& used);
 
-/// In the order of the stock: datasets stock/*.
-std::vector<study::Dataset> datasets_of(const std::vector<StockRecord>& records);
+/// Datasets stock/*, from the records in the order of the stock; each is asked for once,
+/// so that no two need to be there at a time.
+std::vector<study::Dataset> datasets_of(
+    std::size_t n_records, const std::function<StockRecord(std::size_t)>& record);
 /// And back; empty where they hold no stock.
 std::vector<StockRecord> records_in(const std::vector<study::Dataset>& datasets);
 

@@ -115,6 +115,10 @@ std::string partner_in(const std::string& finding) {
     return finding.substr(shared_with.size(), finding.rfind(": ") - shared_with.size());
 }
 
+bool is_of_shared(const study::DataDecision& finding) {
+    return finding.action == kept;
+}
+
 /// What an earlier night said of pairs that are looked at again.
 void forget(StockRecord& record, const std::set<std::string>& unchanged) {
     std::erase_if(record.findings, [&](const study::DataDecision& finding) {
@@ -130,6 +134,24 @@ bool is_unchanged(const StockRecord& record) {
 }
 
 }  // namespace
+
+StockRecord shared_part(const StockRecord& record) {
+    StockRecord part;
+    part.name = record.name;
+    part.age = record.age;
+    part.daily_start = record.daily_start;
+    part.daily = record.daily;
+    if (!record.fits.empty()) part.fits.push_back(record.fits.front());
+    std::ranges::copy_if(record.findings, std::back_inserter(part.findings),
+                         is_of_shared);
+    return part;
+}
+
+void take_shared(const StockRecord& part, StockRecord& record) {
+    std::erase_if(record.findings, is_of_shared);
+    record.findings.insert(record.findings.end(), part.findings.begin(),
+                           part.findings.end());
+}
 
 void find_shared_meters(std::vector<StockRecord>& records) {
     std::set<std::string> unchanged;

@@ -13,4 +13,10 @@ namespace bemcal::job {
 /// night found of them.
 void find_shared_meters(std::vector<StockRecord>& records);
 
+/// Of a record, what find_shared_meters looks at and what it found: little, as those of
+/// all buildings are there at once.
+StockRecord shared_part(const StockRecord& record);
+/// Puts what was found into the whole record, in place of what an earlier night found.
+void take_shared(const StockRecord& part, StockRecord& record);
+
 }  // namespace bemcal::job

@@ -13,6 +13,7 @@
 #include <iterator>
 #include <map>
 #include <span>
+#include <utility>
 
 namespace bemcal::job {
 
@@ -48,6 +49,15 @@ class StockStage : public study::Stage {
 
     ItemAnswer run(int item) const override {
         return item < n_items() ? look(item) : work_on(due_.at(index(item - first_due_)));
+    }
+
+    /// A look is not taken again: what has changed since, the next night finds.
+    std::string outdated(int item, const ItemAnswer& answer) const override {
+        if (item < n_items() || answer.values.empty()) return {};
+        std::size_t used = 0;
+        const StockRecord record = unpack_record(answer.values, used);
+        const std::string file = changed_file(record);
+        return file.empty() ? "" : record.name + ": " + file + " has changed since";
     }
 
     std::optional<Round> next_round(
@@ -90,10 +100,16 @@ class StockStage : public study::Stage {
         if (last == nullptr) return "new";
         if (last->line_hash != stock_.hash_of(line(k))) return "line";
         if (last->job_hash != job_hash_) return "job";
-        for (const auto& [path, hash] : last->files)
-            if (stock_.weathers->content_hash(path_of(path)) != hash)
-                return "data: " + path;
+        if (const std::string file = changed_file(*last); !file.empty())
+            return "data: " + file;
         return last->status == "postponed" ? last->cause : "";
+    }
+
+    /// Of those that a building was made of, the first that is another now; empty = none.
+    std::string changed_file(const StockRecord& record) const {
+        for (const auto& [path, hash] : record.files)
+            if (stock_.weathers->content_hash(path_of(path)) != hash) return path;
+        return {};
     }
 
     /// Files are known by their names beside the job, wherever it lies.
@@ -217,6 +233,12 @@ class StockStage : public study::Stage {
         return record;
     }
 
+    /// \param answer  of this night; nullptr = nothing was done with it
+    StockRecord record_of(int k, const std::string& cause,
+                          const ItemAnswer* answer) const;
+    /// With keep_results; else nothing.
+    static std::vector<study::Dataset> whole_result_in(const ItemAnswer& answer);
+
     const Job& job_;
     const Stock& stock_;
     StockNight night_;
@@ -226,34 +248,50 @@ class StockStage : public study::Stage {
     std::vector<int> due_;
 };
 
+StockRecord StockStage::record_of(int k, const std::string& cause,
+                                  const ItemAnswer* answer) const {
+    if (answer == nullptr) return untouched(k, cause);
+    if (answer->values.empty()) {  // it took too long
+        StockRecord record = untouched(k, cause);
+        record.status = "failed";
+        record.reason = answer->error;
+        return record;
+    }
+    std::size_t used = 0;
+    StockRecord record = unpack_record(answer->values, used);
+    record.cause = cause;
+    return record;
+}
+
 std::vector<study::Dataset> StockStage::conclude(
     const std::vector<ItemAnswer>& answers) const {
     const std::vector<std::string> causes = causes_in(answers);
     const std::vector<int> order = order_of(answers);
-    std::vector<StockRecord> records(index(n_lines()));
-    for (int k = 0; k < n_lines(); ++k)
-        records[index(k)] = untouched(k, causes[index(k)]);
-    std::vector<study::Dataset> wholes;
-    for (std::size_t at = index(n_items()); at < answers.size(); ++at) {
-        const ItemAnswer& answer = answers[at];
-        const int k = order.at(at - index(n_items()));
-        StockRecord& record = records[index(k)];
-        if (answer.values.empty()) {  // it took too long
-            record.status = "failed";
-            record.reason = answer.error;
-            continue;
-        }
-        std::size_t used = 0;
-        record = unpack_record(answer.values, used);
-        record.cause = causes[index(k)];
-        if (used == answer.values.size()) continue;
-        for (auto& dataset : study::unpack(std::span(answer.values).subspan(used)))
-            wholes.push_back(std::move(dataset));
-    }
-    find_shared_meters(records);
-    auto datasets = datasets_of(records);
-    std::ranges::move(wholes, std::back_inserter(datasets));
+    std::vector<const ItemAnswer*> done(causes.size(), nullptr);
+    for (std::size_t at = index(n_items()); at < answers.size(); ++at)
+        done[index(order.at(at - index(n_items())))] = &answers[at];
+    const auto record = [&](std::size_t k) {
+        return record_of(static_cast<int>(k), causes[k], done[k]);
+    };
+    std::vector<StockRecord> parts(causes.size());
+    for (std::size_t k = 0; k < parts.size(); ++k) parts[k] = shared_part(record(k));
+    find_shared_meters(parts);
+    auto datasets = datasets_of(causes.size(), [&](std::size_t k) {
+        StockRecord whole = record(k);
+        take_shared(std::exchange(parts[k], {}), whole);
+        return whole;
+    });
+    for (std::size_t at = index(n_items()); at < answers.size(); ++at)
+        std::ranges::move(whole_result_in(answers[at]), std::back_inserter(datasets));
     return datasets;
+}
+
+std::vector<study::Dataset> StockStage::whole_result_in(const ItemAnswer& answer) {
+    if (answer.values.empty()) return {};
+    std::size_t used = 0;
+    unpack_record(answer.values, used);
+    if (used == answer.values.size()) return {};
+    return study::unpack(std::span(answer.values).subspan(used));
 }
 
 }  // namespace

@@ -21,6 +21,8 @@
 namespace bemcal::run {
 namespace {
 
+constexpr int most_said = 5;  ///< of items that are done again, by name
+
 /// "3 ranks"
 std::string counted(int n, const char* noun) {
     return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
@@ -85,6 +87,7 @@ class Execution {
         }
         lock_.emplace(part_folder_of(options_.output));
         if (lock_->is_taken_by_another()) refuse_running(options_.output);
+        drop_outdated();
         const auto n_failed =
             options_.existing == Existing::rerun_failed ? drop_failed() : 0;
         n_resumed_ = place_.logs.records.size();
@@ -96,17 +99,39 @@ class Execution {
                 n_resumed_, place_.logs.n_damaged));
     }
 
-    /// Forgets the answers of items that may succeed now. \return how many
-    int drop_failed() {
+    /// Forgets answers of an earlier run. \return how many
+    int drop(const std::function<bool(const study::Stage&, int item,
+                                      const study::ItemAnswer&)>& is_dropped) {
         const auto n_stages = static_cast<int>(work_.stages.size());
         return static_cast<int>(
             std::erase_if(place_.logs.records, [&](const auto& record) {
                 const int stage = record.key.stage;
                 return stage >= 0 && stage < n_stages &&
-                       deserves_rerun(
+                       is_dropped(
                            *work_.stages[static_cast<std::size_t>(stage)],
+                           record.key.item,
                            store::unpack(record.packed.data(), record.packed.size()));
             }));
+    }
+
+    /// Items that may succeed now.
+    int drop_failed() {
+        return drop([](const study::Stage& stage, int, const study::ItemAnswer& answer) {
+            return deserves_rerun(stage, answer);
+        });
+    }
+
+    /// Items that read what has changed since; says which.
+    void drop_outdated() {
+        int n_said = 0;
+        const int n = drop(
+            [&](const study::Stage& stage, int item, const study::ItemAnswer& answer) {
+                const std::string why = stage.outdated(item, answer);
+                if (!why.empty() && ++n_said <= most_said) say("doing again: " + why);
+                return !why.empty();
+            });
+        if (n > most_said)
+            say(fmt::format("doing again: {} more, for the same reason", n - most_said));
     }
 
     bool is_complete_already() {

@@ -114,7 +114,7 @@ job::StockNight night_of(const JobOptions& options, double hours, Work& work) {
     job::StockNight night;
     night.version = options.version;
     if (!options.last_night.empty()) {
-        const store::ResultFile last = store::read_result(options.last_night);
+        const store::ResultFile last = store::read_result(options.last_night, "stock");
         night.before = job::records_in(last.datasets);
         if (night.before.empty())
             throw UserError(

@@ -155,14 +155,14 @@ std::string take(std::map<std::string, std::string>& attributes, const char* nam
     return node ? node.mapped() : std::string();
 }
 
-ResultFile read_open(const hdf5::File& file) {
+ResultFile read_open(const hdf5::File& file, const std::string& group) {
     ResultFile result;
     result.attributes = file.attributes("/");
     result.complete = take(result.attributes, complete_mark) == "yes";
     result.hash = take(result.attributes, hash_mark);
     if (file.has(run_group)) result.run = file.attributes(run_group);
     for (const std::string& path : file.dataset_paths())
-        if (!path.starts_with("run/"))
+        if (!path.starts_with("run/") && (group.empty() || path.starts_with(group + "/")))
             result.datasets.push_back(read_dataset(file, path));
     return result;
 }
@@ -197,7 +197,7 @@ std::string write_result(const std::filesystem::path& file, const ResultFile& re
     return hash;
 }
 
-ResultFile read_result(const std::filesystem::path& file) {
+ResultFile read_result(const std::filesystem::path& file, const std::string& group) {
     if (!std::filesystem::exists(file))
         throw UserError(ExitCode::no_input,
                         fmt::format("{}: no such file", file.string()));
@@ -206,7 +206,7 @@ ResultFile read_result(const std::filesystem::path& file) {
             ExitCode::no_input,
             fmt::format("{}: is a folder; expected a result file", file.string()));
     try {
-        ResultFile result = read_open(hdf5::File::open(file));
+        ResultFile result = read_open(hdf5::File::open(file), group);
         if (!result.attributes.contains("program"))
             throw hdf5::Error("it is an HDF5 file, but bemcal-batch did not write it");
         return result;

@@ -31,6 +31,7 @@ std::string result_hash(const ResultFile& result);
 std::string write_result(const std::filesystem::path& file, const ResultFile& result);
 
 /// Throws UserError where the file is missing or not one of ours.
-ResultFile read_result(const std::filesystem::path& file);
+/// \param group  whose datasets are read; empty = all
+ResultFile read_result(const std::filesystem::path& file, const std::string& group = "");
 
 }  // namespace bemcal::store

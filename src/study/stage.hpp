@@ -74,6 +74,13 @@ class Stage {
     /// Whether a failed point may succeed when it is done again: not where its input
     /// alone decides. (A whole item that fails always may.)
     virtual bool failures_may_pass() const { return false; }
+    /// Why an answer that an earlier run left does not hold any more (a file that it read
+    /// has changed), in a sentence; empty = it holds.
+    virtual std::string outdated(int item, const ItemAnswer& answer) const {
+        static_cast<void>(item);
+        static_cast<void>(answer);
+        return {};
+    }
     /// A target that was not reached, in a sentence ("not converged: ..."); empty = none.
     /// The result is written all the same; the exit code says so.
     virtual std::string shortfall(const std::vector<ItemAnswer>&) const { return {}; }

@@ -50,7 +50,8 @@ TEST(StockRecord, ComesBackFromDatasetsAmongOthers) {
     bare.name = "bare";
     bare.status = "failed";
     const std::vector<StockRecord> records{bare, some_record(), bare};
-    const auto again = records_in(datasets_of(records));
+    const auto again = records_in(
+        datasets_of(records.size(), [&](std::size_t k) { return records[k]; }));
     ASSERT_EQ(again.size(), 3U);
     for (std::size_t k = 0; k < 3; ++k) expect_same(again[k], records[k]);
     EXPECT_TRUE(records_in({}).empty());
@@ -82,12 +83,12 @@ TEST(StockDrift, OfTheErrorIsTheRecentRmseOverThatOfTraining) {
     EXPECT_EQ(now.drift, "error of gas: RMSE 3.1 kWh in recent, 2 in training");
 }
 
-std::vector<double> some_days(double factor, int first) {
-    std::vector<double> days(180);
+std::vector<float> some_days(double factor, int first) {
+    std::vector<float> days(180);
     for (int k = 0; k < 180; ++k) {
         const double day = k + first;
-        days[static_cast<std::size_t>(k)] =
-            factor * (100 + 60 * std::cos(day / 58) + 25 * std::sin(day * day));
+        days[static_cast<std::size_t>(k)] = static_cast<float>(
+            factor * (100 + 60 * std::cos(day / 58) + 25 * std::sin(day * day)));
     }
     return days;
 }
@@ -106,7 +107,7 @@ std::vector<StockRecord> three_buildings() {
     records[2].name = "neighbour";
     records[2].daily = some_days(1, 0);
     for (std::size_t k = 0; k < 180; ++k)
-        records[2].daily[k] *= 1 + 0.2 * std::sin(3.0 * static_cast<double>(k));
+        records[2].daily[k] *= 1 + 0.2F * std::sin(3.0F * static_cast<float>(k));
     return records;
 }
 
@@ -136,7 +137,7 @@ TEST(StockShared, LooksAnewWhereOneOfTwoWasWorkedOnOrIsGone) {
     auto records = three_buildings();
     find_shared_meters(records);
     records[0].age = 1;
-    for (double& day : records[1].daily) day *= 2;
+    for (float& day : records[1].daily) day *= 2;
     find_shared_meters(records);
     ASSERT_EQ(records[0].findings.size(), 1U);
     EXPECT_EQ(records[0].findings[0].finding,

@@ -119,6 +119,41 @@ class Nights(unittest.TestCase):
                 self.assertIn(self.stock.lines[k]["name"], page)
 
 
+class ChangedSince(unittest.TestCase):
+    def test_a_building_whose_file_has_changed_is_done_again_by_resume(self):
+        with tempfile.TemporaryDirectory() as holder:
+            folder = pathlib.Path(holder)
+            stock = made.make(folder, 12, 2, seed=6, broken_share=0)
+            job, result, whole = folder / "made.toml", folder / "stopped.h5", folder / "whole.h5"
+            job.write_text(made.job_text(POINTS))
+            run = lambda *words: subprocess.run(command(1, "run", job, "--no-report", "-o", *words), env=ENVIRONMENT,
+                                                capture_output=True, text=True)
+            # With a failed building the log stays; without the result the run is one that was killed at its end.
+            last = folder / stock.lines[-1]["meter"]
+            readings = last.read_bytes()
+            last.write_bytes(b"")
+            job.write_text(job.read_text() + "[output]\nmax_failed_share = 0.5\n")
+            self.assertEqual(run(result).returncode, 0)
+            result.unlink()
+            template = folder / "building.toml"
+            template.write_text(made.BUILDING + "# another\n")
+            refused = run(result, "--resume")
+            self.assertNotEqual(refused.returncode, 0)
+            self.assertIn("building.toml has changed since", refused.stderr)
+            template.write_text(made.BUILDING)
+
+            last.write_bytes(readings)
+            (changed,) = made.change(stock, 1 / 12)
+            again = run(result, "--resume")
+            self.assertEqual(again.returncode, 0, again.stderr)
+            for k in (changed, 11):
+                line = stock.lines[k]
+                self.assertIn(f"doing again: {line['name']}: {line['meter']} has changed since", again.stderr)
+            self.assertEqual(again.stderr.count("doing again: "), len({changed, 11}))
+            self.assertEqual(run(whole).returncode, 0)
+            self.assertEqual(hash_of(result), hash_of(whole))
+
+
 class SecondNight(unittest.TestCase):
     def test_only_what_has_changed_is_done_again_from_where_it_was(self):
         with tempfile.TemporaryDirectory() as holder:

@@ -70,6 +70,16 @@ TEST(ResultFile, IsReadBackAsItWasWritten) {
     EXPECT_EQ(result_hash(read), hash);
 }
 
+TEST(ResultFile, OfOneGroupOnlyItsDatasetsAreRead) {
+    const test::TemporaryFolder folder;
+    const std::string hash = write_result(folder / "a.h5", example());
+    const ResultFile read = read_result(folder / "a.h5", "office/screen");
+    EXPECT_EQ(read.datasets.size(), 3U);
+    EXPECT_EQ(dataset(read, "office/screen/candidate").texts[1], "best");
+    EXPECT_EQ(read.hash, hash);
+    EXPECT_TRUE(read_result(folder / "a.h5", "offi").datasets.empty());
+}
+
 TEST(ResultFile, TheHashCoversEverythingButTheRun) {
     const std::string hash = result_hash(example());
     ResultFile other = example();
