@@ -2,7 +2,7 @@
 """The result hash on 1, 2, 3, 7, 16 ranks with 1 and 2 threads, on 64 ranks, and when 4, 2 and then 7
 ranks go on with each other's work: of the quickstart's analyses, and of a made stock.
 
-Usage: bench_same_hash.py [--buildings 120]
+Usage: bench_same_hash.py [--buildings 60]
 
 Prints each hash, then `name value unit reference ratio`: how many different ones there were, of one.
 """
@@ -105,7 +105,7 @@ def measure(name, job, folder):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("--buildings", type=int, default=120)
+    parser.add_argument("--buildings", type=int, default=60)
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as other:
         jobs = {"quickstart": small_quickstart(pathlib.Path(one)),

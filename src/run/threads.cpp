@@ -65,7 +65,7 @@ std::map<std::string, std::set<int>> cores_of_hosts(const std::vector<Placement>
 Bound most_telling(const std::string& host, const std::set<int>& all,
                    const std::vector<Placement>& ranks,
                    const std::vector<int>& n_threads) {
-    const Bound whole = bound_to({all.begin(), all.end()}, host, ranks, n_threads);
+    Bound whole = bound_to({all.begin(), all.end()}, host, ranks, n_threads);
     if (whole.is_crowded()) return whole;
     for (const Placement& rank : ranks) {
         if (rank.host != host) continue;
