@@ -55,7 +55,7 @@ physics::Drive profiles_of(const Sources& sources, const Case& building,
 
 void check_set_points(const Section& section, const physics::Zone& zone,
                       const physics::Drive& drive) {
-    if (zone.thermostat.imposed) return;
+    if (zone.thermostat.imposed || zone.radiator) return;
     for (int step = 0; step < drive.n_steps(); ++step) {
         const double heating = drive.at(zone.thermostat.heating_set_point, step);
         const double cooling = drive.at(zone.thermostat.cooling_set_point, step);

@@ -189,15 +189,17 @@ double steps_of(const StudySpec& study, const Case& building) {
            static_cast<double>(building.building.zones.size());
 }
 
-bool is_coupled(const Case& building) {
-    return std::any_of(building.building.zones.begin(), building.building.zones.end(),
-                       [](const physics::Zone& zone) { return !zone.couplings.empty(); });
-}
-
 /// Rough costs of a zone-step on one core with AVX2 [s]: sums only, and errors against
 /// meters; `bench kernel` measures the real ones.
-constexpr double sums_step_s = 1e-9, errors_step_s = 2e-9, coupled_step_s = 3e-7;
+constexpr double sums_step_s = 1e-9, errors_step_s = 2e-9, plain_step_s = 3e-7,
+                 radiator_step_s = 2e-6;
 constexpr double office_hour_s = 1e-6;
+
+bool has_radiator(const Case& building) {
+    return std::ranges::any_of(building.building.zones, [](const physics::Zone& zone) {
+        return zone.radiator.has_value();
+    });
+}
 
 /// Rough numbers of simulations for one transition of a chain: a nuts trajectory has
 /// about 2^4 gradients, at three times the cost of a simulation.
@@ -253,7 +255,8 @@ double seconds_of(const StudySpec& study, const Case* building, double n) {
         return study.koh.runs ? 0 : koh_seconds(study.koh.options);
     if (building == nullptr) return n * office_hour_s;
     const double steps = n * steps_of(study, *building);
-    if (is_coupled(*building)) return steps * coupled_step_s;
+    if (has_radiator(*building)) return steps * radiator_step_s;
+    if (physics::runs_plain(building->building)) return steps * plain_step_s;
     return steps * (study.kind == StudyKind::sensitivity ? sums_step_s : errors_step_s);
 }
 

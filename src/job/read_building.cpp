@@ -51,10 +51,12 @@ class NumberReader {
   public:
     explicit NumberReader(const std::vector<Profile>& profiles) : profiles_(profiles) {}
 
-    /// Every field of the part: as written, or its default.
-    void read(const Section& section, Part part, void* object) const {
+    /// Every field of the part: as written, or its default. One may be left out, since it
+    /// follows from others.
+    void read(const Section& section, Part part, void* object,
+              std::string_view left_out = "") const {
         for (const Field& field : physics::fields()) {
-            if (field.part != part) continue;
+            if (field.part != part || field.key == left_out) continue;
             if (field.constant != nullptr)
                 *field.constant(object) = section.number(field.key);
             else
@@ -154,7 +156,9 @@ class BuildingReader {
              sources_.with("construction").tables("construction", "construction")) {
             physics::Construction construction;
             construction.name = section.text("name");
-            numbers_.read(section, Part::construction, &construction);
+            read_layers(section, construction);
+            numbers_.read(section, Part::construction, &construction,
+                          construction.layers.empty() ? "" : "u_value");
             add_named(section, std::move(construction), building_.constructions);
         }
         for (const Section& section :
@@ -174,6 +178,17 @@ class BuildingReader {
             numbers_.read(section, Part::boundary, &boundary);
             add_named(section, std::move(boundary), building_.boundaries);
         }
+    }
+
+    void read_layers(const Section& section, physics::Construction& construction) {
+        for (const Section& part : section.tables("layer", "construction.layer")) {
+            physics::Layer layer;
+            layer.name = name_or_number(part, construction.layers, "layer");
+            numbers_.read(part, Part::layer, &layer);
+            add_named(part, std::move(layer), construction.layers);
+        }
+        if (!construction.layers.empty() && section.has("u_value"))
+            section.fail("u_value", "follows from the layers; remove it, or them");
     }
 
     int boundary_of(const Section& section, const char* key) {
@@ -252,7 +267,7 @@ class BuildingReader {
         Zone zone;
         zone.name = section.text("name");
         numbers_.read(section, Part::zone, &zone);
-        if (section.has("class")) read_class(section, zone);
+        if (section.has("radiator")) read_radiator(section, zone);
         zone.thermostat.imposed = section.has("imposed_power");
         for (const char* key : {"heating_set_point", "cooling_set_point"})
             if (zone.thermostat.imposed && section.has(key))
@@ -266,11 +281,47 @@ class BuildingReader {
             read_flow(part, zone);
         for (const Section& part : section.tables("load", "zone.load"))
             read_load(part, zone);
+        if (section.has("class")) read_class(section, zone);
         add_named(section, std::move(zone), building_.zones);
     }
 
-    static void read_class(const Section& section, Zone& zone) {
+    void read_radiator(const Section& section, Zone& zone) {
+        for (const char* key :
+             {"heating_set_point", "heating_capacity", "heating_available",
+              "imposed_power", "emitter_time_constant", "emitter_radiant_share"})
+            if (section.has(key))
+                section.fail(key,
+                             "has no effect beside [zone.radiator]; remove one of them");
+        const Section part = section.table("radiator", "zone.radiator");
+        physics::ZoneRadiator& radiator = zone.radiator.emplace();
+        numbers_.read(part, Part::radiator, &radiator);
+        radiator.radiator.n_elements = static_cast<int>(part.integer("elements"));
+        const bool measured = part.has("supply_temperature");
+        if (measured && !part.has("supply_measured")) radiator.measured.value = 1;
+        for (const char* key : {"supply_measured", "flow"})
+            if (!measured && part.has(key))
+                part.fail(key,
+                          "has no effect without supply_temperature; add that, or "
+                          "remove this");
+    }
+
+    void check_layers(const Section& section, const Zone& zone) const {
+        for (const char* key : {"heat_capacity", "mass_area_ratio"})
+            if (section.has(key))
+                section.fail(key, "follows from the layers; remove it, or class");
+        for (const physics::Surface& surface : zone.surfaces)
+            if (!building_.constructions[static_cast<std::size_t>(surface.construction)]
+                     .layers.empty())
+                return;
+        section.fail_value("class",
+                           "no surface of the zone has layers; expected a construction "
+                           "with [[construction.layer]], or another class");
+    }
+
+    void read_class(const Section& section, Zone& zone) const {
         const auto index = static_cast<std::size_t>(section.choice_as<int>("class"));
+        zone.capacity_of_layers = index == std::size(physics::capacity_classes);
+        if (zone.capacity_of_layers) return check_layers(section, zone);
         const physics::CapacityClass& capacity = physics::capacity_classes[index];
         if (!section.has("heat_capacity")) zone.heat_capacity = capacity.heat_capacity;
         if (!section.has("mass_area_ratio"))
@@ -307,7 +358,9 @@ class BuildingReader {
 
 physics::Building read_building(const Sources& sources,
                                 const std::vector<physics::Profile>& profiles) {
-    return BuildingReader(sources, profiles).read();
+    Building building = BuildingReader(sources, profiles).read();
+    read_links(sources, building);
+    return building;
 }
 
 }  // namespace bemcal::job

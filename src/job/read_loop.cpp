@@ -2,6 +2,7 @@
 /// will do.
 #include "effects/catalogue.hpp"
 #include "job/readers.hpp"
+#include "physics/response.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -64,6 +65,11 @@ void check_loop(const Section& section, const study::LoopOptions& options,
     check_exclude(section, options);
     const Learning learning{options.period, options.parameters, options.meters};
     for (const study::Case& building : buildings) {
+        if (!physics::has_derivatives(building.building))
+            section.fail_value("kind",
+                               building.name +
+                                   " has coupled zones, a radiator or linked numbers, "
+                                   "which have no derivatives; expected another study");
         check_parameters(section, learning, building);
         check_meters(section, learning, building);
         check_columns(section, options, building);

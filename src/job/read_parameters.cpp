@@ -1,5 +1,6 @@
 /// [[parameter]]: uncertain numbers of the building, their ranges, and what they enter.
 #include "job/readers.hpp"
+#include "physics/derived.hpp"
 
 #include <algorithm>
 
@@ -28,6 +29,12 @@ void read_targets(const Section& section, const Building& building,
             at_key(section, "target", [&] { return physics::resolve(building, path); });
         parameter.targets.insert(parameter.targets.end(), found.begin(), found.end());
     }
+    for (const Target& target : parameter.targets)
+        if (physics::is_derived(building, target))
+            section.fail("target",
+                         fmt::format("{} follows from others, by a [[link]] or from "
+                                     "layers; expected one of those in its place",
+                                     field_of(target).key));
     for (const Target& target : parameter.targets)
         if (std::string_view(field_of(target).unit) !=
             std::string_view(field_of(parameter.targets[0]).unit))
@@ -82,6 +89,18 @@ void check_range(const Section& section, const Building& building,
               parameter.most);
 }
 
+/// What follows from the parameter stays within its ranges, too.
+void check_links(const Section& section, const Building& building,
+                 const Parameter& parameter) {
+    Building changed = building;
+    const bool has_values = section.has("values");
+    for (const double end : {parameter.least, parameter.most}) {
+        physics::apply(building, {&parameter, 1}, {&end, 1}, changed);
+        const char* key = has_values ? "values" : end == parameter.least ? "min" : "max";
+        check_linked(section, key, changed);
+    }
+}
+
 /// A factor has none, and a shift of a temperature is a difference.
 std::string unit_of(const Parameter& parameter) {
     if (parameter.effect == Effect::factor) return "-";
@@ -98,16 +117,12 @@ double nominal_of(const Building& building, const Parameter& parameter) {
 /// Two parameters that write to the same place: the later one would undo the earlier.
 void check_overlap(const Section& section, const std::vector<Parameter>& before,
                    const Parameter& parameter) {
-    const auto same = [](const Target& a, const Target& b) {
-        return a.part == b.part && a.index == b.index && a.inner == b.inner &&
-               a.field == b.field && a.slot == b.slot;
-    };
     for (const Parameter& other : before) {
         if (other.name == parameter.name)
             section.fail_value("name", "another parameter has this name");
         for (const Target& a : other.targets)
             for (const Target& b : parameter.targets)
-                if (same(a, b))
+                if (physics::is_same_number(a, b))
                     section.fail("target",
                                  fmt::format("sets the same {} as the parameter {}",
                                              field_of(b).key, other.name));
@@ -121,6 +136,7 @@ Parameter read_parameter(const Section& section, const Building& building) {
     read_range(section, parameter);
     read_targets(section, building, parameter);
     check_range(section, building, parameter);
+    check_links(section, building, parameter);
     parameter.unit = unit_of(parameter);
     parameter.nominal = nominal_of(building, parameter);
     return parameter;

@@ -1,5 +1,6 @@
 /// [[scenario]] and the [[study]] of kind "retrofit" that applies them.
 #include "job/readers.hpp"
+#include "physics/derived.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -51,6 +52,12 @@ ScenarioChange read_change(const Section& section, const study::Case& building) 
                  return physics::resolve(building.building, path);
              }))
             change.targets.push_back(target);
+    for (const physics::Target& target : change.targets)
+        if (physics::is_derived(building.building, target))
+            section.fail("target",
+                         fmt::format("{} follows from others, by a [[link]] or from "
+                                     "layers; expected one of those in its place",
+                                     field_of(target).key));
     const Way& way = way_of(section);
     change.by = way.by;
     change.amount = section.number(way.key);

@@ -1,9 +1,11 @@
 /// [[schedule]], [[series]] and the holidays.
+#include "base/error.hpp"
 #include "job/readers.hpp"
 #include "job/timed_csv.hpp"
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -71,8 +73,37 @@ std::vector<physics::DateRange> read_dates(const Section& section, const char* k
     return ranges;
 }
 
+/// The days of a register with their numbers; a day may stand in it once.
+std::map<std::chrono::sys_days, double> read_register(const Section& section,
+                                                      InputFiles& files) {
+    const Csv& csv =
+        files.csv(section.path(section.text("register")), section.where("register"));
+    const std::size_t column = csv.column(section.text("register_column"));
+    std::map<std::chrono::sys_days, double> days;
+    for (std::size_t row = 0; row < csv.n_rows(); ++row) {
+        const std::string date(csv.cell(row, 0)),
+            where = fmt::format("{}:{}", csv.file, csv.lines[row]);
+        const double number = number_in(csv, row, column);
+        if (!(number >= 0))
+            throw UserError(ExitCode::data,
+                            where + ": expected a number of persons, 0 or more");
+        try {
+            const auto day =
+                std::chrono::floor<std::chrono::days>(physics::parse_time(date));
+            if (!days.emplace(day, number).second)
+                throw UserError(ExitCode::data, fmt::format("{}: {} stands there twice; "
+                                                            "expected one row a day",
+                                                            where, date));
+        } catch (const std::invalid_argument& error) {
+            throw UserError(ExitCode::data, fmt::format("{}: {}", where, error.what()));
+        }
+    }
+    return days;
+}
+
 physics::Profile read_schedule(const Section& section,
-                               const std::vector<physics::DateRange>& holidays) {
+                               const std::vector<physics::DateRange>& holidays,
+                               InputFiles& files) {
     physics::Profile profile;
     physics::Schedule& schedule = profile.schedule;
     profile.name = schedule.name = section.text("name");
@@ -82,6 +113,10 @@ physics::Profile read_schedule(const Section& section,
     schedule.holidays =
         section.has("holidays") ? read_dates(section, "holidays") : holidays;
     schedule.summer_time = section.choice("summer_time");
+    if (section.has("register"))
+        schedule.days = read_register(section, files);
+    else if (section.has("register_column"))
+        section.fail("register_column", "has no effect without register");
     for (const Section& part : section.tables("period", "schedule.period"))
         schedule.periods.push_back(
             {at_key(part, "dates",
@@ -122,7 +157,7 @@ std::vector<physics::Profile> read_profiles(const Sources& sources, InputFiles& 
         read_dates(sources.with("holidays"), "holidays");
     std::vector<physics::Profile> profiles;
     for (const Section& section : sources.with("schedule").tables("schedule", "schedule"))
-        add(profiles, read_schedule(section, holidays), section);
+        add(profiles, read_schedule(section, holidays, files), section);
     for (const Section& section : sources.with("series").tables("series", "series"))
         add(profiles, read_series(section, files, site), section);
     return profiles;

@@ -48,6 +48,17 @@ std::vector<study::NamedRange> read_ranges(const Section& stage) {
     return ranges;
 }
 
+std::vector<study::NamedValue> read_set(const Section& stage) {
+    std::vector<study::NamedValue> set;
+    if (!stage.has("set")) return set;
+    const Section table = stage.table("set", "study.set");
+    const Key row{"study.set", "", Type::number, "", nullptr, -1e300, 1e300, ""};
+    for (const Entry& entry : table.root().entries)
+        set.push_back({entry.key, checked_number(table.node(entry.key), row,
+                                                 table.where(entry.key))});
+    return set;
+}
+
 /// What the stage says of its own; the rest is the study's.
 void read_own_fit(const Section& stage, study::OptimisationOptions& fit) {
     stage.number_if("evaluations", fit.evaluations);
@@ -73,6 +84,7 @@ study::CalibrationStage read_stage(const Section& stage, const std::string& befo
     read.parameters = stage.texts("parameters");
     if (stage.has("around")) read.around = stage.number("around");
     read.ranges = read_ranges(stage);
+    read.set = read_set(stage);
     read.fit = fit;
     read_own_fit(stage, read.fit);
     return read;
@@ -91,6 +103,20 @@ void check_ranges(const Section& stage, const study::CalibrationStage& read,
                                    "the parameter's range, {} to {}",
                                    range.parameter, plain(range.least), plain(range.most),
                                    plain(found->least), plain(found->most)));
+    }
+}
+
+void check_set(const Section& stage, const study::CalibrationStage& read,
+               const study::Case& building) {
+    for (const study::NamedValue& each : read.set) {
+        const auto found = std::ranges::find(building.parameters, each.parameter,
+                                             &physics::Parameter::name);
+        if (found == building.parameters.end()) continue;  // the study says so itself
+        if (each.value < found->least || each.value > found->most)
+            stage.fail("set", fmt::format("{} = {} is outside the parameter's range, {} "
+                                          "to {}",
+                                          each.parameter, plain(each.value),
+                                          plain(found->least), plain(found->most)));
     }
 }
 
@@ -117,6 +143,7 @@ void check_stage(const Section& stage, const study::CalibrationStage& read,
     check_words(stage, "meters", read.fit.meters, names_of(building.meters),
                 "meter of " + building.name);
     check_ranges(stage, read, building);
+    check_set(stage, read, building);
 }
 
 }  // namespace

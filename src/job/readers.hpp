@@ -55,6 +55,12 @@ std::vector<study::Column> read_columns(const Sources& sources);
 physics::Building read_building(const Sources& sources,
                                 const std::vector<physics::Profile>& profiles);
 
+/// [[link]], into the building, and all that follows from its numbers.
+void read_links(const Sources& sources, physics::Building& building);
+/// Throws UserError at `key` where a linked number leaves its range.
+void check_linked(const Section& section, const char* key,
+                  const physics::Building& building);
+
 /// Throws UserError (config) where the building is outside the method: H_tr,op >=
 /// H_tr,ms, an area that is not positive, heating above cooling set-points in an hour of
 /// the periods.

@@ -10,10 +10,11 @@ namespace bemcal::job {
 
 namespace {
 
-constexpr const char* part_sections[] = {"construction",  "glazing",      "boundary",
-                                         "zone",          "zone.surface", "zone.window",
-                                         "zone.flow",     "zone.load",    "plant",
-                                         "zone.coupling", "meter"};
+constexpr const char* part_sections[] = {
+    "construction", "glazing",       "boundary",  "zone",
+    "zone.surface", "zone.window",   "zone.flow", "zone.load",
+    "plant",        "zone.coupling", "meter",     "construction.layer",
+    "zone.radiator"};
 
 /// A number of a building as a row of the schema. Its default is written out for
 /// `describe`.

@@ -245,6 +245,7 @@ constexpr Key table[] = {
      "Range: this share of the value carried over, up and down, within the parameter's; "
      "default: the parameter's."},
     {"study.calibration_stage", "ranges", Type::table, "", "", 0, 0, "[study.ranges]"},
+    {"study.calibration_stage", "set", Type::table, "", "", 0, 0, "[study.set]"},
     {"study.calibration_stage", "evaluations", Type::integer, "", "", 1, 1e9,
      "These and the following default to the study's."},
     {"study.calibration_stage", "seed", Type::integer, "", "", 0, 1e15, ""},

@@ -21,15 +21,10 @@ const kernel::Table& table_of(InstructionSet set) {
     }
 }
 
-bool is_coupled(const Building& building) {
-    return std::any_of(building.zones.begin(), building.zones.end(),
-                       [](const Zone& zone) { return !zone.couplings.empty(); });
-}
-
 void plan_all(Batch::Plan& plan) {
     const Nominal nominal{plan.nominal, plan.parameters, plan.drive, plan.table.lanes};
     ProfileClasses classes(plan.drive);
-    if (!plan.coupled)
+    if (!plan.plain)
         for (std::size_t zone = 0; zone < plan.nominal.zones.size(); ++zone)
             plan.zones.push_back(plan_zone(nominal, zone, classes));
     for (std::size_t q = 0; q < n_quantities; ++q) {
@@ -40,7 +35,7 @@ void plan_all(Batch::Plan& plan) {
     }
 }
 
-/// A coupled building's lane: the whole period at once.
+/// A lane of a building that runs plain: the whole period at once.
 void run_plain(Batch::Group& group, int lane) {
     const Building& building = group.buildings[static_cast<std::size_t>(lane)];
     const Drive& drive = group.plan.drive;
@@ -61,7 +56,7 @@ void run_plain(Batch::Group& group, int lane) {
 std::string prepare_lane(std::span<const double> point, int lane, Batch::Group& group) {
     try {
         group.write_lane(point, lane);
-        if (group.plan.coupled) run_plain(group, lane);
+        if (group.plan.plain) run_plain(group, lane);
         return {};
     } catch (const std::domain_error& error) {
         group.clear_lane(lane);
@@ -71,13 +66,20 @@ std::string prepare_lane(std::span<const double> point, int lane, Batch::Group& 
 
 }  // namespace
 
+bool runs_plain(const Building& building) {
+    return std::any_of(building.zones.begin(), building.zones.end(),
+                       [](const Zone& zone) {
+                           return !zone.couplings.empty() || zone.radiator.has_value();
+                       });
+}
+
 Batch::Batch(const Building& nominal, std::vector<Parameter> parameters,
              const Drive& drive, InstructionSet set)
     : plan_(new Plan{nominal,
                      std::move(parameters),
                      drive,
                      table_of(set),
-                     is_coupled(nominal),
+                     runs_plain(nominal),
                      plan_months(drive),
                      {},
                      {},

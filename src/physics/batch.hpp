@@ -4,8 +4,8 @@
 /// whose coefficients hold while the conductances and set-points hold (a "regime"); the
 /// time loop (kernel.hpp, one file per instruction set) reduces while it runs. A lane's
 /// bits depend on its point only: not on the lane, its neighbours, the compiler or the
-/// instruction set. Zones coupled to each other are not for the kernel: such buildings
-/// run plain, point by point, behind the same interface.
+/// instruction set. Zones coupled to each other, or with a radiator, are not for the
+/// kernel: such buildings run plain, point by point, behind the same interface.
 #pragma once
 
 #include "base/matrix.hpp"
@@ -22,6 +22,9 @@ namespace bemcal::physics {
 
 enum class InstructionSet { scalar, v3, v4 };
 const char* name_of(InstructionSet set);
+
+/// Whether the building is not for the kernel.
+bool runs_plain(const Building& building);
 
 constexpr double start_temperature = 20;  ///< of all nodes before the warm-up [degC]
 

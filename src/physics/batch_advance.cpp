@@ -10,7 +10,7 @@ namespace {
 /// order.
 template <class See>
 void see_rows(Batch::Group& group, int begin, int end, Quantity quantity, See see) {
-    if (group.plan.coupled) {
+    if (group.plan.plain) {
         LaneArray& rows = group.plain[static_cast<std::size_t>(quantity)];
         const auto first = static_cast<std::size_t>(begin - group.plan.drive.n_warm_up);
         if (!rows.empty()) see(rows.column(first), end - begin);

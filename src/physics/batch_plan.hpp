@@ -17,9 +17,9 @@ struct Batch::Plan {
     std::vector<Parameter> parameters;
     const Drive& drive;
     const kernel::Table& table;
-    bool coupled = false;              ///< then every point runs plain
+    bool plain = false;                ///< runs_plain
     std::vector<Span> months, chunks;  ///< of the period, in steps of the drive
-    std::vector<ZonePlan> zones;       ///< empty where coupled
+    std::vector<ZonePlan> zones;       ///< empty where plain
     std::array<MeterPlan, n_quantities> meters;
     std::array<std::vector<int>, n_intervals> bounds;  ///< in steps of the period
 
@@ -84,7 +84,7 @@ struct Batch::Group {
     std::vector<Building>& buildings;  ///< [lanes] points written into the nominal
     std::optional<Quantity> meter_at_once;
     std::vector<Zone> zones;
-    std::array<LaneArray, n_quantities> plain;  ///< of coupled buildings, over the period
+    std::array<LaneArray, n_quantities> plain;  ///< where the plan is, over the period
 
   private:
     void make_room(kernel::Show show);

@@ -5,10 +5,13 @@
 /// are constants.
 #pragma once
 
+#include "physics/radiator.hpp"
 #include "physics/sky.hpp"
+#include "physics/target.hpp"
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,12 +47,22 @@ struct Input {
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr int outdoors = -1;  ///< boundary index of the outdoor air
 
+struct Layer {  ///< of one material
+    std::string name;
+    double thickness = 0;      ///< [m]
+    double conductivity = 0;   ///< [W/(m K)]
+    double density = 0;        ///< [kg/m3]
+    double specific_heat = 0;  ///< [J/(kg K)]
+};
+
 struct Construction {  ///< of opaque surfaces
     std::string name;
-    Input u_value;                      ///< [W/(m2 K)]
+    Input u_value;                      ///< [W/(m2 K)]; follows from layers, if any
     double solar_absorptance = 0.6;     ///< [-]
     double emissivity = 0.9;            ///< long-wave [-]
     double external_resistance = 0.04;  ///< R_se [m2 K/W]
+    double internal_resistance = 0.13;  ///< R_si [m2 K/W], with layers
+    std::vector<Layer> layers{};        ///< from outside to inside
 };
 
 struct Glazing {
@@ -60,6 +73,7 @@ struct Glazing {
     double frame_fraction = 0.2;    ///< F_F [-]
     double emissivity = 0.9;
     double external_resistance = 0.04;
+    double type = 1;  ///< which row of a link's table it is
     /// Plane::modifier of the windows with this glazing.
     std::vector<double> angle_modifier;
 };
@@ -149,6 +163,18 @@ struct OutdoorShift {
     Input windows;  ///< at windows
 };
 
+/// A zone's heating by a radiator (radiator.hpp) in place of a thermostat: its water is
+/// at the heating curve's temperature and flows as that says, or at temperature and flow
+/// as they were measured.
+struct ZoneRadiator {
+    Radiator radiator;
+    HeatingCurve curve;
+    Input scheduled{1, 0, -1};            ///< > 0.5: hours in which the curve holds
+    Input measured{0, 0, -1};             ///< > 0.5: the two below hold, not the curve
+    Input supply_temperature{20, 0, -1};  ///< [degC]
+    Input flow{1, 0, -1};                 ///< of the radiator's most_flow [-]
+};
+
 struct ZoneCoupling {  ///< to another zone, by its air temperature of the last step
     int zone = 0;
     Input conductance;  ///< [W/K], at the air node of both
@@ -174,6 +200,9 @@ struct Zone {
     Structure structure;
     Venting venting;
     OutdoorShift outdoor_shift;
+    std::optional<ZoneRadiator> radiator;
+    /// heat_capacity and mass_area_ratio follow from the layers of its surfaces.
+    bool capacity_of_layers = false;
     std::vector<ZoneCoupling> couplings;
 };
 
@@ -187,6 +216,22 @@ struct Plant {
     double heating_auxiliary = 0, cooling_auxiliary = 0;
 };
 
+/// Numbers that follow from others: a polynomial of them, or the row of a table that one
+/// of them names.
+struct Link {
+    struct Term {
+        double factor = 0;
+        std::vector<int> exponents;  ///< [sources]
+    };
+    struct Row {
+        double key = 0;
+        std::vector<double> values;  ///< [targets]
+    };
+    std::vector<Target> targets, sources;
+    std::vector<Term> terms;  ///< of a polynomial, which all targets get
+    std::vector<Row> rows;    ///< of a table: the row nearest to the only source holds
+};
+
 struct Building {
     std::string name;
     std::vector<Construction> constructions;
@@ -195,6 +240,7 @@ struct Building {
     std::vector<Plane> planes;  ///< every distinct plane that a surface or window names
     std::vector<Zone> zones;
     Plant plant;
+    std::vector<Link> links;  ///< in the order in which they are followed
     /// What a meter shows per what flows through it, by Quantity; of the air temperature
     /// it must stay 1.
     std::array<Input, 6> meter_factor = {Input{1}, Input{1}, Input{1},

@@ -72,7 +72,7 @@ std::string why_not_finite(const Building& building, const Drive& drive) {
 
 std::vector<PointAnswer> Batch::evaluate(const Matrix& points,
                                          const Request& request) const {
-    if (plan_->coupled) return evaluate_plain(*plan_, points, request);
+    if (plan_->plain) return evaluate_plain(*plan_, points, request);
     const RequestPlan request_plan(request, *plan_);
     Reduction reduction(request_plan, *plan_);
     const GroupPointer group = make_group();

@@ -57,6 +57,16 @@ constexpr Access of_outdoor_shift() {
     return input<&Zone::outdoor_shift, member>();
 }
 
+template <auto member>
+constexpr Access of_radiator() {
+    return constant<&ZoneRadiator::radiator, member>();
+}
+
+template <auto member>
+constexpr Access of_curve() {
+    return constant<&ZoneRadiator::curve, member>();
+}
+
 /// The part is the input.
 constexpr Access itself() {
     return {[](void* part) { return static_cast<Input*>(part); }, nullptr};
@@ -73,6 +83,18 @@ constexpr Field table[] = {
     row(Part::construction, "external_resistance", "m2 K/W", 0.04, 0, 1,
         "resistance of the outer film, R_se", constant<&Construction::external_resistance>()),
 
+    row(Part::construction, "internal_resistance", "m2 K/W", 0.13, 0, 1,
+        "with layers: resistance of the inner film, R_si", constant<&Construction::internal_resistance>()),
+
+    row(Part::layer, "thickness", "m", required, 1e-4, 10,
+        "of the layer", constant<&Layer::thickness>()),
+    row(Part::layer, "conductivity", "W/(m K)", required, 1e-3, 500,
+        "thermal conductivity, lambda", constant<&Layer::conductivity>()),
+    row(Part::layer, "density", "kg/m3", required, 1, 20000,
+        "density, rho", constant<&Layer::density>()),
+    row(Part::layer, "specific_heat", "J/(kg K)", required, 100, 10000,
+        "specific heat capacity, c", constant<&Layer::specific_heat>()),
+
     row(Part::glazing, "u_value", "W/(m2 K)", required, 0, 10,
         "thermal transmittance of the window, frame included", input<&Glazing::u_value>()),
     row(Part::glazing, "solar_transmittance", "-", required, 0, 1,
@@ -85,6 +107,8 @@ constexpr Field table[] = {
         "long-wave emissivity of the outer face", constant<&Glazing::emissivity>()),
     row(Part::glazing, "external_resistance", "m2 K/W", 0.04, 0, 1,
         "resistance of the outer film, R_se", constant<&Glazing::external_resistance>()),
+    row(Part::glazing, "type", "-", 1, 0, 1000,
+        "the row of a link's table that holds", constant<&Glazing::type>()),
 
     row(Part::boundary, "temperature", "degC", required, -60, 80,
         "temperature behind the elements that name this boundary", input<&Boundary::temperature>()),
@@ -145,6 +169,37 @@ constexpr Field table[] = {
         "outdoors behind opaque elements minus the weather's air temperature", of_outdoor_shift<&OutdoorShift::opaque>()),
     row(Part::zone, "window_shift", "K", 0, -30, 30,
         "outdoors at windows minus the weather's air temperature", of_outdoor_shift<&OutdoorShift::windows>()),
+
+    row(Part::radiator, "nominal_power", "W", required, 1, 1e7,
+        "heat given off at 60 K above the room", of_radiator<&Radiator::power_60>()),
+    row(Part::radiator, "exponent", "-", 1.3, 1, 2,
+        "of the temperature above the room, n", of_radiator<&Radiator::exponent>()),
+    row(Part::radiator, "heat_capacity", "J/K", required, 100, 1e8,
+        "of its water and metal", of_radiator<&Radiator::capacity>()),
+    row(Part::radiator, "radiative_fraction", "-", 0.3, 0, 1,
+        "share of the heat that leaves it as radiation", of_radiator<&Radiator::radiative_fraction>()),
+    row(Part::radiator, "maximum_flow", "kg/s", required, 1e-5, 1000,
+        "water through it while the heating is on", of_radiator<&Radiator::most_flow>()),
+    row(Part::radiator, "curve_a", "K/K", -1.1, -10, 10,
+        "supply temperature = a theta_e + b below curve_limit", of_curve<&HeatingCurve::a>()),
+    row(Part::radiator, "curve_b", "degC", 54, 0, 150,
+        "supply temperature = a theta_e + b below curve_limit", of_curve<&HeatingCurve::b>()),
+    row(Part::radiator, "curve_c", "degC", 43, 0, 150,
+        "supply temperature above curve_limit", of_curve<&HeatingCurve::c>()),
+    row(Part::radiator, "curve_d", "degC", 22, 0, 150,
+        "supply temperature outside the schedule, while the room is colder than set_back_below", of_curve<&HeatingCurve::d>()),
+    row(Part::radiator, "curve_limit", "degC", 10, -50, 50,
+        "outdoor temperature at which a and b end and c begins", of_curve<&HeatingCurve::limit>()),
+    row(Part::radiator, "set_back_below", "degC", 14, -50, 50,
+        "air temperature below which the heating is on outside the schedule", of_curve<&HeatingCurve::set_back>()),
+    row(Part::radiator, "scheduled", "-", 1, 0, 1,
+        "1 = the heating is on and the curve holds; 0 = set-back", input<&ZoneRadiator::scheduled>()),
+    row(Part::radiator, "supply_measured", "-", 0, 0, 1,
+        "1 = supply_temperature and flow hold, 0 = the curve; default: 1 where supply_temperature is given", input<&ZoneRadiator::measured>()),
+    row(Part::radiator, "supply_temperature", "degC", 20, -20, 150,
+        "of the water that flows in, as measured", input<&ZoneRadiator::supply_temperature>()),
+    row(Part::radiator, "flow", "-", 1, 0, 1,
+        "share of maximum_flow that flows with supply_temperature", input<&ZoneRadiator::flow>()),
 
     row(Part::surface, "area", "m2", required, 0, 1e7,
         "area without windows", constant<&Surface::area>()),

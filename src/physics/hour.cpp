@@ -55,7 +55,10 @@ NodeGains split_gains(const Network& network, double phi_int, double phi_sol) {
 
 NodeGains split_gains(const Network& network, const HourDrive& drive) {
     NodeGains gains = split_gains(network, drive.phi_int, drive.phi_sol);
-    gains.phi_ia -= drive.phi_vent;
+    const RadiantSplit share = radiant_split(network);
+    gains.phi_ia += drive.phi_convective - drive.phi_vent;
+    gains.phi_st += share.to_st * drive.phi_radiant;
+    gains.phi_m += share.to_m * drive.phi_radiant;
     return gains;
 }
 

@@ -27,7 +27,7 @@ struct NodeGains {
     double phi_ia, phi_st, phi_m;  ///< to air, surface and mass node [W] (C.1 to C.3)
 };
 NodeGains split_gains(const Network& network, double phi_int, double phi_sol);
-/// Of a step, less what openings take from the air node.
+/// Of a step, with a radiator's heat and less what openings take from the air node.
 NodeGains split_gains(const Network& network, const HourDrive& drive);
 
 /// Temperatures for a given heating or cooling power (C.4 to C.12).

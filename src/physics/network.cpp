@@ -242,8 +242,11 @@ Control control_at(const Zone& zone, const Drive& drive, int step) {
     }
     control.theta_H_set = drive.at(thermostat.heating_set_point, step);
     control.theta_C_set = drive.at(thermostat.cooling_set_point, step);
-    control.phi_H_max = capacity_at(zone, drive, step, thermostat.heating_capacity,
-                                    thermostat.heating_available);
+    if (zone.radiator)
+        control.phi_H_max = 0;
+    else
+        control.phi_H_max = capacity_at(zone, drive, step, thermostat.heating_capacity,
+                                        thermostat.heating_available);
     control.phi_C_max = capacity_at(zone, drive, step, thermostat.cooling_capacity,
                                     thermostat.cooling_available);
     check_control(zone, step, control);

@@ -51,7 +51,8 @@ struct Control {
     double phi_imposed = 0;  ///< [W]
 };
 /// Throws std::domain_error where heating and cooling are both there and their set-points
-/// cross or lie closer than the proportional band.
+/// cross or lie closer than the proportional band. A zone with a radiator has no other
+/// heating.
 Control control_at(const Zone& zone, const Drive& drive, int step);
 
 /// Temperatures and gains of one step.
@@ -61,6 +62,8 @@ struct HourDrive {
     double theta_sup = 0;             ///< supply air [degC]
     double phi_int = 0, phi_sol = 0;  ///< [W]
     double phi_vent = 0;              ///< taken from the air node by openings [W]
+    /// Of a radiator: to the air node, and radiant [W].
+    double phi_convective = 0, phi_radiant = 0;
 };
 HourDrive hour_drive(const Building& building, const Zone& zone, const Network& network,
                      const Drive& drive, int step);

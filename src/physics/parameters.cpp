@@ -2,6 +2,8 @@
 /// million.
 #include "physics/parameters.hpp"
 
+#include "physics/derived.hpp"
+
 namespace bemcal::physics {
 
 namespace {
@@ -22,6 +24,8 @@ void* part_in_zone(Zone& zone, Part part, std::size_t inner) {
             return &zone.loads[inner];
         case Part::coupling:
             return &zone.couplings[inner];
+        case Part::radiator:
+            return &*zone.radiator;
         default:
             return &zone;
     }
@@ -31,6 +35,8 @@ void* part_at(Building& building, const Target& target) {
     switch (target.part) {
         case Part::construction:
             return &building.constructions[row(target.index)];
+        case Part::layer:
+            return &building.constructions[row(target.index)].layers[row(target.inner)];
         case Part::glazing:
             return &building.glazings[row(target.index)];
         case Part::boundary:
@@ -59,9 +65,9 @@ double changed(double nominal, Effect effect, double value) {
 }  // namespace
 
 const char* name_of(Part part) {
-    constexpr const char* names[] = {"construction", "glazing",  "boundary", "zone",
-                                     "surface",      "window",   "flow",     "load",
-                                     "plant",        "coupling", "meter"};
+    constexpr const char* names[] = {
+        "construction", "glazing", "boundary", "zone",  "surface", "window",  "flow",
+        "load",         "plant",   "coupling", "meter", "layer",   "radiator"};
     return names[static_cast<std::size_t>(part)];
 }
 
@@ -97,6 +103,7 @@ void apply(const Building& nominal, std::span<const Parameter> parameters,
             number_at(building, target) =
                 changed(number_at(nominal, target), parameters[k].effect, point[k]) *
                 target.weight;
+    derive(building);
 }
 
 }  // namespace bemcal::physics

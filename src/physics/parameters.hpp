@@ -14,21 +14,6 @@
 
 namespace bemcal::physics {
 
-enum class Part {
-    construction,
-    glazing,
-    boundary,
-    zone,
-    surface,
-    window,
-    flow,
-    load,
-    plant,
-    coupling,  ///< of a zone; its name is the other zone's
-    meter      ///< index = Quantity
-};
-const char* name_of(Part part);  ///< as in a job file: "construction", "zone", ...
-
 /// Where a number lives in a part: exactly one of the two accessors is set.
 struct Field {
     Part part;
@@ -41,24 +26,6 @@ struct Field {
     double* (*constant)(void* part);  ///< a constant, else nullptr
 };
 std::span<const Field> fields();
-
-/// Which of an input's numbers.
-enum class Slot {
-    value,
-    low,
-    change  ///< Input::changes[Target::change].amount
-};
-
-/// A place in a building that a parameter writes to.
-struct Target {
-    Part part = Part::zone;
-    int index = 0;  ///< of the construction, glazing, boundary, zone or meter
-    int inner = 0;  ///< of the surface, window, flow, load or coupling in the zone
-    int field = 0;  ///< row of fields()
-    Slot slot = Slot::value;
-    int change = 0;     ///< with Slot::change: which
-    double weight = 1;  ///< with Slot::change: the parameter's value is multiplied by it
-};
 
 /// How the parameter's value enters: it replaces the number, or multiplies or shifts what
 /// stands in the nominal building.
@@ -86,8 +53,8 @@ double& number_at(Building& building, const Target& target);
 double number_at(const Building& building, const Target& target);
 
 /// Writes a point into `building`, which must be a copy of `nominal` (its other numbers
-/// are left as they are). Where two parameters have the same target the last one holds.
-/// No allocation, no look-up by name.
+/// are left as they are), and what follows from it (derived.hpp). Where two parameters
+/// have the same target the last one holds. No allocation, no look-up by name.
 void apply(const Building& nominal, std::span<const Parameter> parameters,
            std::span<const double> point, Building& building);
 

@@ -42,12 +42,12 @@ void add_parts(Part part, const std::vector<Item>& items, std::vector<Entry>& en
 }
 
 template <class Item>
-void add_inner(Part part, int zone, const Words& prefix, const std::vector<Item>& items,
+void add_inner(Part part, int index, const Words& prefix, const std::vector<Item>& items,
                std::vector<Entry>& entries) {
     for (std::size_t k = 0; k < items.size(); ++k) {
         Words words = prefix;
         words.insert(words.end(), {name_of(part), items[k].name});
-        add_fields({part, zone, static_cast<int>(k)}, words, entries);
+        add_fields({part, index, static_cast<int>(k)}, words, entries);
     }
 }
 
@@ -64,6 +64,12 @@ std::vector<Named> coupled_zones(const Building& building, const Zone& zone) {
     return names;
 }
 
+void add_layers(const Building& building, int index, std::vector<Entry>& entries) {
+    const Construction& construction = building.constructions[row(index)];
+    add_inner(Part::layer, index, {name_of(Part::construction), construction.name},
+              construction.layers, entries);
+}
+
 void add_zone(const Building& building, int index, std::vector<Entry>& entries) {
     const Zone& zone = building.zones[row(index)];
     const Words words = {name_of(Part::zone), zone.name};
@@ -73,6 +79,9 @@ void add_zone(const Building& building, int index, std::vector<Entry>& entries) 
     add_inner(Part::flow, index, words, zone.flows, entries);
     add_inner(Part::load, index, words, zone.loads, entries);
     add_inner(Part::coupling, index, words, coupled_zones(building, zone), entries);
+    if (zone.radiator)
+        add_fields({Part::radiator, index}, {words[0], words[1], name_of(Part::radiator)},
+                   entries);
 }
 
 /// Meters are named by what they show.
@@ -89,6 +98,8 @@ void add_meters(const Building& building, std::vector<Entry>& entries) {
 std::vector<Entry> entries_of(const Building& building) {
     std::vector<Entry> entries;
     add_parts(Part::construction, building.constructions, entries);
+    for (std::size_t k = 0; k < building.constructions.size(); ++k)
+        add_layers(building, static_cast<int>(k), entries);
     add_parts(Part::glazing, building.glazings, entries);
     add_parts(Part::boundary, building.boundaries, entries);
     for (std::size_t zone = 0; zone < building.zones.size(); ++zone)

@@ -1,5 +1,5 @@
-/// What a batch answers, made from the plain simulation: for zones coupled to each other,
-/// and as the reference that the fast version is tested against.
+/// What a batch answers, made from the plain simulation: for buildings that are not for
+/// the kernel, and as the reference that the fast version is tested against.
 #pragma once
 
 #include "physics/batch.hpp"

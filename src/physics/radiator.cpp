@@ -7,7 +7,7 @@ namespace bemcal::physics {
 namespace {
 
 constexpr double c_water = 4184;  ///< [J/(kg K)]
-constexpr double safety = 0.1;    ///< longest sub-step, of an element's time constant
+constexpr double safety = 0.25;   ///< longest sub-step, of an element's time constant
 
 double power(double difference, double exponent) {
     return std::copysign(std::pow(std::abs(difference), exponent), difference);

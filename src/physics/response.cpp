@@ -2,6 +2,7 @@
 /// back.
 #include "physics/response.hpp"
 
+#include "physics/derived.hpp"
 #include "physics/meter_rows.hpp"
 #include "physics/response_plan.hpp"
 
@@ -99,7 +100,7 @@ void run_all(const Response::Plan& plan, Response::Run& run) {
     for (Batch::Group::Zone& zone : run.group->zones) zone.sums.clear();
 }
 
-/// Readings of a building whose zones are coupled: prepare() has simulated it.
+/// Readings of a building that runs plain: prepare() has simulated it.
 void read_plain(const Response::Plan& plan, Response::Run& run) {
     const int begin = plan.shared.drive.n_warm_up, end = plan.shared.drive.n_steps();
     for (std::size_t k = 0; k < plan.channels.size(); ++k) {
@@ -121,6 +122,10 @@ void find_failures(const Response::Plan& plan, Response::Run& run) {
 
 }  // namespace
 
+bool has_derivatives(const Building& building) {
+    return !runs_plain(building) && !has_derived(building);
+}
+
 Response::Response(const Batch& batch, std::vector<Channel> channels)
     : plan_(new Plan(batch, std::move(channels))) {}
 
@@ -136,7 +141,7 @@ int Response::lanes() const {
     return plan_->lanes();
 }
 bool Response::is_differentiable() const {
-    return !plan_->shared.coupled;
+    return has_derivatives(plan_->shared.nominal);
 }
 
 void Response::DeleteRun::operator()(Run* run) const {
@@ -151,7 +156,7 @@ std::vector<std::string> Response::predict(const Matrix& points, std::size_t fir
                                            std::size_t count, Run& run) const {
     run.failures = plan_->batch.prepare(points, first, count, *run.group);
     run.count = count;
-    if (plan_->shared.coupled) {
+    if (plan_->shared.plain) {
         read_plain(*plan_, run);
         return run.failures;
     }

@@ -7,7 +7,8 @@
 /// their number. The derivative is exact wherever no set-point or capacity limit
 /// switches; at a switch it is that of the side taken. The warm-up is part of the way.
 ///
-/// Left out: zones coupled to each other, whose batch runs plain (`is_differentiable`).
+/// Left out: buildings that run plain, and numbers that follow from others
+/// (`has_derivatives`).
 #pragma once
 
 #include "physics/batch.hpp"
@@ -23,6 +24,10 @@ struct Channel {
     Quantity quantity = Quantity::heating;
     Interval interval = Interval::hourly;
 };
+
+/// Whether there is a way back: none for a building that runs plain, nor for one with
+/// numbers that follow from others (derived.hpp).
+bool has_derivatives(const Building& building);
 
 class Response {
   public:

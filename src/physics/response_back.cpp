@@ -190,8 +190,7 @@ void write_gradient(const Response::Plan& plan, const Building& of_building,
 }  // namespace
 
 void Response::pull_back(Run& run, Matrix& gradient) const {
-    if (plan_->shared.coupled)
-        throw std::logic_error("zones coupled to each other have no way back");
+    if (!is_differentiable()) throw std::logic_error("this building has no derivatives");
     clear_adjoints(run);
     for (std::size_t k = plan_->stretches.size(); k-- > 0;)
         StretchBack(*plan_, k, run).pull();

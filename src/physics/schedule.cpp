@@ -21,6 +21,13 @@ const Day& day_of(const Schedule& schedule, const CalendarStep& step) {
                                              : period->week[weekday];
 }
 
+/// What the register has for the day of a time.
+double number_of_day(const Schedule& schedule, Seconds time) {
+    if (!schedule.days) return 1;
+    const auto found = schedule.days->find(std::chrono::floor<std::chrono::days>(time));
+    return found == schedule.days->end() ? 0 : found->second;
+}
+
 }  // namespace
 
 std::vector<double> values_of(const Schedule& schedule, const TimeAxis& axis,
@@ -30,9 +37,10 @@ std::vector<double> values_of(const Schedule& schedule, const TimeAxis& axis,
     for (int k = 0; k < axis.n_steps; ++k) {
         const Seconds standard = axis.begin_of(k);
         const bool summer = is_summer_time(standard, schedule.summer_time, utc_offset_h);
-        const CalendarStep step =
-            calendar_step(standard + std::chrono::hours(summer ? 1 : 0));
-        values.push_back(day_of(schedule, step)[static_cast<std::size_t>(step.hour)]);
+        const Seconds local = standard + std::chrono::hours(summer ? 1 : 0);
+        const CalendarStep step = calendar_step(local);
+        values.push_back(day_of(schedule, step)[static_cast<std::size_t>(step.hour)] *
+                         number_of_day(schedule, local));
     }
     return values;
 }

@@ -4,6 +4,8 @@
 #include "physics/calendar.hpp"
 
 #include <array>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,9 @@ struct Schedule {
         std::array<Day, 7> week{};
     };
     std::vector<Period> periods;  ///< the last that contains the day wins
+    /// Of a register, the number of each day (persons): the values are multiplied by it;
+    /// days that are not in it count 0.
+    std::optional<std::map<std::chrono::sys_days, double>> days;
     /// "none", "eu" or "us": hours follow the wall clock.
     std::string summer_time = "none";
 };

@@ -2,8 +2,11 @@
 /// step before, so their order does not matter.
 #include "physics/simulate.hpp"
 
+#include "physics/zone_radiator.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -65,6 +68,8 @@ class ZoneRun {
             double theta_start)
         : building_(building), drive_(drive), index_(zone) {
         state_.theta_m = state_.theta_m2 = state_.theta_air = theta_start;
+        if (const auto& radiator = building.zones[zone].radiator)
+            radiator_.emplace(*radiator, theta_start);
     }
 
     double theta_air() const { return state_.theta_air; }
@@ -75,9 +80,13 @@ class ZoneRun {
         HourDrive hour = hour_drive(building_, zone, network_, drive_, step);
         couple(step, theta_air, hour);
         hour.phi_vent = venting_power(zone, drive_, step, state_.theta_air);
-        const auto one_step = zone.structure.any() ? advance_step : standard_step;
-        StepResult result = one_step(network_, hour, control_at(zone, drive_, step),
-                                     state_, drive_.axis.step_s);
+        const Control control = control_at(zone, drive_, step);
+        const auto room = [&](const HourDrive& with) {
+            const auto one_step = zone.structure.any() ? advance_step : standard_step;
+            return one_step(network_, with, control, state_, drive_.axis.step_s);
+        };
+        const StepResult result =
+            radiator_ ? radiator_->advance(drive_, step, hour, room) : room(hour);
         check(step, result);
         state_ = result.after;
         return result;
@@ -119,6 +128,7 @@ class ZoneRun {
     std::size_t index_;
     ZoneState state_;
     Network network_;
+    std::optional<RadiatorRun> radiator_;
 };
 
 void record(const StepResult& result, ZoneTrajectory& zone) {

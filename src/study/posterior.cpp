@@ -126,12 +126,11 @@ void check_differentiable(const std::vector<Case>& buildings,
                           const PosteriorOptions& options) {
     if (options.chains.sampler.method != sampling::Method::nuts) return;
     for (const Case& building : buildings)
-        for (const physics::Zone& zone : building.building.zones)
-            if (!zone.couplings.empty())
-                throw std::invalid_argument(
-                    building.name +
-                    " has coupled zones, which have no derivatives; "
-                    "choose sampler = \"random_walk\" or \"gibbs\"");
+        if (!physics::has_derivatives(building.building))
+            throw std::invalid_argument(
+                building.name +
+                " has coupled zones, a radiator or linked numbers, which have no "
+                "derivatives; choose sampler = \"random_walk\" or \"gibbs\"");
 }
 
 }  // namespace

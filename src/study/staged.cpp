@@ -33,6 +33,7 @@ CalibrationStage at_once_stage(const StagedOptions& options) {
     all.from = initial_values;
     all.around = 0;
     all.ranges.clear();
+    all.set.clear();
     std::size_t n = 0;
     for (const CalibrationStage& stage : options.stages) {
         add_new(stage.periods, all.periods);
@@ -70,6 +71,11 @@ void check_parameters(const Case& building, const CalibrationStage& stage) {
         if (!has(name))
             throw std::invalid_argument(building.name + " has no parameter " + name +
                                         ", of the stage " + stage.name);
+    for (const NamedValue& each : stage.set)
+        if (!has(each.parameter) || is_in(stage.parameters, each.parameter))
+            throw std::invalid_argument("the stage " + stage.name + " sets " +
+                                        each.parameter +
+                                        ", which is no parameter or which it calibrates");
     for (const NamedRange& range : stage.ranges)
         if (!is_in(stage.parameters, range.parameter) || !(range.least < range.most))
             throw std::invalid_argument("the stage " + stage.name + " has a range for " +

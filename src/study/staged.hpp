@@ -21,6 +21,11 @@ struct NamedRange {
     double least, most;
 };
 
+struct NamedValue {
+    std::string parameter;
+    double value;
+};
+
 inline constexpr const char* initial_values = "initial";  ///< the building as described
 
 struct CalibrationStage {
@@ -31,6 +36,7 @@ struct CalibrationStage {
     double around = 0;                    ///< range: this share of the value carried
                                           ///< over, up and down; 0 = the parameter's
     std::vector<NamedRange> ranges{};     ///< instead of these
+    std::vector<NamedValue> set{};        ///< held at these from this stage on
     OptimisationOptions fit{};            ///< objective, meters, method, budget, seed
 };
 

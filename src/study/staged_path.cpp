@@ -74,7 +74,11 @@ void StagedPath::begin_stage() {
     found_.emplace_back();
     const CalibrationStage& stage = stages_[found_.size() - 1];
     StageFound& found = found_.back();
-    found.start = found.value = carried(stage.from);
+    found.start = carried(stage.from);
+    for (const NamedValue& each : stage.set)
+        for (std::size_t k = 0; k < parameters_.size(); ++k)
+            if (parameters_[k].name == each.parameter) found.start[k] = each.value;
+    found.value = found.start;
     found.least.assign(parameters_.size(), nan);
     found.most = found.least;
     varied_.clear();

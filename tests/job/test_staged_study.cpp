@@ -32,6 +32,7 @@ TEST(StagedStudy, TakesEveryKey) {
             std::string(envelope) +
             "[[study.stage]]\nname = \"again\"\nperiods = [\"training\"]\n"
             "parameters = [\"infiltration\"]\naround = 0.1\nobjective = \"percent\"\n"
+            "set = {walls = 1.1}\n"
             "[[study.validation]]\nperiod = \"held_out\"\nstage = \"envelope\"\n"));
     const study::StagedOptions& options = job.studies.at(1).staged;
     ASSERT_EQ(job.studies[1].kind, StudyKind::stages);
@@ -50,6 +51,9 @@ TEST(StagedStudy, TakesEveryKey) {
     EXPECT_FALSE(first.fit.restart);
     EXPECT_EQ(second.from, "envelope");
     EXPECT_EQ(second.around, 0.1);
+    ASSERT_EQ(second.set.size(), 1U);
+    EXPECT_EQ(second.set[0].parameter, "walls");
+    EXPECT_EQ(second.set[0].value, 1.1);
     EXPECT_EQ(second.fit.evaluations, 300U);
     EXPECT_EQ(second.fit.seed, job.seed);
     EXPECT_EQ(second.fit.objective, study::Objective::percent);
@@ -85,6 +89,11 @@ TEST(StagedStudy, RefusesWhatCannotBe) {
              {replaced(envelope, "seed = 9", "from = \"later\""),
               "study.kind: the stage envelope starts from later, which is no stage "
               "before it"},
+             {replaced(envelope, "seed = 9", "set = {walls = 2}"),
+              "set: walls = 2 is outside the parameter's range, 0.8 to 1.2"},
+             {replaced(envelope, "seed = 9", "set = {infiltration = 0.3}"),
+              "study.kind: the stage envelope sets infiltration, which is no parameter "
+              "or which it calibrates"},
              {replaced(envelope, "\"envelope\"", "\"at_once\""),
               "stands for something else; expected another name"},
              {std::string("method = \"nsga2\"\n") + envelope,

@@ -68,6 +68,17 @@ TEST(Schedule, FollowsTheWallClockInSummer) {
     EXPECT_EQ(value_at(schedule, "2021-07-05 23:00", 1), -1);
 }
 
+/// A register multiplies the hours by the number of their day on the wall clock.
+TEST(Schedule, MultipliesByTheRegister) {
+    Schedule schedule = recognisable();
+    schedule.summer_time = "eu";
+    using namespace std::chrono;
+    schedule.days = {{sys_days{2021y / July / 5}, 20}, {sys_days{2021y / July / 7}, 3}};
+    EXPECT_EQ(value_at(schedule, "2021-07-05 08:00", 1), 20 * 109);
+    EXPECT_EQ(value_at(schedule, "2021-07-06 08:00", 1), 0);
+    EXPECT_EQ(value_at(schedule, "2021-07-06 23:00", 1), 3 * 300);
+}
+
 TEST(Schedule, UnknownSummerTimeIsRefused) {
     Schedule schedule = recognisable();
     schedule.summer_time = "moon";

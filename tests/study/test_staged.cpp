@@ -3,6 +3,7 @@
 #include "study/staged.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -119,6 +120,20 @@ TEST(Staged, JudgesOnAPeriodThatNoStageHasSeen) {
     const std::size_t n_levels = of("error_level").values.size();
     for (std::size_t k = 1; k < n_levels; ++k) EXPECT_GE(share[k], share[k - 1]);
     EXPECT_LT(fit.values.at(2 * 2 * 8 + 8 + 7), 0.1 * fit.values.at(8 + 7));
+}
+
+TEST(Staged, HoldsWhatAStageSetsFromThereOn) {
+    StagedOptions options = two_stages();
+    options.at_once = false;
+    options.stages[0].set = {{set_point, 20.5}};
+    options.stages[1].parameters = {air};
+    const auto datasets = run(*make_staged("s", measured_case(), options));
+    const Dataset& value = find(datasets, "calibration_value");
+    EXPECT_EQ(at(value, 0, 2), 20.5);
+    EXPECT_EQ(at(value, 1, 2), 20.5);
+    EXPECT_TRUE(std::isnan(at(find(datasets, "calibration_least"), 0, 2)));
+    options.stages[0].set = {{air, 0.5}};
+    EXPECT_THROW(make_staged("s", measured_case(), options), std::invalid_argument);
 }
 
 TEST(Staged, TakesPeriodsTogetherAndRangesAroundWhatWasCarriedOver) {

@@ -1,0 +1,54 @@
+#include "physics/zone_radiator.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace bemcal::physics {
+
+RadiatorRun::RadiatorRun(const ZoneRadiator& radiator, double theta_start)
+    : radiator_(radiator), theta_air_(theta_start), theta_surface_(theta_start) {
+    const std::string complaint = complaint_about(radiator.radiator);
+    if (!complaint.empty()) throw std::domain_error(complaint);
+    elements_.assign(static_cast<std::size_t>(radiator.radiator.n_elements), theta_start);
+}
+
+/// The water that flows in, and the room before the step.
+RadiatorSurroundings RadiatorRun::surroundings(const Drive& drive, int step) const {
+    RadiatorSurroundings around{theta_air_, 0, theta_air_, theta_surface_};
+    if (drive.at(radiator_.measured, step) > 0.5) {
+        around.supply = drive.at(radiator_.supply_temperature, step);
+        around.opening = drive.at(radiator_.flow, step);
+        return around;
+    }
+    const auto supply =
+        supply_temperature(radiator_.curve, drive.at(radiator_.scheduled, step) > 0.5,
+                           drive.theta_e[static_cast<std::size_t>(step)], theta_air_);
+    if (!supply) return around;
+    around.supply = *supply;
+    around.opening = 1;
+    return around;
+}
+
+StepResult RadiatorRun::advance(const Drive& drive, int step, HourDrive hour,
+                                const Room& room) {
+    RadiatorSurroundings around = surroundings(drive, step);
+    const std::vector<double> before = elements_;
+    StepResult result;
+    RadiatorHeat heat;
+    for (int pass = 0; pass < 2; ++pass) {
+        elements_ = before;
+        heat = physics::advance(radiator_.radiator, around, drive.axis.step_s, elements_);
+        hour.phi_convective = heat.convective;
+        hour.phi_radiant = heat.radiative;
+        result = room(hour);
+        around.air = result.theta.theta_air;
+        around.radiant = result.theta.theta_s;
+    }
+    theta_air_ = around.air;
+    theta_surface_ = around.radiant;
+    result.phi_heating = std::max(heat.from_water, 0.0);
+    return result;
+}
+
+}  // namespace bemcal::physics
