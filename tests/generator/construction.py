@@ -17,6 +17,7 @@ MATERIALS = {  # conductivity [W/(m K)], density [kg/m3], specific heat [J/(kg K
     "screed": (1.2, 2000, 900),
     "soil": (1.3, 1800, 1100),
     "wood": (0.14, 600, 1600),
+    "hollow concrete": (0.606, 1244, 900),
 }
 CELL = {"insulation": 0.04, "soil": 0.3}  # largest cell [m]; others 0.05
 H_OUT_CONVECTIVE, H_OUT_RADIANT = 15.0, 5.0  # outside films [W/(m2 K)]

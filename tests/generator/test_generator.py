@@ -18,6 +18,7 @@ import designs
 import house
 import meters
 import office as office_model
+import school
 import simulate as finer
 import sun
 from case import Recipe
@@ -294,6 +295,51 @@ class House(unittest.TestCase):
         last = [house.energies(zone, weather, AVERAGE_DAYS, 2 + k)["gas"][-24:].sum()
                 for k, zone in enumerate(zones)]
         self.assertEqual(house.bill_of(zones, weather, 1, AVERAGE_DAYS)["gas"], round(sum(last)))
+
+
+class School(unittest.TestCase):
+    TRUTH = {"exponent": 1.3, "nominal_power": 2000.0, "radiator_capacity": 1e5,
+             "maximum_flow": 0.04}
+
+    def test_radiator_gives_its_nominal_power_at_sixty_kelvin(self):
+        radiator = school.RadiatorRow({**self.TRUTH, "maximum_flow": 0.4,
+                                       "radiator_capacity": 2e6}, 80.0)
+        for _ in range(50):
+            heat = radiator.step(80.0, 20.0)
+        self.assertAlmostEqual(heat, 2000.0, delta=30)   # the water cools by 1.2 K
+
+    def test_radiator_gives_the_heat_that_it_had_stored(self):
+        radiator = school.RadiatorRow(self.TRUTH, 60.0)
+        given = sum(radiator.step(None, 20.0) for _ in range(400)) * STEP_S
+        left = sum(theta - 20.0 for theta in radiator.elements) / school.ELEMENTS
+        self.assertAlmostEqual(given, 1e5 * (40.0 - left), delta=1.0)
+
+    def test_supply_follows_the_curve_the_schedule_and_the_set_back(self):
+        truth = {"a": -1.0, "b": 50.0, "c": 42.0, "d": 22.0}
+        supply = lambda *state: school.supply_of(truth, *state)
+        self.assertEqual(supply(True, True, 5.0, 20.0), 45.0)
+        self.assertEqual(supply(True, True, 12.0, 20.0), 42.0)
+        self.assertEqual(supply(False, True, 5.0, 13.9), 22.0)
+        self.assertIsNone(supply(False, True, 5.0, 14.1))
+        self.assertIsNone(supply(False, False, 5.0, 13.9))
+
+    def test_shipped_truth_is_that_of_the_first_seed(self):
+        shipped = json.loads((HERE.parents[1] / "jobs/paper2_school/truth.json").read_text())
+        drawn = school.drawn_school(shipped["seed"]).truth
+        for name, value in drawn.items():
+            self.assertAlmostEqual(shipped[name] / value, 1.0, delta=1e-3)
+
+    def test_heat_to_the_walls_reaches_the_air(self):
+        room = school.drawn_school(1)
+        network = construction.make_network(room.elements, room.windows)
+        zone = finer.Zone(network, 1e6, 20.0)
+        zone.on_star = zone.solved[:, network.star]
+        held = 20.0 * (zone.solved @ (network.outdoor + network.sky + network.ground))
+        for _ in range(3):   # all at 20 degC: nothing moves without heat
+            school.heat_step(zone, 0.0, 0.3, (held, held @ zone.air, 0.0), (50.0, 20.0), (9.0, 20.0))
+        self.assertAlmostEqual(zone.theta_air, 20.0, places=6)
+        school.heat_step(zone, 1000.0, 1.0, (held, held @ zone.air, 0.0), (50.0, 20.0), (9.0, 20.0))
+        self.assertGreater(zone.theta_air, 20.001)
 
 
 class Folder(unittest.TestCase):

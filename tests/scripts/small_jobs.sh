@@ -9,7 +9,7 @@ if [[ -d $root/../shared ]]; then ln -s "$(cd "$root/../shared" && pwd)" "$folde
 find "$jobs" -name '*.toml' -exec sed -i -E 's/^( *n_base *=).*/\1 16/; s/^( *n_points *=).*/\1 64/;
   s/^( *n_designs *=).*/\1 8/; s/^( *n_best *=).*/\1 5/; s/^( *n_bootstrap *=).*/\1 20/; s/^( *points_per_item *=).*/\1 16/;
   s/^( *n_chains *=).*/\1 2/; s/^( *warm_up *=).*/\1 5/; s/^( *(draws_per_round|most_draws) *=).*/\1 4/;
-  s/^( *n_predictive *=).*/\1 4/; /^ *sampler *=/d; s/^ *kind *= *"posterior"/&\nsampler = "random_walk"/;
+  s/^( *n_predictive *=).*/\1 4/; s/^( *evaluations *=).*/\1 200/; /^ *sampler *=/d; s/^ *kind *= *"posterior"/&\nsampler = "random_walk"/;
   s/^ *kind *= *"loop"/&\nmost_effects = 0\ntry_structures = false/' {} +
 
 . "$root/scripts/environment"
