@@ -47,6 +47,7 @@ std::vector<StockLine> lines_of(const Csv& csv) {
     std::iota(order.begin(), order.end(), 0U);
     std::ranges::sort(order, {}, [&](std::size_t k) { return csv.columns[k]; });
     std::vector<std::string> sorted;
+    sorted.reserve(order.size());
     for (const std::size_t k : order) sorted.push_back(csv.columns[k]);
     const auto columns = std::make_shared<const std::vector<std::string>>(sorted);
     std::vector<StockLine> lines(csv.n_rows());
