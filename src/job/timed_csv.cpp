@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -10,7 +9,6 @@ namespace bemcal::job {
 
 namespace {
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 Clock clock_of(const Section& section) {
     return section.has("clock") ? static_cast<Clock>(static_cast<int>(Clock::standard) +
