@@ -73,9 +73,9 @@ struct Glazing {
     double frame_fraction = 0.2;    ///< F_F [-]
     double emissivity = 0.9;
     double external_resistance = 0.04;
-    double type = 1;  ///< which row of a link's table it is
     /// Plane::modifier of the windows with this glazing.
-    std::vector<double> angle_modifier;
+    std::vector<double> angle_modifier{};
+    double type = 1;  ///< which row of a link's table it is
 };
 
 struct Boundary {  ///< a temperature other than that of the outdoor air
