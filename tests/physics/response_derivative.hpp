@@ -24,6 +24,7 @@ inline std::vector<Channel> some_channels() {
 inline std::size_t n_parts(const Building& building, Part part) {
     switch (part) {
         case Part::construction:
+        case Part::layer:
             return building.constructions.size();
         case Part::glazing:
             return building.glazings.size();
@@ -40,6 +41,10 @@ inline std::size_t n_parts(const Building& building, Part part) {
 
 inline std::size_t n_inner(const Building& building, Part part, std::size_t index) {
     switch (part) {
+        case Part::layer:
+            return building.constructions[index].layers.size();
+        case Part::radiator:
+            return building.zones[index].radiator ? 1 : 0;
         case Part::surface:
             return building.zones[index].surfaces.size();
         case Part::window:
