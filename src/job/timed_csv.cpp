@@ -2,13 +2,11 @@
 
 #include "base/error.hpp"
 
-
 #include <fmt/format.h>
 
 namespace bemcal::job {
 
 namespace {
-
 
 Clock clock_of(const Section& section) {
     return section.has("clock") ? static_cast<Clock>(static_cast<int>(Clock::standard) +
