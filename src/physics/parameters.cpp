@@ -25,7 +25,7 @@ void* part_in_zone(Zone& zone, Part part, std::size_t inner) {
         case Part::coupling:
             return &zone.couplings[inner];
         case Part::radiator:
-            return &*zone.radiator;
+            return zone.radiator ? &*zone.radiator : nullptr;
         default:
             return &zone;
     }
