@@ -131,26 +131,35 @@ class Conclusion {
                 of_.parts.arrangement->take(position, b, own);
             });
         const Period& training = training_period(building, of_.options);
+        const std::vector<double> shares = shares_that_last(model, of_building);
         for (const Period& period : building.periods) {
             if (&period == &training || period.name == training.name)
                 add_period(model, of_building, period);
             else
-                add_other_period(model, of_building, period);
+                add_other_period(model, of_building, shares, period);
         }
+    }
+
+    /// Empty where no errors beyond the likelihood's are asked for.
+    std::vector<double> shares_that_last(const BuildingModel& trained,
+                                         const BuildingModel::Points& of_building) const {
+        const double weeks = of_.options.lasting_weeks;
+        if (weeks <= 0 || trained.building().periods.size() < 2 ||
+            choice_like(trained).residuals.discrepancy)
+            return {};
+        return lasting_shares(trained, of_building, weeks);
     }
 
     void add_other_period(const BuildingModel& trained,
                           const BuildingModel::Points& of_building,
-                          const Period& period) {
+                          const std::vector<double>& shares, const Period& period) {
         MeterChoice choice = choice_like(trained);
-        const double weeks = of_.options.lasting_weeks;
-        if (weeks <= 0 || choice.residuals.discrepancy)
-            return add_period(BuildingModel(trained.building(), period, choice),
-                              of_building, period);
-        choice.residuals.discrepancy = true;
+        choice.residuals.discrepancy |= !shares.empty();
         const BuildingModel model(trained.building(), period, choice);
-        const auto shares = lasting_shares(trained, of_building, weeks);
-        add_period(model, with_lasting_errors(trained, of_building, model, shares, weeks),
+        if (shares.empty()) return add_period(model, of_building, period);
+        add_period(model,
+                   with_lasting_errors(trained, of_building, model, shares,
+                                       of_.options.lasting_weeks),
                    period);
     }
 
