@@ -26,6 +26,8 @@ def write(path, group, means, sds, seed):
                                        data=mean + sd * rng.standard_normal(N))
             data.attrs["units"] = "1/h"
             file[f"{group}/prior/{name}"] = rng.standard_normal((1, 1000))
+        file[f"{group}/posterior/draw"] = np.arange(N[1])
+        file[f"{group}/ess_bulk"] = np.ones(3)
 
 
 class StillHolds(unittest.TestCase):
