@@ -16,10 +16,6 @@ using physics::Field;
 using physics::Link;
 using physics::Target;
 
-const Field& field_of(const Target& target) {
-    return physics::fields()[static_cast<std::size_t>(target.field)];
-}
-
 std::vector<Target> resolved(const Section& section, const char* key,
                              const Building& building, const std::string& path) {
     return at_key(section, key, [&] { return physics::resolve(building, path); });

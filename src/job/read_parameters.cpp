@@ -16,10 +16,6 @@ using physics::Field;
 using physics::Parameter;
 using physics::Target;
 
-const Field& field_of(const Target& target) {
-    return physics::fields()[static_cast<std::size_t>(target.field)];
-}
-
 void read_targets(const Section& section, const Building& building,
                   Parameter& parameter) {
     const std::vector<std::string> paths = section.texts("target");

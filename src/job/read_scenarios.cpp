@@ -41,10 +41,6 @@ const Way& way_of(const Section& section) {
     return *found;
 }
 
-const physics::Field& field_of(const physics::Target& target) {
-    return physics::fields()[static_cast<std::size_t>(target.field)];
-}
-
 ScenarioChange read_change(const Section& section, const study::Case& building) {
     ScenarioChange change;
     for (const std::string& path : section.texts("target"))

@@ -56,7 +56,7 @@ void set_capacity(const Building& building, Zone& zone) {
 }
 
 std::string_view key_of(const Target& target) {
-    return fields()[static_cast<std::size_t>(target.field)].key;
+    return field_of(target).key;
 }
 
 }  // namespace

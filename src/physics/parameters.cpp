@@ -71,14 +71,18 @@ const char* name_of(Part part) {
     return names[static_cast<std::size_t>(part)];
 }
 
+const Field& field_of(const Target& target) {
+    return fields()[row(target.field)];
+}
+
 Input* input_at(Building& building, const Target& target) {
-    const Field& field = fields()[row(target.field)];
+    const Field& field = field_of(target);
     if (field.input == nullptr) return nullptr;
     return field.input(part_at(building, target));
 }
 
 double& number_at(Building& building, const Target& target) {
-    const Field& field = fields()[row(target.field)];
+    const Field& field = field_of(target);
     void* part = part_at(building, target);
     if (field.constant != nullptr) return *field.constant(part);
     Input& input = *field.input(part);

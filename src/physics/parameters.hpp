@@ -26,6 +26,7 @@ struct Field {
     double* (*constant)(void* part);  ///< a constant, else nullptr
 };
 std::span<const Field> fields();
+const Field& field_of(const Target& target);
 
 /// How the parameter's value enters: it replaces the number, or multiplies or shifts what
 /// stands in the nominal building.

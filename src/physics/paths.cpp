@@ -176,7 +176,7 @@ Words next_words(const Words& pattern, std::size_t n, const std::vector<Entry>& 
 }
 
 void check_low(const std::string& path, const Entry& entry) {
-    if (fields()[row(entry.target.field)].input == nullptr)
+    if (field_of(entry.target).input == nullptr)
         throw std::invalid_argument(fmt::format(
             "{}: {} does not change with time and has no low", path, entry.words.back()));
 }

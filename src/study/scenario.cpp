@@ -43,7 +43,7 @@ ScenarioNumbers::ScenarioNumbers(const Case& building,
 void ScenarioNumbers::add(const Target& target) {
     if (number_of(target) < numbers_.size()) return;
     physics::Parameter number;
-    number.name = physics::fields()[static_cast<std::size_t>(target.field)].key;
+    number.name = physics::field_of(target).key;
     number.targets = {target};
     number.nominal = physics::number_at(building_, target);
     numbers_.push_back(std::move(number));
@@ -77,8 +77,7 @@ std::vector<double> ScenarioNumbers::after(std::vector<double> numbers,
 
 std::string ScenarioNumbers::complaint(std::span<const double> numbers) const {
     for (std::size_t k = 0; k < numbers.size(); ++k) {
-        const auto& field =
-            physics::fields()[static_cast<std::size_t>(numbers_[k].targets[0].field)];
+        const auto& field = physics::field_of(numbers_[k].targets[0]);
         if (numbers[k] >= field.least && numbers[k] <= field.most) continue;
         return fmt::format("{} would be {:g}; expected {:g} to {:g} {}", field.key,
                            numbers[k], field.least, field.most, field.unit);
