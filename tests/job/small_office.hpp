@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "job/job.hpp"
 #include "physics/calendar.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -14,34 +15,10 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace bemcal::job {
 
-/// A folder of its own below the system's temporary one.
-class Folder {
-  public:
-    Folder() {
-        std::string name =
-            (std::filesystem::temp_directory_path() / "bemcal-test-XXXXXX").string();
-        path_ = mkdtemp(name.data());
-    }
-    ~Folder() { std::filesystem::remove_all(path_); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    std::filesystem::path operator/(const std::string& name) const {
-        return path_ / name;
-    }
-    std::filesystem::path write(const std::string& name, const std::string& text) const {
-        std::ofstream(path_ / name) << text;
-        return path_ / name;
-    }
-    const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
+using Folder = test::TemporaryFolder;
 
 inline std::string text_of(const std::filesystem::path& file) {
     std::ostringstream text;

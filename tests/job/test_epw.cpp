@@ -2,6 +2,7 @@
 #include "base/error.hpp"
 #include "job/epw.hpp"
 #include "support/csv_table.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -290,17 +291,11 @@ TEST(Epw, RowsMustFollowEachOther) {
 
 class EpwFiles : public testing::Test {
   protected:
-    void SetUp() override {
-        folder = std::filesystem::temp_directory_path() /
-                 fmt::format("bemcal_test_epw_{}", static_cast<const void*>(this));
-        std::filesystem::create_directories(folder);
-    }
-    void TearDown() override { std::filesystem::remove_all(folder); }
     std::filesystem::path write(const std::string& name, const std::string& text) {
-        std::ofstream(folder / name, std::ios::binary) << text;
-        return folder / name;
+        return own_.write(name, text);
     }
-    std::filesystem::path folder;
+    test::TemporaryFolder own_;
+    const std::filesystem::path& folder = own_.path();
 };
 
 TEST_F(EpwFiles, MayBeGzipped) {
