@@ -14,17 +14,17 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double difference = 0.05;  ///< of an unknown, for its derivative [prior sd]
 
 /// The unknowns' values, in the parameters' units.
-void write_values(std::span<const Unknown> unknowns, std::span<const double> x,
+void write_values(std::span<const FitUnknown> unknowns, std::span<const double> x,
                   std::span<double> values) {
     for (std::size_t k = 0; k < x.size(); ++k) values[k] = unknowns[k].within(x[k]);
 }
 
 /// Away from the end of the range.
-double step_of(const Unknown& unknown, double x) {
+double step_of(const FitUnknown& unknown, double x) {
     return x + difference > unknown.highest() ? -difference : difference;
 }
 
-double objective_of(std::span<const Unknown> unknowns, std::span<const double> x,
+double objective_of(std::span<const FitUnknown> unknowns, std::span<const double> x,
                     std::span<const double> measured, std::span<const double> weights,
                     std::span<const double> predicted) {
     double sum = 0;
@@ -44,7 +44,7 @@ struct Moved {
     double by;
 };
 
-Matrix predict_moved(const FitModel& model, std::span<const Unknown> unknowns,
+Matrix predict_moved(const FitModel& model, std::span<const FitUnknown> unknowns,
                      const std::vector<double>& x, const std::vector<Moved>& moves) {
     Matrix points(moves.size() + 1, x.size());
     write_values(unknowns, x, points.row(0));
@@ -75,7 +75,7 @@ std::vector<Moved> write_derivatives(const std::vector<Moved>& moves,
     return again;
 }
 
-Linearised linearise(const FitModel& model, std::span<const Unknown> unknowns,
+Linearised linearise(const FitModel& model, std::span<const FitUnknown> unknowns,
                      std::vector<double> x) {
     std::vector<Moved> moves;
     moves.reserve(x.size());
@@ -95,7 +95,7 @@ Linearised linearise(const FitModel& model, std::span<const Unknown> unknowns,
 /// A fit on its way.
 struct Descent {
     const FitModel& model;
-    std::span<const Unknown> unknowns;
+    std::span<const FitUnknown> unknowns;
     std::span<const double> measured, weights;
     std::vector<double> prior;
 
@@ -161,9 +161,9 @@ Tried best_step(const Descent& descent, const Linearised& at, std::span<const ch
 
 }  // namespace
 
-Unknown unknown_of(const physics::Parameter& parameter, const stats::Prior& prior) {
-    Unknown unknown{parameter.name,  parameter.unit, 0,   1,
-                    parameter.least, parameter.most, true};
+FitUnknown unknown_of(const physics::Parameter& parameter, const stats::Prior& prior) {
+    FitUnknown unknown{parameter.name,  parameter.unit, 0,   1,
+                       parameter.least, parameter.most, true};
     const double width = parameter.most - parameter.least;
     if (prior.kind == stats::PriorKind::uniform) {
         unknown.centre = parameter.least + 0.5 * width;
@@ -215,14 +215,15 @@ std::vector<double> residuals_of(std::span<const double> measured,
     return r;
 }
 
-std::vector<double> prior_diagonal(std::span<const Unknown> unknowns) {
+std::vector<double> prior_diagonal(std::span<const FitUnknown> unknowns) {
     std::vector<double> diagonal;
     diagonal.reserve(unknowns.size());
-    for (const Unknown& unknown : unknowns) diagonal.push_back(unknown.has_prior ? 1 : 0);
+    for (const FitUnknown& unknown : unknowns)
+        diagonal.push_back(unknown.has_prior ? 1 : 0);
     return diagonal;
 }
 
-Fit fit(const FitModel& model, std::span<const Unknown> unknowns,
+Fit fit(const FitModel& model, std::span<const FitUnknown> unknowns,
         std::span<const double> measured, std::span<const double> weights,
         std::vector<double> start, const FitOptions& options) {
     const Descent descent{model, unknowns, measured, weights, prior_diagonal(unknowns)};

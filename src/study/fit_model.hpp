@@ -16,7 +16,7 @@
 namespace bemcal::study {
 
 /// A parameter seen by a fit: value = centre + scale x.
-struct Unknown {
+struct FitUnknown {
     std::string name, unit;
     double centre = 0, scale = 1;  ///< the prior's mean and standard deviation
     double least = 0, most = 1;    ///< in the parameter's unit
@@ -29,7 +29,7 @@ struct Unknown {
 };
 
 /// An unknown with the prior of a parameter; a uniform one is none.
-Unknown unknown_of(const physics::Parameter& parameter, const stats::Prior& prior);
+FitUnknown unknown_of(const physics::Parameter& parameter, const stats::Prior& prior);
 
 /// Readings of all meters over a period, one after the other.
 struct Targets {
@@ -87,7 +87,7 @@ struct Fit {
 
 /// Levenberg-Marquardt within the ranges: four damped steps are simulated at once, and
 /// the best is taken. \param weights  [n], 0 = not fitted  \param start  [p]
-Fit fit(const FitModel& model, std::span<const Unknown> unknowns,
+Fit fit(const FitModel& model, std::span<const FitUnknown> unknowns,
         std::span<const double> measured, std::span<const double> weights,
         std::vector<double> start, const FitOptions& options = {});
 
@@ -96,6 +96,6 @@ std::vector<double> residuals_of(std::span<const double> measured,
                                  std::span<const double> predicted);
 
 /// What the prior adds to the normal equations. [p]
-std::vector<double> prior_diagonal(std::span<const Unknown> unknowns);
+std::vector<double> prior_diagonal(std::span<const FitUnknown> unknowns);
 
 }  // namespace bemcal::study

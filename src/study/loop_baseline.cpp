@@ -30,7 +30,7 @@ std::vector<ChannelNoise> first_noise(const LoopData& data) {
 std::vector<double> start_of(const Place& place, const Standing& from) {
     std::vector<std::string> names;
     names.reserve(place.unknowns.size() + place.always.size());
-    for (const Unknown& unknown : place.unknowns) names.push_back(unknown.name);
+    for (const FitUnknown& unknown : place.unknowns) names.push_back(unknown.name);
     for (const Refinement::Always& always : place.always)
         names.push_back(always.effect.name);
     std::vector<double> start(names.size(), 0.0);
@@ -169,7 +169,7 @@ namespace {
 std::vector<double> first_start(const LoopData& data, const Place& place) {
     std::vector<double> start;
     start.reserve(place.unknowns.size());
-    for (const Unknown& unknown : place.unknowns) {
+    for (const FitUnknown& unknown : place.unknowns) {
         const auto given = data.options.start.find(unknown.name);
         start.push_back(given == data.options.start.end()
                             ? 0

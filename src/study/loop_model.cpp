@@ -269,8 +269,9 @@ BuiltModel build(const Place& place, const std::vector<effects::Effect>& added) 
     for (std::size_t k = 0; k < all.size(); ++k) {
         const physics::Parameter& parameter = built.placed->parameters[k];
         built.parameters.push_back(parameter);
-        Unknown unknown{all[k].name,     parameter.unit, 0,    std::abs(all[k].typical),
-                        parameter.least, parameter.most, false};
+        FitUnknown unknown{
+            all[k].name,     parameter.unit, 0,    std::abs(all[k].typical),
+            parameter.least, parameter.most, false};
         if (k < place.always.size()) {
             unknown.centre = place.always[k].mean;
             unknown.scale = place.always[k].sd;

@@ -78,7 +78,7 @@ struct BuiltModel {
     physics::Building building;  ///< with structure, without effects
     std::shared_ptr<const physics::Drive> drive;
     std::shared_ptr<const effects::Placed> placed;
-    std::vector<Unknown> unknowns;  ///< parameters, refinements, effects found
+    std::vector<FitUnknown> unknowns;  ///< parameters, refinements, effects found
     std::vector<physics::Parameter> parameters;
     std::shared_ptr<const FitModel> fit_model;
     std::size_t n_effects = 0;
@@ -92,7 +92,7 @@ struct Place {
     std::shared_ptr<const physics::Drive> drive;
     std::shared_ptr<effects::Surroundings> surroundings;
     std::vector<physics::Parameter> parameters;
-    std::vector<Unknown> unknowns;
+    std::vector<FitUnknown> unknowns;
     std::vector<Refinement::Always> always;  ///< of the structure
     std::vector<physics::Channel> channels;
 };

@@ -50,6 +50,19 @@ class CheckIncludes(unittest.TestCase):
     def test_a_folder_outside_the_ladder_fails(self):
         self.assert_fails({"utils/a.hpp": []}, "folder 'utils' is not in the ladder")
 
+    def test_two_types_of_one_name_in_a_folder_fail(self):
+        with tempfile.TemporaryDirectory() as folder:
+            study = pathlib.Path(folder, "study")
+            study.mkdir()
+            (study / "a.hpp").write_text("struct Unknown {\n};\nclass Later;\nstruct Unknown::Part {\n};\n")
+            (study / "b.cpp").write_text("namespace {\nstruct Unknown {};\n}  // namespace\nclass Later {\n};\n")
+            sound = subprocess.run([PROGRAM, folder], capture_output=True, text=True)
+            (study / "c.hpp").write_text("class Unknown : public Later {\n};\n")
+            broken = subprocess.run([PROGRAM, folder], capture_output=True, text=True)
+        self.assertEqual((sound.returncode, sound.stderr), (0, ""))
+        self.assertEqual(broken.returncode, 1)
+        self.assertIn("study/c.hpp:1: the type Unknown is another one in study/a.hpp:1", broken.stderr)
+
     def test_a_library_outside_its_file_fails(self):
         for header, file in (("mpi.h", "run/other.cpp"), ("hdf5.h", "store/layout.cpp"),
                              ("hdf5_hl.h", "store/layout.cpp"), ("toml++/toml.h", "main.cpp"),

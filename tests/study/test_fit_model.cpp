@@ -16,7 +16,7 @@ struct Room {
     physics::Building building = test::simple_building();
     physics::Drive drive = test::swinging_drive(building, 21 * 24, 3, 300);
     std::vector<physics::Parameter> parameters;
-    std::vector<Unknown> unknowns;
+    std::vector<FitUnknown> unknowns;
 
     Room() {
         add("u_wall", "construction.wall.u_value");
@@ -72,7 +72,7 @@ TEST(FitModel, StaysWithinTheRanges) {
 
 TEST(FitModel, WithoutReadingsThePriorHolds) {
     Room room;
-    for (Unknown& unknown : room.unknowns) unknown.has_prior = true;
+    for (FitUnknown& unknown : room.unknowns) unknown.has_prior = true;
     const FitModel model = room.model();
     const auto measured = room.readings(model, 2, 2);
     const std::vector<double> weights(measured.size(), 0.0);
