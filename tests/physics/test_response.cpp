@@ -37,6 +37,10 @@ void* counted(std::size_t size, std::size_t alignment) {
 [[gnu::noinline]] void operator delete(void* place, std::align_val_t) noexcept {
     std::free(place);
 }
+[[gnu::noinline]] void operator delete(void* place, std::size_t,
+                                       std::align_val_t) noexcept {
+    std::free(place);
+}
 
 namespace bemcal::physics {
 
