@@ -133,6 +133,12 @@ stats::Prior residual_prior(const std::string& name, const Meter& meter,
     return lognormal(fortnight(meter.interval), 0.7);
 }
 
+/// Four lanes at most: chains end their trajectories at different times, and of eight
+/// lanes too many would wait (a posterior takes 1.8 times as long on a Zen 4).
+physics::InstructionSet set_of_chains() {
+    return std::min(physics::choose_instruction_set(), physics::InstructionSet::v3);
+}
+
 }  // namespace
 
 double noise_scale(physics::Quantity quantity, std::span<const double> values) {
@@ -158,7 +164,7 @@ BuildingModel::BuildingModel(const Case& building, const Period& period,
     : building_(building),
       drive_(drive_of(building_, period)),
       batch_(std::make_unique<physics::Batch>(building_.building, building_.parameters,
-                                              drive_)),
+                                              drive_, set_of_chains())),
       meters_(meter_models(building_, period, choice)) {
     response_ =
         std::make_unique<physics::Response>(*batch_, channels_of(building_, meters_));
