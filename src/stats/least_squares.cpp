@@ -2,6 +2,7 @@
 #include "stats/least_squares.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <Eigen/Dense>
 
@@ -105,21 +106,24 @@ Matrix inverse(const Matrix& matrix, std::span<const double> diagonal,
     return to_matrix(whole);
 }
 
-std::vector<double> left_out_residuals(const Matrix& derivatives,
-                                       std::span<const double> r,
-                                       std::span<const double> weights,
-                                       std::span<const int> block_of,
-                                       std::span<const double> diagonal,
-                                       std::span<const char> fixed) {
+std::vector<double> jackknife_deviations(const Matrix& derivatives,
+                                         std::span<const double> r,
+                                         std::span<const double> weights,
+                                         std::span<const int> block_of,
+                                         std::span<const double> diagonal,
+                                         std::span<const char> fixed) {
     const View J = view(derivatives);
     const auto free = free_of(fixed);
     const auto total = normal_equations(derivatives, r, weights);
     const Eigen::MatrixXd A = reduced(total.matrix, diagonal, free);
-    Eigen::VectorXd left = view(r);
-    for (const auto& runs : runs_of(block_of)) {
+    const auto blocks = runs_of(block_of);
+    const auto n_blocks = static_cast<Eigen::Index>(blocks.size());
+    Eigen::MatrixXd moves(A.rows(), n_blocks);
+    std::vector<bool> is_told_by_one(fixed.size(), false);
+    for (Eigen::Index b = 0; b < n_blocks; ++b) {
         Eigen::MatrixXd A_b = Eigen::MatrixXd::Zero(J.rows(), J.rows());
         Eigen::VectorXd g_b = Eigen::VectorXd::Zero(J.rows());
-        for (const Run& run : runs) {
+        for (const Run& run : blocks[static_cast<std::size_t>(b)]) {
             const auto part = J.middleCols(run.begin, run.size);
             const auto w = view(weights).segment(run.begin, run.size);
             const RowMajor scaled = part * w.cwiseSqrt().asDiagonal();
@@ -127,15 +131,23 @@ std::vector<double> left_out_residuals(const Matrix& derivatives,
             g_b += part * w.cwiseProduct(view(r).segment(run.begin, run.size));
         }
         A_b = Eigen::MatrixXd(A_b.selfadjointView<Eigen::Lower>());
+        for (std::size_t k = 0; k < fixed.size(); ++k)
+            if (A_b.diagonal()[static_cast<Eigen::Index>(k)] > 0.5 * total.matrix(k, k))
+                is_told_by_one[k] = true;
         const Eigen::MatrixXd others = A - Eigen::MatrixXd(A_b(free, free));
-        const Eigen::VectorXd moved = -others.ldlt().solve(Eigen::VectorXd(g_b(free)));
-        Eigen::VectorXd move = Eigen::VectorXd::Zero(J.rows());
-        move(free) = moved;
-        for (const Run& run : runs)
-            left.segment(run.begin, run.size) -=
-                J.middleCols(run.begin, run.size).transpose() * move;
+        moves.col(b) = -others.ldlt().solve(Eigen::VectorXd(g_b(free)));
     }
-    return {left.begin(), left.end()};
+    const Eigen::VectorXd squares =
+        (moves.colwise() - moves.rowwise().mean()).rowwise().squaredNorm();
+    const double n = static_cast<double>(n_blocks);
+    std::vector<double> deviations(fixed.size(), 0.0);
+    for (std::size_t k = 0; k < free.size(); ++k) {
+        const auto unknown = static_cast<std::size_t>(free[k]);
+        if (!is_told_by_one[unknown])
+            deviations[unknown] =
+                std::sqrt((n - 1) / n * squares[static_cast<Eigen::Index>(k)]);
+    }
+    return deviations;
 }
 
 }  // namespace bemcal::stats

@@ -1,5 +1,5 @@
-/// Weighted least squares of a linearised model with a normal prior, and what it would
-/// have said of readings it had not seen.
+/// Weighted least squares of a linearised model with a normal prior, and how far the
+/// unknowns are known.
 ///
 /// The model is r - J^T d: residuals r [n] (measured - predicted), derivatives J [p x n]
 /// of the predictions, weights w [n] (0 = left out). Unknowns are in units of their prior
@@ -38,15 +38,19 @@ std::vector<double> solve(const Matrix& matrix, std::span<const double> diagonal
 Matrix inverse(const Matrix& matrix, std::span<const double> diagonal,
                std::span<const char> fixed);
 
-/// Residuals of each block of readings under the fit to all others: leave-one-block-out
-/// without another simulation. At the fit J w r = prior pull, so leaving out block b
-/// moves the unknowns by -(A - A_b)^-1 J_b w_b r_b.
-/// \param block_of  [n] from 0; readings of weight 0 get their residual, too
-std::vector<double> left_out_residuals(const Matrix& derivatives,
-                                       std::span<const double> r,
-                                       std::span<const double> weights,
-                                       std::span<const int> block_of,
-                                       std::span<const double> diagonal,
-                                       std::span<const char> fixed);
+/// Standard deviations of the unknowns by leaving out block after block of readings:
+/// unlike the inverse they see how a model that is not quite true fits some blocks
+/// otherwise than others (delete-a-block jackknife: Kuensch 1989, Annals of Statistics
+/// 17). Nothing is fitted again: at the fit J w r = prior pull, so leaving out block b
+/// moves the unknowns by
+/// -(A - A_b)^-1 J_b w_b r_b.
+/// \param block_of  [n] from 0
+/// \return [p], 0 of those that are fixed or of which one block tells more than half
+std::vector<double> jackknife_deviations(const Matrix& derivatives,
+                                         std::span<const double> r,
+                                         std::span<const double> weights,
+                                         std::span<const int> block_of,
+                                         std::span<const double> diagonal,
+                                         std::span<const char> fixed);
 
 }  // namespace bemcal::stats

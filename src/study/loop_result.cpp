@@ -105,6 +105,10 @@ std::vector<double> outdoors_of(const physics::Drive& drive) {
     return hours;
 }
 
+double days_of(const Period& period) {
+    return static_cast<double>((period.to - period.from).count()) / 86400;
+}
+
 void push(std::vector<double>& to, const stats::FitMetrics& metrics) {
     to.insert(to.end(), {metrics.n, metrics.cv_rmse, metrics.nmbe, metrics.rmse});
 }
@@ -143,7 +147,7 @@ class Writer {
     }
 
     /// Standard deviations of a model's unknowns, in their units: the variance that noise
-    /// leaves them, times the misfit.
+    /// leaves them, times the misfit; more where twelfths of the period say otherwise.
     std::vector<double> deviations(const Standing& standing) const {
         auto weights = weights_of(data_.targets, standing.noise);
         for (double& weight : weights) weight /= result_.misfit;
@@ -153,11 +157,12 @@ class Writer {
         for (double& entry : diagonal) entry += 1e-6;
         const std::vector<char> none(diagonal.size(), 0);
         const Matrix covariance = stats::inverse(equations.matrix, diagonal, none);
-        std::vector<double> sd;
-        sd.reserve(diagonal.size());
+        std::vector<double> sd = stats::jackknife_deviations(
+            standing.fit.at.derivatives, standing.residuals, weights,
+            data_.blocks_of(days_of(data_.training()) / 12), diagonal, none);
         for (std::size_t k = 0; k < diagonal.size(); ++k)
-            sd.push_back(std::sqrt(std::max(0.0, covariance(k, k))) *
-                         standing.built.unknowns[k].scale);
+            sd[k] = std::max(sd[k], std::sqrt(std::max(0.0, covariance(k, k)))) *
+                    standing.built.unknowns[k].scale;
         return sd;
     }
 

@@ -1,5 +1,6 @@
 /// Candidates on the tangent: one simulation of four amplitudes each.
 #include "base/random.hpp"
+#include "stats/distributions.hpp"
 #include "stats/least_squares.hpp"
 #include "stats/quantile.hpp"
 #include "study/loop_search.hpp"
@@ -200,7 +201,10 @@ double null_gain(const std::vector<Screened>& screened, double alpha,
         largest.push_back(most);
     }
     std::ranges::sort(largest);
-    return stats::quantile_of_sorted(largest, 1 - alpha);
+    // A few blocks have few patterns of signs: no less than what normal noise would show.
+    const auto n = static_cast<double>(std::max<std::size_t>(screened.size(), 1));
+    const double z = stats::normal_quantile(1 - 0.5 * alpha / n);
+    return std::max(stats::quantile_of_sorted(largest, 1 - alpha), z * z);
 }
 
 }  // namespace bemcal::study

@@ -76,10 +76,13 @@ Standing with_effect(const LoopData& data, const Place& place, const Standing& f
     return next;
 }
 
-/// What freedom costs: the logarithm of how far the data narrow the coefficient.
+/// What freedom costs: the logarithm of how far the data narrow the coefficient; of runs
+/// of days that were picked among all of a year, the choice of each.
 double occam(const Screened& screened) {
+    static const double of_a_run = 2 * std::log(365.0);
     const double typical = screened.effect.typical;
     return std::log1p(screened.information * typical * typical) +
+           of_a_run * static_cast<double>(screened.effect.days.size()) +
            (screened.effect.number == 0 ? generic_penalty : 0);
 }
 
@@ -149,12 +152,16 @@ void judge_left_out(const LoopData& data, const Standing& before, Unseen& unseen
         candidate.error.push_back(std::sqrt(squares[c] / old_squares[c]) - 1);
 }
 
-/// Relative change of the weighted error in the last quarter
-/// of training under fits to the first three: what follows time must foretell what comes.
+physics::Seconds last_quarter_of(const LoopData& data) {
+    const auto [first, last] = std::ranges::minmax(data.begins);
+    return first + 3 * (last - first) / 4;
+}
+
+/// Relative change of the weighted error in the last quarter of training under fits to
+/// the first three: what follows time must foretell what comes.
 double change_of_last_quarter(const LoopData& data, const Standing& before,
                               const Standing& after) {
-    const auto [first, last] = std::ranges::minmax(data.begins);
-    const auto from = first + 3 * (last - first) / 4;
+    const auto from = last_quarter_of(data);
     auto weights = weights_of(data.targets, before.noise);
     std::vector<double> is_last(weights.size(), 0.0);
     for (std::size_t k = 0; k < weights.size(); ++k)
@@ -170,6 +177,34 @@ double change_of_last_quarter(const LoopData& data, const Standing& before,
         return sum;
     };
     return std::sqrt(error_of(after) / error_of(before)) - 1;
+}
+
+/// By how much the newest effect changes the only meter's last quarter [-].
+double change_of_level(const LoopData& data, const Standing& with) {
+    Matrix points(2, with.built.unknowns.size());
+    for (std::size_t k = 0; k < points.cols; ++k)
+        points(0, k) = points(1, k) = with.built.unknowns[k].within(with.fit.at.x[k]);
+    points(1, points.cols - 1) = 0;
+    const Matrix predicted = with.built.fit_model->predict(points);
+    const auto from = last_quarter_of(data);
+    double sum = 0, without = 0;
+    for (std::size_t k = 0; k < data.begins.size(); ++k)
+        if (data.begins[k] >= from) sum += predicted(0, k), without += predicted(1, k);
+    return std::abs(sum / without - 1);
+}
+
+/// Whether something that follows time may be no more than what use and operation change
+/// in a year everywhere (standard deviations of 232 buildings' weather-corrected energy,
+/// bench/bench_level_change.py): a meter alone cannot tell the two apart.
+bool is_within_usual_change(const LoopData& data, const Refitted& candidate) {
+    using physics::Quantity;
+    constexpr double of_electricity = 0.06, of_fuel = 0.18, one_of_ten = 1.645;
+    const Quantity quantity = data.targets.channels[0].quantity;
+    if (candidate.effect.driver != effects::Driver::elapsed ||
+        data.targets.n_channels() > 1 || quantity == Quantity::air_temperature)
+        return false;
+    const double usual = quantity == Quantity::electricity ? of_electricity : of_fuel;
+    return change_of_level(data, candidate.standing) < one_of_ten * usual;
 }
 
 /// The first gate that is not passed.
@@ -209,6 +244,8 @@ std::string objection_to(const LoopData& data, const Standing& before,
     if (change > most_loss && !is_overwhelming) return "last quarter is foretold worse";
     if (candidate.effect.driver == effects::Driver::elapsed && change > -least)
         return "follows time, but does not foretell the last quarter";
+    if (is_within_usual_change(data, candidate))
+        return "no more than use changes in a year, on one meter";
     return {};
 }
 

@@ -33,7 +33,8 @@ std::vector<Screened> screen(const LoopData& data, const Place& place,
 
 /// The largest gain that a screening of nothing but noise would show, exceeded with
 /// probability alpha: blocks' scores with random signs (multiplier bootstrap of the
-/// largest statistic, Chernozhukov, Chetverikov and Kato 2013).
+/// largest statistic, Chernozhukov, Chetverikov and Kato 2013); at least what as many
+/// normal scores would.
 double null_gain(const std::vector<Screened>& screened, double alpha, std::uint64_t seed);
 
 /// A candidate after its refit.

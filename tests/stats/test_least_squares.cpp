@@ -55,7 +55,7 @@ TEST(LeastSquares, SolutionBalancesTheResidualWithThePrior) {
     }
 }
 
-TEST(LeastSquares, LeftOutResidualsAreThoseOfFitsToTheOtherBlocks) {
+TEST(LeastSquares, JackknifeIsThatOfFitsToTheOtherBlocks) {
     const Line line;
     // Moved to the fit, where the prior pulls towards 0 from d: take the prior's centre
     // there by leaving it flat.
@@ -63,18 +63,41 @@ TEST(LeastSquares, LeftOutResidualsAreThoseOfFitsToTheOtherBlocks) {
     at_fit.prior = {0, 0, 0};
     const auto d = at_fit.fitted(line.weights);
     for (std::size_t k = 0; k < 60; ++k) at_fit.r[k] = line.left(k, d);
-    const auto left = left_out_residuals(at_fit.derivatives, at_fit.r, at_fit.weights,
-                                         at_fit.block, at_fit.prior, at_fit.none);
+    std::vector<std::vector<double>> moves;
     for (int block = 0; block < 6; ++block) {
         auto weights = at_fit.weights;
         for (std::size_t k = 0; k < 60; ++k)
             if (at_fit.block[k] == block) weights[k] = 0;
-        const auto without = at_fit.fitted(weights);
-        for (std::size_t k = 0; k < 60; ++k) {
-            if (at_fit.block[k] != block) continue;
-            EXPECT_NEAR(left[k], at_fit.left(k, without), 1e-10);
-        }
+        moves.push_back(at_fit.fitted(weights));
     }
+    const auto deviations =
+        jackknife_deviations(at_fit.derivatives, at_fit.r, at_fit.weights, at_fit.block,
+                             at_fit.prior, at_fit.none);
+    for (std::size_t k = 0; k < 3; ++k) {
+        double mean = 0, square = 0;
+        for (const auto& move : moves) mean += move[k] / 6;
+        for (const auto& move : moves) square += (move[k] - mean) * (move[k] - mean);
+        EXPECT_NEAR(deviations[k], std::sqrt(square * 5 / 6), 1e-10);
+    }
+}
+
+TEST(LeastSquares, JackknifeOfAMeanIsItsStandardError) {
+    // Of single readings it is the textbook's s / sqrt(n) (Efron 1982, chapter 3).
+    const std::vector<double> readings = {3, 1, 4, 1, 5, 9, 2, 6};
+    Matrix ones(1, 8);
+    std::vector<double> r, weights(8, 1.0);
+    std::vector<int> block;
+    for (std::size_t k = 0; k < 8; ++k) {
+        ones(0, k) = 1;
+        r.push_back(readings[k] - 31.0 / 8);
+        block.push_back(static_cast<int>(k));
+    }
+    double square = 0;
+    for (const double one : r) square += one * one;
+    const std::vector<double> flat = {0};
+    const std::vector<char> free = {0};
+    EXPECT_NEAR(jackknife_deviations(ones, r, weights, block, flat, free)[0],
+                std::sqrt(square / 7 / 8), 1e-12);
 }
 
 TEST(LeastSquares, FixedUnknownsStay) {
