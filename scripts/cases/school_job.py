@@ -43,7 +43,8 @@ def periods(year):
 
 def studies(names, options):
     """`names`: of the case's parameters."""
-    yield section("[[study]]", kind="stages", meters=texts(["air"]), accuracy=0.35, **options)
+    yield section("[[study]]", kind="stages", meters=texts(["air"]), accuracy=0.35,
+                  objective="likelihood", independent_hours=24, **options)
     for name, (start, period, wanted) in STAGES.items():
         yield section("[[study.stage]]", name=name, periods=texts([period]), **{"from": start},
                       parameters=texts([each for each in wanted if each in names]))

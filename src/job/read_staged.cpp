@@ -73,7 +73,8 @@ void read_own_fit(const Section& stage, study::OptimisationOptions& fit) {
 }
 
 study::CalibrationStage read_stage(const Section& stage, const std::string& before,
-                                   const study::OptimisationOptions& fit) {
+                                   const study::OptimisationOptions& fit,
+                                   double independent_hours) {
     study::CalibrationStage read;
     read.name = stage.text("name");
     check_name(stage, "name", Named::study, read.name);
@@ -87,6 +88,7 @@ study::CalibrationStage read_stage(const Section& stage, const std::string& befo
     read.set = read_set(stage);
     read.fit = fit;
     read_own_fit(stage, read.fit);
+    read.independent_hours = independent_hours;
     return read;
 }
 
@@ -151,9 +153,15 @@ void check_stage(const Section& stage, const study::CalibrationStage& read,
 study::StagedOptions read_staged(const Section& section, std::uint64_t seed) {
     study::StagedOptions options;
     const study::OptimisationOptions fit = read_fit(section, seed);
+    const double independent_hours = section.number("independent_hours");
     std::string before = study::initial_values;
     for (const Section& stage : section.tables("stage", stage_schema)) {
-        options.stages.push_back(read_stage(stage, before, fit));
+        options.stages.push_back(read_stage(stage, before, fit, independent_hours));
+        if (independent_hours > 0 &&
+            options.stages.back().fit.objective != study::Objective::likelihood)
+            section.fail("independent_hours",
+                         "is of a likelihood; expected objective = \"likelihood\", or "
+                         "leave it out");
         before = options.stages.back().name;
     }
     if (options.stages.empty())

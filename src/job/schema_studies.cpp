@@ -231,6 +231,10 @@ constexpr Key table[] = {
     {"study", "accuracy", Type::number, "", "0.35", 0, 1e9,
      "Of stages: of the sensor, in the meter's unit; the share of readings within it is "
      "told."},
+    {"study", "independent_hours", Type::number, "h", "0", 0, 8760,
+     "Of stages with objective = \"likelihood\": errors nearer than this count as one, "
+     "and the priors of what is calibrated count beside them; 0: every reading counts, "
+     "and no prior does."},
     {"study", "beside", Type::texts, "", "", 0, 0,
      "Of stages: names of studies above (posterior, optimisation, screening) whose mean "
      "or best point is judged on the same periods."},

@@ -39,7 +39,7 @@ void plan_all(Batch::Plan& plan) {
 void run_plain(Batch::Group& group, int lane) {
     const Building& building = group.buildings[static_cast<std::size_t>(lane)];
     const Drive& drive = group.plan.drive;
-    const Trajectory trajectory = simulate(building, drive, start_temperature);
+    const Trajectory trajectory = simulate(building, drive);
     for (std::size_t q = 0; q < n_quantities; ++q) {
         const auto quantity = static_cast<Quantity>(q);
         const std::vector<double> values = predict(building, drive, trajectory, quantity);

@@ -26,8 +26,6 @@ const char* name_of(InstructionSet set);
 /// Whether the building is not for the kernel.
 bool runs_plain(const Building& building);
 
-constexpr double start_temperature = 20;  ///< of all nodes before the warm-up [degC]
-
 bool is_supported(InstructionSet set);
 /// The widest that this processor has; the environment's BEMCAL_KERNEL = scalar | v3 | v4
 /// overrides. Throws std::invalid_argument for one that it does not have.

@@ -89,7 +89,8 @@ void Batch::Group::write_lane(std::span<const double> point, int lane) {
         Zone& zone = zones[z];
         write_coefficients(plan.zones[z], building, plan.drive, network_,
                            {zone.regimes.data() + lane, zone.rows.data() + lane, lanes});
-        write_start(plan.zones[z], start_temperature, zone.state.data() + lane, lanes);
+        write_start(plan.zones[z], plan.drive.theta_start, zone.state.data() + lane,
+                    lanes);
         floor_share_.column(z)[lane] =
             building.zones[z].floor_area / building.floor_area();
     }

@@ -78,19 +78,28 @@ void check_sizes(const Weather& weather, const Building& building,
                        fmt::format("series '{}'", profile.name));
 }
 
+/// Calls `look` with the axis and the values of all that is needed of weather and series.
+template <class Look>
+void for_each_series(const Weather& weather, const Building& building,
+                     const std::vector<Profile>& profiles, Look look) {
+    look(weather.axis, weather.theta_e);
+    for (const auto* series : {&weather.direct_normal, &weather.diffuse_horizontal,
+                               &weather.global_horizontal})
+        if (!building.planes.empty()) look(weather.axis, *series);
+    for (const Profile& profile : profiles)
+        if (profile.is_series) look(profile.axis, profile.values);
+}
+
 /// Whether weather and series have values all over `span`.
 bool has_values(const Weather& weather, const Building& building,
                 const std::vector<Profile>& profiles, Span span) {
-    const auto has = [&](const TimeAxis& axis, const std::vector<double>& values) {
-        return covers(axis, span) && !any_missing(axis, values, span);
-    };
-    if (!has(weather.axis, weather.theta_e)) return false;
-    for (const auto* series : {&weather.direct_normal, &weather.diffuse_horizontal,
-                               &weather.global_horizontal})
-        if (!building.planes.empty() && !has(weather.axis, *series)) return false;
-    return std::all_of(profiles.begin(), profiles.end(), [&](const Profile& profile) {
-        return !profile.is_series || has(profile.axis, profile.values);
-    });
+    bool has = true;
+    for_each_series(weather, building, profiles,
+                    [&](const TimeAxis& axis, const std::vector<double>& values) {
+                        has =
+                            has && covers(axis, span) && !any_missing(axis, values, span);
+                    });
+    return has;
 }
 
 /// A needed value of a series; says which and when where it is missing.
@@ -260,6 +269,21 @@ double Drive::changed(const Input& input, int step) const {
         sum += brought;
     }
     return (input.low + (input.value - input.low) * profile) * factor + shift;
+}
+
+int known_hours_before(const Weather& weather, const Building& building,
+                       const std::vector<Profile>& profiles, Seconds from, int most) {
+    Seconds begin = from - std::chrono::hours(most);
+    for_each_series(weather, building, profiles,
+                    [&](const TimeAxis& axis, const std::vector<double>& values) {
+                        int step =
+                            std::min(axis.step_of(from - seconds(1)), axis.n_steps - 1);
+                        while (step >= 0 && axis.begin_of(step) >= begin &&
+                               !std::isnan(values[static_cast<std::size_t>(step)]))
+                            --step;
+                        begin = std::max(begin, axis.begin_of(step + 1));
+                    });
+    return std::max(0, static_cast<int>((from - begin) / std::chrono::hours(1)));
 }
 
 Drive make_drive(const Weather& weather, const Building& building,

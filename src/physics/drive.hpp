@@ -22,9 +22,12 @@ struct Profile {
     std::vector<double> values;  ///< of the series; NaN = missing (an error if needed)
 };
 
+constexpr double start_temperature = 20;  ///< where none is known [degC]
+
 struct Drive {
     TimeAxis axis;                ///< all simulated steps, warm-up included
     int n_warm_up = 0;            ///< steps before the period that is asked for
+    double theta_start = start_temperature;  ///< of all nodes before the warm-up [degC]
     std::vector<double> theta_e;  ///< [n_steps] outdoor air temperature [degC]
     Matrix irradiance;            ///< [n_planes x n_steps] on Building::planes [W/m2]
     Matrix profiles;              ///< [n_profiles x n_steps]
@@ -42,6 +45,11 @@ struct Drive {
   private:
     double changed(const Input& input, int step) const;
 };
+
+/// How many whole hours before `from`, at most `most`, weather and series cover without a
+/// gap.
+int known_hours_before(const Weather& weather, const Building& building,
+                       const std::vector<Profile>& profiles, Seconds from, int most);
 
 /// Lays weather and profiles on the steps [from, to), with `n_warm_up_hours` before them:
 /// the real hours before `from` where the weather and series have them, else the first

@@ -63,7 +63,7 @@ std::vector<PointAnswer> evaluate_plain(const Batch::Plan& batch, const Matrix& 
 
 std::string why_not_finite(const Building& building, const Drive& drive) {
     try {
-        simulate(building, drive, start_temperature);
+        simulate(building, drive);
         return not_finite;
     } catch (const std::domain_error& error) {
         return error.what();

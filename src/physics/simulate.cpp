@@ -64,12 +64,11 @@ void add_link(const AirLink& link, double theta_other, Network& network,
 
 class ZoneRun {
   public:
-    ZoneRun(const Building& building, const Drive& drive, std::size_t zone,
-            double theta_start)
+    ZoneRun(const Building& building, const Drive& drive, std::size_t zone)
         : building_(building), drive_(drive), index_(zone) {
-        state_.theta_m = state_.theta_m2 = state_.theta_air = theta_start;
+        state_.theta_m = state_.theta_m2 = state_.theta_air = drive.theta_start;
         if (const auto& radiator = building.zones[zone].radiator)
-            radiator_.emplace(*radiator, theta_start);
+            radiator_.emplace(*radiator, drive.theta_start);
     }
 
     double theta_air() const { return state_.theta_air; }
@@ -141,14 +140,14 @@ void record(const StepResult& result, ZoneTrajectory& zone) {
 
 }  // namespace
 
-Trajectory simulate(const Building& building, const Drive& drive, double theta_start) {
+Trajectory simulate(const Building& building, const Drive& drive) {
     std::vector<ZoneRun> runs;
     runs.reserve(building.zones.size());
     for (std::size_t zone = 0; zone < building.zones.size(); ++zone)
-        runs.emplace_back(building, drive, zone, theta_start);
+        runs.emplace_back(building, drive, zone);
     Trajectory trajectory;
     trajectory.zones.resize(runs.size());
-    std::vector<double> theta_air(runs.size(), theta_start);
+    std::vector<double> theta_air(runs.size(), drive.theta_start);
     for (int step = 0; step < drive.n_steps(); ++step) {
         for (std::size_t zone = 0; zone < runs.size(); ++zone) {
             const StepResult result = runs[zone].advance(step, theta_air);

@@ -19,8 +19,7 @@ struct Trajectory {
 };
 
 /// Throws std::domain_error where a zone leaves the method (make_network) or a value is
-/// not finite, naming the zone and the step. Starts at `theta_start` before the warm-up.
-Trajectory simulate(const Building& building, const Drive& drive,
-                    double theta_start = 20);
+/// not finite, naming the zone and the step. All nodes start at drive.theta_start.
+Trajectory simulate(const Building& building, const Drive& drive);
 
 }  // namespace bemcal::physics

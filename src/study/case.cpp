@@ -10,6 +10,7 @@ namespace bemcal::study {
 namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr std::chrono::hours a_day{24};
 
 /// Bounds of the intervals that lie whole within the period; a cut last one has no
 /// reading.
@@ -41,6 +42,39 @@ physics::Readings readings_of(const Meter& meter, const physics::TimeAxis& axis)
     for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
         readings.values[k] = reading_at(meter, axis.begin_of(bounds[k]));
     return readings;
+}
+
+/// Mean of the first day's readings of the air temperature from `begin` on; NaN: none.
+double measured_air(const Case& building, physics::Seconds begin) {
+    for (const Meter& meter : building.meters) {
+        if (meter.quantity != physics::Quantity::air_temperature) continue;
+        const physics::TimeAxis day = meter.axis.between(begin, begin + a_day);
+        double sum = 0, n = 0;
+        for (int step = 0; step < day.n_steps; ++step) {
+            const double reading = reading_at(meter, day.begin_of(step));
+            if (std::isnan(reading)) continue;
+            sum += reading;
+            n += 1;
+        }
+        if (n > 0) return sum / n;
+    }
+    return missing;
+}
+
+/// A room whose air temperature is measured starts from that: its warm-up then needs no
+/// repetition, and is shorter where the data begin later.
+struct Start {
+    int warm_up_hours;
+    double theta;
+};
+Start start_of(const Case& building, const Period& period) {
+    const int known = physics::known_hours_before(building.weather, building.building,
+                                                  building.profiles, period.from,
+                                                  building.warm_up_hours);
+    const double theta = measured_air(building, period.from - std::chrono::hours(known));
+    if (std::chrono::hours(known) < a_day || std::isnan(theta))
+        return {building.warm_up_hours, physics::start_temperature};
+    return {known, theta};
 }
 
 }  // namespace
@@ -76,9 +110,12 @@ physics::Drive drive_of(const Case& building, const Period& period) {
 
 physics::Drive drive_of(const Case& building, const physics::Building& variant,
                         const Period& period) {
-    return physics::make_drive(building.weather, variant, building.profiles, period.from,
-                               period.to, building.step_s, building.warm_up_hours,
-                               building.sky, building.planes.get());
+    const Start start = start_of(building, period);
+    physics::Drive drive = physics::make_drive(
+        building.weather, variant, building.profiles, period.from, period.to,
+        building.step_s, start.warm_up_hours, building.sky, building.planes.get());
+    drive.theta_start = start.theta;
+    return drive;
 }
 
 std::vector<physics::Readings> readings_of(const Case& building, const Period& period) {

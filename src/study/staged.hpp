@@ -37,7 +37,10 @@ struct CalibrationStage {
                                           ///< over, up and down; 0 = the parameter's
     std::vector<NamedRange> ranges{};     ///< instead of these
     std::vector<NamedValue> set{};        ///< held at these from this stage on
-    OptimisationOptions fit{};            ///< objective, meters, method, budget, seed
+    /// Of a likelihood: errors nearer than this count as one [h], and the priors of what
+    /// is calibrated count beside them; 0: every reading counts, and no prior.
+    double independent_hours = 0;
+    OptimisationOptions fit{};  ///< objective, meters, method, budget, seed
 };
 
 /// A period that no stage sees, judged with the values of one.

@@ -51,11 +51,40 @@ std::vector<physics::Request> cut(const std::vector<physics::Request>& requests,
     return some;
 }
 
+/// Of what the stage calibrates; the others have no part.
+std::vector<stats::Prior> counted_priors(const Case& building,
+                                         const CalibrationStage& stage) {
+    std::vector<stats::Prior> priors(building.parameters.size(),
+                                     {stats::PriorKind::fixed});
+    if (stage.independent_hours <= 0) return priors;
+    for (std::size_t k = 0; k < building.priors.size(); ++k)
+        if (building.priors[k].values.empty() &&
+            std::ranges::find(stage.parameters, building.parameters[k].name) !=
+                stage.parameters.end())
+            priors[k] = building.priors[k].prior;
+    return priors;
+}
+
+double hours_of(physics::Interval interval, int step_s) {
+    switch (interval) {
+        case physics::Interval::step:
+            return step_s / 3600.0;
+        case physics::Interval::hourly:
+            return 1;
+        case physics::Interval::daily:
+            return 24;
+        case physics::Interval::monthly:
+            return 730;
+        default:
+            return 8760;
+    }
+}
+
 }  // namespace
 
 StageGoal::StageGoal(const Case& building, const PeriodModels& models,
                      const CalibrationStage& stage)
-    : fit_(stage.fit) {
+    : fit_(stage.fit), priors_(counted_priors(building, stage)) {
     std::vector<physics::Request> requests;
     for (const std::string& name : stage.periods) {
         batches_.push_back(&models.at(name)->batch);
@@ -63,6 +92,12 @@ StageGoal::StageGoal(const Case& building, const PeriodModels& models,
     }
     meters_ = chosen_meters(building, stage, requests);
     requests_ = cut(requests, meters_);
+    for (const std::size_t m : meters_) {
+        const double hours = hours_of(building.meters[m].interval, building.step_s);
+        share_.push_back(stage.independent_hours > 0
+                             ? std::min(1.0, hours / stage.independent_hours)
+                             : 1);
+    }
     for (std::size_t p = 0; p < stage.periods.size(); ++p)
         for (std::size_t m = 0; m < meters_.size(); ++m)
             if (!has_reading(requests_[p].readings[m].values))
@@ -87,8 +122,17 @@ double StageGoal::objective_of(
         const MeterFit fit = fit_of(requests_[0].readings[m], own, monthly);
         const bool is_monthly = fit_.resolution == ObjectiveResolution::monthly;
         const double weight = fit_.meter_weights.empty() ? 1 : fit_.meter_weights[m];
-        sum += weight * objective_term(is_monthly ? fit.monthly : fit.own, fit_);
+        sum +=
+            weight * share_[m] * objective_term(is_monthly ? fit.monthly : fit.own, fit_);
     }
+    return sum;
+}
+
+double StageGoal::minus_log_prior(std::span<const double> point) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < point.size(); ++k)
+        if (priors_[k].kind != stats::PriorKind::fixed)
+            sum -= priors_[k].log_density(point[k]);
     return sum;
 }
 
@@ -107,7 +151,8 @@ std::vector<double> StageGoal::evaluate(const Matrix& points,
             if (failures[r].empty()) failures[r] = period[r].failure;
             of_point.push_back(&period[r]);
         }
-        if (failures[r].empty()) values[r] = objective_of(of_point);
+        if (failures[r].empty())
+            values[r] = objective_of(of_point) + minus_log_prior(points.row(r));
     }
     return values;
 }

@@ -8,6 +8,7 @@
 
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,11 @@ class StageGoal {
 
   private:
     double objective_of(const std::vector<const physics::PointAnswer*>& answers) const;
+    double minus_log_prior(std::span<const double> point) const;
 
     OptimisationOptions fit_;
+    std::vector<stats::Prior> priors_;  ///< [parameters of the case]; fixed: no part
+    std::vector<double> share_;         ///< [meters] independent errors per reading
     std::vector<std::size_t> meters_;
     std::vector<const physics::Batch*> batches_;  ///< [periods]
     std::vector<physics::Request> requests_;      ///< [periods]

@@ -133,6 +133,21 @@ TEST(Drive, WarmUpRepeatsWhereASeriesBeginsLater) {
         48);
 }
 
+TEST(Drive, KnowsHowFarTheHoursBeforeReach) {
+    const Weather weather = numbered_weather();
+    const auto before = [&](const std::vector<Profile>& profiles, const char* from) {
+        return known_hours_before(weather, one_plane(), profiles, parse_time(from), 100);
+    };
+    EXPECT_EQ(before({}, "2021-03-20"), 100);
+    EXPECT_EQ(before({}, "2021-03-03"), 48);
+    EXPECT_EQ(before({}, "2021-03-01"), 0);
+    Profile gap = numbered_series(weather.axis);
+    gap.values[30] = nan;  // 2 March, 6:00
+    EXPECT_EQ(before({gap}, "2021-03-03"), 17);
+    gap.axis = weather.axis.between(parse_time("2021-03-05"), weather.axis.end());
+    EXPECT_EQ(before({gap}, "2021-03-03"), 0);
+}
+
 TEST(Drive, TenMinuteSteps) {
     const Weather weather = numbered_weather();
     const Drive drive = drive_of(weather, {hour_of_day(), numbered_series(weather.axis)},

@@ -95,10 +95,10 @@ TEST(OfficeHour, IsOneStepOfTheGeneralModel) {
                  day > 100 ? 30 : 15);
         const Building building = office_in_words(v);
         const Weather weather = hour_of_weather(v);
-        const Drive drive = make_drive(weather, building, {}, weather.axis.start,
-                                       weather.axis.end(), 3600, 0, SkyModel::isotropic);
-        const Trajectory trajectory =
-            simulate(building, drive, v[number_of("theta_prev")]);
+        Drive drive = make_drive(weather, building, {}, weather.axis.start,
+                                 weather.axis.end(), 3600, 0, SkyModel::isotropic);
+        drive.theta_start = v[number_of("theta_prev")];
+        const Trajectory trajectory = simulate(building, drive);
         const double expected =
             (trajectory.zones[0].heating[0] + trajectory.zones[0].cooling[0]) / 1000;
         ASSERT_GT(expected, 0);

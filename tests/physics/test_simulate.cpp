@@ -51,8 +51,10 @@ TEST(Simulate, ForgetsItsStartInTheWarmUp) {
     const Building building = test::simple_building();
     Drive drive = test::swinging_drive(building, 3000, 8, 500);
     drive.n_warm_up = 2900;
-    const double cold = simulate(building, drive, 0).zones[0].theta_m[0];
-    const double warm = simulate(building, drive, 35).zones[0].theta_m[0];
+    drive.theta_start = 0;
+    const double cold = simulate(building, drive).zones[0].theta_m[0];
+    drive.theta_start = 35;
+    const double warm = simulate(building, drive).zones[0].theta_m[0];
     EXPECT_NEAR(cold, warm, 1e-9);
 }
 

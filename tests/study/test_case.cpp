@@ -90,5 +90,47 @@ TEST(CaseDrive, CoversThePeriodAfterItsWarmUp) {
     EXPECT_EQ(axis_of(made, made.periods[0]).n_steps, 240);
 }
 
+/// Air of 10 degC on the first day from `first_day` on, 1 K more each day.
+Meter thermometer(int first_day, int last_day) {
+    Meter meter = counting_meter(physics::Interval::hourly, first_day, last_day);
+    meter.quantity = physics::Quantity::air_temperature;
+    for (std::size_t k = 0; k < meter.values.size(); ++k)
+        meter.values[k] = 10 + static_cast<double>(k / 24);
+    return meter;
+}
+
+TEST(CaseDrive, StartsFromWhatTheThermometerShows) {
+    Case made = test::small_case();
+    made.meters = {counting_meter(physics::Interval::hourly, 0, 20), thermometer(0, 20)};
+    const Period period{"p", test::day(7), test::day(9)};
+    const physics::Drive drive = drive_of(made, period);
+    EXPECT_EQ(drive.n_warm_up, 96);
+    EXPECT_EQ(drive.theta_start, 13);
+}
+
+TEST(CaseDrive, WarmsUpOnWhatIsThereWhereTheStartIsMeasured) {
+    Case made = test::small_case();
+    made.meters = {thermometer(0, 20)};
+    made.warm_up_hours = 240;
+    const Period period{"p", test::day(6), test::day(9)};
+    const physics::Drive drive = drive_of(made, period);
+    EXPECT_EQ(drive.n_warm_up, 144);
+    EXPECT_EQ(drive.theta_start, 10);
+    EXPECT_EQ(drive.theta_e[0], made.weather.theta_e[0]);
+}
+
+TEST(CaseDrive, StartsAsEverWhereNothingIsMeasured) {
+    Case made = test::small_case();
+    made.warm_up_hours = 240;
+    const Period period{"p", test::day(6), test::day(9)};
+    for (const std::vector<Meter>& meters :
+         {std::vector<Meter>{}, {thermometer(1, 20)}}) {
+        made.meters = meters;
+        const physics::Drive drive = drive_of(made, period);
+        EXPECT_EQ(drive.n_warm_up, 240);
+        EXPECT_EQ(drive.theta_start, physics::start_temperature);
+    }
+}
+
 }  // namespace
 }  // namespace bemcal::study

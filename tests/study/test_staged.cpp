@@ -154,6 +154,24 @@ TEST(Staged, TakesPeriodsTogetherAndRangesAroundWhatWasCarriedOver) {
     EXPECT_EQ(find(datasets, "first/period").texts, (Texts{"training", "later"}));
 }
 
+// A belief that is sure and wrong holds against a day of independent errors, not against
+// all readings.
+TEST(Staged, WeighsPriorsAgainstIndependentErrors) {
+    StagedOptions options = two_stages();
+    options.at_once = false;
+    for (CalibrationStage& each : options.stages)
+        each.fit.objective = Objective::likelihood;
+    Case made = measured_case();
+    made.priors.resize(3, {{stats::PriorKind::uniform}, {}});
+    made.priors[0].prior = {stats::PriorKind::normal, 0.8, 0.001, 0.3, 1.5};
+    const auto air_found = [&](double hours) {
+        options.stages[0].independent_hours = hours;
+        return at(find(run(*make_staged("s", made, options)), "calibration_value"), 0, 0);
+    };
+    EXPECT_NEAR(air_found(0), truth[0], 0.05);
+    EXPECT_NEAR(air_found(8760), 0.8, 0.01);
+}
+
 TEST(Staged, TellsTheBoundThatAParameterEndsOn) {
     StagedOptions options = two_stages();
     options.at_once = false;
