@@ -7,6 +7,8 @@
 #include "study/staged_results.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -15,6 +17,7 @@ namespace bemcal::study {
 namespace {
 
 constexpr std::size_t points_per_item = points_per_staged_item;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 template <class Names>
 bool is_in(const Names& names, const std::string& name) {
@@ -161,6 +164,8 @@ class StagedCalibration : public Stage {
     }
     void follow(const std::vector<ItemAnswer>& answers, History& history) const;
     void add_stages(const StagedPath& path, DatasetBuilder& datasets) const;
+    std::vector<std::vector<double>> spreads_of(
+        const std::vector<StageFound>& found) const;
     void add_comparisons(const StagedPath& path, DatasetBuilder& datasets) const;
     std::vector<Version> versions_beside(const StagedPath& path) const;
 
@@ -245,7 +250,6 @@ ItemAnswer StagedCalibration::run(int item) const {
 /// Tells the way the answers that it does not know yet.
 void StagedCalibration::follow(const std::vector<ItemAnswer>& answers,
                                History& history) const {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     while (history.n_items < answers.size()) {
         const std::size_t n = history.path.next_points().rows;
         if (n == 0) return;
@@ -336,10 +340,33 @@ void StagedCalibration::add_stages(const StagedPath& path,
     add("calibration_least", [&](std::size_t s) { return found[s].least; });
     add("calibration_most", [&](std::size_t s) { return found[s].most; });
     add("calibration_at_bound", [&](std::size_t s) { return bounds_of(found[s]); });
+    const auto spreads = spreads_of(found);
+    add("calibration_sd", [&](std::size_t s) { return spreads[s]; });
+}
+
+/// [stages][parameters of the case]
+std::vector<std::vector<double>> StagedCalibration::spreads_of(
+    const std::vector<StageFound>& found) const {
     const StagedJudge judge(building_, models_, options_.accuracy);
-    add("calibration_sd", [&](std::size_t s) {
-        return judge.spread_of(stages_[s], found[s], goals_[s].meters());
-    });
+    const std::size_t p = building_.parameters.size();
+    std::vector<std::vector<double>> spreads, known;  // known: with what is carried over
+    for (std::size_t s = 0; s < found.size(); ++s) {
+        const auto before =
+            std::ranges::find(stages_, stages_[s].from, &CalibrationStage::name);
+        std::vector<double> carried(p, nan);
+        if (before != stages_.end())
+            carried = known[static_cast<std::size_t>(before - stages_.begin())];
+        for (std::size_t k = 0; k < p; ++k)
+            if (std::ranges::count(stages_[s].set, building_.parameters[k].name,
+                                   &NamedValue::parameter) > 0)
+                carried[k] = nan;
+        spreads.push_back(
+            judge.spread_of(stages_[s], found[s], goals_[s].meters(), carried));
+        for (std::size_t k = 0; k < p; ++k)
+            if (!std::isnan(spreads[s][k])) carried[k] = spreads[s][k];
+        known.push_back(std::move(carried));
+    }
+    return spreads;
 }
 
 /// All at once, and studies above.

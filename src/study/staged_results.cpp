@@ -12,6 +12,7 @@ namespace bemcal::study {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+const double flat_deviation = std::sqrt(1.0 / 12);  ///< of a flat range of 1
 
 /// One meter over all periods of a comparison, one after the other.
 struct Joined {
@@ -90,11 +91,9 @@ bool has_range(const StageFound& found, std::size_t k) {
     return found.most[k] > found.least[k];
 }
 
-/// The point moved into the range by a hundredth of it.
-std::vector<double> moved(const StageFound& found, std::size_t k) {
-    std::vector<double> point = found.value;
-    const double step = 0.01 * (found.most[k] - found.least[k]);
-    point[k] += point[k] + step <= found.most[k] ? step : -step;
+/// The point with one of its parameters moved.
+std::vector<double> moved(std::vector<double> point, std::size_t parameter, double by) {
+    point[parameter] += by;
     return point;
 }
 
@@ -140,21 +139,38 @@ void StagedJudge::compare(const Comparison& comparison, DatasetBuilder& datasets
         }
 }
 
+std::vector<StagedJudge::Varied> StagedJudge::varied_in(
+    const StageFound& found, const std::vector<double>& carried) const {
+    std::vector<Varied> varied;
+    for (std::size_t k = 0; k < found.value.size(); ++k) {
+        if (k < building_.priors.size() && !building_.priors[k].values.empty()) continue;
+        double range = 0, most = building_.parameters[k].most;
+        if (has_range(found, k)) {
+            range = found.most[k] - found.least[k];
+            most = found.most[k];
+        } else if (carried[k] > 0) {
+            range = carried[k] / flat_deviation;
+        } else {
+            continue;
+        }
+        const double step = 0.01 * range;
+        varied.push_back({k, range, found.value[k] + step <= most ? step : -step});
+    }
+    return varied;
+}
+
 std::vector<double> StagedJudge::spread_of(const CalibrationStage& stage,
                                            const StageFound& found,
-                                           const std::vector<std::size_t>& meters) const {
-    std::vector<std::size_t> varied;
-    for (std::size_t k = 0; k < found.value.size(); ++k)
-        if (has_range(found, k) &&
-            (k >= building_.priors.size() || building_.priors[k].values.empty()))
-            varied.push_back(k);
+                                           const std::vector<std::size_t>& meters,
+                                           const std::vector<double>& carried) const {
+    const std::vector<Varied> varied = varied_in(found, carried);
     std::vector<stats::ResidualSeries> series;
     for (const std::string& period : stage.periods) {
         const CloseLook at = look(period, found.value);
         std::vector<CloseLook> beside;
         beside.reserve(varied.size());
-        for (const std::size_t k : varied)
-            beside.push_back(look(period, moved(found, k)));
+        for (const Varied& each : varied)
+            beside.push_back(look(period, moved(found.value, each.parameter, each.step)));
         for (const std::size_t m : meters) {
             const MeterSeries& here = at.meters[m];
             const std::size_t n = here.simulated.size();
@@ -164,14 +180,16 @@ std::vector<double> StagedJudge::spread_of(const CalibrationStage& stage,
             for (std::size_t k = 0; k < varied.size(); ++k)
                 for (std::size_t i = 0; i < n; ++i)
                     one.derivatives(k, i) =
-                        (beside[k].meters[m].simulated[i] - here.simulated[i]) / 0.01;
+                        (beside[k].meters[m].simulated[i] - here.simulated[i]) *
+                        varied[k].range / varied[k].step;
             series.push_back(std::move(one));
         }
     }
     const std::vector<double> shares = stats::estimate_spread(series, varied.size());
     std::vector<double> spread(found.value.size(), nan);
     for (std::size_t k = 0; k < varied.size(); ++k)
-        spread[varied[k]] = shares[k] * (found.most[varied[k]] - found.least[varied[k]]);
+        if (has_range(found, varied[k].parameter))
+            spread[varied[k].parameter] = shares[k] * varied[k].range;
     return spread;
 }
 

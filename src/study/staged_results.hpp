@@ -36,11 +36,22 @@ class StagedJudge {
     void compare(const Comparison& comparison, DatasetBuilder& datasets) const;
 
     /// Standard deviations of a stage's estimates, in the parameters' units; NaN where
-    /// the stage leaves one alone, or it is discrete. [parameters of the case]
+    /// the stage leaves one alone, or it is discrete. What it carries over is as unsure
+    /// as its own stage left it, and widens them. [parameters of the case]
+    /// \param carried  standard deviations of what is carried over, taken as independent;
+    ///                 NaN: certain
     std::vector<double> spread_of(const CalibrationStage& stage, const StageFound& found,
-                                  const std::vector<std::size_t>& meters) const;
+                                  const std::vector<std::size_t>& meters,
+                                  const std::vector<double>& carried) const;
 
   private:
+    /// An unknown of a stage, over a range that is flat.
+    struct Varied {
+        std::size_t parameter;
+        double range, step;  ///< parameter's unit
+    };
+    std::vector<Varied> varied_in(const StageFound& found,
+                                  const std::vector<double>& carried) const;
     CloseLook look(const std::string& period, std::span<const double> point) const;
 
     const Case& building_;
