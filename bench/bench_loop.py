@@ -2,7 +2,7 @@
 """The search for missing effects on cases of the test generator: nulls, one effect, two, and effects
 that the catalogue cannot express, all drawn by seed.
 
-    bench_loop.py [--only N] [--seed S] [--ranks R] [--folder DIR] [--ladder]
+    bench_loop.py [--only N] [--seed S] [--ranks R] [--folder DIR] [--rungs RUNG...]
                   [--cases-only | --score-only]
 
 Writes the cases (about 10 s of a core each; those that are there stay), runs the loop on all of them
@@ -163,15 +163,29 @@ def print_errors(scored):
          "%", 80)
 
 
-def print_ladder(cases, folder, options):
+def judge(cases, folder, options):
+    """All hourly channels."""
+    result, seconds = run(cases, folder, options, "hourly")
+    scored = loop_scores.scores(result, cases)
+    write_table(scored, result.with_name("cases.csv"))
+    print_names(scored)
+    print_errors(scored)
+    line("loop_seconds_per_case", seconds * options.ranks / len(cases), "core_s", 40)
+
+
+def judge_rung(cases, folder, options, rung):
     """Strict names on less data, in cases that these data cannot show."""
-    for rung in ("electricity", "monthly"):
-        result, _ = run(cases, folder, options, rung)
-        singles = of_kind(loop_scores.scores(result, cases), "single")
-        unseen = [s for s in singles if not loop_scores.is_detectable(s)]
-        named = share(all(loop_scores.is_named(s, name) for name in s.planted) for s in unseen)
-        line(f"loop_{rung}_detectable", len(singles) - len(unseen), f"of_{len(singles)}", 0)
-        line(f"loop_{rung}_named_below", named, "%", 5)
+    result, _ = run(cases, folder, options, rung)
+    scored = loop_scores.scores(result, cases)
+    write_table(scored, result.with_name("cases.csv"))
+    singles, nulls = of_kind(scored, "single"), of_kind(scored, "null")
+    unseen = [s for s in singles if not loop_scores.is_detectable(s)]
+    named = share(all(loop_scores.is_named(s, name) for name in s.planted) for s in unseen)
+    line(f"loop_{rung}_detectable", len(singles) - len(unseen), f"of_{len(singles)}", 0)
+    line(f"loop_{rung}_named_below", named, "%", 5)
+    line(f"loop_{rung}_nulls_with_a_false_effect",
+         sum(bool(loop_scores.false_effects(s)) for s in nulls), f"of_{len(nulls)}",
+         3 * len(nulls) / 60)
 
 
 def arguments():
@@ -180,8 +194,8 @@ def arguments():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--ranks", type=int, default=len(os.sched_getaffinity(0)))
     parser.add_argument("--folder", type=pathlib.Path, help="default: build/bench/loop_SEED")
-    parser.add_argument("--ladder", action="store_true",
-                        help="also electricity alone, and meters by month")
+    parser.add_argument("--rungs", nargs="+", choices=LADDER, default=["hourly"],
+                        help="of the ladder of data: also electricity alone, meters by month")
     parser.add_argument("--cases-only", action="store_true", help="write the cases, run nothing")
     parser.add_argument("--score-only", action="store_true", help="read the last run's result")
     return parser.parse_args()
@@ -194,14 +208,11 @@ def main():
     cases = make_cases(folder, options.seed, options.only)
     if options.cases_only:
         return
-    result, seconds = run(cases, folder, options, "hourly")
-    scored = loop_scores.scores(result, cases)
-    write_table(scored, result.with_name("cases.csv"))
-    print_names(scored)
-    print_errors(scored)
-    line("loop_seconds_per_case", seconds * options.ranks / len(cases), "core_s", 40)
-    if options.ladder:
-        print_ladder(cases, folder, options)
+    for rung in options.rungs:
+        if rung == "hourly":
+            judge(cases, folder, options)
+        else:
+            judge_rung(cases, folder, options, rung)
 
 
 if __name__ == "__main__":
