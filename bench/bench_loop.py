@@ -157,8 +157,10 @@ def print_errors(scored):
              for s in scored]
     line("loop_a_channel_worse_by_1_percent", sum(by > 0.01 for by in worse),
          f"of_{len(scored)}", 0)
-    cut = [1 - s.parameters["after"] / s.parameters["before"] for s in planted]
-    line("loop_parameter_error_cut", 100 * float(np.median(cut)) if cut else np.nan, "%", 30)
+    for begin in ("plain", "before"):
+        cut = [1 - s.parameters["after"] / s.parameters[begin] for s in planted]
+        line(f"loop_parameter_error_cut_from_{begin}",
+             100 * float(np.median(cut)) if cut else np.nan, "%", 30)
     line("loop_coverage", share(hit for s in of_kind(scored, "single") for hit in s.covered),
          "%", 80)
 

@@ -100,6 +100,23 @@ PlaneIrradiance irradiance_on(const Plane& plane, const SunPosition& sun,
             ground};
 }
 
+/// Starts from the first day's mean; a step without a value has none, and changes
+/// nothing.
+void delay(std::vector<double>& series, double lag_hours, double step_hours) {
+    const double keep = std::exp(-2 * step_hours / lag_hours);
+    const auto day = std::min(series.size(), static_cast<std::size_t>(24 / step_hours));
+    double sum = 0, n = 0;
+    for (std::size_t k = 0; k < day; ++k)
+        if (!std::isnan(series[k])) sum += series[k], ++n;
+    double outer = n > 0 ? sum / n : 0, inner = outer;
+    for (double& value : series) {
+        if (std::isnan(value)) continue;
+        outer = keep * outer + (1 - keep) * value;
+        inner = keep * inner + (1 - keep) * outer;
+        value = inner;
+    }
+}
+
 std::vector<double> irradiance_series(const Weather& weather,
                                       const std::vector<StepSun>& suns,
                                       const Plane& plane, SkyModel model) {
@@ -111,6 +128,7 @@ std::vector<double> irradiance_series(const Weather& weather,
                           weather.diffuse_horizontal[k], weather.global_horizontal[k],
                           weather.site.albedo, model)
                 .total();
+    if (plane.lag_hours > 0) delay(series, plane.lag_hours, weather.axis.step_s / 3600.0);
     return series;
 }
 

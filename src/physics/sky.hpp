@@ -16,11 +16,13 @@ enum class SkyModel { perez, isotropic };
 
 /// A plane that irradiance is asked for. The window's solar transmittance may depend on
 /// the angle of incidence of the beam: sum_k modifier[k] theta^k, theta in rad; 1 where
-/// empty.
+/// empty. What an opaque element takes up reaches the room later: through two stores of
+/// heat in a row, each with half of the lag (0: at once, as in the standard).
 struct Plane {
     double tilt = 0;               ///< [rad]
     double azimuth = 0;            ///< [rad], clockwise from north
     std::vector<double> modifier;  ///< polynomial in the angle of incidence, beam only
+    double lag_hours = 0;          ///< [h]
     bool operator==(const Plane&) const = default;
 };
 

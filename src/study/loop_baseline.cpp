@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string_view>
 
 namespace bemcal::study {
 namespace {
@@ -58,6 +59,11 @@ Standing scored(const LoopData& data, const Place& place, const LoopModel& model
     return standing;
 }
 
+bool are_of_one_kind(std::size_t one, std::size_t other) {
+    const std::string_view kind = refinements()[one].kind;
+    return !kind.empty() && kind == refinements()[other].kind;
+}
+
 /// The refinement that lowers the score most; none: none does.
 struct Better {
     Standing standing;
@@ -72,11 +78,14 @@ std::optional<Better> best_refinement(const LoopData& data, const Baseline& base
     double lowest = baseline.chosen.score - least;
     const auto& now = baseline.chosen.model.structure;
     for (std::size_t k = 0; k < refinements().size(); ++k) {
-        if (std::ranges::find(now, k) != now.end()) continue;
+        if (std::ranges::any_of(now, [&](std::size_t there) {
+                return there == k || are_of_one_kind(there, k);
+            }))
+            continue;
         LoopModel model = baseline.chosen.model;
         model.structure.push_back(k);
         try {
-            Place place = make_place(data, model.structure, data.drives);
+            Place place = make_place(data, model.structure, data.drive);
             Standing standing =
                 scored(data, place, model, start_of(place, baseline.chosen), noise);
             tried.push_back({name_of(model.structure),
@@ -184,7 +193,7 @@ std::vector<double> first_start(const LoopData& data, const Place& place) {
 
 Baseline make_baseline(const LoopData& data) {
     Baseline baseline;
-    baseline.place = make_place(data, {}, data.drives);
+    baseline.place = make_place(data, {}, data.drive);
     baseline.plain =
         calibrate(data, baseline.place, {}, first_start(data, baseline.place));
     baseline.chosen = baseline.plain;

@@ -5,6 +5,8 @@
 #include <map>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 namespace bemcal::study {
 namespace {
 
@@ -26,9 +28,9 @@ int block_at(physics::Seconds time, physics::Seconds from, double days) {
 /// solar heat gain coefficients by angle over that at normal incidence (ASHRAE Handbook,
 /// Fundamentals: 0.70, 0.67, 0.64, 0.58, 0.45, 0.23 at 0, 40, 50, 60, 70, 80 degrees).
 /// A glazing that has a modifier keeps it.
-physics::Building with_glass_by_angle(const physics::Building& described) {
+bool glass_by_angle(physics::Building& building) {
     const std::vector<double> modifier = {1, 0, 0.0698, 0, -0.2466, 0, 0.0213};
-    physics::Building building = described;
+    bool changed = false;
     for (physics::Zone& zone : building.zones)
         for (physics::Window& window : zone.windows) {
             auto& glazing = building.glazings[static_cast<std::size_t>(window.glazing)];
@@ -40,8 +42,24 @@ physics::Building with_glass_by_angle(const physics::Building& described) {
                 building.planes[static_cast<std::size_t>(window.plane)];
             plane.modifier = modifier;
             window.plane = building.plane_index(plane);
+            changed = true;
         }
-    return building;
+    return changed;
+}
+
+/// The standard lets the sun on walls and roofs heat the room at once.
+bool delay_sun_on_walls(physics::Building& building, double hours) {
+    bool changed = false;
+    for (physics::Zone& zone : building.zones)
+        for (physics::Surface& surface : zone.surfaces) {
+            if (!surface.in_sun || surface.boundary != physics::outdoors) continue;
+            physics::Plane plane =
+                building.planes[static_cast<std::size_t>(surface.plane)];
+            plane.lag_hours = hours;
+            surface.plane = building.plane_index(plane);
+            changed = true;
+        }
+    return changed;
 }
 
 /// The place of a number in every zone, as a parameter.
@@ -141,8 +159,13 @@ double kappa_of(const LoopData& data, std::size_t channel,
 LoopData::LoopData(const Case& given, const LoopOptions& chosen)
     : building(given), options(chosen), targets{{}, {0}, {}} {
     const Period& period = training();
-    by_angle = with_glass_by_angle(building.building);
-    drives = drives_of(period);
+    for (const Refinement& refinement : refinements()) {
+        if (refinement.change == nullptr) continue;
+        physics::Building changed = building.building;
+        refinement.change(changed);
+        building.building.planes = changed.planes;
+    }
+    drive = drive_over(period);
     const physics::TimeAxis axis = axis_of(building, period);
     const auto readings = readings_of(building, period);
     for (std::size_t m = 0; m < building.meters.size(); ++m) {
@@ -166,12 +189,8 @@ const Period& LoopData::training() const {
     return period_of(building, options.period);
 }
 
-Drives LoopData::drives_of(const Period& period) const {
-    Drives both{std::make_shared<physics::Drive>(drive_of(building, period)), {}};
-    if (by_angle.planes.size() == building.building.planes.size()) return both;
-    both.by_angle =
-        std::make_shared<physics::Drive>(drive_of(building, by_angle, period));
-    return both;
+std::shared_ptr<const physics::Drive> LoopData::drive_over(const Period& period) const {
+    return std::make_shared<physics::Drive>(drive_of(building, period));
 }
 
 std::vector<int> LoopData::quantities() const {
@@ -190,6 +209,11 @@ std::vector<int> LoopData::blocks_of(double days) const {
     return of_readings;
 }
 
+/// The long-wave loss that all hours share.
+Refinement::Number sky_difference(double mean, double sd) {
+    return {"sky_difference", "zone.*.sky_temperature_difference", mean, sd, 0, 28};
+}
+
 const std::vector<Refinement>& refinements() {
     static const std::vector<Refinement> table = {
         {"surfaces",
@@ -205,8 +229,22 @@ const std::vector<Refinement>& refinements() {
          {{"second_mass_conductance", "zone.*.second_mass_conductance", 2, 2, 0.05, 15},
           {"second_mass_capacity", "zone.*.second_mass_capacity", 200000, 150000, 20000,
            1.2e6}}},
-        {"glass by angle", {}, {}, true},
-        {"sky", {{"sky_difference", "zone.*.sky_temperature_difference", 11, 4, 0, 28}}},
+        {"glass by angle", {}, {}, glass_by_angle},
+        {"sun through walls",
+         {},
+         {},
+         [](physics::Building& building) { return delay_sun_on_walls(building, 8); }},
+        {"sky", {{sky_difference(11, 4)}}, {}, nullptr, "sky"},
+        {"sky by weather",
+         {{sky_difference(4, 4)}},
+         {{following("opaque elements see the sky", effects::Hook::opaque_boundary,
+                     effects::Driver::sky_difference, 0.06),
+           -0.12, 0.12},
+          {following("windows see the sky", effects::Hook::window_boundary,
+                     effects::Driver::sky_difference, 0.06),
+           -0.12, 0.12}},
+         nullptr,
+         "sky"},
         {"auxiliaries",
          {{"heating_auxiliary", "plant.heating_auxiliary", 0.02, 0.02, 0, 0.3},
           {"cooling_auxiliary", "plant.cooling_auxiliary", 0.02, 0.02, 0, 0.3}}},
@@ -231,21 +269,22 @@ std::string name_of(const std::vector<std::size_t>& structure) {
 }
 
 Place make_place(const LoopData& data, const std::vector<std::size_t>& structure,
-                 const Drives& drives) {
-    const bool by_angle = std::ranges::any_of(
-        structure, [](std::size_t k) { return refinements()[k].glass_by_angle; });
-    if (by_angle && !drives.by_angle)
-        throw std::invalid_argument("no glazing without an angle modifier");
-    const physics::Building& described =
-        by_angle ? data.by_angle : data.building.building;
+                 std::shared_ptr<const physics::Drive> drive) {
+    auto described = std::make_shared<physics::Building>(data.building.building);
+    for (const std::size_t index : structure)
+        if (const auto change = refinements()[index].change)
+            if (!change(*described))
+                throw std::invalid_argument(
+                    fmt::format("nothing for '{}' to change", refinements()[index].name));
     Place place;
-    place.building = described;
-    place.drive = by_angle ? drives.by_angle : drives.as_described;
+    place.building = *described;
+    place.described = described;
+    place.drive = std::move(drive);
     add_parameters(data, place);
     add_structure(structure, place);
     place.surroundings =
         std::make_shared<effects::Surroundings>(effects::make_surroundings(
-            described, *place.drive, data.building.weather, data.training().from));
+            *described, *place.drive, data.building.weather, data.training().from));
     place.channels = data.targets.channels;
     return place;
 }

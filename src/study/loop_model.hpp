@@ -20,27 +20,21 @@ struct ChannelNoise {
     double share = 1;  ///< of a meter that matters; less where little energy flows
 };
 
-/// A period's drive of the building as described, and of the same with glass by angle
-/// (none where its glazings say themselves what they do with a flat beam).
-struct Drives {
-    std::shared_ptr<const physics::Drive> as_described, by_angle;
-};
-
 /// What does not change while the loop searches.
 struct LoopData {
     LoopData(const Case& given, const LoopOptions& chosen);
 
-    Case building;
+    Case building;  ///< its planes are those of every refinement
     LoopOptions options;
     std::vector<std::size_t> meters;       ///< channels: indices into building.meters
     Targets targets;                       ///< of the training period
     std::vector<physics::Seconds> begins;  ///< [targets.size()] of the readings
-    physics::Building by_angle;            ///< with glass that follows the angle
-    Drives drives;                         ///< of the training period
-    std::vector<int> blocks;               ///< [targets.size()] of options.block_days
+    std::shared_ptr<const physics::Drive> drive;  ///< of the training period
+    std::vector<int> blocks;  ///< [targets.size()] of options.block_days
 
     const Period& training() const;
-    Drives drives_of(const Period& period) const;
+    /// With the planes of every refinement.
+    std::shared_ptr<const physics::Drive> drive_over(const Period& period) const;
     std::vector<int> quantities() const;  ///< [channels] as effects name meters
     /// Of blocks of so many days.
     std::vector<int> blocks_of(double days) const;
@@ -61,7 +55,9 @@ struct Refinement {
         double mean, sd;
     };
     std::vector<Always> effects{};
-    bool glass_by_angle = false;
+    /// Changes the building as described; whether there was anything to change.
+    bool (*change)(physics::Building&) = nullptr;
+    const char* kind = "";  ///< of one kind a structure has one
 };
 const std::vector<Refinement>& refinements();
 /// "surfaces + sky"; "standard" without any.
@@ -88,7 +84,8 @@ struct BuiltModel {
 
 /// Series that the training period's effects follow, for a structure.
 struct Place {
-    physics::Building building;
+    physics::Building building;                          ///< with the structure's numbers
+    std::shared_ptr<const physics::Building> described;  ///< what the surroundings show
     std::shared_ptr<const physics::Drive> drive;
     std::shared_ptr<effects::Surroundings> surroundings;
     std::vector<physics::Parameter> parameters;
@@ -100,7 +97,7 @@ struct Place {
 /// The building with the structure over a period, ready for effects. Throws
 /// std::invalid_argument where a refinement has nothing to refine.
 Place make_place(const LoopData& data, const std::vector<std::size_t>& structure,
-                 const Drives& drives);
+                 std::shared_ptr<const physics::Drive> drive);
 
 /// Throws std::invalid_argument where an effect cannot enter.
 BuiltModel build(const Place& place, const std::vector<effects::Effect>& effects);

@@ -26,10 +26,10 @@ Standings standings_of(const LoopResult& result) {
 }
 
 /// A model's predictions of every hour of a period. [channels x hours]
-std::vector<std::vector<double>> hours_of(const LoopData& data, const Baseline& baseline,
-                                          const Standing& standing,
-                                          const Drives& drives) {
-    Place place = make_place(data, standing.model.structure, drives);
+std::vector<std::vector<double>> hours_of(
+    const LoopData& data, const Baseline& baseline, const Standing& standing,
+    const std::shared_ptr<const physics::Drive>& drive) {
+    Place place = make_place(data, standing.model.structure, drive);
     if (!standing.model.effects.empty())
         know_loads(place, baseline.chosen, baseline.place.surroundings->model);
     for (physics::Channel& channel : place.channels)
@@ -346,16 +346,15 @@ class Writer {
 
     void fits_of(std::size_t p, std::vector<double>& all) {
         const Period& period = data_.building.periods[p];
-        const Drives drives = data_.drives_of(period);
+        const auto drive = data_.drive_over(period);
         std::vector<std::vector<std::vector<double>>> hours;
         for (const Standing* standing : standings_of(result_))
-            hours.push_back(hours_of(data_, result_.baseline, *standing, drives));
+            hours.push_back(hours_of(data_, result_.baseline, *standing, drive));
         const physics::TimeAxis axis = axis_of(data_.building, period);
         const auto begins = begins_of(axis, physics::Interval::hourly);
         const auto readings = readings_of(data_.building, period);
         out_.times(period.name + "/time", begins);
-        out_.vector(period.name + "/outdoor_temperature", "time",
-                    outdoors_of(*drives.as_described));
+        out_.vector(period.name + "/outdoor_temperature", "time", outdoors_of(*drive));
         for (std::size_t c = 0; c < channels_; ++c) {
             const physics::Readings& meter = readings[data_.meters[c]];
             const bool is_hourly = meter.values.size() == begins.size();

@@ -117,6 +117,30 @@ TEST(IrradianceSeries, AsksForCompleteWeather) {
     EXPECT_THROW(irradiance_series(weather, Plane{}), std::invalid_argument);
 }
 
+// A wall whose heat comes later: as much in all, its centre by the lag; two exponential
+// stores in steps of an hour have it half a step each earlier.
+TEST(IrradianceSeries, LaggedPlanesShowTheSameSunLater) {
+    constexpr std::size_t n = 96, noon = 36;
+    Weather weather;
+    weather.axis = {parse_time("2021-06-01"), 3600, n};
+    weather.direct_normal.assign(n, 0);
+    weather.diffuse_horizontal.assign(n, 0);
+    weather.global_horizontal.assign(n, 0);
+    weather.theta_e.assign(n, 10);
+    weather.diffuse_horizontal[noon] = weather.global_horizontal[noon] = 100;
+    const Plane roof{0, 0, {}}, behind_roof{0, 0, {}, 8};
+    const auto at_once = irradiance_series(weather, roof, SkyModel::isotropic),
+               later = irradiance_series(weather, behind_roof, SkyModel::isotropic);
+    double sum = 0, moment = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+        sum += later[k];
+        moment += later[k] * static_cast<double>(k);
+    }
+    EXPECT_NEAR(sum, at_once[noon], 1e-3 * at_once[noon]);
+    EXPECT_NEAR(moment / sum - noon, 8 - 1, 0.1);
+    EXPECT_EQ(later[noon - 1], 0);
+}
+
 TEST(IrradianceSeries, MissingWeatherStaysMissing) {
     Weather weather;
     weather.axis = {parse_time("2021-06-21 12:00"), 3600, 2};

@@ -12,7 +12,7 @@ namespace {
 /// A building whose gas has wind infiltration in it, calibrated with that and with an
 /// effect that nothing in the readings follows.
 struct Model {
-    Model() : data(measured(), options()), place(make_place(data, {}, data.drives)) {
+    Model() : data(measured(), options()), place(make_place(data, {}, data.drive)) {
         const LoopModel both{{}, {named("exhaust fan"), named("wind infiltration")}};
         standing = calibrate(data, place, both,
                              std::vector<double>(place.unknowns.size() + 2, 0.0));

@@ -1,0 +1,73 @@
+#include "study/loop_model.hpp"
+#include "study/windy_case.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+using namespace bemcal;
+using namespace bemcal::study;
+
+namespace {
+
+std::size_t refinement(const std::string& name) {
+    const auto& all = refinements();
+    const auto found = std::ranges::find(all, name, &Refinement::name);
+    return static_cast<std::size_t>(found - all.begin());
+}
+
+const physics::Plane& plane_of(const Place& place, int plane) {
+    return place.building.planes.at(static_cast<std::size_t>(plane));
+}
+
+LoopData windy_data() {
+    return {test::windy_case(), LoopOptions{}};
+}
+
+}  // namespace
+
+TEST(LoopModel, RefinementsOfGlassAndWallsKeepToTheirOwn) {
+    const LoopData data = windy_data();
+    const Place both =
+        make_place(data, {refinement("glass by angle"), refinement("sun through walls")},
+                   data.drive);
+    const Place described = make_place(data, {}, data.drive);
+    const physics::Zone &zone = both.building.zones[0],
+                        &plain = described.building.zones[0];
+    for (const physics::Window& window : zone.windows) {
+        EXPECT_FALSE(plane_of(both, window.plane).modifier.empty());
+        EXPECT_EQ(plane_of(both, window.plane).lag_hours, 0);
+    }
+    for (std::size_t s = 0; s < zone.surfaces.size(); ++s) {
+        if (!zone.surfaces[s].in_sun || zone.surfaces[s].boundary != physics::outdoors)
+            continue;
+        EXPECT_GT(plane_of(both, zone.surfaces[s].plane).lag_hours, 0);
+        EXPECT_TRUE(plane_of(both, zone.surfaces[s].plane).modifier.empty());
+        EXPECT_EQ(plane_of(described, plain.surfaces[s].plane).lag_hours, 0);
+    }
+}
+
+TEST(LoopModel, EveryStructureSharesOneDrive) {
+    const LoopData data = windy_data();
+    for (std::size_t k = 0; k < refinements().size(); ++k) {
+        if (refinements()[k].change == nullptr) continue;
+        EXPECT_EQ(make_place(data, {k}, data.drive).building.planes.size(),
+                  data.drive->irradiance.rows)
+            << refinements()[k].name;
+    }
+}
+
+TEST(LoopModel, ARefinementWithNothingToRefineIsRefusedByName) {
+    Case dark = test::windy_case();
+    for (physics::Surface& surface : dark.building.zones[0].surfaces)
+        surface.in_sun = false;
+    const LoopData data(dark, LoopOptions{});
+    try {
+        make_place(data, {refinement("sun through walls")}, data.drive);
+        FAIL() << "not refused";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_STREQ(error.what(), "nothing for 'sun through walls' to change");
+    }
+}
