@@ -22,6 +22,7 @@ from loop_names import ALWAYS_THERE, CLOCK, RIGHT, is_in_class, is_right  # noqa
 
 DETECTABLE = 5
 AIR = CHANNELS["air"]
+EPW_WIND = 21            # column
 LEAST_EFFECT = {True: 0.2, False: 3.0}   # of an affected channel: K for the air, points of CV(RMSE)
 LEAST_ENERGY = 5.0                       # of a material meter [kWh/m2 in the year]
 # parameter: the truth's number it is a factor on (or an offset from)
@@ -55,13 +56,26 @@ def true_parameters(truth):
     return values | {name: built[own] - design[own] for name, own in OFFSETS.items()}
 
 
-def parameter_errors(loop, truth):
+def wind_air_change(case, found):
+    """Yearly mean that found effects of the wind add [1/h]: the truth's infiltration has all of it."""
+    wind = pandas.read_csv(case / "weather_train.epw", skiprows=8, header=None)[EPW_WIND]
+    above = lambda effect: float(effect["shape"].split("above ")[1].split()[0]) \
+        if "above " in effect["shape"] else 0.0
+    return sum(effect["coefficient"] * float(np.maximum(wind - above(effect), 0).mean())
+               for effect in found
+               if (effect["hook"], effect["driver"]) == ("infiltration", "wind"))
+
+
+def parameter_errors(loop, truth, case, found):
     true = true_parameters(truth)
     names, sd = loop_result.texts(loop, "parameter"), loop["parameter_prior_sd"][:]
     known = [k for k, name in enumerate(names) if name in true and sd[k] > 0]
     wanted = np.array([true[names[k]] for k in known])
-    off = {model: (loop["parameter_value"][row][known] - wanted) / sd[known]
-           for row, model in enumerate(loop_result.texts(loop, "model"))}
+    values = {model: loop["parameter_value"][row].astype(float)
+              for row, model in enumerate(loop_result.texts(loop, "model"))}
+    values["after"][names.index("infiltration")] += \
+        wind_air_change(case, found) / truth["design"]["infiltration"]
+    off = {model: (value[known] - wanted) / sd[known] for model, value in values.items()}
     return {model: float(np.sqrt(np.nanmean(z ** 2))) for model, z in off.items()}
 
 
@@ -122,7 +136,7 @@ def score(file, case, kind):
     return Scored(case.name, kind, planted, found,
                   loop_result.records(loop, loop_result.DECISION), errors,
                   {step: closed(errors, truth, *step) for step in steps},
-                  detectability(loop, planted), parameter_errors(loop, truth),
+                  detectability(loop, planted), parameter_errors(loop, truth, case, found),
                   coverage(found, planted, truth))
 
 
