@@ -16,7 +16,7 @@ namespace {
 using Vector = Eigen::VectorXd;
 using Square = Eigen::MatrixXd;
 
-constexpr int most_iterations = 200, most_halvings = 30;
+constexpr int most_climbs = 8, most_iterations = 200, most_halvings = 30;
 constexpr std::size_t memory = 12;
 constexpr double widest = 4;         ///< standard deviation of a first metric
 constexpr double least_rise = 1e-3;  ///< of the log density, over `patience` iterations
@@ -52,6 +52,17 @@ void set_trial(Walker& walker, const Vector& x) {
         walker.trial.x[walker.metric.coordinates()[k]] = x[index(k)];
 }
 
+/// The metric's covariance times a vector.
+Vector stretched(const Vector& v, Metric& metric) {
+    using RowMajor =
+        Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const double* values = metric.factor().data();
+    if (metric.shape() == MetricShape::diagonal)
+        return v.cwiseProduct(Eigen::Map<const Vector>(values, v.size()).cwiseAbs2());
+    const Eigen::Map<const RowMajor> factor(values, v.size(), v.size());
+    return factor * (factor.transpose() * v);
+}
+
 /// What L-BFGS remembers of its last moves.
 class Moves {
   public:
@@ -62,17 +73,18 @@ class Moves {
         if (moves_.size() > memory) moves_.pop_front();
     }
 
-    /// The direction in which to climb, by the two-loop recursion.
-    Vector direction(const Vector& gradient) const {
+    /// The direction in which to climb, by the two-loop recursion from the metric.
+    Vector direction(const Vector& gradient, Metric& metric) const {
         Vector q = gradient;
         std::vector<double> alpha(moves_.size());
         for (std::size_t k = moves_.size(); k-- > 0;) {
             alpha[k] = moves_[k].step.dot(q) / moves_[k].curvature;
             q -= alpha[k] * moves_[k].fall;
         }
+        q = stretched(q, metric);
         if (!moves_.empty()) {
             const Move& last = moves_.back();
-            q *= last.curvature / last.fall.squaredNorm();
+            q *= last.curvature / last.fall.dot(stretched(last.fall, metric));
         }
         for (std::size_t k = 0; k < moves_.size(); ++k)
             q +=
@@ -153,10 +165,8 @@ std::vector<double> covariance_of(const Square& hessian, MetricShape shape) {
     return values;
 }
 
-}  // namespace
-
-Task<> climb(Walker& walker) {
-    if (walker.metric.size() == 0) co_return;  // whole numbers only
+/// Uphill until it hardly rises.
+Task<> climb_on(Walker& walker) {
     Moves moves;
     int n_idle = 0;
     for (int k = 0; k < most_iterations && n_idle < patience; ++k) {
@@ -164,8 +174,8 @@ Task<> climb(Walker& walker) {
         const Vector gradient = gradient_of(walker, walker.current);
         const double value = walker.log_density(walker.current);
         const bool is_first = moves.is_empty();
-        const bool has_risen =
-            co_await step_up(walker, bounded(moves.direction(gradient), is_first));
+        const Vector direction = moves.direction(gradient, walker.metric);
+        const bool has_risen = co_await step_up(walker, bounded(direction, is_first));
         if (!has_risen && is_first) break;
         if (!has_risen) {
             moves.forget();
@@ -180,23 +190,40 @@ Task<> climb(Walker& walker) {
     }
 }
 
+/// Sets the metric to the inverse of the negative Hessian at the current point.
 Task<> learn_curvature(Walker& walker) {
-    if (walker.metric.size() == 0) co_return;
     const auto n = index(walker.metric.size());
     const Square rough = co_await negative_hessian(walker, Vector::Constant(n, 1e-4));
     const Vector steps =
         rough.diagonal().cwiseAbs().cwiseMax(1).cwiseSqrt().cwiseInverse().cwiseMax(1e-4);
     const Square hessian = co_await negative_hessian(walker, steps);
-    if (!hessian.allFinite()) co_return;
-    walker.metric.set_covariance(covariance_of(hessian, walker.metric.shape()));
+    if (hessian.allFinite())
+        walker.metric.set_covariance(covariance_of(hessian, walker.metric.shape()));
+}
+
+}  // namespace
+
+Task<> climb(Walker& walker) {
+    if (walker.metric.size() == 0) co_return;  // whole numbers only
+    co_await climb_on(walker);
+    for (int k = 1; k < most_climbs; ++k) {
+        const double value = walker.log_density(walker.current);
+        co_await learn_curvature(walker);
+        co_await climb_on(walker);
+        if (walker.log_density(walker.current) - value < 1) break;
+    }
+}
+
+Task<> leave_mode(Walker& walker) {
+    if (walker.metric.size() == 0) co_return;
     std::vector<double> normals(walker.metric.size());
     fill_standard_normal(walker.random, normals);
     walker.trial.x = walker.current.x;
     walker.metric.move(walker.trial.x, 1, normals);
     co_await walker.evaluate(walker.trial);
+    const double most_fall = 10.0 * static_cast<double>(walker.metric.size());
     if (gradient_of(walker, walker.trial).allFinite() &&
-        walker.log_density(walker.trial) >
-            walker.log_density(walker.current) - 10.0 * static_cast<double>(n))
+        walker.log_density(walker.trial) > walker.log_density(walker.current) - most_fall)
         std::swap(walker.current, walker.trial);
 }
 

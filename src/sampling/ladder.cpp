@@ -127,7 +127,7 @@ Task<> Ladder::warm_up(Walker& walker) {
     if (!part_.failure.empty()) co_return;
     if (climbs_first(setting_.options)) {
         co_await climb(walker);
-        co_await learn_curvature(walker);
+        co_await leave_mode(walker);
         walker.trajectory.set_most_depth(
             std::min(setting_.options.most_depth, warm_up_depth));
     }

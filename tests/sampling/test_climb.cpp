@@ -62,6 +62,36 @@ TEST(Climb, AShortWarmUpSufficesWhereTheTargetIsFarNarrowerThanTheStarts) {
     EXPECT_LT(steps, 10);
 }
 
+/// Thirty normals, each close to the one before it, by a distance from 1e-5 to 1: 200
+/// moves of a climb that knows twelve of them end far below the mode.
+test::PlainDensity close_together() {
+    return test::PlainDensity(30, [](std::span<const double> x, auto& values) {
+        double before = 0;
+        for (std::size_t k = 0; k < x.size(); ++k) {
+            const double sd = std::pow(10, -static_cast<double>(k * 7 % 30) / 6);
+            const double z = (x[k] - before) / sd;
+            values.likelihood -= 0.5 * z * z;
+            values.likelihood_gradient[k] -= z / sd;
+            if (k > 0) values.likelihood_gradient[k - 1] += z / sd;
+            before = x[k];
+        }
+    });
+}
+
+TEST(Climb, GoesOnByTheCurvatureWhereOneClimbEndsTooEarly) {
+    auto density = close_together();
+    SamplerOptions options = quick(true);
+    options.n_warm_up = 0;
+    for (const ChainPart& part : warm_up(options, density)) {
+        Evaluations values;
+        Matrix x(1, 30);
+        std::copy_n(part.state.begin() + 2, 30, x.values.begin());
+        density.evaluate(x, false, values);
+        // -1/2 chi-squared of 30 degrees of freedom: 85 has a chance of 1e-6
+        EXPECT_GT(values.likelihood[0], -0.5 * 85);
+    }
+}
+
 TEST(ShareMetric, GivesAllChainsTheStepAndMetricOfOneAndLeavesTheRest) {
     auto density = narrow();
     const auto warm = warm_up(quick(true), density);
