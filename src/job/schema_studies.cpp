@@ -217,8 +217,9 @@ constexpr Key table[] = {
      "Of an optimisation: the budget; not of nsga2."},
     {"study", "n_particles", Type::integer, "", "32", 2, 100000, "Of a swarm."},
     {"study", "restart", Type::flag, "", "true", 0, 0,
-     "Of swarm_then_pattern: goes on with kicks and new swarms until the budget is "
-     "spent; false: ends after the first pattern search, as GenOpt does."},
+     "Of swarm_then_pattern: goes on from the best point with some parameters drawn "
+     "anew, again and again until the budget is spent; false: ends after the first "
+     "pattern search, as GenOpt does."},
     {"study", "n_population", Type::integer, "", "100", 4, 100000, "Of nsga2; even."},
     {"study", "n_generations", Type::integer, "", "50", 1, 1000000, "Of nsga2."},
     // stages

@@ -1,59 +1,54 @@
 #include "optimise/methods.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace bemcal::optimise {
 namespace {
 
 using sampling::Task;
 
-constexpr int most_doublings = 4;
-constexpr std::size_t most_kicked = 3;           ///< variables in a kick
-constexpr std::uint64_t kicks_item = 1U << 20U;  ///< of the stream; before it: swarms
+/// So many kicks in a row without a new point end it: all of a small space is known.
+constexpr std::size_t most_in_vain = 100;
 
-Position kicked(const Space& space, Position position, Stream& random) {
+/// \param in_vain  kicks before this one that brought no new point: so many variables
+/// more are drawn anew
+Task<Found> kick(Search& search, MethodOptions options, Position position,
+                 std::size_t in_vain, Stream& random) {
+    const Space& space = search.space();
+    const PatternOptions& coarse = options.kick;
+    PatternOptions others{coarse.first_step, coarse.first_step};
+    others.held.resize(space.size());
     const Position anywhere = space.draw(random);
-    const auto n = static_cast<std::uint32_t>(space.size());
-    const auto most = static_cast<std::uint32_t>(std::min(most_kicked, space.size()));
-    for (std::uint32_t left = 1 + random.below(most); left > 0; --left) {
-        const std::uint32_t k = random.below(n);
+    std::size_t drawn = 0;
+    do {
+        const std::size_t k = random.below(static_cast<std::uint32_t>(space.size()));
         position[k] = anywhere[k];
-    }
-    return position;
+        others.held[k] = true;
+    } while (++drawn <= in_vain || random.uniform() < options.one_more);
+    position = space.snapped(std::move(position), options.swarm.mesh);
+    const Found adapted = co_await pattern_search(search, others, position);
+    const PatternOptions all{coarse.first_step / 2, coarse.last_step};
+    co_return co_await pattern_search(search, all, adapted.position);
 }
 
-/// About so many evaluations; never more tries than that.
-Task<> kick(Search& search, MethodOptions options, Stream random, std::size_t n) {
-    Found best = search.found()[0];
-    const std::size_t until = search.n_evaluated() + n;
-    for (std::size_t k = 0; k < n && search.n_evaluated() < until; ++k) {
-        const Position at = kicked(search.space(), best.position, random);
-        const Found found = co_await pattern_search(
-            search, options.kick, search.space().snapped(at, options.swarm.mesh));
-        if (found.objectives[0] < best.objectives[0]) best = found;
-    }
-    co_await pattern_search(search, options.pattern, best.position);
-}
-
-/// A start that brings no new point ends it: all of a small space is known.
-Task<> swarm_then_pattern(Search& search, MethodOptions options) {
-    for (int start = 0; start <= options.most_restarts; ++start) {
+Task<> kicks(Search& search, MethodOptions options, Found best) {
+    Stream random(options.seed, options.stream, 1);
+    for (std::size_t in_vain = 0; in_vain < most_in_vain;) {
         const std::size_t n_before = search.n_evaluated();
-        const auto item = static_cast<std::uint64_t>(start);
-        SwarmOptions swarm_options = options.swarm;
-        swarm_options.n_particles <<= std::min(start, most_doublings);
-        Stream random(options.seed, options.stream, item);
-        const Position first =
-            start == 0 ? search.space().start() : search.space().draw(random);
-        const Found found = co_await swarm(search, swarm_options, random, first);
-        co_await pattern_search(search, options.pattern, found.position);
-        const std::size_t n_used = search.n_evaluated() - n_before;
-        if (n_used == 0) co_return;
-        if (options.most_restarts > 0)
-            co_await kick(search, options,
-                          Stream(options.seed, options.stream, kicks_item + item),
-                          n_used);
+        Found found = co_await kick(search, options, best.position, in_vain, random);
+        if (found.objectives[0] < best.objectives[0])
+            found = co_await pattern_search(search, options.pattern, found.position);
+        if (found.objectives[0] <= best.objectives[0]) best = found;
+        in_vain = search.n_evaluated() > n_before ? 0 : in_vain + 1;
     }
+}
+
+Task<> swarm_then_pattern(Search& search, MethodOptions options) {
+    const Stream random(options.seed, options.stream, 0);
+    const Found rough =
+        co_await swarm(search, options.swarm, random, search.space().start());
+    const Found best = co_await pattern_search(search, options.pattern, rough.position);
+    if (options.with_kicks) co_await kicks(search, options, best);
 }
 
 Task<> swarm_alone(Search& search, MethodOptions options) {

@@ -23,9 +23,11 @@ void add_move(const Space& space, std::size_t k, double to, std::vector<Move>& m
 }
 
 /// Those that stay in the range.
-std::vector<Move> moves_from(const Space& space, const Position& centre, double step) {
+std::vector<Move> moves_from(const Space& space, const Position& centre, double step,
+                             const std::vector<bool>& held) {
     std::vector<Move> moves;
     for (std::size_t k = 0; k < space.size(); ++k) {
+        if (!held.empty() && held[k]) continue;
         const double last = space.is_discrete(k) ? space.highest(k) : step;
         for (double by = space.is_discrete(k) ? 1 : step; by <= last; by *= 2) {
             add_move(space, k, centre[k] + by, moves);
@@ -69,8 +71,9 @@ Found best_of(const std::vector<Position>& positions, const Matrix& values) {
 }
 
 /// The best point that the moves around the centre lead to, the centre included.
-sampling::Task<Found> explore(Search& search, Position centre, double step) {
-    std::vector<Move> moves = moves_from(search.space(), centre, step);
+sampling::Task<Found> explore(Search& search, Position centre, double step,
+                              const std::vector<bool>& held) {
+    std::vector<Move> moves = moves_from(search.space(), centre, step, held);
     std::vector<Position> positions{centre};
     for (const Move& move : moves) positions.push_back(moved(centre, move));
     const Matrix values = co_await search.evaluate(positions);
@@ -103,7 +106,7 @@ sampling::Task<Found> pattern_search(Search& search, PatternOptions options,
         const Position centre = before.empty()
                                     ? base.position
                                     : pattern_move(search.space(), before, base.position);
-        Found found = co_await explore(search, centre, step);
+        Found found = co_await explore(search, centre, step, options.held);
         if (found.objectives[0] < base.objectives[0]) {
             before = std::exchange(base, std::move(found)).position;
         } else {

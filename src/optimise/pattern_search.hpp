@@ -15,6 +15,7 @@ namespace bemcal::optimise {
 
 struct PatternOptions {
     double first_step = 0x1p-4, last_step = 0x1p-20;  ///< of the range; powers of 2
+    std::vector<bool> held{};  ///< of each variable: it stays as it is; empty: none does
 };
 
 /// From a point (evaluated here if it was not) to the end of the last step.

@@ -33,7 +33,7 @@ optimise::Method method_of(const OptimisationOptions& options) {
     optimise::MethodOptions method;
     method.kind = static_cast<optimise::MethodKind>(options.method);
     method.swarm.n_particles = options.n_particles;
-    if (!options.restart) method.most_restarts = 0;
+    method.with_kicks = options.restart;
     method.seed = options.seed;
     method.stream = optimiser_stream;
     return make_method(method);

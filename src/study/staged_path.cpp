@@ -17,7 +17,7 @@ optimise::Method method_of(const OptimisationOptions& options, std::size_t stage
     optimise::MethodOptions method;
     method.kind = static_cast<optimise::MethodKind>(options.method);
     method.swarm.n_particles = options.n_particles;
-    if (!options.restart) method.most_restarts = 0;
+    method.with_kicks = options.restart;
     method.seed = options.seed;
     method.stream = staged_stream + static_cast<std::uint32_t>(stage);
     return make_method(method);

@@ -1,5 +1,6 @@
 /// The optimisers for one objective. The counts of 20 seeds are for these seeds; that
 /// they hold for others, too, is what bench_optimisers prints.
+#include "optimise/facades.hpp"
 #include "optimise/functions.hpp"
 #include "optimise/methods.hpp"
 
@@ -53,27 +54,41 @@ TEST(Hybrid, FindsTheEnumeratedOptimumOfMixedVariablesEveryTime) {
     EXPECT_EQ(test::trials(test::facade, hybrid, n_seeds, budget).n_successes, n_seeds);
 }
 
+TEST(Hybrid, FindsTheOptimumOfMillionsOfCombinationsMostly) {
+    EXPECT_GE(test::trials(test::facades, hybrid, n_seeds, budget).n_successes, 16);
+}
+
 TEST(Hybrid, ComesCloseOnGriewankInFiveDimensions) {
     const auto all = test::trials(of(test::griewank, 5), hybrid, 8, budget);
     EXPECT_LE(test::median(all.errors), 0.03);
 }
 
+/// All that it asks of a bowl, in its order.
+std::vector<double> points_of(const MethodOptions& options) {
+    Optimiser optimiser(Space(std::vector<Variable>(4)), 1, {5000}, make_method(options));
+    std::vector<double> all;
+    test::run(optimiser, [&](std::span<const double> x) {
+        all.insert(all.end(), x.begin(), x.end());
+        return bowl(x);
+    });
+    return all;
+}
+
 TEST(Hybrid, AsksTheSameOfTheSameSeedOnly) {
-    const auto points_of = [](std::uint64_t seed) {
-        Optimiser optimiser(Space(std::vector<Variable>(4)), 1, {}, hybrid(seed));
-        std::vector<double> all;
-        for (int batch = 0; batch < 60; ++batch) {
-            const Matrix points = optimiser.next_points();
-            all.insert(all.end(), points.values.begin(), points.values.end());
-            Matrix values(points.rows, 1);
-            for (std::size_t r = 0; r < points.rows; ++r)
-                values(r, 0) = bowl(points.row(r));
-            optimiser.tell(values);
-        }
-        return all;
+    const auto of_seed = [](std::uint64_t seed) {
+        return points_of(options_of(seed, MethodKind::swarm_then_pattern));
     };
-    EXPECT_EQ(points_of(1), points_of(1));
-    EXPECT_NE(points_of(1), points_of(2));
+    EXPECT_EQ(of_seed(1), of_seed(1));
+    EXPECT_NE(of_seed(1), of_seed(2));
+}
+
+TEST(Hybrid, WithoutKicksEndsAfterTheSameStart) {
+    MethodOptions options = options_of(1, MethodKind::swarm_then_pattern);
+    const std::vector<double> all = points_of(options);
+    options.with_kicks = false;
+    const std::vector<double> start = points_of(options);
+    ASSERT_LT(start.size(), all.size());
+    EXPECT_TRUE(std::ranges::equal(start, std::span(all).first(start.size())));
 }
 
 TEST(Hybrid, StartsAtTheDescribedPoint) {
@@ -101,6 +116,14 @@ TEST(Hybrid, EndsWhenAllPointsOfSmallTablesAreKnown) {
     test::run(optimiser, [](std::span<const double> x) { return -x[0] * x[1]; });
     EXPECT_LE(optimiser.n_evaluated(), 6U);
     EXPECT_EQ(optimiser.found_points().values, (std::vector<double>{3, 2}));
+}
+
+TEST(Hybrid, KnowsAllOfASmallSpaceAtItsEnd) {
+    Stream random(1, 0, 0);
+    Optimiser optimiser(Space(std::vector<Variable>(6, test::one_of(3))), 1, {},
+                        hybrid(1));
+    test::run(optimiser, [&](std::span<const double>) { return random.uniform(); });
+    EXPECT_EQ(optimiser.n_evaluated(), 729U);
 }
 
 TEST(Hybrid, TakesFailedPointsAsInfinitelyBad) {
@@ -161,6 +184,18 @@ TEST(PatternSearch, HalvesItsStepToTheLast) {
     test::run(optimiser, bowl);  // 0.5, then 0.25; 0.75; 0; 0.125; 0.375
     EXPECT_EQ(optimiser.found_points()(0, 0), 0.25);
     EXPECT_EQ(optimiser.n_evaluated(), 6U);
+}
+
+TEST(PatternSearch, LeavesWhatIsHeldWhereItIs) {
+    MethodOptions options = options_of(1, MethodKind::pattern);
+    options.pattern.held = {false, true, false};
+    Optimiser optimiser(Space(std::vector<Variable>(3)), 1, {}, make_method(options));
+    test::run(optimiser, [](std::span<const double> x) {
+        EXPECT_EQ(x[1], 0.5);
+        return bowl(x);
+    });
+    EXPECT_NEAR(optimiser.found_points()(0, 0), 0.3, 1e-5);
+    EXPECT_NEAR(optimiser.found_points()(0, 2), 0.3, 1e-5);
 }
 
 TEST(Space, RefusesAVariableWithoutARange) {
