@@ -22,8 +22,14 @@ const physics::Plane& plane_of(const Place& place, int plane) {
     return place.building.planes.at(static_cast<std::size_t>(plane));
 }
 
+Case measured_case() {
+    Case made = test::windy_case();
+    test::measure(made, test::named("wind infiltration"), 0.08, 3);
+    return made;
+}
+
 LoopData windy_data() {
-    return {test::windy_case(), LoopOptions{}};
+    return {measured_case(), LoopOptions{}};
 }
 
 }  // namespace
@@ -60,7 +66,7 @@ TEST(LoopModel, EveryStructureSharesOneDrive) {
 }
 
 TEST(LoopModel, ARefinementWithNothingToRefineIsRefusedByName) {
-    Case dark = test::windy_case();
+    Case dark = measured_case();
     for (physics::Surface& surface : dark.building.zones[0].surfaces)
         surface.in_sun = false;
     const LoopData data(dark, LoopOptions{});
