@@ -25,12 +25,12 @@ struct Profile {
 constexpr double start_temperature = 20;  ///< where none is known [degC]
 
 struct Drive {
-    TimeAxis axis;                ///< all simulated steps, warm-up included
-    int n_warm_up = 0;            ///< steps before the period that is asked for
+    TimeAxis axis;      ///< all simulated steps, warm-up included
+    int n_warm_up = 0;  ///< steps before the period that is asked for
     double theta_start = start_temperature;  ///< of all nodes before the warm-up [degC]
-    std::vector<double> theta_e;  ///< [n_steps] outdoor air temperature [degC]
-    Matrix irradiance;            ///< [n_planes x n_steps] on Building::planes [W/m2]
-    Matrix profiles;              ///< [n_profiles x n_steps]
+    std::vector<double> theta_e;             ///< [n_steps] outdoor air temperature [degC]
+    Matrix irradiance;  ///< [n_planes x n_steps] on Building::planes [W/m2]
+    Matrix profiles;    ///< [n_profiles x n_steps]
     int n_steps() const { return axis.n_steps; }
     double profile_at(int profile, int step) const {
         return profiles(static_cast<std::size_t>(profile),
