@@ -173,8 +173,10 @@ void Placer::put_schedules(const Effect& effect, Scheduled which) {
     const physics::Drive& drive = *around_.drive;
     const Series gate = gate_of(effect, around_);
     for (const Target& target : scheduled_sites(building_, which)) {
-        const int profile = physics::input_at(building_, target)->profile;
-        const auto own = drive.profiles.row(static_cast<std::size_t>(profile));
+        const auto profile =
+            static_cast<std::size_t>(physics::input_at(building_, target)->profile);
+        if (profile >= drive.profiles.rows) continue;  // of a load that an effect added
+        const auto own = drive.profiles.row(profile);
         if (!is_schedule(own, drive)) continue;
         Series moved = effect.driver == Driver::another_day
                            ? as_on(static_cast<int>(effect.shape.at), own, drive)

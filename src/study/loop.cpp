@@ -147,6 +147,7 @@ std::vector<Dataset> searched(const std::string& name, const LoopData& data) {
     result.before = localise(data, place, result.baseline.chosen);
     result.last = result.baseline.chosen;
     Search(data, result).run();
+    if (result.last.model.effects.empty()) result.last = result.baseline.chosen;
     result.after = localise(data, place, result.last);
     result.unexplained = unexplained_of(data, result.last);
     return datasets_of(data.building.name + "/" + name, data, result);

@@ -268,6 +268,22 @@ TEST(Placement, AHolidayIsASunday) {
                     total(shown(sunday, {}, quantity)), 1e-6);
 }
 
+// What an effect adds has a profile of its own, no schedule of the building's.
+TEST(Placement, AHolidayLeavesGainsThatAnEffectAdded) {
+    const Effect gains{.name = "people", .hook = Hook::gains, .driver = Driver::occupied};
+    const Effect holiday{.name = "holiday",
+                         .hook = Hook::operation,
+                         .driver = Driver::another_day,
+                         .shape = {Form::linear, 6}};
+    const std::vector<Effect> all = {gains, holiday};
+    const Placed both = place(all, office().around);
+    const auto rows = [](const Placed& one) { return one.drive.profiles.rows; };
+    EXPECT_EQ(rows(both) + office().drive.profiles.rows,
+              rows(placed(gains)) + rows(placed(holiday)));
+    EXPECT_NEAR(total(shown(both, {5, 0}, Quantity::gas)),
+                total(shown(placed(gains), {5}, Quantity::gas)), 1e-9);
+}
+
 TEST(Placement, PlantThatRunsAtWeekendsHeatsThen) {
     Office heated;
     heated.building.zones[0].thermostat.heating_set_point.profile =
