@@ -7,6 +7,7 @@ Optimiser::Optimiser(Space space, std::size_t n_objectives, const Limits& limits
     : search_(std::make_unique<Search>(std::move(space), n_objectives, limits)),
       task_(method(*search_)) {
     task_.start();
+    search_->proceed();
     task_.check();
 }
 

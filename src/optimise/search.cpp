@@ -32,7 +32,12 @@ void Search::answer(const Matrix& values) {
             "an optimiser was told another number of values than it asked for");
     for (std::size_t r = 0; r < values.rows; ++r) store(waiting_for_[r], values.row(r));
     waiting_for_.clear();
-    if (!is_over()) method_.resume();
+    if (!is_over()) proceed();
+}
+
+void Search::proceed() {
+    while (method_ && waiting_for_.empty() && !is_cut_)
+        std::exchange(method_, {}).resume();
 }
 
 void Search::store(const Position& position, std::span<const double> objectives) {

@@ -36,9 +36,7 @@ class Search {
     struct Evaluation {
         Search& search;
         std::vector<Position> positions;
-        bool await_ready() const {
-            return search.waiting_for_.empty() && !search.is_cut_;
-        }
+        bool await_ready() const { return false; }
         void await_suspend(std::coroutine_handle<> method) const {
             search.method_ = method;
         }
@@ -55,6 +53,9 @@ class Search {
     const std::vector<Position>& waiting_for() const { return waiting_for_; }
     /// [waiting_for x objectives]; goes on with the method until it waits again.
     void answer(const Matrix& values);
+    /// Resumes the method for as long as all it asks for is known. From here, and not
+    /// from within its wait, so that the stack stays as deep as it is.
+    void proceed();
 
     /// One objective: the best point. Several: those that the method kept.
     const std::vector<Found>& found() const { return found_; }
