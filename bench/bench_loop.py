@@ -123,6 +123,12 @@ def of_kind(scored, *kind):
     return [s for s in scored if s.kind in kind]
 
 
+def print_false(nulls, name):
+    line(f"{name}_nulls_with_a_false_effect",
+         sum(bool(loop_scores.false_effects(s)) for s in nulls), f"of_{len(nulls)}",
+         3 * len(nulls) / 60)
+
+
 def print_names(scored):
     nulls, singles, pairs = (of_kind(scored, kind) for kind in ("null", "single", "pair"))
     seen = [s for s in singles if loop_scores.is_detectable(s)]
@@ -130,8 +136,7 @@ def print_names(scored):
     seen_pairs = [s for s in pairs if loop_scores.is_detectable(s)]
     named = lambda s: all(loop_scores.is_named(s, name) for name in s.planted)
     classed = lambda s: all(loop_scores.is_classed(s, name) for name in s.planted)
-    line("loop_nulls_with_a_false_effect", sum(bool(loop_scores.false_effects(s)) for s in nulls),
-         f"of_{len(nulls)}", 3 * len(nulls) / 60)
+    print_false(nulls, "loop")
     line("loop_nulls_with_any_effect", sum(bool(s.found) for s in nulls), f"of_{len(nulls)}", 0)
     line("loop_detectable_singles", len(seen), f"of_{len(singles)}", 0)
     line("loop_strict_name", share(map(named, seen)), "%", 70)
@@ -165,29 +170,26 @@ def print_errors(scored):
          "%", 80)
 
 
-def judge(cases, folder, options):
-    """All hourly channels."""
-    result, seconds = run(cases, folder, options, "hourly")
+def print_rung(scored, rung):
+    """Strict names on less data, in cases that these data cannot show."""
+    unseen = [s for s in of_kind(scored, "single") if not loop_scores.is_detectable(s)]
+    seen = len(of_kind(scored, "single")) - len(unseen)
+    named = share(all(loop_scores.is_named(s, name) for name in s.planted) for s in unseen)
+    line(f"loop_{rung}_detectable", seen, f"of_{seen + len(unseen)}", 0)
+    line(f"loop_{rung}_named_below", named, "%", 5)
+    print_false(of_kind(scored, "null"), f"loop_{rung}")
+
+
+def judge(cases, folder, options, rung):
+    result, seconds = run(cases, folder, options, rung)
     scored = loop_scores.scores(result, cases)
     write_table(scored, result.with_name("cases.csv"))
+    if rung != "hourly":
+        print_rung(scored, rung)
+        return
     print_names(scored)
     print_errors(scored)
     line("loop_seconds_per_case", seconds * options.ranks / len(cases), "core_s", 40)
-
-
-def judge_rung(cases, folder, options, rung):
-    """Strict names on less data, in cases that these data cannot show."""
-    result, _ = run(cases, folder, options, rung)
-    scored = loop_scores.scores(result, cases)
-    write_table(scored, result.with_name("cases.csv"))
-    singles, nulls = of_kind(scored, "single"), of_kind(scored, "null")
-    unseen = [s for s in singles if not loop_scores.is_detectable(s)]
-    named = share(all(loop_scores.is_named(s, name) for name in s.planted) for s in unseen)
-    line(f"loop_{rung}_detectable", len(singles) - len(unseen), f"of_{len(singles)}", 0)
-    line(f"loop_{rung}_named_below", named, "%", 5)
-    line(f"loop_{rung}_nulls_with_a_false_effect",
-         sum(bool(loop_scores.false_effects(s)) for s in nulls), f"of_{len(nulls)}",
-         3 * len(nulls) / 60)
 
 
 def arguments():
@@ -211,10 +213,7 @@ def main():
     if options.cases_only:
         return
     for rung in options.rungs:
-        if rung == "hourly":
-            judge(cases, folder, options)
-        else:
-            judge_rung(cases, folder, options, rung)
+        judge(cases, folder, options, rung)
 
 
 if __name__ == "__main__":

@@ -60,6 +60,23 @@ void require_complete(const Weather& weather, const std::vector<StepSun>& suns) 
             "direct, diffuse and global irradiance must have a value for every step");
 }
 
+/// What reaches the room of it. Starts from the first day's mean; a step without a value
+/// has none, and changes nothing.
+void delay(std::vector<double>& series, double lag_hours, double step_hours) {
+    const double keep = std::exp(-2 * step_hours / lag_hours);
+    const auto day = std::min(series.size(), static_cast<std::size_t>(24 / step_hours));
+    double sum = 0, n = 0;
+    for (std::size_t k = 0; k < day; ++k)
+        if (!std::isnan(series[k])) sum += series[k], ++n;
+    double outer = n > 0 ? sum / n : 0, inner = outer;
+    for (double& value : series) {
+        if (std::isnan(value)) continue;
+        outer = keep * outer + (1 - keep) * value;
+        inner = keep * inner + (1 - keep) * outer;
+        value = inner;
+    }
+}
+
 }  // namespace
 
 double air_mass(double zenith) {
@@ -98,23 +115,6 @@ PlaneIrradiance irradiance_on(const Plane& plane, const SunPosition& sun,
             perez_sky(plane.tilt, cos_theta, sun.zenith, direct_normal,
                       diffuse_horizontal, sun.extraterrestrial, air_mass(sun.zenith)),
             ground};
-}
-
-/// Starts from the first day's mean; a step without a value has none, and changes
-/// nothing.
-void delay(std::vector<double>& series, double lag_hours, double step_hours) {
-    const double keep = std::exp(-2 * step_hours / lag_hours);
-    const auto day = std::min(series.size(), static_cast<std::size_t>(24 / step_hours));
-    double sum = 0, n = 0;
-    for (std::size_t k = 0; k < day; ++k)
-        if (!std::isnan(series[k])) sum += series[k], ++n;
-    double outer = n > 0 ? sum / n : 0, inner = outer;
-    for (double& value : series) {
-        if (std::isnan(value)) continue;
-        outer = keep * outer + (1 - keep) * value;
-        inner = keep * inner + (1 - keep) * outer;
-        value = inner;
-    }
 }
 
 std::vector<double> irradiance_series(const Weather& weather,

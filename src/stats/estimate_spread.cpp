@@ -8,8 +8,6 @@
 namespace bemcal::stats {
 namespace {
 
-constexpr double flat_variance = 1.0 / 12;
-
 double mean_square(std::span<const double> residuals) {
     double sum = 0, n = 0;
     for (const double e : residuals)

@@ -16,6 +16,8 @@
 
 namespace bemcal::stats {
 
+constexpr double flat_variance = 1.0 / 12;  ///< of a flat range [0, 1]
+
 /// Residuals that follow each other in time, and their derivatives by each parameter.
 struct ResidualSeries {
     std::vector<double> residuals;  ///< [n]; NaN = no reading

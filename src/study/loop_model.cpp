@@ -24,6 +24,14 @@ int block_at(physics::Seconds time, physics::Seconds from, double days) {
         std::floor(static_cast<double>(seconds) / (days * static_cast<double>(day_s))));
 }
 
+/// The index of the plane with something of it changed.
+template <class Change>
+int plane_with(Change change, int index, physics::Building& building) {
+    physics::Plane plane = building.planes[static_cast<std::size_t>(index)];
+    change(plane);
+    return building.plane_index(plane);
+}
+
 /// Double clear glass: the polynomial in the angle of incidence is within 0.02 of its
 /// solar heat gain coefficients by angle over that at normal incidence (ASHRAE Handbook,
 /// Fundamentals: 0.70, 0.67, 0.64, 0.58, 0.45, 0.23 at 0, 40, 50, 60, 70, 80 degrees).
@@ -38,10 +46,8 @@ bool glass_by_angle(physics::Building& building) {
                 continue;
             glazing.angle_modifier = modifier;
             glazing.incidence_factor = 1;
-            physics::Plane plane =
-                building.planes[static_cast<std::size_t>(window.plane)];
-            plane.modifier = modifier;
-            window.plane = building.plane_index(plane);
+            window.plane = plane_with([&](auto& plane) { plane.modifier = modifier; },
+                                      window.plane, building);
             changed = true;
         }
     return changed;
@@ -53,10 +59,8 @@ bool delay_sun_on_walls(physics::Building& building, double hours) {
     for (physics::Zone& zone : building.zones)
         for (physics::Surface& surface : zone.surfaces) {
             if (!surface.in_sun || surface.boundary != physics::outdoors) continue;
-            physics::Plane plane =
-                building.planes[static_cast<std::size_t>(surface.plane)];
-            plane.lag_hours = hours;
-            surface.plane = building.plane_index(plane);
+            surface.plane = plane_with([&](auto& plane) { plane.lag_hours = hours; },
+                                       surface.plane, building);
             changed = true;
         }
     return changed;
@@ -86,6 +90,11 @@ void add_structure(const std::vector<std::size_t>& structure, Place& place) {
                 physics::number_at(place.building, target) = number.mean;
         }
     }
+}
+
+/// The long-wave loss that all hours share.
+Refinement::Number sky_difference(double mean, double sd) {
+    return {"sky_difference", "zone.*.sky_temperature_difference", mean, sd, 0, 28};
 }
 
 /// An effect with its sign and size free, as the hook's name has it.
@@ -207,11 +216,6 @@ std::vector<int> LoopData::blocks_of(double days) const {
     for (const physics::Seconds begin : begins)
         of_readings.push_back(block_at(begin, training().from, days));
     return of_readings;
-}
-
-/// The long-wave loss that all hours share.
-Refinement::Number sky_difference(double mean, double sd) {
-    return {"sky_difference", "zone.*.sky_temperature_difference", mean, sd, 0, 28};
 }
 
 const std::vector<Refinement>& refinements() {

@@ -12,7 +12,6 @@ namespace bemcal::study {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-const double flat_deviation = std::sqrt(1.0 / 12);  ///< of a flat range of 1
 
 /// One meter over all periods of a comparison, one after the other.
 struct Joined {
@@ -149,7 +148,7 @@ std::vector<StagedJudge::Varied> StagedJudge::varied_in(
             range = found.most[k] - found.least[k];
             most = found.most[k];
         } else if (carried[k] > 0) {
-            range = carried[k] / flat_deviation;
+            range = carried[k] / std::sqrt(stats::flat_variance);
         } else {
             continue;
         }
