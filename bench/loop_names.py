@@ -73,7 +73,7 @@ RIGHT = {
     "early_start": named("early start"),
     "heating_drift": named("heating set-point drift", coefficient=same),
     "heating_curve": named("heating curve"),
-    "summer_set_point": named("cooling set-point of a season",
+    "summer_set_point": named("cooling set-point of a season", "summer compensation",
                               places=(("cooling set-point", "outdoor temperature"),)),
     "cooling_locked": named("cooling locked out"),
     "heating_locked": named("heating locked out"),

@@ -47,6 +47,12 @@ Series wind_and_difference(const Surroundings& around) {
     });
 }
 
+Series relative_wind(const Surroundings& around) {
+    if (around.wind.empty() || !(around.mean_wind > 0)) return {};
+    return each(around,
+                [&](std::size_t k) { return around.wind[k] / around.mean_wind - 1; });
+}
+
 Series over(const Series& series, double largest) {
     if (!(largest > 0)) return {};
     Series share = series;
@@ -288,6 +294,8 @@ std::vector<double> driver_of(const Effect& effect, const Surroundings& around) 
             return around.sky_difference;
         case Driver::wind:
             return around.wind;
+        case Driver::relative_wind:
+            return relative_wind(around);
         case Driver::wind_and_difference:
             return wind_and_difference(around);
         case Driver::sun_horizontal:

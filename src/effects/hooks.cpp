@@ -96,19 +96,24 @@ bool recovers_heat(const AirFlow& flow) {
     return ventilates && flow.supply == physics::outdoors && !is_infiltration(flow);
 }
 
-/// The zone's flow that infiltration adds to, made where there is none.
-std::size_t infiltration_of(Zone& zone) {
-    std::vector<AirFlow>& flows = zone.flows;
+/// The zone's flow that is infiltration; end where there is none.
+std::vector<AirFlow>::iterator infiltration_among(std::vector<AirFlow>& flows) {
     const auto from_outdoors = [](const AirFlow& flow) {
         return flow.supply == physics::outdoors;
     };
-    auto found = std::find_if(flows.begin(), flows.end(), [&](const AirFlow& flow) {
+    const auto found = std::find_if(flows.begin(), flows.end(), [&](const AirFlow& flow) {
         return from_outdoors(flow) && is_infiltration(flow);
     });
-    if (found == flows.end())
-        found = std::find_if(flows.begin(), flows.end(), [&](const AirFlow& flow) {
-            return from_outdoors(flow) && flow.air_change.profile < 0;
-        });
+    if (found != flows.end()) return found;
+    return std::find_if(flows.begin(), flows.end(), [&](const AirFlow& flow) {
+        return from_outdoors(flow) && flow.air_change.profile < 0;
+    });
+}
+
+/// That flow, made where there is none.
+std::size_t infiltration_of(Zone& zone) {
+    std::vector<AirFlow>& flows = zone.flows;
+    const auto found = infiltration_among(flows);
     if (found == flows.end()) {
         AirFlow added;
         added.name = "infiltration";
@@ -122,6 +127,16 @@ void add_infiltration(Building& building, Sites& sites) {
     for (std::size_t z = 0; z < building.zones.size(); ++z) {
         const std::size_t flow = infiltration_of(building.zones[z]);
         sites.add(Part::flow, z, flow, building.zones[z].flows[flow].air_change);
+    }
+}
+
+void add_leakage(Building& building, Sites& sites) {
+    for (std::size_t z = 0; z < building.zones.size(); ++z) {
+        std::vector<AirFlow>& flows = building.zones[z].flows;
+        const auto found = infiltration_among(flows);
+        if (found == flows.end() || is_off(found->air_change)) continue;
+        sites.add(Part::flow, z, static_cast<std::size_t>(found - flows.begin()),
+                  found->air_change);
     }
 }
 
@@ -180,6 +195,7 @@ void add_envelope(const Effect& effect, Building& building, Sites& sites) {
 
 void add_air(const Effect& effect, Building& building, Sites& sites) {
     if (effect.hook == Hook::infiltration) add_infiltration(building, sites);
+    if (effect.hook == Hook::leakage) add_leakage(building, sites);
     if (effect.hook == Hook::ventilation) sites.of_flows(&AirFlow::air_change, is_fan);
     if (effect.hook == Hook::heat_recovery)
         sites.of_flows(&AirFlow::heat_recovery, recovers_heat);
@@ -234,6 +250,8 @@ const char* lack_of(Hook hook) {
             return "there is no ventilation from outdoors that could recover heat";
         case Hook::aperture:
             return "there is no window on this facade";
+        case Hook::leakage:
+            return "there is no infiltration";
         case Hook::loads:
             return "there are no loads that heat a zone";
         case Hook::heating_set_point:
@@ -269,6 +287,7 @@ Target target_of(Building& building, Target part, const double& number) {
 
 ChangeKind kind_of(Hook hook) {
     switch (hook) {
+        case Hook::leakage:
         case Hook::ventilation:
         case Hook::opaque_conductance:
         case Hook::window_conductance:

@@ -48,6 +48,14 @@ Series lay(const Series& hourly, const physics::Weather& weather,
     return steps;
 }
 
+/// 0 of none.
+double mean_of_known(const Series& values) {
+    double sum = 0, n = 0;
+    for (const double value : values)
+        if (!std::isnan(value)) sum += value, ++n;
+    return n > 0 ? sum / n : 0;
+}
+
 std::vector<physics::CalendarStep> calendar_of(const physics::TimeAxis& axis) {
     std::vector<physics::CalendarStep> calendar;
     calendar.reserve(static_cast<std::size_t>(axis.n_steps));
@@ -66,6 +74,7 @@ Surroundings make_surroundings(const physics::Building& building,
     around.drive = &drive;
     around.calendar = calendar_of(drive.axis);
     around.wind = lay(weather.wind_speed, weather, drive);
+    around.mean_wind = mean_of_known(weather.wind_speed);
     around.moisture = lay(moisture_series(weather), weather, drive);
     around.sky_difference = lay(sky_difference_series(weather), weather, drive);
     around.sun_horizontal = lay(weather.global_horizontal, weather, drive);

@@ -21,6 +21,7 @@ struct Surroundings {
     const physics::Drive* drive = nullptr;        ///< of that building
     std::vector<physics::CalendarStep> calendar;  ///< [n_steps]
     std::vector<double> wind, moisture, sky_difference, sun_horizontal, ground;
+    double mean_wind = 0;  ///< of all the weather [m/s]: the same for every period
     std::map<std::string, std::vector<double>> columns;
     ModelSeries model;
     physics::Seconds from{};  ///< where `elapsed` is 0: the first step of training

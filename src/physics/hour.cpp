@@ -47,8 +47,9 @@ RadiantSplit radiant_split(const Network& network) {
 
 NodeGains split_gains(const Network& network, double phi_int, double phi_sol) {
     const RadiantSplit share = radiant_split(network);
-    const double radiant = 0.5 * phi_int + phi_sol;
-    return {0.5 * phi_int,          // (C.1)
+    const double to_air = network.gains_air_share;  // 0.5 in the standard
+    const double radiant = (1 - to_air) * phi_int + phi_sol;
+    return {to_air * phi_int,       // (C.1)
             share.to_st * radiant,  // (C.3)
             share.to_m * radiant};  // (C.2)
 }

@@ -123,6 +123,8 @@ void set_capacity(const Place& place, Network& network) {
     network.C_m = positive(place, zone.heat_capacity, "heat_capacity") * network.A_f;
     network.H_tr_is = positive(place, zone.surface_film, "surface_film") * network.A_tot;
     network.H_tr_ms = positive(place, zone.mass_film, "mass_film") * network.A_m;
+    network.gains_air_share =
+        not_negative(place, zone.gains_air_share, "gains_air_share");
 }
 
 void set_structure(const Place& place, Network& network) {

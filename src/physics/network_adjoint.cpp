@@ -162,6 +162,7 @@ void pull_capacity(const PlaceBack& place, const Network& network, Network& of_n
     Zone& of = place.of_here();
     of.mass_film += of_network.H_tr_ms * network.A_m;
     of_network.A_m += of_network.H_tr_ms * zone.mass_film;
+    of.gains_air_share += of_network.gains_air_share;
     of.surface_film += of_network.H_tr_is * network.A_tot;
     of_network.A_tot += of_network.H_tr_is * zone.surface_film;
     of.heat_capacity += of_network.C_m * network.A_f;
@@ -219,6 +220,7 @@ void clear_adjoints(const Network& network, Network& of_network) {
     ve.assign(network.ve_share.size(), 0.0);
     aperture.assign(network.aperture.size(), 0.0);
     of_network = {};
+    of_network.gains_air_share = 0;
     of_network.em_share = std::move(em);
     of_network.ve_share = std::move(ve);
     of_network.aperture = std::move(aperture);

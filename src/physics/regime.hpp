@@ -40,7 +40,8 @@ struct Regime {
         return split.to_st * form[Term::phi_st] + split.to_m * form[Term::phi_m];
     }
     double per_int(const LinearForm& form) const {
-        return 0.5 * (form[Term::phi_ia] + per_sol(form));
+        const double to_air = network.gains_air_share;
+        return to_air * form[Term::phi_ia] + (1 - to_air) * per_sol(form);
     }
     /// Per kelvin of the outdoor air.
     double per_theta_e(const LinearForm& form) const {

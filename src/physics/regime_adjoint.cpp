@@ -11,8 +11,10 @@ void RegimeBack::per_sol(const LinearForm& form, double g, LinearForm& of_form) 
 }
 
 void RegimeBack::per_int(const LinearForm& form, double g, LinearForm& of_form) {
-    of_form[Term::phi_ia] += 0.5 * g;
-    per_sol(form, 0.5 * g, of_form);
+    const double to_air = regime.network.gains_air_share;
+    of_form[Term::phi_ia] += to_air * g;
+    per_sol(form, (1 - to_air) * g, of_form);
+    of_network.gains_air_share += g * (form[Term::phi_ia] - regime.per_sol(form));
 }
 
 void RegimeBack::per_theta_e(const LinearForm& form, double g, LinearForm& of_form) {

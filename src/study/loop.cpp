@@ -66,9 +66,10 @@ class Search {
         const double before = alarm_of(data_, place, result_.last, chosen.effect);
         const std::size_t newest = chosen.standing.model.effects.size() - 1;
         result_.last = refine_shape(data_, place, std::move(chosen.standing), newest);
-        // The grammar says where and when, not why: its sentences are no names.
+        // The grammar says where and when, not why: its sentences are no names. Nor do
+        // months show that nothing is left.
         result_.found.back().adequate =
-            chosen.effect.number != 0 && near.is_told &&
+            chosen.effect.number != 0 && near.is_told && !data_.reads_months_only() &&
             is_over(before, alarm_of(data_, place, result_.last, chosen.effect));
         if (split(data_, place, result_.last, newest)) note_split(newest);
         swap_earlier(place);

@@ -24,6 +24,12 @@ int block_at(physics::Seconds time, physics::Seconds from, double days) {
         std::floor(static_cast<double>(seconds) / (days * static_cast<double>(day_s))));
 }
 
+/// Months since year 0.
+int month_at(physics::Seconds time) {
+    const physics::CalendarStep step = physics::calendar_step(time);
+    return 12 * step.year + step.month;
+}
+
 /// The index of the plane with something of it changed.
 template <class Change>
 int plane_with(Change change, int index, physics::Building& building) {
@@ -147,6 +153,22 @@ bool is_hourly(const physics::Channel& channel) {
     return channel.interval == physics::Interval::hourly;
 }
 
+bool is_monthly(const physics::Channel& channel) {
+    return channel.interval == physics::Interval::monthly;
+}
+
+/// A year of months is fewer readings than a model has numbers, and can be met better
+/// than any model deserves: what is below a fifth of the limit of ASHRAE Guideline 14
+/// (15 % of a month) is not evidence.
+double least_sigma(const Targets& targets, std::size_t channel) {
+    constexpr double share = 0.03;
+    if (!is_monthly(targets.channels[channel])) return 0;
+    double sum = 0, n = 0;
+    for (const double value : targets.of(channel, targets.measured))
+        if (!std::isnan(value)) sum += std::abs(value), ++n;
+    return n > 0 ? share * sum / n : 0;
+}
+
 double kappa_of(const LoopData& data, std::size_t channel,
                 std::span<const double> residuals) {
     const Targets& targets = data.targets;
@@ -210,11 +232,21 @@ std::vector<int> LoopData::quantities() const {
     return quantities;
 }
 
+bool LoopData::reads_months() const {
+    return std::ranges::any_of(targets.channels, is_monthly);
+}
+
+bool LoopData::reads_months_only() const {
+    return std::ranges::all_of(targets.channels, is_monthly);
+}
+
 std::vector<int> LoopData::blocks_of(double days) const {
     std::vector<int> of_readings;
     of_readings.reserve(begins.size());
+    const int first = month_at(training().from);
     for (const physics::Seconds begin : begins)
-        of_readings.push_back(block_at(begin, training().from, days));
+        of_readings.push_back(reads_months() ? month_at(begin) - first
+                                             : block_at(begin, training().from, days));
     return of_readings;
 }
 
@@ -229,6 +261,8 @@ const std::vector<Refinement>& refinements() {
         {"emitter",
          {{"emitter_lag", "zone.*.emitter_time_constant", 1500, 1200, 60, 10000},
           {"radiant_share", "zone.*.emitter_radiant_share", 0.4, 0.25, 0, 0.95}}},
+        {"gains to air",
+         {{"gains_air_share", "zone.*.gains_air_share", 0.5, 0.15, 0.05, 0.95}}},
         {"second mass",
          {{"second_mass_conductance", "zone.*.second_mass_conductance", 2, 2, 0.05, 15},
           {"second_mass_capacity", "zone.*.second_mass_capacity", 200000, 150000, 20000,
@@ -243,12 +277,17 @@ const std::vector<Refinement>& refinements() {
          {{sky_difference(4, 4)}},
          {{following("opaque elements see the sky", effects::Hook::opaque_boundary,
                      effects::Driver::sky_difference, 0.06),
-           -0.12, 0.12},
+           -0.12, 0.12, -1, 1},
           {following("windows see the sky", effects::Hook::window_boundary,
                      effects::Driver::sky_difference, 0.06),
-           -0.12, 0.12}},
+           -0.12, 0.12, -1, 1}},
          nullptr,
          "sky"},
+        {"wind in leaks",
+         {},
+         {{following("share of infiltration by wind", effects::Hook::leakage,
+                     effects::Driver::relative_wind, 0.3),
+           0.3, 0.1, 0, 0.45}}},
         {"auxiliaries",
          {{"heating_auxiliary", "plant.heating_auxiliary", 0.02, 0.02, 0, 0.3},
           {"cooling_auxiliary", "plant.cooling_auxiliary", 0.02, 0.02, 0, 0.3}}},
@@ -256,12 +295,12 @@ const std::vector<Refinement>& refinements() {
          {},
          {{following("COP per outdoor temperature", effects::Hook::cooling_cop,
                      effects::Driver::theta_e, 0.01),
-           -0.01, 0.01}}},
+           -0.01, 0.01, -0.2, 0.2}}},
         {"heating by weather",
          {},
          {{following("heating efficiency per outdoor temperature",
                      effects::Hook::heating_efficiency, effects::Driver::theta_e, 0.01),
-           0.005, 0.01}}}};
+           0.005, 0.01, -0.2, 0.2}}}};
     return table;
 }
 
@@ -319,6 +358,8 @@ BuiltModel build(const Place& place, const std::vector<effects::Effect>& added) 
             unknown.centre = place.always[k].mean;
             unknown.scale = place.always[k].sd;
             unknown.has_prior = true;
+            unknown.least = std::max(unknown.least, place.always[k].least);
+            unknown.most = std::min(unknown.most, place.always[k].most);
         }
         built.unknowns.push_back(unknown);
     }
@@ -345,8 +386,9 @@ std::vector<ChannelNoise> noise_of(const LoopData& data,
     std::vector<ChannelNoise> noise;
     double logs = 0, n = 0;
     for (std::size_t c = 0; c < squares.size(); ++c) {
-        noise.push_back({std::max(std::sqrt(squares[c]), 1e-9),
-                         kappa_of(data, c, residuals), shares[c]});
+        const double least = least_sigma(data.targets, c);
+        noise.push_back({std::max(std::hypot(std::sqrt(squares[c]), least), 1e-9),
+                         kappa_of(data, c, residuals), shares[c], least});
         if (!is_hourly(data.targets.channels[c])) continue;
         logs += shares[c] * std::log(noise[c].kappa);
         n += shares[c];
@@ -378,8 +420,8 @@ double deviance(const Targets& targets, const std::vector<ChannelNoise>& noise,
         const auto measured = targets.of(c, targets.measured);
         const auto n = static_cast<double>(
             std::ranges::count_if(measured, [](double v) { return !std::isnan(v); }));
-        sum +=
-            noise[c].share * n / noise[c].kappa * std::log(std::max(squares[c], 1e-12));
+        sum += noise[c].share * n / noise[c].kappa *
+               std::log(std::max(squares[c] + noise[c].least * noise[c].least, 1e-12));
     }
     return sum;
 }

@@ -18,6 +18,7 @@ struct ChannelNoise {
     double sigma = 1;  ///< root mean square of the residual [channel's unit]
     double kappa = 1;  ///< variance of sums over a week, per that of independent errors
     double share = 1;  ///< of a meter that matters; less where little energy flows
+    double least = 0;  ///< sigma of a model as good as models are [channel's unit]
 };
 
 /// What does not change while the loop searches.
@@ -36,7 +37,11 @@ struct LoopData {
     /// With the planes of every refinement.
     std::shared_ptr<const physics::Drive> drive_over(const Period& period) const;
     std::vector<int> quantities() const;  ///< [channels] as effects name meters
-    /// Of blocks of so many days.
+    /// Whether a meter is read by the month.
+    bool reads_months() const;
+    bool reads_months_only() const;
+    /// Of blocks of so many days; of calendar months where a meter is read by the month,
+    /// so that no reading is in two.
     std::vector<int> blocks_of(double days) const;
 };
 
@@ -52,7 +57,7 @@ struct Refinement {
     /// What every building has in some measure: an effect with a prior.
     struct Always {
         effects::Effect effect;
-        double mean, sd;
+        double mean, sd, least, most;
     };
     std::vector<Always> effects{};
     /// Changes the building as described; whether there was anything to change.
@@ -113,7 +118,8 @@ std::vector<double> mean_squares(const Targets& targets,
                                  std::span<const double> residuals);
 
 /// -2 log likelihood with each channel's variance at its best value, errors counted as
-/// often as they are independent: sum over channels of share n / kappa log(mean square).
+/// often as they are independent: sum over channels of share n / kappa log(mean square +
+/// least^2).
 double deviance(const Targets& targets, const std::vector<ChannelNoise>& noise,
                 std::span<const double> residuals);
 

@@ -2,18 +2,50 @@
 
 #include "effects/catalogue.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace bemcal::study {
 namespace {
 
-/// The catalogue's effects, each with one shape and place only.
-std::vector<effects::Effect> one_of_each(const LoopData& data, const Place& place) {
-    std::vector<effects::Effect> chosen;
+/// An effect of the catalogue in all its shapes and places.
+struct Named {
+    std::vector<effects::Effect> variants;
+    std::optional<Screened> screened{};
+};
+
+std::vector<Named> by_name(const LoopData& data, const Place& place) {
+    std::vector<Named> all;
     for (effects::Effect& effect :
-         effects::named_candidates(*place.surroundings, data.quantities()))
-        if (chosen.empty() || chosen.back().name != effect.name)
-            chosen.push_back(std::move(effect));
+         effects::named_candidates(*place.surroundings, data.quantities())) {
+        if (all.empty() || all.back().variants[0].name != effect.name) all.emplace_back();
+        all.back().variants.push_back(std::move(effect));
+    }
+    return all;
+}
+
+/// The catalogue's effects, each in the first of its variants that moves a meter.
+std::vector<Screened> one_of_each(const LoopData& data, const Place& place,
+                                  const Standing& standing) {
+    std::vector<Named> all = by_name(data, place);
+    std::vector<effects::Effect> tried;
+    for (std::size_t variant = 0; variant == 0 || !tried.empty(); ++variant) {
+        tried.clear();
+        for (const Named& named : all)
+            if (!named.screened && variant < named.variants.size())
+                tried.push_back(named.variants[variant]);
+        for (Screened& screened :
+             screen(data, place, standing, tried, Keep::of_typical)) {
+            const auto same = [&](const Named& named) {
+                return named.variants[0].name == screened.effect.name;
+            };
+            std::ranges::find_if(all, same)->screened = std::move(screened);
+        }
+    }
+    std::vector<Screened> chosen;
+    for (Named& named : all)
+        if (named.screened) chosen.push_back(std::move(*named.screened));
     return chosen;
 }
 
@@ -58,8 +90,7 @@ double correlation_of(std::span<const double> a, std::span<const double> b,
 
 PowerTable power_of(const LoopData& data, const Place& place, const Standing& standing) {
     PowerTable table;
-    table.screened =
-        screen(data, place, standing, one_of_each(data, place), Keep::signatures);
+    table.screened = one_of_each(data, place, standing);
     table.weights = weights_of(data.targets, standing.noise);
     for (const Screened& screened : table.screened) {
         Power power{screened.effect, 0, 0, {}, 0, {}, 0};

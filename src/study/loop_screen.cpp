@@ -17,13 +17,14 @@ constexpr std::array amplitudes = {1.0, -1.0, 0.25, -0.25};  ///< of the typical
 
 /// What does not change from candidate to candidate.
 struct Tangent {
-    Tangent(const LoopData& data, const Standing& standing)
+    Tangent(const LoopData& data, const Standing& standing,
+            const std::vector<char>& bound)
         : weights(weights_of(data.targets, standing.noise)),
           equations(stats::normal_equations(standing.fit.at.derivatives,
                                             standing.residuals, weights)),
           diagonal(prior_diagonal(standing.built.unknowns)) {
         for (double& entry : diagonal) entry += 1e-6;
-        inverse = stats::inverse(equations.matrix, diagonal, standing.fit.bound);
+        inverse = stats::inverse(equations.matrix, diagonal, bound);
     }
 
     std::vector<double> times_inverse(std::span<const double> vector) const {
@@ -128,12 +129,16 @@ Screened judged(const LoopData& data, const Standing& standing, const Tangent& t
     screened.gain = secant.gain_at(screened.coefficient);
     std::vector<double> own = own_part(standing, secant);
     screened.by_block = scores_by_block(data, standing, tangent, own);
-    if (keep == Keep::signatures) {
+    if (keep != Keep::gains) {
         screened.bias = secant.followed;
         for (double& bias : screened.bias) bias *= effect.typical;
         screened.signature = std::move(own);
     }
     return screened;
+}
+
+bool is_plausible_sign(const effects::Effect& effect, double amplitude) {
+    return (amplitude > 0 && effect.most > 0) || (amplitude < 0 && effect.least < 0);
 }
 
 /// The best of the amplitudes; gain 0 where none moves the meters.
@@ -149,7 +154,9 @@ Screened screen_one(const LoopData& data, const Place& place, const Standing& st
     Secant best_secant;
     for (std::size_t a = 0; a < amplitudes.size(); ++a) {
         const double amplitude = points(a, built.unknowns.size() - 1);
-        if (amplitude == 0 || std::isnan(predicted(a, 0))) continue;
+        if (!is_plausible_sign(effect, amplitude) || std::isnan(predicted(a, 0)))
+            continue;
+        if (keep == Keep::of_typical && a > 0) break;
         Secant secant = secant_of(standing, tangent, predicted.row(a), amplitude);
         if (!(secant.I > 1e-12 * secant.sums.with_itself)) continue;
         const double gain =
@@ -168,7 +175,9 @@ Screened screen_one(const LoopData& data, const Place& place, const Standing& st
 std::vector<Screened> screen(const LoopData& data, const Place& place,
                              const Standing& standing,
                              const std::vector<effects::Effect>& candidates, Keep keep) {
-    const Tangent tangent(data, standing);
+    std::vector<char> bound = standing.fit.bound;
+    if (keep == Keep::of_typical) bound.assign(bound.size(), 0);
+    const Tangent tangent(data, standing, bound);
     std::vector<Screened> screened;
     screened.reserve(candidates.size());
     for (const effects::Effect& effect : candidates) {

@@ -23,8 +23,9 @@ struct Screened {
                                ///< typical size [prior sd]
 };
 
-/// Where the signature is kept, and the bias.
-enum class Keep { gains, signatures };
+/// What is wanted: gains; signatures and bias, too; or these of the typical size,
+/// whatever the readings say of it and wherever the fit has met a limit.
+enum class Keep { gains, signatures, of_typical };
 
 /// In the order of the candidates; those that cannot be simulated are left out.
 std::vector<Screened> screen(const LoopData& data, const Place& place,

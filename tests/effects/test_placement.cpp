@@ -1,6 +1,8 @@
 #include "effects/drivers.hpp"
 #include "office.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace bemcal::effects {
@@ -122,6 +124,19 @@ TEST(Placement, InfiltrationEntersTheFlowOfThatNameOrANewOne) {
     EXPECT_EQ(added.building.zones[0].flows.size(), 2u);
     EXPECT_EQ(shown(added, {0.4}, Quantity::gas),
               shown({office().building, office().drive, {}}, {}, Quantity::gas));
+}
+
+TEST(Placement, WindMovesInfiltrationAboutWhatItIs) {
+    const Effect leakage{
+        .name = "by wind", .hook = Hook::leakage, .driver = Driver::relative_wind};
+    const Placed with = placed(leakage);
+    EXPECT_EQ(with.parameters[0].targets.size(), 1u);
+    const Effect more{.name = "more", .hook = Hook::leakage};
+    EXPECT_GT(heating(more, 0.5), 100);
+    EXPECT_LT(std::abs(heating(leakage, 0.5)), 0.2 * heating(more, 0.5));
+    Office tight;
+    tight.building.zones[0].flows.erase(tight.building.zones[0].flows.begin());
+    EXPECT_THROW(placed(leakage, tight), std::invalid_argument);
 }
 
 TEST(Placement, MoreRecoveryLessHeatMoreVentilationMoreHeat) {

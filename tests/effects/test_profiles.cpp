@@ -111,6 +111,17 @@ TEST(Profiles, ShapesOfWind) {
     EXPECT_EQ(value({Form::within, wind - 1, wind}), 0);
 }
 
+TEST(Profiles, WindAboutItsMeanIsTheSameInEveryPeriod) {
+    const Office spring("2021-03-01", "2021-05-01");
+    const auto wind = profile({.driver = Driver::relative_wind});
+    const auto in_spring = profile_of({.driver = Driver::relative_wind}, spring.around);
+    double sum = 0;
+    for (const double value : wind) sum += value;
+    EXPECT_NEAR(sum / static_cast<double>(wind.size()), 0, 0.05);
+    const auto warm_up = static_cast<std::size_t>(spring.drive.n_warm_up);
+    EXPECT_EQ(in_spring[warm_up], wind[at("2021-03-01 00:00")]);
+}
+
 TEST(Profiles, HourWindowsGoThroughMidnightAndShareSteps) {
     const auto evening =
         profile({.driver = Driver::hour, .shape = {Form::within, 22, 6}});

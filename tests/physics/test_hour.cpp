@@ -304,6 +304,24 @@ TEST(Hour, AsksForMorePowerAtAHigherSetPoint) {
     EXPECT_GT(last, 100);
 }
 
+// C.1 to C.3 halve the internal gains; any other split keeps their sum and what is lost
+// through windows of the radiant part.
+TEST(Hour, SplitsInternalGainsBetweenAirAndSurfaces) {
+    Network n = office();
+    const NodeGains half = split_gains(n, 100, 0);
+    EXPECT_EQ(half.phi_ia, 50);
+    n.gains_air_share = 0.8;
+    const NodeGains airy = split_gains(n, 100, 0);
+    EXPECT_DOUBLE_EQ(airy.phi_ia, 80);
+    EXPECT_NEAR(airy.phi_st, 0.4 * half.phi_st, 1e-12);
+    EXPECT_NEAR(airy.phi_m, 0.4 * half.phi_m, 1e-12);
+    n.gains_air_share = 0;
+    const NodeGains sun = split_gains(n, 0, 100), radiant = split_gains(n, 100, 0);
+    EXPECT_EQ(radiant.phi_ia, 0);
+    EXPECT_EQ(radiant.phi_st, sun.phi_st);
+    EXPECT_EQ(radiant.phi_m, sun.phi_m);
+}
+
 TEST(Hour, NeedsNoVentilation) {
     Network n = office();
     n.H_ve = 0;

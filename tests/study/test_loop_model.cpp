@@ -65,6 +65,45 @@ TEST(LoopModel, EveryStructureSharesOneDrive) {
     }
 }
 
+TEST(LoopModel, InfiltrationByWindStaysAShareOfIt) {
+    const LoopData data = windy_data();
+    const Place place = make_place(data, {refinement("wind in leaks")}, data.drive);
+    const BuiltModel built = build(place, {});
+    const FitUnknown& share = built.unknowns.back();
+    EXPECT_EQ(share.name, "share of infiltration by wind");
+    EXPECT_TRUE(share.has_prior);
+    EXPECT_EQ(share.centre, 0.3);
+    EXPECT_EQ(share.least, 0);
+    EXPECT_EQ(share.most, 0.45);
+}
+
+TEST(LoopModel, MonthsAreLeftOutWhole) {
+    Case monthly = measured_case();
+    auto& gas = monthly.meters[0];
+    gas.interval = physics::Interval::monthly;
+    const LoopData data(monthly, LoopOptions{});
+    EXPECT_TRUE(data.reads_months());
+    EXPECT_TRUE(data.reads_months_only());
+    for (std::size_t k = 0; k < data.blocks.size(); ++k)
+        EXPECT_EQ(data.blocks[k], data.blocks[0] + static_cast<int>(k));
+    EXPECT_FALSE(windy_data().reads_months());
+}
+
+TEST(LoopModel, MonthsAreMetNoBetterThanAModelDeserves) {
+    Case monthly = measured_case();
+    auto& gas = monthly.meters[0];
+    gas.interval = physics::Interval::monthly;
+    gas.values.assign(gas.values.size(), 1000);
+    const LoopData data(monthly, LoopOptions{});
+    const std::vector<double> none(data.targets.size(), 0), some(data.targets.size(), 2);
+    const auto noise = noise_of(data, none);
+    EXPECT_DOUBLE_EQ(noise[0].sigma, 30);
+    const double gained =
+        deviance(data.targets, noise, some) - deviance(data.targets, noise, none);
+    EXPECT_GT(gained, 0);
+    EXPECT_LT(gained, 0.02 * static_cast<double>(data.targets.size()));
+}
+
 TEST(LoopModel, ARefinementWithNothingToRefineIsRefusedByName) {
     Case dark = measured_case();
     for (physics::Surface& surface : dark.building.zones[0].surfaces)
