@@ -1,8 +1,9 @@
 """What the generator's effects are called in the catalogue, and their coefficients there.
 
-`names`: any of them is the right one. `places`: (hook, driver) of the grammar where the catalogue has
-no name. `coefficient`: of a generator's size and truth, in the catalogue's unit; None where the two
-forms differ too much to compare. Effects of no catalogue have the names that would not be wrong.
+`names`: any of them is the right one, the first has the planted form. `places`: (hook, driver) of the
+grammar where the catalogue has no name. `coefficient`: of a generator's size and truth, in the
+catalogue's unit; None where the two forms differ too much to compare. Effects of no catalogue have the
+names that would not be wrong.
 """
 from dataclasses import dataclass
 from typing import Callable
@@ -73,7 +74,7 @@ RIGHT = {
     "early_start": named("early start"),
     "heating_drift": named("heating set-point drift", coefficient=same),
     "heating_curve": named("heating curve"),
-    "summer_set_point": named("cooling set-point of a season", "summer compensation",
+    "summer_set_point": named("summer compensation", "cooling set-point of a season",
                               places=(("cooling set-point", "outdoor temperature"),)),
     "cooling_locked": named("cooling locked out"),
     "heating_locked": named("heating locked out"),

@@ -1,7 +1,7 @@
 """How well a loop did on generated cases: from its result and the cases' truth to the bench's figures.
 
 A case's record holds its kind, what was planted, what was found, and the errors of the held-out
-year. Detectability is the power table's, scaled from the catalogue's typical size to the planted.
+year. Detectability is the power table's of the first name, scaled from the typical size to the planted.
 """
 import json
 import sys
@@ -115,8 +115,8 @@ def detectability(loop, planted):
     table = {}
     for name, d in zip(names, loop["power_detectability"][:]):
         table[name] = max(d, table.get(name, 0))
-    return {effect: max((table.get(name, np.nan) for name in RIGHT[effect].names),
-                        default=np.nan) * abs(size) / EFFECTS[effect].size
+    first = lambda effect: (*RIGHT[effect].names, "")[0]
+    return {effect: table.get(first(effect), np.nan) * abs(size) / EFFECTS[effect].size
             for effect, size in planted.items()}
 
 

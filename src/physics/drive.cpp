@@ -222,13 +222,15 @@ struct Layout {
 };
 
 /// With real hours before the period the source is the whole drive. Else the warm-up
-/// repeats the period's first days, the last of them just before its begin, at the same
-/// hours of the day.
+/// repeats days of the period, the last of them just before its begin, at the same hours
+/// of the day: its first ones; of a year those 52 weeks later, so that the first month
+/// does not begin as if it had been there before.
 Layout lay_out(Span period, int step_s, int n_warm_up, bool real_warm_up) {
     const auto count = static_cast<int>((period.to - period.from).count() / step_s);
     const int per_day = 86400 / step_s;
+    const int year = 52 * 7 * per_day;
     const int days = std::min((n_warm_up + per_day - 1) / per_day, count / per_day);
-    const int repeated = days > 0 ? days * per_day : count;
+    const int repeated = count >= year ? year : days > 0 ? days * per_day : count;
     Layout layout;
     layout.source = {period.from, step_s, count};
     if (real_warm_up) {

@@ -20,10 +20,10 @@ std::size_t index(int k) {
 }
 
 /// 30 days from a Monday on; temperature = number of the hour, irradiance isotropic.
-Weather numbered_weather() {
+Weather numbered_weather(int days = 30) {
     Weather weather;
     weather.site = {50, 10, 1};
-    weather.axis = {parse_time("2021-03-01"), 3600, 30 * 24};
+    weather.axis = {parse_time("2021-03-01"), 3600, days * 24};
     for (int k = 0; k < weather.axis.n_steps; ++k) {
         weather.theta_e.push_back(k);
         weather.diffuse_horizontal.push_back(k);
@@ -116,6 +116,12 @@ TEST(Drive, WarmUpRepeatsTheFirstDaysWhereNothingIsBefore) {
     expect_wrapped(
         drive_of(weather, {hour_of_day()}, "2021-03-01", "2021-03-01 06:00", 3600, 20),
         6);
+}
+
+TEST(Drive, AYearIsWarmedUpByDays52WeeksLater) {
+    expect_wrapped(drive_of(numbered_weather(370), {hour_of_day()}, "2021-03-01",
+                            "2022-03-01", 3600, 30),
+                   364 * 24);
 }
 
 TEST(Drive, WarmUpRepeatsWhereASeriesBeginsLater) {
