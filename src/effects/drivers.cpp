@@ -49,8 +49,10 @@ Series wind_and_difference(const Surroundings& around) {
 
 Series relative_wind(const Surroundings& around) {
     if (around.wind.empty() || !(around.mean_wind > 0)) return {};
-    return each(around,
-                [&](std::size_t k) { return around.wind[k] / around.mean_wind - 1; });
+    constexpr double least = -0.6;  ///< so that no share of leaks takes all of them
+    return each(around, [&](std::size_t k) {
+        return std::max(around.wind[k] / around.mean_wind - 1, least);
+    });
 }
 
 Series over(const Series& series, double largest) {

@@ -20,7 +20,7 @@ enum class Hook {
     opaque_boundary,  ///< sol-air temperature [K]
     window_boundary,  ///< [K]
     infiltration,     ///< air from outdoors at all hours, added [1/h]
-    leakage,          ///< what there is of it, as a share [-]
+    leakage,          ///< the same, as a share of what is declared [-]
     ventilation,      ///< fans' air flows, as a share [-]
     venting,          ///< openings that follow the room (physics::Venting) and open above
                       ///< Shape::at [degC]; with Driver::one [1/h]
@@ -54,7 +54,7 @@ enum class Driver {
     root_of_difference,   ///< sqrt |20 degC - theta_e| [K^0.5]
     sky_difference,       ///< theta_e - theta_sky [K]
     wind,                 ///< [m/s]
-    relative_wind,        ///< over its mean in the weather, less 1 [-]
+    relative_wind,        ///< over its mean in the weather, less 1; at least -0.6 [-]
     wind_and_difference,  ///< wind x |20 degC - theta_e| [K m/s]
     sun_horizontal,       ///< global [W/m2]
     sun_on_facade,        ///< on the hook's facade [W/m2]

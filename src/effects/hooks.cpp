@@ -287,7 +287,6 @@ Target target_of(Building& building, Target part, const double& number) {
 
 ChangeKind kind_of(Hook hook) {
     switch (hook) {
-        case Hook::leakage:
         case Hook::ventilation:
         case Hook::opaque_conductance:
         case Hook::window_conductance:

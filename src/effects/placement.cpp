@@ -82,6 +82,7 @@ class Placer {
     void enter(const Effect& effect);
     void put_changes(const Effect& effect);
     void put_sunlit_windows(const Effect& effect);
+    void put_leakage(const Effect& effect);
     void put_venting(const Effect& effect);
     void put_schedules(const Effect& effect, Scheduled which);
     void put_load(const Effect& effect, Carrier carrier, double heat_fraction);
@@ -150,6 +151,16 @@ void Placer::put_sunlit_windows(const Effect& effect) {
         facade.place = zone.windows[static_cast<std::size_t>(target.inner)].plane;
         const int row = row_of(levelled(profile_of(facade, around_), most_levels));
         change(target, kind_of(effect.hook), row);
+    }
+}
+
+/// Of each zone's declared infiltration, whatever a parameter makes of it.
+void Placer::put_leakage(const Effect& effect) {
+    const Series profile = levelled(profile_of(effect, around_), most_levels);
+    for (const Target& target : sites_of(effect, building_)) {
+        Series leak = profile;
+        for (double& value : leak) value *= physics::input_at(building_, target)->value;
+        change(target, kind_of(effect.hook), row_of(std::move(leak)));
     }
 }
 
@@ -281,6 +292,8 @@ void Placer::enter(const Effect& effect) {
             return put_neighbour(effect);
         case Hook::second_mass:
             return put_second_mass(effect);
+        case Hook::leakage:
+            return put_leakage(effect);
         case Hook::venting:
             return put_venting(effect);
         case Hook::operation:

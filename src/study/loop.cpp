@@ -37,8 +37,9 @@ class Search {
     void run() {
         const Place& place = result_.baseline.place;
         const auto most = static_cast<std::size_t>(data_.options.most_effects);
-        while (result_.last.model.effects.size() < most && accept_one(place)) {
-        }
+        // What is accepted may leave again, and must not come and go for ever.
+        for (std::size_t step = 0; step < 3 * most; ++step)
+            if (result_.last.model.effects.size() >= most || !accept_one(place)) break;
         if (result_.last.model.effects.size() >= most)
             result_.log.push_back({"", "as many effects as were asked for", 0, 0, 0, {}});
         else
@@ -75,6 +76,8 @@ class Search {
         swap_earlier(place);
         drop(prune(data_, place, result_.last, 0.5 * step.threshold),
              "left again: no longer needed");
+        drop(prune_implausible(data_, place, result_.last),
+             "left again: coefficient no longer plausible");
         return true;
     }
 

@@ -119,7 +119,9 @@ int swap(const LoopData& data, const Place& place, Standing& standing, std::size
     double most = clearly;
     Standing chosen;
     const std::size_t unknown = standing.built.first_effect() + effect;
+    const bool has_name = standing.model.effects[effect].number != 0;
     for (std::size_t k = 0; k < rivals.size(); ++k) {
+        if (has_name && rivals[k].number == 0) continue;  // says less
         std::vector<double> start = standing.fit.at.x;
         start[unknown] = rivals[k].most > 0 ? 0.5 : -0.5;
         Standing tried = with_in_place(data, place, standing,
@@ -211,6 +213,27 @@ std::vector<std::string> prune(const LoopData& data, const Place& place,
         gone.push_back(standing.model.effects[weakest].name);
         settle(data, best);
         standing = std::move(best);
+    }
+    return gone;
+}
+
+std::vector<std::string> prune_implausible(const LoopData& data, const Place& place,
+                                           Standing& standing) {
+    std::vector<std::string> gone;
+    for (std::size_t k = 0; k < standing.model.effects.size();) {
+        const std::size_t unknown = standing.built.first_effect() + k;
+        const double coefficient =
+            standing.built.unknowns[unknown].value(standing.fit.at.x[unknown]);
+        if (is_plausible(standing.model.effects[k], coefficient)) {
+            ++k;
+            continue;
+        }
+        Standing without = without_effect(data, place, standing, k);
+        if (without.fit.failed) return gone;
+        gone.push_back(standing.model.effects[k].name);
+        settle(data, without);
+        standing = std::move(without);
+        k = 0;
     }
     return gone;
 }

@@ -29,4 +29,9 @@ bool split(const LoopData& data, const Place& place, Standing& standing,
 std::vector<std::string> prune(const LoopData& data, const Place& place,
                                Standing& standing, double least);
 
+/// Effects leave whose coefficients have left what is plausible, as shapes moved or
+/// others joined. Returns their names.
+std::vector<std::string> prune_implausible(const LoopData& data, const Place& place,
+                                           Standing& standing);
+
 }  // namespace bemcal::study

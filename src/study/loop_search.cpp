@@ -306,11 +306,18 @@ double threshold_of(const LoopData& data, const Place& place, const Standing& st
 }
 
 /// The first that passes; one of the grammar only where nothing with a name comes near.
-int choice_of(const std::vector<Refitted>& ranking) {
+/// None where what does not pass explains clearly more: then it is the model's misfit
+/// that they all take a part of.
+int choice_of(std::vector<Refitted>& ranking) {
     constexpr double near = 0.6;  ///< of the gain
+    constexpr double clearly = 1.25;
     int first = -1;
     for (std::size_t k = 0; k < ranking.size(); ++k) {
         if (!ranking[k].objection.empty()) continue;
+        if (first < 0 && ranking[0].gain > clearly * ranking[k].gain) {
+            ranking[k].objection = "others that do not pass explain more";
+            continue;
+        }
         if (first < 0) first = static_cast<int>(k);
         const double best = ranking[static_cast<std::size_t>(first)].gain;
         if (ranking[k].effect.number != 0 && ranking[k].gain > near * best)
@@ -325,8 +332,8 @@ bool is_plausible(const effects::Effect& effect, double c) {
     const double least = std::min(effect.least, effect.most),
                  most = std::max(effect.least, effect.most);
     const double width = (slack - 1) * std::max(std::abs(least), std::abs(most));
-    if (least >= 0) return c >= 0.3 * least && c <= most + width;
-    if (most <= 0) return c <= 0.3 * most && c >= least - width;
+    if (least >= 0) return c >= least / slack && c <= most + width;
+    if (most <= 0) return c <= most / slack && c >= least - width;
     return c >= least - width && c <= most + width;
 }
 

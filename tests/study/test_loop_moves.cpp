@@ -57,6 +57,16 @@ TEST(LoopMoves, EffectsThatCarryTooLittleLeaveTheLeastFirst) {
     EXPECT_EQ(model.standing.fit.at.x.size(), model.place.unknowns.size());
 }
 
+TEST(LoopMoves, AnEffectLeavesWhoseCoefficientIsNoLongerPlausible) {
+    Model model;
+    prune(model.data, model.place, model.standing, 10);
+    EXPECT_TRUE(prune_implausible(model.data, model.place, model.standing).empty());
+    model.standing.model.effects[0].most = 0.01;
+    EXPECT_EQ(prune_implausible(model.data, model.place, model.standing),
+              Names{"wind infiltration"});
+    EXPECT_TRUE(model.standing.model.effects.empty());
+}
+
 TEST(LoopMoves, NothingLeavesThatCarriesMoreThanIsAsked) {
     Model model;
     EXPECT_TRUE(prune(model.data, model.place, model.standing, -1e9).empty());
