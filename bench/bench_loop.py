@@ -78,7 +78,7 @@ def run(cases, folder, options, rung):
     result.unlink(missing_ok=True)
     begin = time.perf_counter()
     try:
-        running.run(large_job.PROGRAM, job, result, options.ranks, ["--resume"],
+        running.run(large_job.PROGRAM, job, result, options.ranks, ["--resume", "--no-report"],
                     stdout=subprocess.DEVNULL)
     except CaseError as error:
         sys.exit(f"bench_loop: {error}; the same command goes on with it")

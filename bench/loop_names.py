@@ -19,6 +19,7 @@ class Right:
     places: tuple = ()
     coefficient: Callable = None
     is_decision: bool = False
+    aliases: tuple = ()   # what no reading tells from it
 
 
 def same(size, truth):
@@ -90,7 +91,8 @@ RIGHT = {
     "standing_losses": named("standing losses", coefficient=same),
     "hot_water": named("hot water", coefficient=same),
     "electricity_step": STEP, "cooling_step": STEP, "heating_step": STEP, "gas_step": STEP,
-    "meter_late": named("clock of the meter", is_decision=True),
+    "meter_late": named("clock of the meter", is_decision=True,
+                        aliases=("schedules earlier or later",)),
     # outside the catalogue
     "tenant_change": named("tenants move in or out"),
     "frozen_valve": named(),
@@ -117,6 +119,6 @@ def is_right(effect, planted):
 def is_in_class(effect, planted, most=3):
     """Whether the planted one is in the found one's class of at most `most`."""
     others = [name for name in effect["class"] if name]
-    return is_right(effect, planted) or (
+    return is_right(effect, planted) or effect["name"] in RIGHT[planted].aliases or (
         len(set(others) | {effect["name"]}) <= most
         and bool(set(others) & set(RIGHT[planted].names)))
