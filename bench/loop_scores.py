@@ -111,11 +111,8 @@ def closed(errors, truth, begin, end):
 
 
 def detectability(loop, planted):
-    names = loop_result.texts(loop, "power_effect")
-    table = {}
-    for name, d in zip(names, loop["power_detectability"][:]):
-        table[name] = max(d, table.get(name, 0))
-    first = lambda effect: (*RIGHT[effect].names, "")[0]
+    table = dict(zip(loop_result.texts(loop, "power_effect"), loop["power_detectability"][:]))
+    first = lambda effect: next(iter(RIGHT[effect].names), None)
     return {effect: table.get(first(effect), np.nan) * abs(size) / EFFECTS[effect].size
             for effect, size in planted.items()}
 

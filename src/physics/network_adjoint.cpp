@@ -220,7 +220,7 @@ void clear_adjoints(const Network& network, Network& of_network) {
     ve.assign(network.ve_share.size(), 0.0);
     aperture.assign(network.aperture.size(), 0.0);
     of_network = {};
-    of_network.gains_air_share = 0;
+    of_network.gains_air_share = 0;  // the one whose default is not
     of_network.em_share = std::move(em);
     of_network.ve_share = std::move(ve);
     of_network.aperture = std::move(aperture);

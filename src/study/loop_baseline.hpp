@@ -15,6 +15,12 @@ struct Standing {
     std::vector<double> residuals;    ///< [targets]
     std::vector<double> left_out;     ///< [targets] residuals of blocks it had not seen
     double score = 0;                 ///< deviance of left_out, by the baseline's noise
+
+    /// Of one of model.effects, in its unit.
+    double coefficient(std::size_t effect) const {
+        const std::size_t k = built.first_effect() + effect;
+        return built.unknowns[k].value(fit.at.x[k]);
+    }
 };
 
 /// Fits the model that is built, by its noise, from a start; residuals where it went

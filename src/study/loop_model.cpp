@@ -127,16 +127,25 @@ void add_parameters(const LoopData& data, Place& place) {
     }
 }
 
+bool is_monthly(const physics::Channel& channel) {
+    return channel.interval == physics::Interval::monthly;
+}
+
+/// 0 where nothing is measured.
+double mean_of_measured(const Targets& targets, std::size_t channel) {
+    double sum = 0, n = 0;
+    for (const double value : targets.of(channel, targets.measured))
+        if (!std::isnan(value)) sum += value, ++n;
+    return n > 0 ? sum / n : 0;
+}
+
 /// What energy a meter carries, next to that of the largest.
 std::vector<double> shares_of(const Targets& targets) {
     std::vector<double> means;
-    for (std::size_t c = 0; c < targets.n_channels(); ++c) {
-        double sum = 0, n = 0;
-        for (const double value : targets.of(c, targets.measured))
-            if (!std::isnan(value)) sum += value, ++n;
-        const bool is_finer = targets.channels[c].interval != physics::Interval::monthly;
-        means.push_back(n > 0 ? sum / n / (is_finer ? 1 : 730) : 0);
-    }
+    means.reserve(targets.n_channels());
+    for (std::size_t c = 0; c < targets.n_channels(); ++c)
+        means.push_back(mean_of_measured(targets, c) /
+                        (is_monthly(targets.channels[c]) ? 730 : 1));
     double largest = 0;
     for (std::size_t c = 0; c < means.size(); ++c)
         if (targets.channels[c].quantity != physics::Quantity::air_temperature)
@@ -153,20 +162,13 @@ bool is_hourly(const physics::Channel& channel) {
     return channel.interval == physics::Interval::hourly;
 }
 
-bool is_monthly(const physics::Channel& channel) {
-    return channel.interval == physics::Interval::monthly;
-}
-
 /// A year of months is fewer readings than a model has numbers, and can be met better
 /// than any model deserves: what is below a fifth of the limit of ASHRAE Guideline 14
 /// (15 % of a month) is not evidence.
 double least_sigma(const Targets& targets, std::size_t channel) {
     constexpr double share = 0.03;
     if (!is_monthly(targets.channels[channel])) return 0;
-    double sum = 0, n = 0;
-    for (const double value : targets.of(channel, targets.measured))
-        if (!std::isnan(value)) sum += std::abs(value), ++n;
-    return n > 0 ? share * sum / n : 0;
+    return share * std::abs(mean_of_measured(targets, channel));
 }
 
 double kappa_of(const LoopData& data, std::size_t channel,
@@ -243,10 +245,11 @@ bool LoopData::reads_months_only() const {
 std::vector<int> LoopData::blocks_of(double days) const {
     std::vector<int> of_readings;
     of_readings.reserve(begins.size());
+    const bool by_month = reads_months();
     const int first = month_at(training().from);
     for (const physics::Seconds begin : begins)
-        of_readings.push_back(reads_months() ? month_at(begin) - first
-                                             : block_at(begin, training().from, days));
+        of_readings.push_back(by_month ? month_at(begin) - first
+                                       : block_at(begin, training().from, days));
     return of_readings;
 }
 

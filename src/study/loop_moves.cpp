@@ -127,8 +127,7 @@ int swap(const LoopData& data, const Place& place, Standing& standing, std::size
         Standing tried = with_in_place(data, place, standing,
                                        {effect, rivals[k], std::move(start), {6, 1e-3}});
         if (tried.fit.failed || tried.fit.bound[unknown] != 0 ||
-            !is_plausible(rivals[k],
-                          tried.built.unknowns[unknown].value(tried.fit.at.x[unknown])))
+            !is_plausible(rivals[k], tried.coefficient(effect)))
             continue;
         const double gain = evidence(data, standing, tried);
         if (gain <= most) continue;
@@ -164,11 +163,9 @@ bool split(const LoopData& data, const Place& place, Standing& standing,
     refit(data, tried, std::move(start), {8, 1e-3});
     if (tried.fit.failed || evidence(data, standing, tried) < clearly) return false;
     constexpr double apart = 0.2;  ///< of the coefficients: else one name says it all
-    const std::size_t first = tried.built.first_effect() + effect;
-    const auto value = [&](std::size_t k) {
-        return tried.built.unknowns[k].value(tried.fit.at.x[k]);
-    };
-    if (std::abs(value(first) - value(tried.fit.at.x.size() - 1)) < apart) return false;
+    const std::size_t last = tried.model.effects.size() - 1;
+    if (std::abs(tried.coefficient(effect) - tried.coefficient(last)) < apart)
+        return false;
     tried = refine_shape(data, place, std::move(tried), effect);
     standing = refine_shape(data, place, std::move(tried), standing.model.effects.size());
     return true;
@@ -221,10 +218,7 @@ std::vector<std::string> prune_implausible(const LoopData& data, const Place& pl
                                            Standing& standing) {
     std::vector<std::string> gone;
     for (std::size_t k = 0; k < standing.model.effects.size();) {
-        const std::size_t unknown = standing.built.first_effect() + k;
-        const double coefficient =
-            standing.built.unknowns[unknown].value(standing.fit.at.x[unknown]);
-        if (is_plausible(standing.model.effects[k], coefficient)) {
+        if (is_plausible(standing.model.effects[k], standing.coefficient(k))) {
             ++k;
             continue;
         }

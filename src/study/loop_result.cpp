@@ -284,7 +284,7 @@ class Writer {
         for (std::size_t k = 0; k < last.model.effects.size(); ++k) {
             const effects::Effect& effect = last.model.effects[k];
             const std::size_t at = last.built.first_effect() + k;
-            const double c = last.built.unknowns[at].value(last.fit.at.x[at]);
+            const double c = last.coefficient(k);
             name.push_back(effect.name);
             hook.emplace_back(effects::name_of(effect.hook));
             driver.emplace_back(effects::name_of(effect.driver));

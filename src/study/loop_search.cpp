@@ -254,10 +254,6 @@ void drop_derivatives(Standing& standing) {
     standing.fit.at.derivatives = {};
 }
 
-double newest_coefficient(const Standing& standing) {
-    return standing.built.unknowns.back().value(standing.fit.at.x.back());
-}
-
 std::vector<Refitted> refit_all(const LoopData& data, const Place& place,
                                 const Standing& standing,
                                 const std::vector<const Screened*>& list) {
@@ -356,7 +352,8 @@ Step search(const LoopData& data, const Place& place, const Standing& standing) 
             candidate.objection = "not judged";
             continue;
         }
-        candidate.coefficient = newest_coefficient(candidate.standing);
+        candidate.coefficient =
+            candidate.standing.coefficient(candidate.standing.model.effects.size() - 1);
         judge_left_out(data, standing, unseen, candidate);
         candidate.objection = objection_to(data, standing, candidate, step.threshold);
     }
