@@ -190,6 +190,7 @@ struct Zone {
     double surface_area_ratio = 4.5;         ///< Lambda_at = A_tot / A_f [-]
     double surface_film = 3.45;              ///< h_is [W/(m2 K)]
     double gains_air_share = 0.5;            ///< of internal gains, at the air node [-]
+    double sun_air_share = 0;                ///< of solar gains, at the air node [-]
     double mass_film = 9.1;                  ///< h_ms [W/(m2 K)]
     double bridge_conductance = 0;           ///< thermal bridges, to outdoors [W/K]
     double sky_temperature_difference = 11;  ///< Delta theta_er [K]; 0 = no sky loss

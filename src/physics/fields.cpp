@@ -127,6 +127,8 @@ constexpr Field table[] = {
         "heat transfer between air and surface node, h_is", constant<&Zone::surface_film>()),
     row(Part::zone, "gains_air_share", "-", 0.5, 0, 1,
         "share of the internal gains that heats the air at once; the rest is radiant", constant<&Zone::gains_air_share>()),
+    row(Part::zone, "sun_air_share", "-", 0, 0, 1,
+        "share of the solar gains that heats the air at once; the rest is radiant", constant<&Zone::sun_air_share>()),
     row(Part::zone, "mass_film", "W/(m2 K)", 9.1, 0.1, 50,
         "heat transfer between mass and surface node, h_ms", constant<&Zone::mass_film>()),
     row(Part::zone, "bridge_conductance", "W/K", 0, 0, 1e6,

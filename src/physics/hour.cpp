@@ -47,11 +47,12 @@ RadiantSplit radiant_split(const Network& network) {
 
 NodeGains split_gains(const Network& network, double phi_int, double phi_sol) {
     const RadiantSplit share = radiant_split(network);
-    const double to_air = network.gains_air_share;  // 0.5 in the standard
-    const double radiant = (1 - to_air) * phi_int + phi_sol;
-    return {to_air * phi_int,       // (C.1)
-            share.to_st * radiant,  // (C.3)
-            share.to_m * radiant};  // (C.2)
+    // 0.5 and 0 in the standard
+    const double of_gains = network.gains_air_share, of_sun = network.sun_air_share;
+    const double radiant = (1 - of_gains) * phi_int + (1 - of_sun) * phi_sol;
+    return {of_gains * phi_int + of_sun * phi_sol,  // (C.1)
+            share.to_st * radiant,                  // (C.3)
+            share.to_m * radiant};                  // (C.2)
 }
 
 NodeGains split_gains(const Network& network, const HourDrive& drive) {

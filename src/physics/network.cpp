@@ -125,6 +125,7 @@ void set_capacity(const Place& place, Network& network) {
     network.H_tr_ms = positive(place, zone.mass_film, "mass_film") * network.A_m;
     network.gains_air_share =
         not_negative(place, zone.gains_air_share, "gains_air_share");
+    network.sun_air_share = not_negative(place, zone.sun_air_share, "sun_air_share");
 }
 
 void set_structure(const Place& place, Network& network) {

@@ -24,6 +24,7 @@ struct Network {
     std::vector<double> ve_share;  ///< [1 + n_boundaries] of H_ve; sums to 1
     std::vector<double> aperture;  ///< [n_planes] effective collecting area A_sol [m2]
     double gains_air_share = 0.5;  ///< of phi_int to the air node [-]
+    double sun_air_share = 0;      ///< of phi_sol to the air node [-]
     double phi_sky = 0;        ///< F_r Phi_r, long-wave loss to the sky [W], subtracted
     double air_capacity = 0;   ///< [J/K]
     double H_2 = 0, C_2 = 0;   ///< second mass [W/K], [J/K]

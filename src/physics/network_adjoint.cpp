@@ -163,6 +163,7 @@ void pull_capacity(const PlaceBack& place, const Network& network, Network& of_n
     of.mass_film += of_network.H_tr_ms * network.A_m;
     of_network.A_m += of_network.H_tr_ms * zone.mass_film;
     of.gains_air_share += of_network.gains_air_share;
+    of.sun_air_share += of_network.sun_air_share;
     of.surface_film += of_network.H_tr_is * network.A_tot;
     of_network.A_tot += of_network.H_tr_is * zone.surface_film;
     of.heat_capacity += of_network.C_m * network.A_f;

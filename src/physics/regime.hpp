@@ -36,12 +36,18 @@ struct Regime {
     StepMap map;
     Control control;
 
-    double per_sol(const LinearForm& form) const {
+    double per_radiant(const LinearForm& form) const {
         return split.to_st * form[Term::phi_st] + split.to_m * form[Term::phi_m];
     }
+    /// Per gain of which a share heats the air at once.
+    double per_gain(const LinearForm& form, double to_air) const {
+        return to_air * form[Term::phi_ia] + (1 - to_air) * per_radiant(form);
+    }
+    double per_sol(const LinearForm& form) const {
+        return per_gain(form, network.sun_air_share);
+    }
     double per_int(const LinearForm& form) const {
-        const double to_air = network.gains_air_share;
-        return to_air * form[Term::phi_ia] + (1 - to_air) * per_sol(form);
+        return per_gain(form, network.gains_air_share);
     }
     /// Per kelvin of the outdoor air.
     double per_theta_e(const LinearForm& form) const {

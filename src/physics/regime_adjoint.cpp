@@ -3,18 +3,27 @@
 
 namespace bemcal::physics {
 
-void RegimeBack::per_sol(const LinearForm& form, double g, LinearForm& of_form) {
+void RegimeBack::per_radiant(const LinearForm& form, double g, LinearForm& of_form) {
     of_form[Term::phi_st] += g * regime.split.to_st;
     of_form[Term::phi_m] += g * regime.split.to_m;
     of_split.to_st += g * form[Term::phi_st];
     of_split.to_m += g * form[Term::phi_m];
 }
 
-void RegimeBack::per_int(const LinearForm& form, double g, LinearForm& of_form) {
-    const double to_air = regime.network.gains_air_share;
+void RegimeBack::per_gain(const LinearForm& form, double to_air, double g,
+                          LinearForm& of_form, double& of_to_air) {
     of_form[Term::phi_ia] += to_air * g;
-    per_sol(form, (1 - to_air) * g, of_form);
-    of_network.gains_air_share += g * (form[Term::phi_ia] - regime.per_sol(form));
+    per_radiant(form, (1 - to_air) * g, of_form);
+    of_to_air += g * (form[Term::phi_ia] - regime.per_radiant(form));
+}
+
+void RegimeBack::per_sol(const LinearForm& form, double g, LinearForm& of_form) {
+    per_gain(form, regime.network.sun_air_share, g, of_form, of_network.sun_air_share);
+}
+
+void RegimeBack::per_int(const LinearForm& form, double g, LinearForm& of_form) {
+    per_gain(form, regime.network.gains_air_share, g, of_form,
+             of_network.gains_air_share);
 }
 
 void RegimeBack::per_theta_e(const LinearForm& form, double g, LinearForm& of_form) {

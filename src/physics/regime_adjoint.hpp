@@ -17,6 +17,9 @@ struct RegimeBack {
     RadiantSplit of_split{0, 0};
     Control of_control{0, 0, 0, 0};
 
+    void per_radiant(const LinearForm& form, double g, LinearForm& of_form);
+    void per_gain(const LinearForm& form, double to_air, double g, LinearForm& of_form,
+                  double& of_to_air);
     void per_sol(const LinearForm& form, double g, LinearForm& of_form);
     void per_int(const LinearForm& form, double g, LinearForm& of_form);
     void per_theta_e(const LinearForm& form, double g, LinearForm& of_form);

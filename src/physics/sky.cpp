@@ -1,6 +1,7 @@
 /// Perez, Ineichen, Seals, Michalsky, Stewart 1990, Solar Energy 44(5), 271-289: "all
 /// sites composite 1990" with 3 decimals. Air mass: Kasten and Young 1989, Applied Optics
-/// 28(22).
+/// 28(22). Hay and Davies 1980, Proc. First Canadian Solar Radiation Data Workshop,
+/// 59-72.
 ///
 /// A step's means of direct and diffuse irradiance enter the sky model as they are, also
 /// where the sun is up for a part of the step only: their ratio is that of the sunlit
@@ -40,6 +41,11 @@ const PerezBin& perez_bin(double clearness) {
 
 double isotropic_sky(double tilt, double diffuse_horizontal) {
     return diffuse_horizontal * (1 + std::cos(tilt)) / 2;
+}
+
+/// What a plane gets of light from the sun's direction, over what the ground gets.
+double toward_sun(double cos_theta, double zenith) {
+    return std::max(0.0, cos_theta) / std::max(std::cos(85 * deg), std::cos(zenith));
 }
 
 /// The share of the beam that passes at an angle of incidence; see Plane.
@@ -94,27 +100,41 @@ double perez_sky(double tilt, double cos_theta, double zenith, double direct_nor
     const PerezBin& f = perez_bin(clearness);
     const double circumsolar = std::max(0.0, f.f11 + f.f12 * brightness + f.f13 * zenith);
     const double horizon = f.f21 + f.f22 * brightness + f.f23 * zenith;
-    const double toward_sun =
-        std::max(0.0, cos_theta) / std::max(std::cos(85 * deg), std::cos(zenith));
     const double share = (1 - circumsolar) * (1 + std::cos(tilt)) / 2 +
-                         circumsolar * toward_sun + horizon * std::sin(tilt);
+                         circumsolar * toward_sun(cos_theta, zenith) +
+                         horizon * std::sin(tilt);
     return std::max(diffuse_horizontal * share, 0.0);
+}
+
+double hay_davies_sky(double tilt, double cos_theta, double zenith, double direct_normal,
+                      double diffuse_horizontal, double extraterrestrial) {
+    const double circumsolar = direct_normal / extraterrestrial;
+    return circumsolar * diffuse_horizontal * toward_sun(cos_theta, zenith) +
+           (1 - circumsolar) * isotropic_sky(tilt, diffuse_horizontal);
 }
 
 PlaneIrradiance irradiance_on(const Plane& plane, const SunPosition& sun,
                               double direct_normal, double diffuse_horizontal,
-                              double global, double albedo, SkyModel model) {
-    const double ground = global * albedo * (1 - std::cos(plane.tilt)) / 2;
-    const double isotropic = isotropic_sky(plane.tilt, diffuse_horizontal);
+                              double global, double albedo, SkyModel asked) {
+    const SkyModel model = plane.sky.value_or(asked);
+    const double of_diffuse = plane.diffuse_modifier;
+    const double ground = of_diffuse * global * albedo * (1 - std::cos(plane.tilt)) / 2;
+    const double isotropic = of_diffuse * isotropic_sky(plane.tilt, diffuse_horizontal);
     if (std::cos(sun.zenith) <= 0) return {0, isotropic, ground};
     const double cos_theta = cos_incidence(sun, plane.tilt, plane.azimuth);
     const double beam =
         direct_normal * std::max(cos_theta, 0.0) * beam_modifier(plane, cos_theta);
     if (model == SkyModel::isotropic) return {beam, isotropic, ground};
-    return {beam,
-            perez_sky(plane.tilt, cos_theta, sun.zenith, direct_normal,
-                      diffuse_horizontal, sun.extraterrestrial, air_mass(sun.zenith)),
+    if (model == SkyModel::hay_davies)
+        return {
+            beam,
+            of_diffuse * hay_davies_sky(plane.tilt, cos_theta, sun.zenith, direct_normal,
+                                        diffuse_horizontal, sun.extraterrestrial),
             ground};
+    const double sky =
+        perez_sky(plane.tilt, cos_theta, sun.zenith, direct_normal, diffuse_horizontal,
+                  sun.extraterrestrial, air_mass(sun.zenith));
+    return {beam, of_diffuse * sky, ground};
 }
 
 std::vector<double> irradiance_series(const Weather& weather,

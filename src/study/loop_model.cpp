@@ -40,10 +40,16 @@ int plane_with(Change change, int index, physics::Building& building) {
 
 /// Double clear glass: the polynomial in the angle of incidence is within 0.02 of its
 /// solar heat gain coefficients by angle over that at normal incidence (ASHRAE Handbook,
-/// Fundamentals: 0.70, 0.67, 0.64, 0.58, 0.45, 0.23 at 0, 40, 50, 60, 70, 80 degrees).
+/// Fundamentals: 0.70, 0.67, 0.64, 0.58, 0.45, 0.23 at 0, 40, 50, 60, 70, 80 degrees;
+/// 0.60 of light from all sides).
 /// A glazing that has a modifier keeps it.
 bool glass_by_angle(physics::Building& building) {
     const std::vector<double> modifier = {1, 0, 0.0698, 0, -0.2466, 0, 0.0213};
+    const double of_diffuse = 0.60 / 0.70;
+    const auto change = [&](physics::Plane& plane) {
+        plane.modifier = modifier;
+        plane.diffuse_modifier = of_diffuse;
+    };
     bool changed = false;
     for (physics::Zone& zone : building.zones)
         for (physics::Window& window : zone.windows) {
@@ -52,8 +58,7 @@ bool glass_by_angle(physics::Building& building) {
                 continue;
             glazing.angle_modifier = modifier;
             glazing.incidence_factor = 1;
-            window.plane = plane_with([&](auto& plane) { plane.modifier = modifier; },
-                                      window.plane, building);
+            window.plane = plane_with(change, window.plane, building);
             changed = true;
         }
     return changed;
@@ -70,6 +75,35 @@ bool delay_sun_on_walls(physics::Building& building, double hours) {
             changed = true;
         }
     return changed;
+}
+
+/// Models of where the light of the sky comes from differ by several per cent of what a
+/// facade gets.
+bool sky_of_hay_and_davies(physics::Building& building) {
+    const auto change = [](physics::Plane& plane) {
+        plane.sky = physics::SkyModel::hay_davies;
+    };
+    for (physics::Zone& zone : building.zones) {
+        for (physics::Window& window : zone.windows)
+            window.plane = plane_with(change, window.plane, building);
+        for (physics::Surface& surface : zone.surfaces)
+            if (surface.in_sun)
+                surface.plane = plane_with(change, surface.plane, building);
+    }
+    return true;
+}
+
+/// All planes that any structure asks for, in every one of them: they share one drive.
+void add_planes(physics::Building& building) {
+    std::vector<bool (*)(physics::Building&)> changes;
+    for (const Refinement& refinement : refinements())
+        if (refinement.change != nullptr) changes.push_back(refinement.change);
+    for (std::size_t some = 0; some < std::size_t{1} << changes.size(); ++some) {
+        physics::Building changed = building;
+        for (std::size_t k = 0; k < changes.size(); ++k)
+            if ((some >> k) % 2 == 1) changes[k](changed);
+        building.planes = changed.planes;
+    }
 }
 
 /// The place of a number in every zone, as a parameter.
@@ -192,12 +226,7 @@ double kappa_of(const LoopData& data, std::size_t channel,
 LoopData::LoopData(const Case& given, const LoopOptions& chosen)
     : building(given), options(chosen), targets{{}, {0}, {}} {
     const Period& period = training();
-    for (const Refinement& refinement : refinements()) {
-        if (refinement.change == nullptr) continue;
-        physics::Building changed = building.building;
-        refinement.change(changed);
-        building.building.planes = changed.planes;
-    }
+    add_planes(building.building);
     drive = drive_over(period);
     const physics::TimeAxis axis = axis_of(building, period);
     const auto readings = readings_of(building, period);
@@ -265,12 +294,14 @@ const std::vector<Refinement>& refinements() {
          {{"emitter_lag", "zone.*.emitter_time_constant", 1500, 1200, 60, 10000},
           {"radiant_share", "zone.*.emitter_radiant_share", 0.4, 0.25, 0, 0.95}}},
         {"gains to air",
-         {{"gains_air_share", "zone.*.gains_air_share", 0.5, 0.15, 0.05, 0.95}}},
+         {{"gains_air_share", "zone.*.gains_air_share", 0.5, 0.15, 0.05, 0.95},
+          {"sun_air_share", "zone.*.sun_air_share", 0.1, 0.05, 0, 0.5}}},
         {"second mass",
          {{"second_mass_conductance", "zone.*.second_mass_conductance", 2, 2, 0.05, 15},
           {"second_mass_capacity", "zone.*.second_mass_capacity", 200000, 150000, 20000,
            1.2e6}}},
         {"glass by angle", {}, {}, glass_by_angle},
+        {"sky of Hay and Davies", {}, {}, sky_of_hay_and_davies},
         {"sun through walls",
          {},
          {},
