@@ -152,6 +152,9 @@ std::vector<Dataset> searched(const std::string& name, const LoopData& data) {
     result.last = result.baseline.chosen;
     Search(data, result).run();
     if (result.last.model.effects.empty()) result.last = result.baseline.chosen;
+    for (std::size_t k = 0; k < result.last.model.effects.size(); ++k)
+        result.of_shapes.push_back(
+            deviation_over_shapes(data, place, result.last, k, result.misfit));
     result.after = localise(data, place, result.last);
     result.unexplained = unexplained_of(data, result.last);
     return datasets_of(data.building.name + "/" + name, data, result);

@@ -113,6 +113,26 @@ Standing refine_shape(const LoopData& data, const Place& place, Standing standin
     return standing;
 }
 
+double deviation_over_shapes(const LoopData& data, const Place& place,
+                             const Standing& standing, std::size_t effect,
+                             double misfit) {
+    Standing own = standing;
+    refit(data, own, own.fit.at.x, {2, 1e-3});  // the objective by its own noise
+    double likely = 1, square = 0;
+    for (const double part : {1.0, 0.5})
+        for (const auto& moved : moved_shapes(standing.model.effects[effect], part)) {
+            const Standing tried =
+                with_in_place(data, place, own, {effect, moved, own.fit.at.x, {2, 1e-3}});
+            if (tried.fit.failed) continue;
+            const double worse = std::max(0.0, tried.fit.objective - own.fit.objective);
+            const double weight = std::exp(-0.5 * worse / misfit);
+            const double change = tried.coefficient(effect) - own.coefficient(effect);
+            likely += weight;
+            square += weight * change * change;
+        }
+    return std::sqrt(square / likely);
+}
+
 int swap(const LoopData& data, const Place& place, Standing& standing, std::size_t effect,
          const std::vector<effects::Effect>& rivals) {
     int best = -1;

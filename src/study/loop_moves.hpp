@@ -13,6 +13,12 @@ namespace bemcal::study {
 Standing refine_shape(const LoopData& data, const Place& place, Standing standing,
                       std::size_t effect);
 
+/// What an effect's coefficient owes to its shape: the root of its mean square difference
+/// over the shapes beside its own, each as likely as its fit says where errors are
+/// `misfit` times what noise leaves; in its unit.
+double deviation_over_shapes(const LoopData& data, const Place& place,
+                             const Standing& standing, std::size_t effect, double misfit);
+
 /// The model with the best of the rivals in place of an effect, where that explains
 /// clearly more; else as it was. Says which: -1 = none.
 int swap(const LoopData& data, const Place& place, Standing& standing, std::size_t effect,

@@ -285,6 +285,7 @@ class Writer {
             const effects::Effect& effect = last.model.effects[k];
             const std::size_t at = last.built.first_effect() + k;
             const double c = last.coefficient(k);
+            const double half = half_of_90 * std::hypot(sds[at], result_.of_shapes[k]);
             name.push_back(effect.name);
             hook.emplace_back(effects::name_of(effect.hook));
             driver.emplace_back(effects::name_of(effect.driver));
@@ -295,8 +296,8 @@ class Writer {
             separates.emplace_back(entry == nullptr ? "" : entry->separates);
             members.push_back(result_.found[k].equivalents);
             value.push_back(c);
-            least.push_back(c - half_of_90 * sds[at]);
-            most.push_back(c + half_of_90 * sds[at]);
+            least.push_back(c - half);
+            most.push_back(c + half);
             gain.push_back(result_.found[k].gain);
             adequate.push_back(result_.found[k].adequate ? 1 : 0);
         }

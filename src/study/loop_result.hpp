@@ -34,6 +34,7 @@ struct LoopResult {
     /// Evidence of the best candidate that did not pass over what noise alone would show,
     /// at least 1: how much more than noise what the model cannot say moves its unknowns.
     double misfit = 1;
+    std::vector<double> of_shapes;  ///< deviation_over_shapes, [last.model.effects]
 };
 
 std::vector<Dataset> datasets_of(const std::string& stage, const LoopData& data,

@@ -327,10 +327,9 @@ int choice_of(std::vector<Refitted>& ranking) {
 bool is_plausible(const effects::Effect& effect, double c) {
     const double least = std::min(effect.least, effect.most),
                  most = std::max(effect.least, effect.most);
-    const double width = (slack - 1) * std::max(std::abs(least), std::abs(most));
-    if (least >= 0) return c >= least / slack && c <= most + width;
-    if (most <= 0) return c <= most / slack && c >= least - width;
-    return c >= least - width && c <= most + width;
+    const double from = least >= 0 ? least / slack : least * slack,
+                 to = most <= 0 ? most / slack : most * slack;
+    return c >= from && c <= to;
 }
 
 Step search(const LoopData& data, const Place& place, const Standing& standing) {
