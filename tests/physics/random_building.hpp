@@ -168,6 +168,10 @@ inline Zone random_zone(Dice& dice, const Building& building, const std::string&
     Input& capacity = zone.thermostat.heating_capacity;
     if (zone.structure.emitter_time_constant > 0)
         capacity = random_input(dice, 10, 60, 0.2);
+    // Without a throw of the dice, so that what else is drawn stays what it was.
+    const double fraction = std::fmod(zone.floor_area, 1);
+    zone.gains_air_share = 0.3 + 0.5 * fraction;
+    zone.sun_air_share = 0.3 * (1 - fraction);
     return zone;
 }
 

@@ -322,6 +322,18 @@ TEST(Hour, SplitsInternalGainsBetweenAirAndSurfaces) {
     EXPECT_EQ(radiant.phi_m, sun.phi_m);
 }
 
+TEST(Hour, SunHeatsTheAirByItsShareAndTheRestAsInTheStandard) {
+    Network n = office();
+    const NodeGains standard = split_gains(n, 0, 100);
+    EXPECT_EQ(standard.phi_ia, 0);
+    n.sun_air_share = 0.25;
+    const NodeGains airy = split_gains(n, 0, 100);
+    EXPECT_DOUBLE_EQ(airy.phi_ia, 25);
+    EXPECT_NEAR(airy.phi_st, 0.75 * standard.phi_st, 1e-12);
+    EXPECT_NEAR(airy.phi_m, 0.75 * standard.phi_m, 1e-12);
+    EXPECT_EQ(split_gains(n, 100, 0).phi_ia, 50);
+}
+
 TEST(Hour, NeedsNoVentilation) {
     Network n = office();
     n.H_ve = 0;

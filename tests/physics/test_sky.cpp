@@ -66,6 +66,27 @@ TEST(Perez, NoDiffuseNoSky) {
     EXPECT_EQ(perez_sky(1, 1, 1, 800, 0, 1367, 1.5), 0);
 }
 
+// Duffie and Beckman, Solar Engineering of Thermal Processes, example 2.16.1 (an hour in
+// February on 60 degrees at latitude 40, in MJ/m2): of 0.244 of beam, 0.796 of diffuse
+// and an anisotropy index of 0.104, 0.558 arrives as beam and from around the sun with
+// R_b = 1.71. The rest of the sky is isotropic (their factor for the horizon is not Hay
+// and Davies').
+TEST(HayDavies, LightAroundTheSunOfDuffieAndBeckman) {
+    constexpr double beam = 0.244, diffuse = 0.796, index = 0.104, R_b = 1.71;
+    const double zenith = 60 * deg, cos_theta = R_b * std::cos(zenith);
+    const double sky =
+        hay_davies_sky(60 * deg, cos_theta, zenith, index * 1367, diffuse, 1367);
+    const double isotropic = (1 - index) * diffuse * 0.75;
+    EXPECT_NEAR(beam * R_b + sky - isotropic, 0.558, 0.001);
+}
+
+TEST(HayDavies, IsTheSkyOnTheGroundAndIsotropicWithoutBeam) {
+    for (double z : {0.1, 0.7, 1.2})
+        EXPECT_NEAR(hay_davies_sky(0, std::cos(z), z, 500, 100, 1367), 100, 1e-10);
+    EXPECT_NEAR(hay_davies_sky(90 * deg, 0.5, 1, 0, 100, 1367), 50, 1e-10);
+    EXPECT_EQ(hay_davies_sky(1, 1, 1, 800, 0, 1367), 0);
+}
+
 TEST(AirMass, KastenAndYoung) {
     // From the formula by hand: 1 / (0.5 + 0.50572 36.07995^-1.6364) at 60 deg.
     EXPECT_NEAR(air_mass(0), 0.99971, 1e-5);
@@ -99,6 +120,33 @@ TEST(PlaneIrradiance, ModifierActsOnTheBeamOnly) {
     EXPECT_NEAR(half.beam, plain.beam * (1 - std::pow(30 * deg, 2)), 1e-9);
     EXPECT_EQ(half.sky, plain.sky);
     EXPECT_EQ(half.ground, plain.ground);
+}
+
+TEST(PlaneIrradiance, LightFromAllSidesHasAModifierOfItsOwn) {
+    const SunPosition sun{60 * deg, 180 * deg, 1367};
+    Plane plane{90 * deg, 180 * deg, {}};
+    for (const SkyModel model :
+         {SkyModel::perez, SkyModel::isotropic, SkyModel::hay_davies}) {
+        plane.diffuse_modifier = 1;
+        const PlaneIrradiance all = irradiance_on(plane, sun, 500, 100, 350, 0.2, model);
+        plane.diffuse_modifier = 0.8;
+        const PlaneIrradiance less = irradiance_on(plane, sun, 500, 100, 350, 0.2, model);
+        EXPECT_EQ(less.beam, all.beam);
+        EXPECT_NEAR(less.sky, 0.8 * all.sky, 1e-12);
+        EXPECT_NEAR(less.ground, 0.8 * all.ground, 1e-12);
+    }
+}
+
+TEST(PlaneIrradiance, APlaneMayHaveASkyOfItsOwn) {
+    const SunPosition sun{60 * deg, 180 * deg, 1367};
+    Plane plane{90 * deg, 180 * deg, {}};
+    const auto sky = [&](SkyModel model) {
+        return irradiance_on(plane, sun, 500, 100, 350, 0.2, model).sky;
+    };
+    const double perez = sky(SkyModel::perez), own = sky(SkyModel::hay_davies);
+    EXPECT_NE(perez, own);
+    plane.sky = SkyModel::hay_davies;
+    EXPECT_EQ(sky(SkyModel::perez), own);
 }
 
 TEST(PlaneIrradiance, IsotropicSkyDependsOnTiltOnly) {

@@ -65,6 +65,28 @@ TEST(LoopModel, EveryStructureSharesOneDrive) {
     }
 }
 
+TEST(LoopModel, RefinementsOfTheSunGoTogether) {
+    const LoopData data = windy_data();
+    const Place place =
+        make_place(data,
+                   {refinement("sky of Hay and Davies"), refinement("sun through walls"),
+                    refinement("glass by angle")},
+                   data.drive);
+    EXPECT_EQ(place.building.planes.size(), data.drive->irradiance.rows);
+    for (const physics::Window& window : place.building.zones[0].windows) {
+        const physics::Plane& plane = plane_of(place, window.plane);
+        EXPECT_EQ(plane.sky, physics::SkyModel::hay_davies);
+        EXPECT_LT(plane.diffuse_modifier, 1);
+    }
+    for (const physics::Surface& surface : place.building.zones[0].surfaces) {
+        if (!surface.in_sun || surface.boundary != physics::outdoors) continue;
+        const physics::Plane& plane = plane_of(place, surface.plane);
+        EXPECT_EQ(plane.sky, physics::SkyModel::hay_davies);
+        EXPECT_EQ(plane.diffuse_modifier, 1);
+        EXPECT_GT(plane.lag_hours, 0);
+    }
+}
+
 TEST(LoopModel, InfiltrationByWindStaysAShareOfIt) {
     const LoopData data = windy_data();
     const Place place = make_place(data, {refinement("wind in leaks")}, data.drive);

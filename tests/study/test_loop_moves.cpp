@@ -67,6 +67,25 @@ TEST(LoopMoves, AnEffectLeavesWhoseCoefficientIsNoLongerPlausible) {
     EXPECT_TRUE(model.standing.model.effects.empty());
 }
 
+// Nothing of wind infiltration's form can move. Of a fan by the hour it can: shapes that
+// fit nearly as well leave its coefficient open, the more the wider the misfit.
+TEST(LoopMoves, ShapesLeaveCoefficientsOpen) {
+    Model model;
+    EXPECT_EQ(deviation_over_shapes(model.data, model.place, model.standing, 1, 1), 0);
+    Case made = windy_case();
+    measure(made, named("exhaust fan on weekdays"), 1.5, 3);
+    const LoopData data(made, Model::options());
+    const Place place = make_place(data, {}, data.drive);
+    const Standing standing =
+        calibrate(data, place, {{}, {named("exhaust fan on weekdays")}},
+                  std::vector<double>(place.unknowns.size() + 1, 0.0));
+    const double exact = deviation_over_shapes(data, place, standing, 0, 1),
+                 open = deviation_over_shapes(data, place, standing, 0, 1000);
+    EXPECT_GE(exact, 0);
+    EXPECT_GT(open, exact);
+    EXPECT_LT(open, std::abs(standing.coefficient(0)));
+}
+
 TEST(LoopMoves, NothingLeavesThatCarriesMoreThanIsAsked) {
     Model model;
     EXPECT_TRUE(prune(model.data, model.place, model.standing, -1e9).empty());
