@@ -200,7 +200,7 @@ constexpr Key table[] = {
     {"weather", "year", Type::integer, "", "", 1900, 2100,
      "Of the first EPW file, for typical years whose months are of several."},
     {"weather", "sky", Type::choice, "perez|isotropic|hay_davies", "perez", 0, 0,
-     "Sky model."},
+     "Light of the sky on planes: Perez 1990, uniform, Hay and Davies 1980."},
     {"weather", "columns", Type::table, "", "", 0, 0, "[weather.columns], CSV only."},
     {"weather", "fill_gaps", Type::integer, "h", "0", 0, 48,
      "Gaps up to this length are filled by a straight line."},

@@ -113,28 +113,41 @@ double hay_davies_sky(double tilt, double cos_theta, double zenith, double direc
            (1 - circumsolar) * isotropic_sky(tilt, diffuse_horizontal);
 }
 
+namespace {
+
+/// Of the sky, with the sun above the horizon.
+double light_of(SkyModel sky, const Plane& plane, double cos_theta,
+                const SunPosition& sun, double direct_normal, double diffuse_horizontal) {
+    switch (sky) {
+        case SkyModel::isotropic:
+            return isotropic_sky(plane.tilt, diffuse_horizontal);
+        case SkyModel::hay_davies:
+            return hay_davies_sky(plane.tilt, cos_theta, sun.zenith, direct_normal,
+                                  diffuse_horizontal, sun.extraterrestrial);
+        default:
+            return perez_sky(plane.tilt, cos_theta, sun.zenith, direct_normal,
+                             diffuse_horizontal, sun.extraterrestrial,
+                             air_mass(sun.zenith));
+    }
+}
+
+}  // namespace
+
 PlaneIrradiance irradiance_on(const Plane& plane, const SunPosition& sun,
                               double direct_normal, double diffuse_horizontal,
-                              double global, double albedo, SkyModel asked) {
-    const SkyModel model = plane.sky.value_or(asked);
-    const double of_diffuse = plane.diffuse_modifier;
-    const double ground = of_diffuse * global * albedo * (1 - std::cos(plane.tilt)) / 2;
-    const double isotropic = of_diffuse * isotropic_sky(plane.tilt, diffuse_horizontal);
-    if (std::cos(sun.zenith) <= 0) return {0, isotropic, ground};
-    const double cos_theta = cos_incidence(sun, plane.tilt, plane.azimuth);
-    const double beam =
-        direct_normal * std::max(cos_theta, 0.0) * beam_modifier(plane, cos_theta);
-    if (model == SkyModel::isotropic) return {beam, isotropic, ground};
-    if (model == SkyModel::hay_davies)
-        return {
-            beam,
-            of_diffuse * hay_davies_sky(plane.tilt, cos_theta, sun.zenith, direct_normal,
-                                        diffuse_horizontal, sun.extraterrestrial),
-            ground};
-    const double sky =
-        perez_sky(plane.tilt, cos_theta, sun.zenith, direct_normal, diffuse_horizontal,
-                  sun.extraterrestrial, air_mass(sun.zenith));
-    return {beam, of_diffuse * sky, ground};
+                              double global, double albedo, SkyModel model) {
+    PlaneIrradiance on{0, isotropic_sky(plane.tilt, diffuse_horizontal),
+                       global * albedo * (1 - std::cos(plane.tilt)) / 2};
+    if (std::cos(sun.zenith) > 0) {
+        const double cos_theta = cos_incidence(sun, plane.tilt, plane.azimuth);
+        on.beam =
+            direct_normal * std::max(cos_theta, 0.0) * beam_modifier(plane, cos_theta);
+        on.sky = light_of(plane.sky.value_or(model), plane, cos_theta, sun, direct_normal,
+                          diffuse_horizontal);
+    }
+    on.sky *= plane.diffuse_modifier;
+    on.ground *= plane.diffuse_modifier;
+    return on;
 }
 
 std::vector<double> irradiance_series(const Weather& weather,
