@@ -227,7 +227,10 @@ std::string objection_to(const LoopData& data, const Standing& before,
     const double least =
         data.options.least_gain * (candidate.effect.number == 0 ? more_of_grammar : 1);
     if (n > 0 && 100 * sum / n > -least) return "left-out error falls too little";
-    constexpr double in_exchange = 0.15;  ///< of what the best meter gains
+    // What noise never shows is there, though another effect beside it may still be
+    // missing, or the season in which it acts be over.
+    const bool is_certain = candidate.gain > 8 * threshold;
+    const double in_exchange = is_certain ? 0.3 : 0.15;  // of what the best meter gains
     const double most_loss =
         std::max(data.options.most_loss, -100 * in_exchange * lowest);
     if (100 * highest > most_loss) return "left-out error of a meter rises";
@@ -242,7 +245,8 @@ std::string objection_to(const LoopData& data, const Standing& before,
         return "coefficient at the end of its range";
     const double change = 100 * change_of_last_quarter(data, before, candidate.standing);
     if (change > most_loss && !is_overwhelming) return "last quarter is foretold worse";
-    if (candidate.effect.driver == effects::Driver::elapsed && change > -least)
+    if (candidate.effect.driver == effects::Driver::elapsed &&
+        change > (is_certain ? most_loss : -least))
         return "follows time, but does not foretell the last quarter";
     if (is_within_usual_change(data, candidate))
         return "no more than use changes in a year, on one meter";
