@@ -207,6 +207,61 @@ bool is_within_usual_change(const LoopData& data, const Refitted& candidate) {
     return change_of_level(data, candidate.standing) < one_of_ten * usual;
 }
 
+/// Relative changes of the left-out errors of the meters that count.
+struct ErrorChange {
+    double mean = 0;  ///< NaN where none counts
+    double highest = 0, lowest = 0;
+};
+
+ErrorChange error_change_of(const Standing& before, const Refitted& candidate) {
+    constexpr double matters = 0.5;
+    ErrorChange change;
+    double n = 0;
+    for (std::size_t c = 0; c < candidate.error.size(); ++c) {
+        if (before.noise[c].share < matters) continue;
+        change.mean += candidate.error[c];
+        n += 1;
+        change.highest = std::max(change.highest, candidate.error[c]);
+        change.lowest = std::min(change.lowest, candidate.error[c]);
+    }
+    change.mean /= n;
+    return change;
+}
+
+/// What is asked of a candidate, by how far its evidence is above what noise shows.
+struct Demand {
+    Demand(const LoopOptions& options, const Refitted& candidate, double threshold,
+           double lowest)
+        : is_overwhelming(candidate.gain > 3 * threshold),
+          is_certain(candidate.gain > 8 * threshold) {
+        constexpr double more_of_grammar = 3;
+        least = options.least_gain * (candidate.effect.number == 0 ? more_of_grammar : 1);
+        const double in_exchange = is_certain ? 0.3 : 0.15;  // of the best meter's gain
+        most_loss = std::max(options.most_loss, -100 * in_exchange * lowest);
+    }
+    /// A season may be a wrong one, and do harm where it is: but nothing else does as
+    /// well.
+    bool is_overwhelming;
+    /// What noise never shows is there, though another effect beside it may still be
+    /// missing, or the season in which it acts be over.
+    bool is_certain;
+    double least = 0, most_loss = 0;  ///< of the left-out error's fall and rise [%]
+};
+
+/// What the last quarter of training objects to; empty: nothing.
+const char* objection_of_time(const LoopData& data, const Standing& before,
+                              const Refitted& candidate, const Demand& demand) {
+    const double change = 100 * change_of_last_quarter(data, before, candidate.standing);
+    if (change > demand.most_loss && !demand.is_overwhelming)
+        return "last quarter is foretold worse";
+    if (candidate.effect.driver == effects::Driver::elapsed &&
+        change > (demand.is_certain ? demand.most_loss : -demand.least))
+        return "follows time, but does not foretell the last quarter";
+    if (is_within_usual_change(data, candidate))
+        return "no more than use changes in a year, on one meter";
+    return "";
+}
+
 /// The first gate that is not passed.
 std::string objection_to(const LoopData& data, const Standing& before,
                          const Refitted& candidate, double threshold) {
@@ -214,43 +269,17 @@ std::string objection_to(const LoopData& data, const Standing& before,
     if (candidate.gain <= threshold) return "evidence below what noise shows";
     if (!is_plausible(candidate.effect, candidate.coefficient))
         return "coefficient not plausible";
-    double sum = 0, n = 0, highest = 0, lowest = 0;
-    constexpr double matters = 0.5;
-    for (std::size_t c = 0; c < candidate.error.size(); ++c) {
-        if (before.noise[c].share < matters) continue;
-        sum += candidate.error[c];
-        n += 1;
-        highest = std::max(highest, candidate.error[c]);
-        lowest = std::min(lowest, candidate.error[c]);
-    }
-    constexpr double more_of_grammar = 3;
-    const double least =
-        data.options.least_gain * (candidate.effect.number == 0 ? more_of_grammar : 1);
-    if (n > 0 && 100 * sum / n > -least) return "left-out error falls too little";
-    // What noise never shows is there, though another effect beside it may still be
-    // missing, or the season in which it acts be over.
-    const bool is_certain = candidate.gain > 8 * threshold;
-    const double in_exchange = is_certain ? 0.3 : 0.15;  // of what the best meter gains
-    const double most_loss =
-        std::max(data.options.most_loss, -100 * in_exchange * lowest);
-    if (100 * highest > most_loss) return "left-out error of a meter rises";
+    const ErrorChange change = error_change_of(before, candidate);
+    const Demand demand(data.options, candidate, threshold, change.lowest);
+    if (100 * change.mean > -demand.least) return "left-out error falls too little";
+    if (100 * change.highest > demand.most_loss) return "left-out error of a meter rises";
     if (candidate.score <= 0) return "left-out score falls";
     constexpr double seldom = 2;  ///< standard errors
-    // A season may be a wrong one, and do harm where it is: but nothing else does as
-    // well.
-    const bool is_overwhelming = candidate.gain > 3 * threshold;
-    if (candidate.consistency < seldom && !is_overwhelming)
+    if (candidate.consistency < seldom && !demand.is_overwhelming)
         return "too few unseen fortnights gain";
     if (candidate.standing.fit.bound.back() != 0)
         return "coefficient at the end of its range";
-    const double change = 100 * change_of_last_quarter(data, before, candidate.standing);
-    if (change > most_loss && !is_overwhelming) return "last quarter is foretold worse";
-    if (candidate.effect.driver == effects::Driver::elapsed &&
-        change > (is_certain ? most_loss : -least))
-        return "follows time, but does not foretell the last quarter";
-    if (is_within_usual_change(data, candidate))
-        return "no more than use changes in a year, on one meter";
-    return {};
+    return objection_of_time(data, before, candidate, demand);
 }
 
 /// Dozens of candidates stand beside each other; only one is fitted on, from its start.
