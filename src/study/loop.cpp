@@ -72,10 +72,10 @@ class Search {
         result_.found.back().adequate =
             chosen.effect.number != 0 && near.is_told && !data_.reads_months_only() &&
             is_over(before, alarm_of(data_, place, result_.last, chosen.effect));
-        if (split(data_, place, result_.last, newest)) note_split(newest);
+        const double needed = 0.5 * step.threshold;
+        if (split(data_, place, result_.last, newest, needed)) note_split(newest);
         swap_earlier(place);
-        drop(prune(data_, place, result_.last, 0.5 * step.threshold),
-             "left again: no longer needed");
+        drop(prune(data_, place, result_.last, needed), "left again: no longer needed");
         drop(prune_implausible(data_, place, result_.last),
              "left again: coefficient no longer plausible");
         return true;

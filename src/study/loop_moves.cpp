@@ -160,8 +160,22 @@ int swap(const LoopData& data, const Place& place, Standing& standing, std::size
     return best;
 }
 
+namespace {
+
+constexpr const char* of_use = ": use";  ///< what split adds to a name
+
+/// Where use leaves that was split from the plant's, the plant's stands for both again.
+void join_halves(const effects::Effect& gone, std::vector<effects::Effect>& all) {
+    for (effects::Effect& plant : all)
+        if (gone.name == plant.name + of_use &&
+            plant.hook == effects::Hook::plant_operation)
+            plant.hook = effects::Hook::operation;
+}
+
+}  // namespace
+
 bool split(const LoopData& data, const Place& place, Standing& standing,
-           std::size_t effect) {
+           std::size_t effect, double least) {
     const effects::Effect whole = standing.model.effects[effect];
     if (whole.hook != effects::Hook::operation ||
         whole.driver != effects::Driver::another_day)
@@ -171,7 +185,7 @@ bool split(const LoopData& data, const Place& place, Standing& standing,
     plant.hook = effects::Hook::plant_operation;
     effects::Effect use = whole;
     use.hook = effects::Hook::occupation;
-    use.name += ": use";
+    use.name += of_use;
     tried.model.effects.push_back(use);
     try {
         tried.built = build(place, tried.model.effects);
@@ -181,7 +195,8 @@ bool split(const LoopData& data, const Place& place, Standing& standing,
     std::vector<double> start = standing.fit.at.x;
     start.push_back(start[standing.built.first_effect() + effect]);
     refit(data, tried, std::move(start), {8, 1e-3});
-    if (tried.fit.failed || evidence(data, standing, tried) < clearly) return false;
+    if (tried.fit.failed || evidence(data, standing, tried) < std::max(least, clearly))
+        return false;
     constexpr double apart = 0.2;  ///< of the coefficients: else one name says it all
     const std::size_t last = tried.model.effects.size() - 1;
     if (std::abs(tried.coefficient(effect) - tried.coefficient(last)) < apart)
@@ -198,8 +213,9 @@ Standing without_effect(const LoopData& data, const Place& place,
                         const Standing& standing, std::size_t effect) {
     Standing without;
     without.model = standing.model;
-    without.model.effects.erase(without.model.effects.begin() +
-                                static_cast<std::ptrdiff_t>(effect));
+    auto& left = without.model.effects;
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(effect));
+    join_halves(standing.model.effects[effect], left);
     without.noise = standing.noise;
     without.built = build(place, without.model.effects);
     std::vector<double> start = standing.fit.at.x;

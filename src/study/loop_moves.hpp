@@ -26,9 +26,10 @@ int swap(const LoopData& data, const Place& place, Standing& standing, std::size
 
 /// Where all schedules follow another day's, the plant's and those of use may do so to
 /// different degrees: the effect becomes the plant's, and one of use joins as the last,
-/// where that explains clearly more and the degrees differ. Says whether it did.
+/// where that brings more than `least` of evidence and the degrees differ. Says whether
+/// it did.
 bool split(const LoopData& data, const Place& place, Standing& standing,
-           std::size_t effect);
+           std::size_t effect, double least);
 
 /// Effects leave that the model can do without for less than so much evidence, the least
 /// first. Returns their names.
