@@ -164,12 +164,18 @@ namespace {
 
 constexpr const char* of_use = ": use";  ///< what split adds to a name
 
-/// Where use leaves that was split from the plant's, the plant's stands for both again.
+/// Where one of two halves leaves that were split, the other stands for both again.
 void join_halves(const effects::Effect& gone, std::vector<effects::Effect>& all) {
-    for (effects::Effect& plant : all)
-        if (gone.name == plant.name + of_use &&
-            plant.hook == effects::Hook::plant_operation)
-            plant.hook = effects::Hook::operation;
+    using effects::Hook;
+    for (effects::Effect& half : all) {
+        const bool is_plant = half.hook == Hook::plant_operation &&
+                              gone.name == half.name + of_use,
+                   is_use = gone.hook == Hook::plant_operation &&
+                            half.name == gone.name + of_use;
+        if (!is_plant && !is_use) continue;
+        half.hook = Hook::operation;
+        if (is_use) half.name = gone.name;
+    }
 }
 
 }  // namespace
