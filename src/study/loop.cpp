@@ -133,6 +133,16 @@ class Search {
             });
             if (at != result_.found.end()) result_.found.erase(at);
         }
+        name_halves_as_wholes();
+    }
+
+    /// A half that stands for both again has the whole's name.
+    void name_halves_as_wholes() {
+        for (std::size_t k = 0; k < result_.found.size(); ++k) {
+            const std::string& name = result_.last.model.effects[k].name;
+            std::string& said = result_.found[k].equivalents;
+            if (said == name + of_use) said = name;
+        }
     }
 
     const LoopData& data_;

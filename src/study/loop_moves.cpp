@@ -37,6 +37,13 @@ double first_move(const effects::Effect& effect) {
     }
 }
 
+/// Whether it begins or ends on a date: one day beside it is a day of large errors, which
+/// something else would seem to explain.
+bool is_dated(const effects::Effect& effect) {
+    return effect.driver == effects::Driver::day_of_year ||
+           effect.driver == effects::Driver::elapsed;
+}
+
 /// The effect with one of its thresholds, dates or hours moved.
 std::vector<effects::Effect> moved_shapes(const effects::Effect& effect, double part) {
     std::vector<effects::Effect> moved;
@@ -102,13 +109,16 @@ bool move_shape(const LoopData& data, const Place& place, Standing& standing,
 
 Standing refine_shape(const LoopData& data, const Place& place, Standing standing,
                       std::size_t index) {
-    constexpr int most_moves = 5;  ///< of one length
+    constexpr int most_moves = 5;     ///< of one length
+    constexpr double day = 1.0 / 14;  ///< of a date's first move
     refit(data, standing, standing.fit.at.x,
           {2, 1e-3});  // the objective by its own noise
-    for (const double part : {1.0, 0.5, 0.25})
+    for (const double part : {1.0, 0.5, 0.25, 2 * day, day}) {
+        if (part < 0.25 && !is_dated(standing.model.effects[index])) break;
         for (int k = 0; k < most_moves && move_shape(data, place, standing, index, part);
              ++k) {
         }
+    }
     settle(data, standing);
     return standing;
 }
@@ -161,8 +171,6 @@ int swap(const LoopData& data, const Place& place, Standing& standing, std::size
 }
 
 namespace {
-
-constexpr const char* of_use = ": use";  ///< what split adds to a name
 
 /// Where one of two halves leaves that were split, the other stands for both again.
 void join_halves(const effects::Effect& gone, std::vector<effects::Effect>& all) {

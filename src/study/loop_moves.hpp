@@ -24,6 +24,9 @@ double deviation_over_shapes(const LoopData& data, const Place& place,
 int swap(const LoopData& data, const Place& place, Standing& standing, std::size_t effect,
          const std::vector<effects::Effect>& rivals);
 
+/// What split adds to the name of an effect of use.
+inline constexpr const char* of_use = ": use";
+
 /// Where all schedules follow another day's, the plant's and those of use may do so to
 /// different degrees: the effect becomes the plant's, and one of use joins as the last,
 /// where that brings more than `least` of evidence and the degrees differ. Says whether
@@ -32,7 +35,8 @@ bool split(const LoopData& data, const Place& place, Standing& standing,
            std::size_t effect, double least);
 
 /// Effects leave that the model can do without for less than so much evidence, the least
-/// first. Returns their names.
+/// first; where one half leaves of an effect that was split, the other stands for both
+/// again. Returns their names.
 std::vector<std::string> prune(const LoopData& data, const Place& place,
                                Standing& standing, double least);
 

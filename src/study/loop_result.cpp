@@ -155,6 +155,16 @@ class Writer {
                                                        standing.residuals, weights);
         auto diagonal = prior_diagonal(standing.built.unknowns);
         for (double& entry : diagonal) entry += 1e-6;
+        // A set-point where nothing heats any more could be anything: no more is said
+        // than that it is plausible.
+        for (std::size_t k = 0; k < standing.model.effects.size(); ++k) {
+            const effects::Effect& effect = standing.model.effects[k];
+            const std::size_t at = standing.built.first_effect() + k;
+            diagonal[at] +=
+                std::pow(standing.built.unknowns[at].scale /
+                             std::max(std::abs(effect.least), std::abs(effect.most)),
+                         2);
+        }
         const std::vector<char> none(diagonal.size(), 0);
         const Matrix covariance = stats::inverse(equations.matrix, diagonal, none);
         std::vector<double> sd = stats::jackknife_deviations(

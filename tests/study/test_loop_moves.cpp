@@ -91,3 +91,25 @@ TEST(LoopMoves, NothingLeavesThatCarriesMoreThanIsAsked) {
     EXPECT_TRUE(prune(model.data, model.place, model.standing, -1e9).empty());
     EXPECT_EQ(model.standing.model.effects.size(), 2U);
 }
+
+// Plant and use follow another day to the same degree: either half may leave, and the
+// other says what is there.
+TEST(LoopMoves, AHalfStandsForBothWhereTheOtherLeaves) {
+    const effects::Effect whole = named("Saturdays worked");
+    Case made = windy_case();
+    measure(made, whole, 0.8, 3);
+    const LoopData data(made, Model::options());
+    const Place place = make_place(data, {}, data.drive);
+    effects::Effect plant = whole, use = whole;
+    plant.hook = effects::Hook::plant_operation;
+    use.hook = effects::Hook::occupation;
+    use.name += of_use;
+    for (const auto& halves : {std::vector{plant, use}, std::vector{use, plant}}) {
+        Standing standing = calibrate(data, place, {{}, halves},
+                                      std::vector<double>(place.unknowns.size() + 2, 0));
+        EXPECT_EQ(prune(data, place, standing, 10).size(), 1U);
+        ASSERT_EQ(names_of(standing.model.effects), Names{whole.name});
+        EXPECT_EQ(standing.model.effects[0].hook, effects::Hook::operation);
+        EXPECT_NEAR(standing.coefficient(0), 0.8, 0.1);
+    }
+}
