@@ -24,6 +24,11 @@ std::string with_unit(double value, const char* unit) {
     return fmt::format("{:.6g} {}", value, unit);
 }
 
+/// The unit of a driver's thresholds: of a temperature not that of its differences.
+const char* unit_of_threshold(const Effect& effect) {
+    return effect.driver == Driver::theta_e ? "degC" : unit_of(effect.driver);
+}
+
 /// A day of the year as a date of a year that is no leap year: "1 May".
 std::string date_of(double day_of_year) {
     constexpr const char* months[] = {"January",   "February", "March",    "April",
@@ -42,7 +47,7 @@ std::string window_of(const Effect& effect) {
     if (effect.driver == Driver::day_of_year)
         return fmt::format("from {} to {}", date_of(shape.at), date_of(shape.until));
     return fmt::format("{} from {:.6g} to {}", name_of(effect.driver), shape.at,
-                       with_unit(shape.until, unit_of(effect.driver)));
+                       with_unit(shape.until, unit_of_threshold(effect)));
 }
 
 std::string driver_of(const Effect& effect) {
@@ -72,7 +77,7 @@ std::string named_driver(const Effect& effect) {
 
 std::string shape_of(const Effect& effect) {
     const Shape& shape = effect.shape;
-    const std::string at = with_unit(shape.at, unit_of(effect.driver));
+    const std::string at = with_unit(shape.at, unit_of_threshold(effect));
     switch (shape.form) {
         case Form::linear:
             return named_driver(effect);

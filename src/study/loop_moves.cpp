@@ -37,13 +37,6 @@ double first_move(const effects::Effect& effect) {
     }
 }
 
-/// Whether it begins or ends on a date: one day beside it is a day of large errors, which
-/// something else would seem to explain.
-bool is_dated(const effects::Effect& effect) {
-    return effect.driver == effects::Driver::day_of_year ||
-           effect.driver == effects::Driver::elapsed;
-}
-
 /// The effect with one of its thresholds, dates or hours moved.
 std::vector<effects::Effect> moved_shapes(const effects::Effect& effect, double part) {
     std::vector<effects::Effect> moved;
@@ -107,8 +100,13 @@ bool move_shape(const LoopData& data, const Place& place, Standing& standing,
 
 }  // namespace
 
-Standing refine_shape(const LoopData& data, const Place& place, Standing standing,
-                      std::size_t index) {
+bool is_dated(const effects::Effect& effect) {
+    return effect.driver == effects::Driver::day_of_year ||
+           effect.driver == effects::Driver::elapsed;
+}
+
+Standing with_best_shape(const LoopData& data, const Place& place, Standing standing,
+                         std::size_t index) {
     constexpr int most_moves = 5;     ///< of one length
     constexpr double day = 1.0 / 14;  ///< of a date's first move
     refit(data, standing, standing.fit.at.x,
@@ -119,8 +117,14 @@ Standing refine_shape(const LoopData& data, const Place& place, Standing standin
              ++k) {
         }
     }
-    settle(data, standing);
     return standing;
+}
+
+Standing refine_shape(const LoopData& data, const Place& place, Standing standing,
+                      std::size_t index) {
+    Standing refined = with_best_shape(data, place, std::move(standing), index);
+    settle(data, refined);
+    return refined;
 }
 
 double deviation_over_shapes(const LoopData& data, const Place& place,

@@ -9,7 +9,15 @@
 
 namespace bemcal::study {
 
-/// The model with the effect's thresholds and dates at their best values.
+/// Whether an effect begins or ends on a date. A day beside it is a day of large errors,
+/// which something else would seem to explain.
+bool is_dated(const effects::Effect& effect);
+
+/// The model with the effect's thresholds and dates at their best values, by its noise.
+Standing with_best_shape(const LoopData& data, const Place& place, Standing standing,
+                         std::size_t effect);
+
+/// The same with the noise that it leaves.
 Standing refine_shape(const LoopData& data, const Place& place, Standing standing,
                       std::size_t effect);
 

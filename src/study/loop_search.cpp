@@ -3,6 +3,7 @@
 #include "effects/catalogue.hpp"
 #include "study/loop_consistency.hpp"
 #include "study/loop_days.hpp"
+#include "study/loop_moves.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -179,6 +180,21 @@ double change_of_last_quarter(const LoopData& data, const Standing& before,
     return std::sqrt(error_of(after) / error_of(before)) - 1;
 }
 
+/// Whether the effect acts in the last quarter: what it changes there, of all, counts.
+bool acts_in_last_quarter(const LoopData& data, const Standing& before,
+                          const Standing& after) {
+    constexpr double at_all = 0.05;
+    const auto from = last_quarter_of(data);
+    const auto weights = weights_of(data.targets, before.noise);
+    double sum = 0, all = 0;
+    for (std::size_t k = 0; k < weights.size(); ++k) {
+        const double moved = after.fit.at.predicted[k] - before.fit.at.predicted[k];
+        all += weights[k] * moved * moved;
+        if (data.begins[k] >= from) sum += weights[k] * moved * moved;
+    }
+    return sum > at_all * all;
+}
+
 /// By how much the newest effect changes the only meter's last quarter [-].
 double change_of_level(const LoopData& data, const Standing& with) {
     Matrix points(2, with.built.unknowns.size());
@@ -255,7 +271,10 @@ const char* objection_of_time(const LoopData& data, const Standing& before,
     if (change > demand.most_loss && !demand.is_overwhelming)
         return "last quarter is foretold worse";
     if (candidate.effect.driver == effects::Driver::elapsed &&
-        change > (demand.is_certain ? demand.most_loss : -demand.least))
+        change >
+            (demand.is_certain || !acts_in_last_quarter(data, before, candidate.standing)
+                 ? demand.most_loss
+                 : -demand.least))
         return "follows time, but does not foretell the last quarter";
     if (is_within_usual_change(data, candidate))
         return "no more than use changes in a year, on one meter";
@@ -287,6 +306,12 @@ void drop_derivatives(Standing& standing) {
     standing.fit.at.derivatives = {};
 }
 
+void sort_by_gain(std::vector<Refitted>& ranking, std::size_t first_so_many) {
+    std::stable_sort(
+        ranking.begin(), ranking.begin() + static_cast<std::ptrdiff_t>(first_so_many),
+        [](const Refitted& a, const Refitted& b) { return a.gain > b.gain; });
+}
+
 std::vector<Refitted> refit_all(const LoopData& data, const Place& place,
                                 const Standing& standing,
                                 const std::vector<const Screened*>& list) {
@@ -304,8 +329,7 @@ std::vector<Refitted> refit_all(const LoopData& data, const Place& place,
             continue;  // It cannot enter together with the others: no candidate.
         }
     }
-    std::ranges::stable_sort(
-        ranking, [](const Refitted& a, const Refitted& b) { return a.gain > b.gain; });
+    sort_by_gain(ranking, ranking.size());
     return ranking;
 }
 
@@ -318,6 +342,39 @@ void finish(const LoopData& data, const Standing& before, Refitted& candidate) {
     refit(data, standing, standing.fit.at.x, {10, 2e-4});
     candidate.gain += evidence(data, before, standing) - was;
     drop_derivatives(standing);
+}
+
+/// Whether other dates may make a candidate the best.
+bool may_lead_by_dates(const Refitted& candidate, double best_gain) {
+    constexpr double share = 0.3, enough = 100;
+    return candidate.effect.number != 0 && is_dated(candidate.effect) &&
+           candidate.gain > std::max(share * best_gain, enough);
+}
+
+/// Moves the dates of what may lead by others, once for each name: the catalogue has a
+/// few dates only, where runs of days are picked to the day.
+void move_dates(const LoopData& data, const Place& place, const Standing& before,
+                std::vector<Refitted>& ranking, std::size_t n_judged) {
+    constexpr std::size_t most = 3;
+    static const double of_dates = 2 * 2 * std::log(28.0);  ///< two, of four weeks' days
+    std::vector<std::string> done;
+    const double best_gain = ranking.empty() ? 0 : ranking[0].gain;
+    for (std::size_t k = 0; k < n_judged && done.size() < most; ++k) {
+        Refitted& candidate = ranking[k];
+        if (!may_lead_by_dates(candidate, best_gain) ||
+            std::ranges::find(done, candidate.effect.name) != done.end())
+            continue;
+        done.push_back(candidate.effect.name);
+        const std::size_t newest = before.model.effects.size();
+        Standing moved = with_best_shape(data, place, candidate.standing, newest);
+        const double more = evidence(data, candidate.standing, moved) - of_dates;
+        if (more <= 0) continue;
+        candidate.gain += more;
+        candidate.effect = moved.model.effects[newest];
+        candidate.standing = std::move(moved);
+        drop_derivatives(candidate.standing);
+    }
+    sort_by_gain(ranking, n_judged);
 }
 
 /// What the search would gain from noise: from what the best candidate leaves, for what
@@ -372,10 +429,8 @@ Step search(const LoopData& data, const Place& place, const Standing& standing) 
     step.ranking = refit_all(data, place, standing, shortlist(step.screened));
     const std::size_t n_judged = std::min(most_judged, step.ranking.size());
     for (std::size_t k = 0; k < n_judged; ++k) finish(data, standing, step.ranking[k]);
-    std::stable_sort(
-        step.ranking.begin(),
-        step.ranking.begin() + static_cast<std::ptrdiff_t>(n_judged),
-        [](const Refitted& a, const Refitted& b) { return a.gain > b.gain; });
+    sort_by_gain(step.ranking, n_judged);
+    move_dates(data, place, standing, step.ranking, n_judged);
     step.threshold = threshold_of(data, place, standing, step);
     Unseen unseen(data, standing);
     for (std::size_t k = 0; k < step.ranking.size(); ++k) {

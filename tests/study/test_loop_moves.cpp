@@ -92,6 +92,25 @@ TEST(LoopMoves, NothingLeavesThatCarriesMoreThanIsAsked) {
     EXPECT_EQ(model.standing.model.effects.size(), 2U);
 }
 
+// The catalogue has seasons that begin with a month; what is there begins eight days
+// later.
+TEST(LoopMoves, DatesMoveToTheDay) {
+    effects::Effect season = named("heating set-point of a season");
+    season.shape = {effects::Form::within, 128, 243};
+    Case made = windy_case();
+    measure(made, season, -3, 3);
+    season.shape.at = 120;
+    const LoopData data(made, Model::options());
+    const Place place = make_place(data, {}, data.drive);
+    const Standing standing = calibrate(
+        data, place, {{}, {season}}, std::vector<double>(place.unknowns.size() + 1, 0.0));
+    const Standing moved = with_best_shape(data, place, standing, 0);
+    EXPECT_NEAR(moved.model.effects[0].shape.at, 128, 1);
+    EXPECT_GT(evidence(data, standing, moved), 10);
+    EXPECT_TRUE(is_dated(season));
+    EXPECT_FALSE(is_dated(named("wind infiltration")));
+}
+
 // Plant and use follow another day to the same degree: either half may leave, and the
 // other says what is there.
 TEST(LoopMoves, AHalfStandsForBothWhereTheOtherLeaves) {
