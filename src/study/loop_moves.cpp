@@ -37,6 +37,12 @@ double first_move(const effects::Effect& effect) {
     }
 }
 
+/// Where a shape begins at the earliest: readings before a date tell what changes on it.
+double earliest(const effects::Effect& effect) {
+    constexpr double two_weeks = 0.04;  ///< [a]
+    return effect.driver == effects::Driver::elapsed ? two_weeks : -1e9;
+}
+
 /// The effect with one of its thresholds, dates or hours moved.
 std::vector<effects::Effect> moved_shapes(const effects::Effect& effect, double part) {
     std::vector<effects::Effect> moved;
@@ -46,7 +52,10 @@ std::vector<effects::Effect> moved_shapes(const effects::Effect& effect, double 
     };
     const double move = first_move(effect) * part;
     for (const double sign : {1.0, -1.0}) {
-        if (move > 0) add([&](effects::Effect& e) { e.shape.at += sign * move; });
+        if (move > 0)
+            add([&](effects::Effect& e) {
+                e.shape.at = std::max(e.shape.at + sign * move, earliest(e));
+            });
         if (move > 0 && effect.shape.form == effects::Form::within)
             add([&](effects::Effect& e) { e.shape.until += sign * move; });
         const double hours = std::max(1.0, std::round(2 * part));
