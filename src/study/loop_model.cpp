@@ -1,9 +1,7 @@
 #include "study/loop_model.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -223,26 +221,6 @@ double kappa_of(const LoopData& data, std::size_t channel,
     return squares > 0 ? std::max(1.0, of_sums / squares) : 1;
 }
 
-/// A building remembers about a week. Where nothing is known of the week before the
-/// training period, its first readings by the hour follow what nobody knows: one such day
-/// can be most of a year's squared error.
-void leave_out_what_began_before(LoopData& data) {
-    constexpr std::chrono::hours memory{24 * 7};
-    constexpr int most = 20;  ///< a part of the period
-    const Period& period = data.training();
-    const std::chrono::hours known{physics::known_hours_before(
-        data.building.weather, data.building.building, data.building.profiles,
-        period.from, static_cast<int>(memory.count()))};
-    const physics::Seconds until =
-        period.from +
-        std::min<std::chrono::seconds>(memory - known, (period.to - period.from) / most);
-    Targets& targets = data.targets;
-    for (std::size_t c = 0; c < targets.n_channels(); ++c)
-        for (std::size_t k = targets.first[c]; k < targets.first[c + 1]; ++k)
-            if (is_hourly(targets.channels[c]) && data.begins[k] < until)
-                targets.measured[k] = std::numeric_limits<double>::quiet_NaN();
-}
-
 }  // namespace
 
 LoopData::LoopData(const Case& given, const LoopOptions& chosen)
@@ -266,7 +244,6 @@ LoopData::LoopData(const Case& given, const LoopOptions& chosen)
     }
     if (meters.empty())
         throw std::invalid_argument("no meter has a reading in the training period");
-    leave_out_what_began_before(*this);
     blocks = blocks_of(options.block_days);
 }
 

@@ -2,7 +2,6 @@
 #include "study/windy_case.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -138,22 +137,4 @@ TEST(LoopModel, ARefinementWithNothingToRefineIsRefusedByName) {
     } catch (const std::invalid_argument& error) {
         EXPECT_STREQ(error.what(), "nothing for 'sun through walls' to change");
     }
-}
-
-// The weather of the case begins a week before its training period: all readings count.
-// Without that week they count from a twentieth of the period on.
-TEST(LoopModel, WhatBeganBeforeTheWeatherIsLeftOut) {
-    Case made = measured_case();
-    EXPECT_FALSE(std::isnan(LoopData(made, {}).targets.measured[0]));
-    physics::Weather& weather = made.weather;
-    constexpr int a_week = 24 * 7;
-    weather.axis = {test::day(7), 3600, weather.axis.n_steps - a_week};
-    for (auto* series :
-         {&weather.theta_e, &weather.direct_normal, &weather.diffuse_horizontal,
-          &weather.global_horizontal, &weather.wind_speed})
-        series->erase(series->begin(), series->begin() + a_week);
-    made.periods[0].to = test::day(107);
-    const LoopData data(made, {});
-    EXPECT_TRUE(std::isnan(data.targets.measured[24 * 5 - 1]));
-    EXPECT_FALSE(std::isnan(data.targets.measured[24 * 5]));
 }
