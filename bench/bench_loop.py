@@ -123,15 +123,14 @@ def of_kind(scored, *kind):
     return [s for s in scored if s.kind in kind]
 
 
-def print_where_left_open(seen):
-    """Names of the effects that parameters and structure do not take up: of a closed error no search can
-    tell the cause."""
+def print_where_left_open(seen, flags):
+    """Shares by flag {name: of a case} of the effects that parameters and structure do not take up: of a
+    closed error no search can tell the cause."""
     most = 0.8
     left = [s for s in seen if s.closed["plain", "before"] < most]
     line("loop_left_open_by_structure", len(left), f"of_{len(seen)}", 0)
-    for name, is_one in (("strict_name", loop_scores.is_named), ("class", loop_scores.is_classed)):
-        line(f"loop_{name}_where_left_open",
-             share(all(is_one(s, planted) for planted in s.planted) for s in left), "%", 0)
+    for name, flag in flags.items():
+        line(f"loop_{name}_where_left_open", share(map(flag, left)), "%", 0)
 
 
 def print_false(nulls, name):
@@ -152,7 +151,7 @@ def print_names(scored):
     line("loop_detectable_singles", len(seen), f"of_{len(singles)}", 0)
     line("loop_strict_name", share(map(named, seen)), "%", 70)
     line("loop_class", share(map(classed, seen)), "%", 85)
-    print_where_left_open(seen)
+    print_where_left_open(seen, {"strict_name": named, "class": classed})
     line("loop_cannot_tell_below", share(not s.found for s in unseen), "%", 0)
     line("loop_both_of_a_pair", share(map(classed, seen_pairs)), "%", 65)
     line("loop_both_of_a_pair_strict", share(map(named, seen_pairs)), "%", 0)
