@@ -194,6 +194,17 @@ class Runs(Folders):
                 self.run_program(code, writes)
             self.assertEqual(raised.exception.code, code)
 
+    def test_a_folder_with_a_result_keeps_its_job(self):
+        case, out = write_case(self.folder / "a"), self.folder / "out"
+        (out / "job").mkdir(parents=True)
+        (out / "job" / "job.toml").write_text("another")
+        (out / "result.h5").touch()
+        done = subprocess.run([PROGRAM, case, out], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("exists already", done.stderr)
+        self.assertIn("--resume", done.stderr)
+        self.assertEqual((out / "job" / "job.toml").read_text(), "another")
+
 
 if __name__ == "__main__":
     unittest.main()
