@@ -118,7 +118,8 @@ def detectability(loop, planted):
 
 
 def coverage(found, planted, truth):
-    """For each found effect with the right name whether its interval holds the truth."""
+    """Whether the interval of the first found effect that is a planted one's right one holds the truth,
+    as a list of one; [] where there is none."""
     return [effect["interval"][0] <= RIGHT[name].coefficient(size, truth) <= effect["interval"][1]
             for name, size in planted.items() if RIGHT[name].coefficient
             for effect in found if is_right(effect, name)][:1]

@@ -13,7 +13,7 @@ const char* words_of(Each each) {
                                      "the meter of cooling",
                                      "Monday to Friday, each alone",
                                      "the summer times of the EU and the US",
-                                     "days that stand out in the data",
+                                     "days picked in the data (for holidays only)",
                                      "a decision on the data: the model is not changed"};
     return words[static_cast<std::size_t>(each)];
 }
@@ -63,8 +63,9 @@ std::string hooks() {
 std::string describe() {
     std::string text =
         "Effects that a loop looks for. What one brings to the building at a step is\n"
-        "coefficient x shape(driver) x gate; both signs are tried, and a coefficient "
-        "outside\nof the plausible range printed here is said to be so.\n\n";
+        "coefficient x shape(driver) x gate; a sign outside of the plausible range "
+        "printed\nhere is not tried, and a coefficient beyond its ends by more than a "
+        "factor of 1.5\nis refused.\n\n";
     for (const Entry& entry : catalogue()) text += lines_of(entry);
     text +=
         "Beside them a loop tries what has no name: a grammar of hooks x drivers,\n"

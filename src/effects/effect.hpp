@@ -3,7 +3,7 @@
 /// The hook says where it enters the building (an input, physics::Change), the driver
 /// what it follows, the shape how, the gate when. What it brings at a step is
 /// coefficient x shape(driver) x gate. Nothing here is code of its own: the catalogue
-/// (catalogue.hpp) is a table of named effects, the grammar (grammar.hpp) lists the
+/// (catalogue.hpp) is a table of named effects, the grammar (candidates.cpp) lists the
 /// others, and place (placement.hpp) turns any of them into changes of a building and one
 /// parameter, so that plain and fast simulation and the adjoint know of inputs only.
 #pragma once

@@ -174,7 +174,8 @@ std::vector<Entry> leakage_rows() {
                     .most = 5,
                     .typical = 2},
          .each = Each::found_days,
-         .sentence = "Windows stand open on a few days.",
+         .sentence = "Windows stand open on a few days (not sought: a loop picks closed "
+                     "days only).",
          .signature = "a few days with far more heating",
          .like = "standing losses",
          .separates = "room temperature, window contacts"},

@@ -87,7 +87,8 @@ std::string sentence_of(const study::LoopOptions& options) {
             : fmt::format(", but not {}", fmt::join(options.exclude, ", "));
     return fmt::format(
         "at most {} effects {}{}{}; accepted where the error in blocks of {:g} days that "
-        "were left out falls by {:g} % on a meter and rises by more than {:g} % on none",
+        "were left out falls by {:g} % as a mean over the meters and rises on none by "
+        "more than {:g} % (more where another gains much)",
         options.most_effects,
         options.generic ? "of the catalogue and beside it" : "of the catalogue", columns,
         excluded, options.block_days, options.least_gain, options.most_loss);

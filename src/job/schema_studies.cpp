@@ -149,20 +149,23 @@ constexpr Key table[] = {
      "must predict blocks that were kept from it."},
     {"study", "least_gain", Type::number, "%", "2", 0, 100,
      "Of a loop: by so much an effect must lower the errors of the meters in those "
-     "blocks, as their mean."},
+     "blocks, as their mean; three times as much where it is not of the catalogue."},
     {"study", "most_loss", Type::number, "%", "1", 0, 100,
-     "Of a loop: by so much it may raise the error of any meter there."},
+     "Of a loop: by so much it may raise the error of any meter there; by 15 % of what "
+     "the best meter gains, where that is more (30 % with evidence of eight times what "
+     "noise shows)."},
     {"study", "alpha", Type::number, "-", "0.01", 0.0001, 0.5,
-     "Of a loop: chance that one step of the search accepts an effect where there is "
-     "none."},
+     "Of a loop: chance that noise alone shows as much evidence as is asked for, in any "
+     "of the effects that one step refits (the best by the tangent, 36 at most), not of "
+     "all that it screens."},
     {"study", "exclude", Type::texts, "", "", 0, 0,
      "Of a loop: names of effects that are not to be tried (describe effects)."},
     {"study", "generic", Type::flag, "", "true", 0, 0,
      "Of a loop: effects beside the catalogue's are tried, too: any place, what it "
      "follows, how and when."},
     {"study", "columns", Type::texts, "", "", 0, 0,
-     "Of a loop: names of [[series]] that an effect may follow: rain, carbon dioxide, a "
-     "tariff."},
+     "Of a loop: names of [[series]] that an effect beside the catalogue's may follow: "
+     "rain, carbon dioxide, a tariff."},
     {"study", "of", Type::text, "", required, 0, 0,
      "Of a retrofit: name of a posterior, screening or grid above, whose draws or best "
      "points the scenarios are applied to (n_predictive of them at most)."},

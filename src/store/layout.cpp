@@ -398,8 +398,9 @@ constexpr LayoutRow rows[] = {
     {"candidate_gain", "candidate", number, "1",
      "gain of evidence of each, in the last step's ranking"},
     {"unexplained", "channel", number, "1",
-     "share of the residual's variance that drivers and calendar still predict"},
-    {"unexplained_where", "channel", text, "", "where most of it lies"},
+     "share of the squared residual that hour of the week and hour of the day by month "
+     "predict, in every other block of training from the blocks between"},
+    {"unexplained_where", "channel", text, "", "month and hour where most of it lies"},
     {"misfit", "", number, "1",
      "evidence of the best candidate that did not pass over what noise alone would show, "
      "at least 1: the factor on the variances of parameters and coefficients"},

@@ -14,9 +14,10 @@
 namespace bemcal::study {
 
 /// A building is an item; it is searched in training, and its other periods are read for
-/// the errors that are reported only. The datasets of a building stand under its name,
-/// then the stage's. Throws std::invalid_argument where a building has nothing to learn
-/// from.
+/// the errors that are reported only (but the job's data checks, which correct units and
+/// mask readings, have looked at a meter's whole series before). The datasets of a
+/// building stand under its name, then the stage's. Throws std::invalid_argument where a
+/// building has nothing to learn from.
 std::unique_ptr<Stage> make_loop(std::string name, const std::vector<Case>& buildings,
                                  const LoopOptions& options);
 

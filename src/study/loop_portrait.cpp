@@ -136,7 +136,7 @@ double cell(const LoopData& data, const Place& place, std::span<const double> sc
     return fluctuation(units.scores, units.by);
 }
 
-/// Hour of the week, then month and hour, then outdoor temperature: additive bins.
+/// Hour of the week, then month and hour of the day: additive bins.
 constexpr std::size_t n_week = 168, n_year = 288, n_bins = n_week + n_year;
 
 std::array<std::size_t, 2> bins_of(physics::Seconds begin) {
@@ -145,7 +145,7 @@ std::array<std::size_t, 2> bins_of(physics::Seconds begin) {
             n_week + static_cast<std::size_t>(24 * (step.month - 1) + step.hour)};
 }
 
-/// Means by bin over the readings that `uses` lets in, of what the bins before leave.
+/// Means by bin over the blocks of the other parity, of what the bins before leave.
 std::vector<double> bin_means(const LoopData& data, std::size_t channel,
                               std::span<const double> residuals, int parity) {
     std::vector<double> means(n_bins, 0.0);

@@ -27,9 +27,9 @@ double alarm_of(const LoopData& data, const Place& place, const Standing& standi
 /// Whether an alarm that was `before` is over.
 bool is_over(double before, double after);
 
-/// Share of a channel's residual variance that hour of the week, month and outdoor
-/// temperature still predict, week by week from the other weeks; and the cell of month
-/// and hour where most of it lies.
+/// Share of a channel's squared residual that means by hour of the week, then by month
+/// and hour of the day, predict: in even blocks those of the odd ones, and the other way
+/// round (LoopData::blocks); and the cell of month and hour where most of it lies.
 struct Unexplained {
     double share = 0;
     std::string where;

@@ -18,8 +18,7 @@ struct Power {
 
 constexpr double least_detectability = 5;
 
-/// Effects whose signatures correlate more closely are one discovery.
-constexpr double one_class = 0.98;
+constexpr double one_class = 0.98;  ///< of correlation; not used
 
 struct PowerTable {
     std::vector<Power> rows;
