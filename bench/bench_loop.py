@@ -79,7 +79,7 @@ def run(cases, folder, options, rung):
     begin = time.perf_counter()
     try:
         running.run(large_job.PROGRAM, job, result, options.ranks, ["--resume", "--no-report"],
-                    stdout=subprocess.DEVNULL)
+                    may_fail=True, stdout=subprocess.DEVNULL)
     except CaseError as error:
         sys.exit(f"bench_loop: {error}; the same command goes on with it")
     return result, time.perf_counter() - begin
@@ -191,10 +191,17 @@ def print_rung(scored, rung):
     print_false(of_kind(scored, "null"), f"loop_{rung}")
 
 
+def print_lost(scored, cases, rung):
+    """Of cases without a result no other figure knows."""
+    name = "loop" if rung == "hourly" else f"loop_{rung}"
+    line(f"{name}_cases_without_result", len(cases) - len(scored), f"of_{len(cases)}", 0)
+
+
 def judge(cases, folder, options, rung):
     result, seconds = run(cases, folder, options, rung)
     scored = loop_scores.scores(result, cases)
     write_table(scored, result.with_name("cases.csv"))
+    print_lost(scored, cases, rung)
     if rung != "hourly":
         print_rung(scored, rung)
         return

@@ -139,7 +139,7 @@ def score(file, case, kind):
 
 
 def scores(result, cases):
-    """`cases`: {folder: kind}"""
+    """`cases`: {folder: kind}; those that the result lacks are left out."""
     with h5py.File(result) as file:
         return [score(file, case, kind) for case, kind in cases.items()
                 if "loop" in file.get(case.name, ())]

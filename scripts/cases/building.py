@@ -12,6 +12,7 @@ from cases.toml import number, numbers, scheduled, section, texts
 AIR_CHANGE_PER_FLOW = 3.6  # l/s in m3/h
 CONCRETE_CAPACITY = 2.3e6  # J/(m3 K), 2300 kg/m3 of 1000 J/(kg K)
 BASE_LOAD = 0.5            # W/m2 of electricity that no case declares
+ALWAYS_USED = ("occ", "equip", "light", "hvac", "vent")  # schedules
 
 
 @dataclass(frozen=True)
@@ -26,6 +27,8 @@ class Manner:
 
 
 def schedules(case):
+    for name in ALWAYS_USED:
+        case["schedules"][name]  # refuses the case where it is not there
     for name, days in case["schedules"].items():
         if isinstance(days, dict):
             yield section("[[schedule]]", name=name, weekdays=numbers(days["wd"]),
@@ -45,8 +48,13 @@ def heating_season(case):
     words = case["plant"]["heating_available"]
     if " - " not in words:
         return None
-    return [datetime.strptime(day + " 2001", "%d %b %Y").strftime("%m-%d")
-            for day in words.split(" - ")]
+    try:
+        first, last = (datetime.strptime(day + " 2001", "%d %b %Y").strftime("%m-%d")
+                       for day in words.split(" - "))
+    except ValueError:
+        raise case["plant"].error("heating_available",
+                                  '"all year", or days as "15 Oct - 15 Apr"') from None
+    return first, last
 
 
 def envelope(case):

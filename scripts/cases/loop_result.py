@@ -79,6 +79,22 @@ def loop_of(file, building, study):
                         "of a loop") from None
 
 
+def failures(file, study):
+    """{item: why it failed}; the items of a loop are its buildings, in their order."""
+    group = file.get(study, ())
+    if "failed_item" not in group:
+        return {}
+    return dict(zip(group["failed_item"][:].astype(int), texts(group, "failed_item_reason")))
+
+
+def without_result(result, names, study="loop"):
+    """{building: why} of those that a result lacks. `names`: of all, in the job's order."""
+    with h5py.File(result) as file:
+        why = failures(file, study)
+        return {name: why.get(item, "the run gave no reason") for item, name in enumerate(names)
+                if "model" not in file.get(f"{name}/{study}", ())}
+
+
 def write_files(result, building, folder, study="loop"):
     """plain.csv, before.csv, after.csv, effects.json and decisions.json of one building."""
     with h5py.File(result) as file:

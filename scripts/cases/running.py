@@ -4,7 +4,9 @@ import subprocess
 
 from cases.folder import CaseError
 
-TARGET_MISSED = 1  # exit code of the program; its result is whole
+# Exit codes of the program with which it may have written a result.
+TARGET_MISSED = 1  # the result is whole
+SOME_FAILED = 65   # the result holds the other items
 OPEN_MPI_AS_ROOT = ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM")
 
 
@@ -18,15 +20,18 @@ def made_at(path):
     return os.stat(path).st_mtime_ns if os.path.exists(path) else None
 
 
-def run(program, job, result, ranks, words=(), **more):
-    """Runs the job. `words`: further words of the command; `more`: of subprocess.run. Raises
+def run(program, job, result, ranks, words=(), may_fail=False, **more):
+    """Runs the job; returns the exit code. `words`: further words of the command; `may_fail`:
+    whether a result without the items that failed is one; `more`: of subprocess.run. Raises
     CaseError where no result was made; its `code` is then the program's."""
     command = [str(program), "run", str(job), "-o", str(result), *words]
     if ranks > 1:
         command = ["mpirun", "-np", str(ranks), "--oversubscribe", *command]
     before = made_at(result)
     code = subprocess.run(command, env=environment(), **more).returncode
-    if code not in (0, TARGET_MISSED) or made_at(result) == before:
+    good = (0, TARGET_MISSED, SOME_FAILED) if may_fail else (0, TARGET_MISSED)
+    if code not in good or made_at(result) == before:
         error = CaseError(f"{job}: no result, exit code {code}")
         error.code = code
         raise error
+    return code

@@ -1,11 +1,16 @@
 #!/usr/bin/python3
 """The loop's bench: what it draws, what it takes for right and for false, and its figures."""
+import contextlib
+import io
 import pathlib
 import re
 import sys
+import tempfile
 import unittest
 from collections import Counter
+from unittest import mock
 
+import h5py
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -136,6 +141,18 @@ class Scores(unittest.TestCase):
         true = loop_scores.true_parameters(truth)
         self.assertEqual((true["u_wall"], true["heating_set_point"], true["people"]),
                          (1.5, 0.5, 1.0))
+
+    def test_cases_without_a_result_are_counted(self):
+        with tempfile.TemporaryDirectory() as folder:
+            result = pathlib.Path(folder) / "result.h5"
+            h5py.File(result, "w").close()
+            cases, out = {pathlib.Path("a"): "null", pathlib.Path("b"): "single"}, io.StringIO()
+            with mock.patch.object(bench_loop, "run", return_value=(result, 1.0)), \
+                    contextlib.redirect_stdout(out):
+                for rung in bench_loop.LADDER:
+                    bench_loop.judge(cases, folder, mock.Mock(ranks=1), rung)
+        for name in ("loop", "loop_electricity", "loop_monthly"):
+            self.assertIn(f"\n{name}_cases_without_result 2.000 of_2 - -\n", out.getvalue())
 
     def test_shares_of_nothing_are_unknown(self):
         self.assertTrue(np.isnan(bench_loop.share([])))

@@ -1,8 +1,10 @@
 #!/usr/bin/python3
 """scripts/run_case reads a case's description, weather and training readings and nothing else, makes
 one job of several cases, and writes what a loop found as tables."""
+import copy
 import csv
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -16,12 +18,43 @@ import numpy as np
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parents[1] / "scripts")]
 
-from cases import loop_result, running  # noqa: E402
+import fake_loop_result  # noqa: E402
+from cases import loop_job, loop_result, running  # noqa: E402
 from test_case_to_job import OFFICE, epw, readings  # noqa: E402
 
 PROGRAM = HERE.parents[1] / "scripts" / "run_case"
 KEPT_BACK = ("measured_test.csv", "truth.json")
 HOURS = 48
+# keys, the value that is put there or GONE, what is said of it
+GONE = object()
+WRONG = ((["envelope", "U_wall"], GONE, "envelope.U_wall: is not there; expected a number"),
+         (["envelope", "U_wall"], "1.2", 'envelope.U_wall: "1.2"; expected a number'),
+         (["site", "latitude"], float("nan"), "site.latitude: NaN; expected a number"),
+         (["geometry", "air_volume_m3"], 0, "air_volume_m3: 0; expected a number above 0"),
+         (["geometry", "facades", 0, "area_m2"], None,
+          "geometry.facades[0].area_m2: null; expected a number"),
+         (["geometry", "facades"], [3], "geometry.facades: [3]; expected a list of objects"),
+         (["plant"], [], "plant: []; expected an object"),
+         (["plant", "heating_available"], "winter - spring", "heating_available: "
+          '"winter - spring"; expected "all year", or days as "15 Oct - 15 Apr"'),
+         (["schedules", "occ"], GONE, "schedules.occ: is not there; expected an object"),
+         (["schedules", "occ", "sat"], [0] * 23, "expected 24 numbers"),
+         (["domestic_hot_water"], {"kWh_per_day_useful": 1}, "domestic_hot_water.hourly_shares"),
+         (["declared_closed_days", "list_mm_dd"], "01-01", "expected a list of texts"))
+
+
+def changed(keys, value):
+    """The office with another value at the keys."""
+    case = copy.deepcopy(OFFICE)
+    *path, last = keys
+    place = case
+    for key in path:
+        place = place[key]
+    if value is GONE:
+        del place[last]
+    else:
+        place[last] = value
+    return case
 
 
 def write_case(folder, case=OFFICE):
@@ -109,6 +142,63 @@ class Jobs(Folders):
             self.assertIn(words, done.stderr)
             self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
 
+    def assert_refused(self, case, words):
+        with self.assertRaises(loop_result.CaseError) as raised:
+            loop_job.write_job([case], self.folder / "job")
+        self.assertIn(words, str(raised.exception))
+        self.assertFalse((self.folder / "job").exists())
+
+    def test_what_is_wrong_in_a_description_is_said_by_file_and_key(self):
+        for number, (keys, value, words) in enumerate(WRONG):
+            with self.subTest(words):
+                case = write_case(self.folder / str(number), changed(keys, value))
+                self.assert_refused(case, f"{number}/building.json: {keys[0]}")
+                self.assert_refused(case, words)
+
+    def test_what_a_case_does_not_use_may_be_missing(self):
+        for number, keys in enumerate((["plant", "cooling_COP"], ["envelope", "slab_thickness_m"],
+                                       ["declared_closed_days", "list_mm_dd"], ["channels"])):
+            case = changed(keys, GONE)
+            case["plant"]["cooling_available"] = "none"
+            loop_job.write_job([write_case(self.folder / str(number), case)], self.folder / "job")
+
+    def test_files_that_cannot_be_read_are_named(self):
+        for number, (file, text, words) in enumerate((
+                ("building.json", "{,", "expected JSON"), ("building.json", "[]", "is no object"),
+                ("weather_train.epw", None, "No such file"), ("weather_test.epw", None, "No such"),
+                ("weather_train.epw", "header\n", "too few rows"),
+                ("weather_train.epw", epw(2017).replace(",20,", ",warm,"), "'warm'"),
+                ("measured.csv", "timestamp,steam_kWh\n", "no column that is a meter"))):
+            case = write_case(self.folder / str(number))
+            (case / file).unlink()
+            if text is not None:
+                (case / file).write_text(text)
+            with self.subTest(file=file, words=words):
+                self.assert_refused(case, f"{case / file}: ")
+                self.assert_refused(case, words)
+
+    def test_a_case_cannot_be_called_as_the_job(self):
+        self.assert_refused(write_case(self.folder / "cases" / "job"), "cannot be called job")
+
+    def test_bad_cases_stop_no_others(self):
+        good, bad, worse = (write_case(self.folder / name) for name in ("good", "bad", "worse"))
+        (bad / "weather_train.epw").unlink()
+        (worse / "building.json").write_text("{")
+        done = self.run_script(bad, good, worse)
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stdout, f"{self.folder / 'out/job/job.toml'}\n")
+        self.assertEqual([line.split(": ")[1] for line in done.stderr.splitlines()],
+                         [str(bad / "weather_train.epw"), str(worse / "building.json")])
+        job = tomllib.loads((self.folder / "out/job/job.toml").read_text())
+        self.assertEqual(job["buildings"], ["good.toml"])
+
+    def test_without_a_good_case_there_is_no_job(self):
+        bad = write_case(self.folder / "bad", changed(["site"], GONE))
+        done = self.run_script(bad, self.folder / "none")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertEqual(done.stderr.count("\n"), 2, done.stderr)
+        self.assertFalse((self.folder / "out").exists())
+
 
 def write_result(path):
     """A loop's result of two buildings with the datasets that are read."""
@@ -176,12 +266,12 @@ class Results(Folders):
 
 
 class Runs(Folders):
-    def run_program(self, code, writes=True):
+    def run_program(self, code, writes=True, may_fail=False):
         """A program that writes its result, or does not, and ends with `code`."""
         program, result = self.folder / "program", self.folder / "result.h5"
         program.write_text(f"#!/bin/sh\n{'echo > $4' if writes else ':'}\nexit {code}\n")
         program.chmod(0o755)
-        running.run(program, "job.toml", result, 1)
+        return running.run(program, "job.toml", result, 1, may_fail=may_fail)
 
     def test_a_missed_target_has_a_result(self):
         self.run_program(0)
@@ -189,10 +279,61 @@ class Runs(Folders):
 
     def test_without_a_new_result_there_is_an_error(self):
         self.run_program(0)
-        for code, writes in ((70, True), (1, False), (0, False)):
+        for code, writes in ((70, True), (65, True), (1, False), (0, False)):
             with self.assertRaises(loop_result.CaseError) as raised:
                 self.run_program(code, writes)
             self.assertEqual(raised.exception.code, code)
+
+    def test_where_items_may_fail_the_others_are_a_result(self):
+        self.assertEqual(self.run_program(65, may_fail=True), 65)
+        with self.assertRaises(loop_result.CaseError) as raised:
+            self.run_program(65, writes=False, may_fail=True)
+        self.assertEqual(raised.exception.code, 65)
+
+    def run_script(self, cases, code, result):
+        """run_case with a program that leaves `result` and ends with `code`."""
+        program = self.folder / "program"
+        program.write_text(f"#!/bin/sh\ncp {result} $4\nexit {code}\n")
+        program.chmod(0o755)
+        return subprocess.run([PROGRAM, *cases, self.folder / "out", "--ranks", "1"],
+                              capture_output=True, text=True,
+                              env={**os.environ, "BEMCAL_PROGRAM": str(program)})
+
+    def result_without(self, item, stage="a/loop"):
+        """A result of a loop of which that building failed."""
+        path = fake_loop_result.write(self.folder / "made.h5", stage=stage)
+        with h5py.File(path, "a") as file:
+            file["loop/failed_item"] = [float(item)]
+            file["loop/failed_item_reason"] = np.array(["it is too cold"], h5py.string_dtype())
+        return path
+
+    def test_cases_that_have_a_result_get_their_files(self):
+        cases = [write_case(self.folder / name) for name in ("a", "b")]
+        result = self.result_without(1)
+        done = self.run_script(cases, 65, result)
+        self.assertEqual(done.returncode, 65)
+        self.assertEqual(done.stderr, "run_case: b has no result: it is too cold\n")
+        self.assertEqual(done.stdout, f"{self.folder / 'out/a'}\n")
+        self.assertEqual({path.name for path in (self.folder / "out/a").iterdir()},
+                         {"plain.csv", "before.csv", "after.csv", "effects.json",
+                          "decisions.json", "report.html", "result.h5"})
+        self.assertFalse((self.folder / "out/b").exists())
+
+    def test_the_only_good_case_of_several_has_its_folder(self):
+        bad = write_case(self.folder / "bad", changed(["site"], GONE))
+        result = fake_loop_result.write(self.folder / "made.h5", stage="a/loop")
+        done = self.run_script([bad, write_case(self.folder / "a")], 0, result)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("bad/building.json: site: is not there", done.stderr)
+        self.assertTrue((self.folder / "out/a/effects.json").exists())
+
+    def test_a_case_that_fails_alone_is_said_to(self):
+        case, result = write_case(self.folder / "b"), self.result_without(0)
+        for code in (65, 0):  # 0: so few failed that the program is content
+            done = self.run_script([case], code, result)
+            self.assertEqual((done.returncode, done.stdout), (65, ""))
+            self.assertEqual(done.stderr, "run_case: b has no result: it is too cold\n")
+            (self.folder / "out" / "result.h5").unlink()
 
     def test_a_folder_with_a_result_keeps_its_job(self):
         case, out = write_case(self.folder / "a"), self.folder / "out"
