@@ -32,14 +32,13 @@ int first_step_of(const physics::Drive& drive, int day) {
     return drive.axis.step_of(std::chrono::sys_days(days(day)));
 }
 
-/// The whole days of the period that are this weekday.
-std::vector<int> whole_days(const physics::Drive& drive, int weekday) {
+/// The whole days from a step on that are this weekday.
+std::vector<int> whole_days(const physics::Drive& drive, int weekday, int from) {
     std::vector<int> found;
     const int last = day_of(drive, drive.n_steps() - 1);
-    for (int day = day_of(drive, drive.n_warm_up); day <= last; ++day) {
+    for (int day = day_of(drive, from); day <= last; ++day) {
         const int first = first_step_of(drive, day);
-        const bool whole =
-            first >= drive.n_warm_up && first + per_day(drive) <= drive.n_steps();
+        const bool whole = first >= from && first + per_day(drive) <= drive.n_steps();
         const int found_weekday =
             physics::calendar_step(std::chrono::sys_days(days(day))).weekday;
         if (whole && found_weekday == weekday) found.push_back(day);
@@ -73,7 +72,9 @@ int usual_day(const physics::Drive& drive, Row row, std::vector<int> candidates,
 
 bool is_schedule(Row row, const physics::Drive& drive) {
     const int week = 7 * per_day(drive);
-    const int first = drive.n_warm_up + week;
+    // Of a period shorter than two weeks the last one, beside that before it.
+    const int first =
+        std::max(week, std::min(drive.n_warm_up + week, drive.n_steps() - week));
     int n = 0, n_equal = 0;
     for (int step = first; step < drive.n_steps(); ++step, ++n)
         n_equal += row[index(step)] == row[index(step - week)] ? 1 : 0;
@@ -82,7 +83,8 @@ bool is_schedule(Row row, const physics::Drive& drive) {
 
 std::vector<double> as_on(int weekday, Row row, const physics::Drive& drive) {
     std::vector<double> other(row.begin(), row.end());
-    const std::vector<int> candidates = whole_days(drive, weekday);
+    std::vector<int> candidates = whole_days(drive, weekday, drive.n_warm_up);
+    if (candidates.empty()) candidates = whole_days(drive, weekday, 0);  // a short period
     if (candidates.empty()) return other;
     const int last = day_of(drive, drive.n_steps() - 1);
     for (int day = day_of(drive, 0); day <= last; ++day) {

@@ -48,14 +48,15 @@ class Search {
 
   private:
     bool accept_one(const Place& place) {
-        Step step = search(data_, place, result_.last);
+        Step step = search(data_, place, result_.last, barred_);
         log_step(step, result_.log);
         threshold_ = step.threshold;
         result_.candidates.clear();
         for (const Refitted& candidate : step.ranking)
-            result_.candidates.emplace_back(
-                candidate.effect.name + ": " + effects::sentence_of(candidate.effect),
-                candidate.gain);
+            if (!candidate.objection.empty())
+                result_.candidates.emplace_back(
+                    candidate.effect.name + ": " + effects::sentence_of(candidate.effect),
+                    candidate.gain);
         if (step.chosen < 0) {
             result_.log.push_back({"", "nothing passes", 0, step.threshold, 0, {}});
             return false;
@@ -66,19 +67,36 @@ class Search {
                                  chosen.gain, near.rivals});
         const double before = alarm_of(data_, place, result_.last, chosen.effect);
         const std::size_t newest = chosen.standing.model.effects.size() - 1;
+        const std::string name = chosen.effect.name;
         result_.last = refine_shape(data_, place, std::move(chosen.standing), newest);
         // The grammar says where and when, not why: its sentences are no names. Nor do
         // months show that nothing is left.
-        result_.found.back().adequate =
-            chosen.effect.number != 0 && near.is_told && !data_.reads_months_only() &&
-            is_over(before, alarm_of(data_, place, result_.last, chosen.effect));
+        result_.found.back().adequate = chosen.effect.number != 0 && near.is_told &&
+                                        !data_.reads_months_only() &&
+                                        is_over(before, alarm_left(place, newest));
         const double needed = 0.5 * step.threshold;
         if (split(data_, place, result_.last, newest, needed)) note_split(newest);
         swap_earlier(place);
         drop(prune(data_, place, result_.last, needed), "left again: no longer needed");
         drop(prune_implausible(data_, place, result_.last),
              "left again: coefficient no longer plausible");
+        bar_if_gone(name);
         return true;
+    }
+
+    /// The alarm of an effect that has joined, by what its own place still shows: its
+    /// coefficient is held, or it would follow itself.
+    double alarm_left(const Place& place, std::size_t effect) const {
+        Standing held = result_.last;
+        held.fit.bound[held.built.first_effect() + effect] = 1;
+        return alarm_of(data_, place, held, held.model.effects[effect]);
+    }
+
+    /// What has just joined and left again would be found next, from the same model.
+    void bar_if_gone(const std::string& name) {
+        if (std::ranges::none_of(result_.last.model.effects,
+                                 [&](const auto& effect) { return effect.name == name; }))
+            barred_.push_back(name);
     }
 
     /// A model that is not the building leaves a residual that many terms of the
@@ -125,13 +143,11 @@ class Search {
     }
 
     /// Forgets what was said of effects that have left.
-    void drop(const std::vector<std::string>& names, const char* why) {
-        for (const std::string& name : names) {
-            result_.log.push_back({name, why, 0, 0, 0, {}});
-            const auto at = std::ranges::find_if(result_.found, [&](const Found& found) {
-                return found.equivalents.starts_with(name);
-            });
-            if (at != result_.found.end()) result_.found.erase(at);
+    void drop(const std::vector<Gone>& all, const char* why) {
+        for (const Gone& gone : all) {
+            result_.log.push_back({gone.name, why, 0, 0, 0, {}});
+            result_.found.erase(result_.found.begin() +
+                                static_cast<std::ptrdiff_t>(gone.index));
         }
         name_halves_as_wholes();
     }
@@ -148,6 +164,7 @@ class Search {
     const LoopData& data_;
     LoopResult& result_;
     double threshold_ = 0;  ///< of the last step
+    std::vector<std::string> barred_;
 };
 
 /// Everything of one building; empty where it cannot be simulated as described.

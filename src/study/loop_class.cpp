@@ -57,13 +57,13 @@ bool is_as_good(std::span<const double> losses, std::span<const double> chosen) 
 
 EffectClass class_of(const LoopData& data, const Standing& before, const Step& step) {
     const Refitted& chosen = step.ranking[static_cast<std::size_t>(step.chosen)];
-    const auto own = losses_of(data, before, chosen.standing.left_out);
+    const auto own = losses_of(data, before, chosen.left_out);
     EffectClass found{{chosen.effect.name}, {}, true};
     for (const Refitted& other : step.ranking) {
-        if (&other == &chosen || other.standing.left_out.empty()) continue;
+        if (&other == &chosen || other.left_out.empty()) continue;
         if (found.rivals.size() < most_rivals) found.rivals.push_back(other.effect);
         if (!is_near(other, chosen) || other.effect.name == chosen.effect.name ||
-            !is_as_good(losses_of(data, before, other.standing.left_out), own))
+            !is_as_good(losses_of(data, before, other.left_out), own))
             continue;
         found.is_told = false;
         if (other.effect.number != 0 && found.names.size() < most_names &&

@@ -23,6 +23,11 @@ struct DaySums {
     double with_residual = 0, with_itself = 0;
 };
 
+bool is_by_the_day(const physics::Channel& channel) {
+    return channel.interval != physics::Interval::monthly &&
+           channel.interval != physics::Interval::annual;
+}
+
 /// Adds the sums of those days of the period whose number leaves `pass`.
 void add_days(const LoopData& data, const Place& place, const Standing& standing,
               int pass, std::map<int, DaySums>& sums) {
@@ -40,7 +45,8 @@ void add_days(const LoopData& data, const Place& place, const Standing& standing
     const Matrix predicted = built.fit_model->predict(point);
     for (std::size_t c = 0; c < data.targets.n_channels(); ++c) {
         const ChannelNoise& noise = standing.noise[c];
-        if (noise.share < least_share) continue;
+        if (noise.share < least_share || !is_by_the_day(data.targets.channels[c]))
+            continue;
         for (std::size_t k = data.targets.first[c]; k < data.targets.first[c + 1]; ++k) {
             const int day = day_of(data.begins[k]);
             if ((day - first) % apart != pass || std::isnan(data.targets.measured[k]))

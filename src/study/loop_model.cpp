@@ -106,29 +106,42 @@ void add_planes(physics::Building& building) {
     }
 }
 
-/// The place of a number in every zone, as a parameter.
-physics::Parameter parameter_of(const physics::Building& building,
-                                const Refinement::Number& number) {
-    return {number.name,
-            "",
-            number.least,
-            number.most,
-            physics::Effect::replace,
-            physics::resolve(building, number.path),
-            number.mean};
+/// Where a number stands in every zone, but what a parameter of the job calibrates: that
+/// one keeps its prior.
+std::vector<physics::Target> free_targets(const Place& place, const char* path) {
+    std::vector<physics::Target> targets = physics::resolve(place.building, path);
+    std::erase_if(targets, [&](const physics::Target& target) {
+        return std::ranges::any_of(place.parameters, [&](const auto& parameter) {
+            return std::ranges::any_of(parameter.targets, [&](const auto& taken) {
+                return physics::is_same_number(target, taken);
+            });
+        });
+    });
+    return targets;
+}
+
+void add_number(const Refinement::Number& number, Place& place) {
+    auto targets = free_targets(place, number.path);
+    if (targets.empty()) return;
+    std::string name = number.name;
+    if (std::ranges::find(place.unknowns, name, &FitUnknown::name) !=
+        place.unknowns.end())
+        name += " of the structure";
+    for (const physics::Target& target : targets)
+        physics::number_at(place.building, target) = number.mean;
+    place.parameters.push_back({name, "", number.least, number.most,
+                                physics::Effect::replace, std::move(targets),
+                                number.mean});
+    place.unknowns.push_back(
+        {name, "", number.mean, number.sd, number.least, number.most, true});
 }
 
 void add_structure(const std::vector<std::size_t>& structure, Place& place) {
     for (const std::size_t index : structure) {
         const auto& always = refinements()[index].effects;
         place.always.insert(place.always.end(), always.begin(), always.end());
-        for (const Refinement::Number& number : refinements()[index].numbers) {
-            place.parameters.push_back(parameter_of(place.building, number));
-            place.unknowns.push_back({number.name, "", number.mean, number.sd,
-                                      number.least, number.most, true});
-            for (const physics::Target& target : place.parameters.back().targets)
-                physics::number_at(place.building, target) = number.mean;
-        }
+        for (const Refinement::Number& number : refinements()[index].numbers)
+            add_number(number, place);
     }
 }
 
@@ -161,6 +174,19 @@ void add_parameters(const LoopData& data, Place& place) {
     }
 }
 
+/// The job's series that effects may follow.
+void add_columns(const LoopData& data, const physics::Drive& drive,
+                 effects::Surroundings& around) {
+    const auto& profiles = data.building.profiles;
+    for (std::size_t p = 0; p < profiles.size(); ++p) {
+        if (std::ranges::find(data.options.columns, profiles[p].name) ==
+            data.options.columns.end())
+            continue;
+        const auto row = drive.profiles.row(p);
+        around.columns[profiles[p].name].assign(row.begin(), row.end());
+    }
+}
+
 bool is_monthly(const physics::Channel& channel) {
     return channel.interval == physics::Interval::monthly;
 }
@@ -173,23 +199,51 @@ double mean_of_measured(const Targets& targets, std::size_t channel) {
     return n > 0 ? sum / n : 0;
 }
 
-/// What energy a meter carries, next to that of the largest.
-std::vector<double> shares_of(const Targets& targets) {
-    std::vector<double> means;
-    means.reserve(targets.n_channels());
-    for (std::size_t c = 0; c < targets.n_channels(); ++c)
-        means.push_back(mean_of_measured(targets, c) /
-                        (is_monthly(targets.channels[c]) ? 730 : 1));
+bool is_air(const physics::Channel& channel) {
+    return channel.quantity == physics::Quantity::air_temperature;
+}
+
+/// Mean energy of an hour; of a temperature the mean of what is read.
+double hourly_mean(const LoopData& data, std::size_t channel) {
+    const double mean = mean_of_measured(data.targets, channel);
+    const physics::Channel& read = data.targets.channels[channel];
+    return is_air(read) ? mean : mean / hours_of(read.interval, data.building.step_s);
+}
+
+/// Of all energy meters [kWh in an hour].
+double largest_mean(const LoopData& data) {
     double largest = 0;
-    for (std::size_t c = 0; c < means.size(); ++c)
-        if (targets.channels[c].quantity != physics::Quantity::air_temperature)
-            largest = std::max(largest, means[c]);
+    for (std::size_t c = 0; c < data.targets.n_channels(); ++c)
+        if (!is_air(data.targets.channels[c]))
+            largest = std::max(largest, hourly_mean(data, c));
+    return largest;
+}
+
+/// What energy a meter carries, next to that of the largest.
+std::vector<double> shares_of(const LoopData& data) {
     constexpr double enough = 0.1;  ///< of the largest: then it counts whole
-    for (std::size_t c = 0; c < means.size(); ++c)
-        means[c] = targets.channels[c].quantity == physics::Quantity::air_temperature
-                       ? 1
-                       : std::clamp(means[c] / (enough * largest), 0.01, 1.0);
-    return means;
+    constexpr double least = 0.01;
+    const double largest = largest_mean(data);
+    std::vector<double> shares;
+    for (std::size_t c = 0; c < data.targets.n_channels(); ++c) {
+        if (is_air(data.targets.channels[c]))
+            shares.push_back(1);
+        else if (largest > 0)
+            shares.push_back(
+                std::clamp(hourly_mean(data, c) / (enough * largest), least, 1.0));
+        else
+            shares.push_back(least);
+    }
+    return shares;
+}
+
+/// Of a meter whose readings, or whose errors, are all the same: they say nothing of its
+/// noise. A tenth of what the largest meter shows, of a temperature 1 K.
+double sigma_of_constant(const LoopData& data, std::size_t channel) {
+    const physics::Channel& read = data.targets.channels[channel];
+    const double largest = largest_mean(data);
+    if (is_air(read) || largest <= 0) return 1;
+    return 0.1 * largest * hours_of(read.interval, data.building.step_s);
 }
 
 bool is_hourly(const physics::Channel& channel) {
@@ -362,6 +416,7 @@ Place make_place(const LoopData& data, const std::vector<std::size_t>& structure
     place.surroundings =
         std::make_shared<effects::Surroundings>(effects::make_surroundings(
             *described, *place.drive, data.building.weather, data.training().from));
+    add_columns(data, *place.drive, *place.surroundings);
     place.channels = data.targets.channels;
     return place;
 }
@@ -416,12 +471,13 @@ std::vector<double> weights_of(const Targets& targets,
 std::vector<ChannelNoise> noise_of(const LoopData& data,
                                    std::span<const double> residuals) {
     const std::vector<double> squares = mean_squares(data.targets, residuals);
-    const std::vector<double> shares = shares_of(data.targets);
+    const std::vector<double> shares = shares_of(data);
     std::vector<ChannelNoise> noise;
     double logs = 0, n = 0;
     for (std::size_t c = 0; c < squares.size(); ++c) {
         const double least = least_sigma(data.targets, c);
-        noise.push_back({std::max(std::hypot(std::sqrt(squares[c]), least), 1e-9),
+        const double sigma = std::hypot(std::sqrt(squares[c]), least);
+        noise.push_back({sigma > 1e-9 ? sigma : sigma_of_constant(data, c),
                          kappa_of(data, c, residuals), shares[c], least});
         if (!is_hourly(data.targets.channels[c])) continue;
         logs += shares[c] * std::log(noise[c].kappa);
@@ -454,8 +510,10 @@ double deviance(const Targets& targets, const std::vector<ChannelNoise>& noise,
         const auto measured = targets.of(c, targets.measured);
         const auto n = static_cast<double>(
             std::ranges::count_if(measured, [](double v) { return !std::isnan(v); }));
-        sum += noise[c].share * n / noise[c].kappa *
-               std::log(std::max(squares[c] + noise[c].least * noise[c].least, 1e-12));
+        const double met = 1e-3 * noise[c].sigma;  // as good as exactly
+        sum +=
+            noise[c].share * n / noise[c].kappa *
+            std::log(std::max(squares[c] + noise[c].least * noise[c].least, met * met));
     }
     return sum;
 }

@@ -254,9 +254,9 @@ Standing without_effect(const LoopData& data, const Place& place,
 
 }  // namespace
 
-std::vector<std::string> prune(const LoopData& data, const Place& place,
-                               Standing& standing, double least) {
-    std::vector<std::string> gone;
+std::vector<Gone> prune(const LoopData& data, const Place& place, Standing& standing,
+                        double least) {
+    std::vector<Gone> gone;
     while (!standing.model.effects.empty()) {
         double lowest = least;
         std::size_t weakest = 0;
@@ -270,16 +270,16 @@ std::vector<std::string> prune(const LoopData& data, const Place& place,
             best = std::move(without);
         }
         if (!best.built.fit_model) break;
-        gone.push_back(standing.model.effects[weakest].name);
+        gone.push_back({weakest, standing.model.effects[weakest].name});
         settle(data, best);
         standing = std::move(best);
     }
     return gone;
 }
 
-std::vector<std::string> prune_implausible(const LoopData& data, const Place& place,
-                                           Standing& standing) {
-    std::vector<std::string> gone;
+std::vector<Gone> prune_implausible(const LoopData& data, const Place& place,
+                                    Standing& standing) {
+    std::vector<Gone> gone;
     for (std::size_t k = 0; k < standing.model.effects.size();) {
         if (is_plausible(standing.model.effects[k], standing.coefficient(k))) {
             ++k;
@@ -287,7 +287,7 @@ std::vector<std::string> prune_implausible(const LoopData& data, const Place& pl
         }
         Standing without = without_effect(data, place, standing, k);
         if (without.fit.failed) return gone;
-        gone.push_back(standing.model.effects[k].name);
+        gone.push_back({k, standing.model.effects[k].name});
         settle(data, without);
         standing = std::move(without);
         k = 0;

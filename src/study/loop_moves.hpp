@@ -42,15 +42,21 @@ inline constexpr const char* of_use = ": use";
 bool split(const LoopData& data, const Place& place, Standing& standing,
            std::size_t effect, double least);
 
+/// An effect that has left: its place among those that were there at that moment.
+struct Gone {
+    std::size_t index;
+    std::string name;
+};
+
 /// Effects leave that the model can do without for less than so much evidence, the least
 /// first; where one half leaves of an effect that was split, the other stands for both
-/// again. Returns their names.
-std::vector<std::string> prune(const LoopData& data, const Place& place,
-                               Standing& standing, double least);
+/// again. Returns them in that order.
+std::vector<Gone> prune(const LoopData& data, const Place& place, Standing& standing,
+                        double least);
 
 /// Effects leave whose coefficients have left what is plausible, as shapes moved or
-/// others joined. Returns their names.
-std::vector<std::string> prune_implausible(const LoopData& data, const Place& place,
-                                           Standing& standing);
+/// others joined. Returns them in the order in which they left.
+std::vector<Gone> prune_implausible(const LoopData& data, const Place& place,
+                                    Standing& standing);
 
 }  // namespace bemcal::study

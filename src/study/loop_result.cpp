@@ -71,24 +71,22 @@ Months months_of(const std::vector<physics::Seconds>& begins,
     return months;
 }
 
-/// Readings of a meter read by the month, beside the hours' sums.
+/// The same of a meter that is not read by the hour: the hours of its intervals, then the
+/// months of these.
 Months read_by_month(const std::vector<physics::Seconds>& begins,
                      std::span<const double> simulated, const physics::Readings& readings,
                      const physics::TimeAxis& axis) {
-    Months months;
-    const auto of_months = begins_of(axis, readings.interval);
-    std::vector<double> sums(of_months.size(), 0.0);
-    std::size_t month = 0;
+    const auto intervals = begins_of(axis, readings.interval);
+    std::vector<double> sums(intervals.size(), 0.0), hours(intervals.size(), 0.0);
+    std::size_t at = 0;
     for (std::size_t k = 0; k < begins.size(); ++k) {
-        while (month + 1 < of_months.size() && of_months[month + 1] <= begins[k]) ++month;
-        sums[month] += simulated[k];
+        while (at + 1 < intervals.size() && intervals[at + 1] <= begins[k]) ++at;
+        sums[at] += simulated[k];
+        hours[at] += 1;
     }
-    for (std::size_t m = 0; m < sums.size(); ++m)
-        if (!std::isnan(readings.values[m])) {
-            months.simulated.push_back(sums[m]);
-            months.measured.push_back(readings.values[m]);
-        }
-    return months;
+    const bool is_mean = readings.quantity == physics::Quantity::air_temperature;
+    for (std::size_t k = 0; k < sums.size() && is_mean; ++k) sums[k] /= hours[k];
+    return months_of(intervals, sums, readings.values, is_mean);
 }
 
 /// Mean outdoor temperature of each hour of the drive's period.
@@ -116,7 +114,11 @@ void push(std::vector<double>& to, const stats::FitMetrics& metrics) {
 class Writer {
   public:
     Writer(const std::string& stage, const LoopData& data, const LoopResult& result)
-        : data_(data), result_(result), out_(stage), channels_(data.meters.size()) {}
+        : data_(data),
+          result_(result),
+          decisions_(data.building.decisions),
+          out_(stage),
+          channels_(data.meters.size()) {}
 
     std::vector<Dataset> write() {
         names();
@@ -125,6 +127,7 @@ class Writer {
         effects_found();
         power();
         fits();
+        decisions();
         return out_.take();
     }
 
@@ -219,7 +222,6 @@ class Writer {
         out_.vector("structure_score", "structure", scores);
         out_.scalar("misfit", result_.misfit);
         out_.text("structure_chosen", name_of(result_.baseline.chosen.model.structure));
-        decisions();
         steps();
         localisation();
         std::vector<double> share;
@@ -235,7 +237,7 @@ class Writer {
 
     void decisions() {
         std::vector<std::string> series, finding, action;
-        for (const DataDecision& decision : data_.building.decisions) {
+        for (const DataDecision& decision : decisions_) {
             series.push_back(decision.series);
             finding.push_back(decision.finding);
             action.push_back(decision.action);
@@ -358,11 +360,11 @@ class Writer {
     void fits_of(std::size_t p, std::vector<double>& all) {
         const Period& period = data_.building.periods[p];
         const auto drive = data_.drive_over(period);
-        std::vector<std::vector<std::vector<double>>> hours;
-        for (const Standing* standing : standings_of(result_))
-            hours.push_back(hours_of(data_, result_.baseline, *standing, drive));
         const physics::TimeAxis axis = axis_of(data_.building, period);
         const auto begins = begins_of(axis, physics::Interval::hourly);
+        std::vector<std::vector<std::vector<double>>> hours;
+        for (std::size_t m = 0; m < 3; ++m)
+            hours.push_back(predicted(m, period, drive, begins.size()));
         const auto readings = readings_of(data_.building, period);
         out_.times(period.name + "/time", begins);
         out_.vector(period.name + "/outdoor_temperature", "time", outdoors_of(*drive));
@@ -397,8 +399,24 @@ class Writer {
         }
     }
 
+    /// A model's hours of a period; NaN where it follows something that is missing there,
+    /// which a decision then says.
+    std::vector<std::vector<double>> predicted(
+        std::size_t model, const Period& period,
+        const std::shared_ptr<const physics::Drive>& drive, std::size_t n_hours) {
+        try {
+            return hours_of(data_, result_.baseline, *standings_of(result_)[model],
+                            drive);
+        } catch (const std::exception& error) {
+            decisions_.push_back({"period " + period.name, error.what(),
+                                  "not predicted by '" + model_names[model] + "'"});
+            return {channels_, std::vector<double>(n_hours, nan)};
+        }
+    }
+
     const LoopData& data_;
     const LoopResult& result_;
+    std::vector<DataDecision> decisions_;  ///< of the data, then of periods
     DatasetBuilder out_;
     std::size_t channels_;
     std::vector<std::string> channel_names_;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -22,7 +23,8 @@ bool is_excluded(const LoopOptions& options, const effects::Effect& effect) {
 }
 
 std::vector<effects::Effect> candidates_of(const LoopData& data, const Place& place,
-                                           const Standing& standing) {
+                                           const Standing& standing,
+                                           const std::vector<std::string>& barred) {
     const auto meters = data.quantities();
     auto all = effects::named_candidates(*place.surroundings, meters);
     if (data.options.generic) {
@@ -32,6 +34,7 @@ std::vector<effects::Effect> candidates_of(const LoopData& data, const Place& pl
     if (auto days = closed_days(data, place, standing)) all.push_back(*days);
     std::erase_if(all, [&](const effects::Effect& effect) {
         return is_excluded(data.options, effect) ||
+               std::ranges::find(barred, effect.name) != barred.end() ||
                std::ranges::any_of(standing.model.effects, [&](const auto& there) {
                    return effects::are_equal(effect, there);
                });
@@ -140,17 +143,19 @@ std::vector<BlockChange> changes_of(std::span<const double> weights,
 void judge_left_out(const LoopData& data, const Standing& before, Unseen& unseen,
                     Refitted& candidate) {
     const auto& [blocks, old_left] = unseen.blocks_for(candidate.effect);
-    candidate.standing.left_out = left_out_of(
-        data, candidate.standing.built, candidate.standing.fit, before.noise, blocks);
+    candidate.left_out = left_out_of(data, candidate.standing.built,
+                                     candidate.standing.fit, before.noise, blocks);
     candidate.score = deviance(data.targets, before.noise, old_left) -
-                      deviance(data.targets, before.noise, candidate.standing.left_out);
-    candidate.consistency =
-        consistency_of(changes_of(weights_of(data.targets, before.noise), blocks,
-                                  old_left, candidate.standing.left_out));
+                      deviance(data.targets, before.noise, candidate.left_out);
+    candidate.consistency = consistency_of(changes_of(
+        weights_of(data.targets, before.noise), blocks, old_left, candidate.left_out));
     const auto old_squares = mean_squares(data.targets, old_left),
-               squares = mean_squares(data.targets, candidate.standing.left_out);
-    for (std::size_t c = 0; c < squares.size(); ++c)
-        candidate.error.push_back(std::sqrt(squares[c] / old_squares[c]) - 1);
+               squares = mean_squares(data.targets, candidate.left_out);
+    for (std::size_t c = 0; c < squares.size(); ++c) {
+        const bool nothing_to_change = squares[c] == old_squares[c];  // 0 and 0
+        candidate.error.push_back(
+            nothing_to_change ? 0 : std::sqrt(squares[c] / old_squares[c]) - 1);
+    }
 }
 
 physics::Seconds last_quarter_of(const LoopData& data) {
@@ -158,27 +163,43 @@ physics::Seconds last_quarter_of(const LoopData& data) {
     return first + 3 * (last - first) / 4;
 }
 
-/// Relative change of the weighted error in the last quarter of training under fits to
-/// the first three: what follows time must foretell what comes.
-double change_of_last_quarter(const LoopData& data, const Standing& before,
-                              const Standing& after) {
-    const auto from = last_quarter_of(data);
-    auto weights = weights_of(data.targets, before.noise);
-    std::vector<double> is_last(weights.size(), 0.0);
-    for (std::size_t k = 0; k < weights.size(); ++k)
-        if (data.begins[k] >= from) std::swap(is_last[k], weights[k]);
-    const auto error_of = [&](const Standing& standing) {
+/// The weighted error in the last quarter of training under fits to the first three: what
+/// follows time must foretell what comes.
+class LastQuarter {
+  public:
+    LastQuarter(const LoopData& data, const Standing& before)
+        : data_(data),
+          before_(before),
+          weights_(weights_of(data.targets, before.noise)),
+          is_last_(weights_.size(), 0.0) {
+        const auto from = last_quarter_of(data);
+        for (std::size_t k = 0; k < weights_.size(); ++k)
+            if (data.begins[k] >= from) std::swap(is_last_[k], weights_[k]);
+    }
+
+    /// Relative change from the model before.
+    double change_to(const Standing& after) {
+        if (std::isnan(error_before_)) error_before_ = error_of(before_);
+        return std::sqrt(error_of(after) / error_before_) - 1;
+    }
+
+  private:
+    double error_of(const Standing& standing) const {
         const Fit fitted =
-            fit(*standing.built.fit_model, standing.built.unknowns, data.targets.measured,
-                weights, standing.fit.at.x, {4, 1e-3});
-        const auto residuals = residuals_of(data.targets.measured, fitted.at.predicted);
+            fit(*standing.built.fit_model, standing.built.unknowns,
+                data_.targets.measured, weights_, standing.fit.at.x, {4, 1e-3});
+        const auto residuals = residuals_of(data_.targets.measured, fitted.at.predicted);
         double sum = 0;
         for (std::size_t k = 0; k < residuals.size(); ++k)
-            sum += is_last[k] * residuals[k] * residuals[k];
+            sum += is_last_[k] * residuals[k] * residuals[k];
         return sum;
-    };
-    return std::sqrt(error_of(after) / error_of(before)) - 1;
-}
+    }
+
+    const LoopData& data_;
+    const Standing& before_;
+    std::vector<double> weights_, is_last_;
+    double error_before_ = std::numeric_limits<double>::quiet_NaN();
+};
 
 /// Whether the effect acts in the last quarter: what it changes there, of all, counts.
 bool acts_in_last_quarter(const LoopData& data, const Standing& before,
@@ -266,8 +287,9 @@ struct Demand {
 
 /// What the last quarter of training objects to; empty: nothing.
 const char* objection_of_time(const LoopData& data, const Standing& before,
-                              const Refitted& candidate, const Demand& demand) {
-    const double change = 100 * change_of_last_quarter(data, before, candidate.standing);
+                              const Refitted& candidate, const Demand& demand,
+                              LastQuarter& last_quarter) {
+    const double change = 100 * last_quarter.change_to(candidate.standing);
     if (change > demand.most_loss && !demand.is_overwhelming)
         return "last quarter is foretold worse";
     if (candidate.effect.driver == effects::Driver::elapsed &&
@@ -283,14 +305,15 @@ const char* objection_of_time(const LoopData& data, const Standing& before,
 
 /// The first gate that is not passed.
 std::string objection_to(const LoopData& data, const Standing& before,
-                         const Refitted& candidate, double threshold) {
+                         const Refitted& candidate, double threshold,
+                         LastQuarter& last_quarter) {
     if (candidate.standing.fit.failed) return "cannot be simulated";
     if (candidate.gain <= threshold) return "evidence below what noise shows";
     if (!is_plausible(candidate.effect, candidate.coefficient))
         return "coefficient not plausible";
     const ErrorChange change = error_change_of(before, candidate);
     const Demand demand(data.options, candidate, threshold, change.lowest);
-    if (100 * change.mean > -demand.least) return "left-out error falls too little";
+    if (!(100 * change.mean <= -demand.least)) return "left-out error falls too little";
     if (100 * change.highest > demand.most_loss) return "left-out error of a meter rises";
     if (candidate.score <= 0) return "left-out score falls";
     constexpr double seldom = 2;  ///< standard errors
@@ -298,7 +321,7 @@ std::string objection_to(const LoopData& data, const Standing& before,
         return "too few unseen fortnights gain";
     if (candidate.standing.fit.bound.back() != 0)
         return "coefficient at the end of its range";
-    return objection_of_time(data, before, candidate, demand);
+    return objection_of_time(data, before, candidate, demand, last_quarter);
 }
 
 /// Dozens of candidates stand beside each other; only one is fitted on, from its start.
@@ -422,10 +445,11 @@ bool is_plausible(const effects::Effect& effect, double c) {
     return c >= from && c <= to;
 }
 
-Step search(const LoopData& data, const Place& place, const Standing& standing) {
+Step search(const LoopData& data, const Place& place, const Standing& standing,
+            const std::vector<std::string>& barred) {
     Step step;
-    step.screened =
-        screen(data, place, standing, candidates_of(data, place, standing), Keep::gains);
+    step.screened = screen(data, place, standing,
+                           candidates_of(data, place, standing, barred), Keep::gains);
     step.ranking = refit_all(data, place, standing, shortlist(step.screened));
     const std::size_t n_judged = std::min(most_judged, step.ranking.size());
     for (std::size_t k = 0; k < n_judged; ++k) finish(data, standing, step.ranking[k]);
@@ -433,6 +457,7 @@ Step search(const LoopData& data, const Place& place, const Standing& standing) 
     move_dates(data, place, standing, step.ranking, n_judged);
     step.threshold = threshold_of(data, place, standing, step);
     Unseen unseen(data, standing);
+    LastQuarter last_quarter(data, standing);
     for (std::size_t k = 0; k < step.ranking.size(); ++k) {
         Refitted& candidate = step.ranking[k];
         if (k >= n_judged) {
@@ -442,7 +467,8 @@ Step search(const LoopData& data, const Place& place, const Standing& standing) 
         candidate.coefficient =
             candidate.standing.coefficient(candidate.standing.model.effects.size() - 1);
         judge_left_out(data, standing, unseen, candidate);
-        candidate.objection = objection_to(data, standing, candidate, step.threshold);
+        candidate.objection =
+            objection_to(data, standing, candidate, step.threshold, last_quarter);
     }
     step.chosen = choice_of(step.ranking);
     if (step.chosen >= 0)

@@ -44,9 +44,11 @@ struct Refitted {
     Standing standing;
     double gain = 0;   ///< of evidence: fall of the deviance less what freedom costs
     double score = 0;  ///< fall of the deviance of left-out blocks
-    std::vector<double> error{};  ///< [channels] relative change of the left-out error
-    double consistency = 0;       ///< fall of the blocks' losses over its standard error
-    std::string objection{};      ///< the gate that it did not pass; empty = none
+    std::vector<double> error{};     ///< [channels] relative change of the left-out error
+    std::vector<double> left_out{};  ///< [targets] residuals of unseen blocks, by the
+                                     ///< noise of the model before
+    double consistency = 0;   ///< fall of the blocks' losses over its standard error
+    std::string objection{};  ///< the gate that it did not pass; empty = none
     double coefficient = 0;
 };
 
@@ -57,7 +59,9 @@ struct Step {
     int chosen = -1;  ///< of ranking; -1 = nothing passes
     std::vector<Screened> screened;
 };
-Step search(const LoopData& data, const Place& place, const Standing& standing);
+/// \param barred  names of effects that are not tried: they have left again at once
+Step search(const LoopData& data, const Place& place, const Standing& standing,
+            const std::vector<std::string>& barred = {});
 
 /// Whether a coefficient lies in its effect's plausible range or little beyond.
 bool is_plausible(const effects::Effect& effect, double coefficient);

@@ -65,21 +65,6 @@ std::vector<stats::Prior> counted_priors(const Case& building,
     return priors;
 }
 
-double hours_of(physics::Interval interval, int step_s) {
-    switch (interval) {
-        case physics::Interval::step:
-            return step_s / 3600.0;
-        case physics::Interval::hourly:
-            return 1;
-        case physics::Interval::daily:
-            return 24;
-        case physics::Interval::monthly:
-            return 730;
-        default:
-            return 8760;
-    }
-}
-
 }  // namespace
 
 StageGoal::StageGoal(const Case& building, const PeriodModels& models,

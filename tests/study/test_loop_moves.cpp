@@ -39,19 +39,27 @@ std::vector<std::string> names_of(const std::vector<effects::Effect>& effects) {
     return names;
 }
 
+std::vector<std::string> names_of(const std::vector<Gone>& all) {
+    std::vector<std::string> names;
+    for (const Gone& gone : all) names.push_back(gone.name);
+    return names;
+}
+
 using Names = std::vector<std::string>;
 
 }  // namespace
 
 TEST(LoopMoves, AnEffectThatCarriesNothingLeaves) {
     Model model;
-    EXPECT_EQ(prune(model.data, model.place, model.standing, 10), Names{"exhaust fan"});
+    const auto gone = prune(model.data, model.place, model.standing, 10);
+    EXPECT_EQ(names_of(gone), Names{"exhaust fan"});
+    EXPECT_EQ(gone[0].index, 0U);
     EXPECT_EQ(names_of(model.standing.model.effects), Names{"wind infiltration"});
 }
 
 TEST(LoopMoves, EffectsThatCarryTooLittleLeaveTheLeastFirst) {
     Model model;
-    EXPECT_EQ(prune(model.data, model.place, model.standing, 1e9),
+    EXPECT_EQ(names_of(prune(model.data, model.place, model.standing, 1e9)),
               (Names{"exhaust fan", "wind infiltration"}));
     EXPECT_TRUE(model.standing.model.effects.empty());
     EXPECT_EQ(model.standing.fit.at.x.size(), model.place.unknowns.size());
@@ -62,7 +70,7 @@ TEST(LoopMoves, AnEffectLeavesWhoseCoefficientIsNoLongerPlausible) {
     prune(model.data, model.place, model.standing, 10);
     EXPECT_TRUE(prune_implausible(model.data, model.place, model.standing).empty());
     model.standing.model.effects[0].most = 0.01;
-    EXPECT_EQ(prune_implausible(model.data, model.place, model.standing),
+    EXPECT_EQ(names_of(prune_implausible(model.data, model.place, model.standing)),
               Names{"wind infiltration"});
     EXPECT_TRUE(model.standing.model.effects.empty());
 }
