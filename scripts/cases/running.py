@@ -30,7 +30,9 @@ def run(program, job, result, ranks, words=(), may_fail=False, **more):
     before = made_at(result)
     code = subprocess.run(command, env=environment(), **more).returncode
     good = (0, TARGET_MISSED, SOME_FAILED) if may_fail else (0, TARGET_MISSED)
-    if code not in good or made_at(result) == before:
+    is_whole = code == 0 and "--resume" in words  # and was, where nothing was left to do
+    is_made = made_at(result) is not None and (is_whole or made_at(result) != before)
+    if code not in good or not is_made:
         error = CaseError(f"{job}: no result, exit code {code}")
         error.code = code
         raise error

@@ -148,9 +148,9 @@ def unexplained(loop):
              + (f" ({where[c]})" if c < len(where) and where[c] else "")
              for share, c in sorted(known, reverse=True) if share >= LARGE]
     if large:
-        return "Not explained: of the variance that remains, weather and calendar still predict " + \
+        return "Not explained: of the variance that remains, hour, weekday and season still predict " + \
             listed(large) + "."
-    return "Of what remains, weather and calendar predict less than 2 % of the variance." \
+    return "Of what remains, hour, weekday and season predict less than 2 % of the variance." \
         if known else ""
 
 

@@ -78,7 +78,7 @@ void check_loop(const Section& section, const study::LoopOptions& options,
 
 std::string sentence_of(const study::LoopOptions& options) {
     const std::string columns =
-        options.columns.empty()
+        options.columns.empty() || !options.generic
             ? std::string()
             : fmt::format(", which may follow {}", fmt::join(options.columns, ", "));
     const std::string excluded =

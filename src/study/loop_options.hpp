@@ -18,7 +18,7 @@ struct LoopOptions {
     double least_gain = 2;       ///< fall of the held-out error in training blocks, as
                                  ///< a mean over channels [%]
     double most_loss = 1;        ///< rise of it that every channel may show [%]
-    double alpha = 0.01;         ///< chance of a false effect in one step of the search
+    double alpha = 0.01;         ///< level of what noise alone shows among those refitted
     std::uint64_t seed = 0;
     /// Values of parameters where the first fit starts; those left out start at their
     /// prior's mean.

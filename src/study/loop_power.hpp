@@ -18,8 +18,6 @@ struct Power {
 
 constexpr double least_detectability = 5;
 
-constexpr double one_class = 0.98;  ///< of correlation; not used
-
 struct PowerTable {
     std::vector<Power> rows;
     std::vector<Screened> screened;  ///< [rows] with signatures

@@ -244,6 +244,20 @@ TEST(Schedules, AnotherDayPassesOverClosedDays) {
     EXPECT_EQ(friday[at("2021-03-07 18:00")], 0);
 }
 
+// A held-out period may be a few days; what moves schedules in training moves them there.
+TEST(Schedules, OfAFewDaysAreSchedulesTooByTheDaysBefore) {
+    physics::Drive drive = office().drive;
+    drive.n_warm_up = drive.n_steps() - 5 * 24;
+    const auto own = drive.profiles.row(test::office_hours_row);
+    EXPECT_TRUE(is_schedule(own, drive));
+    EXPECT_FALSE(is_schedule(office().around.wind, drive));
+    for (int weekday = 0; weekday < 7; ++weekday) {
+        const std::vector<double> other = as_on(weekday, own, drive);
+        const auto last = std::span(other).last(5 * 24);
+        EXPECT_EQ(*std::ranges::max_element(last), weekday < 5 ? 1 : 0) << weekday;
+    }
+}
+
 TEST(Schedules, LaterByHoursIsLinearBetweenSteps) {
     const physics::Drive& drive = office().drive;
     const auto own = drive.profiles.row(test::office_hours_row);

@@ -266,12 +266,12 @@ class Results(Folders):
 
 
 class Runs(Folders):
-    def run_program(self, code, writes=True, may_fail=False):
+    def run_program(self, code, writes=True, may_fail=False, words=()):
         """A program that writes its result, or does not, and ends with `code`."""
         program, result = self.folder / "program", self.folder / "result.h5"
         program.write_text(f"#!/bin/sh\n{'echo > $4' if writes else ':'}\nexit {code}\n")
         program.chmod(0o755)
-        return running.run(program, "job.toml", result, 1, may_fail=may_fail)
+        return running.run(program, "job.toml", result, 1, words, may_fail=may_fail)
 
     def test_a_missed_target_has_a_result(self):
         self.run_program(0)
@@ -283,6 +283,14 @@ class Runs(Folders):
             with self.assertRaises(loop_result.CaseError) as raised:
                 self.run_program(code, writes)
             self.assertEqual(raised.exception.code, code)
+
+    def test_a_whole_result_that_is_gone_on_with_is_one(self):
+        with self.assertRaises(loop_result.CaseError):
+            self.run_program(0, writes=False, words=["--resume"])
+        self.run_program(0)
+        self.run_program(0, writes=False, words=["--resume"])
+        with self.assertRaises(loop_result.CaseError):
+            self.run_program(1, writes=False, words=["--resume"])
 
     def test_where_items_may_fail_the_others_are_a_result(self):
         self.assertEqual(self.run_program(65, may_fail=True), 65)

@@ -72,6 +72,26 @@ TEST(Loop, PredictsEveryHourOfAPeriodThatIsNotMeasured) {
     for (const double value : hours) EXPECT_TRUE(std::isfinite(value));
 }
 
+// The effect follows the wind, which the second period's weather lacks: the other models
+// are predicted there, and a decision says why this one is not.
+TEST(Loop, APeriodThatLacksWhatAnEffectFollowsLosesThatModelOnly) {
+    Case made = windy_case();
+    measure(made, named("wind infiltration"), 0.08, 3);
+    for (std::size_t k = 24 * n_training; k < made.weather.wind_speed.size(); ++k)
+        made.weather.wind_speed[k] = std::nan("");
+    const auto datasets = searched(made);
+    ASSERT_EQ(test::find(datasets, "effect").texts.size(), 1U);
+    const auto& hours = test::find(datasets, "held_out/gas/simulated").values;
+    const std::size_t n = hours.size() / 3;
+    EXPECT_FALSE(std::isnan(hours[n]));     // before
+    EXPECT_TRUE(std::isnan(hours[2 * n]));  // after
+    EXPECT_FALSE(
+        std::isnan(test::find(datasets, "training/gas/simulated").values.back()));
+    EXPECT_EQ(test::find(datasets, "decision_series").texts.back(), "period held_out");
+    EXPECT_EQ(test::find(datasets, "decision_action").texts.back(),
+              "not predicted by 'after'");
+}
+
 TEST(Loop, ABuildingWithoutReadingsIsRefusedByName) {
     const std::vector<Case> buildings = {windy_case()};
     EXPECT_THROW(make_loop("loop", buildings, {}), std::invalid_argument);

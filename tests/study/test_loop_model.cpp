@@ -126,6 +126,97 @@ TEST(LoopModel, MonthsAreMetNoBetterThanAModelDeserves) {
     EXPECT_LT(gained, 0.02 * static_cast<double>(data.targets.size()));
 }
 
+TEST(LoopModel, EffectsMayFollowTheJobsSeries) {
+    Case rainy = measured_case();
+    physics::Profile rain;
+    rain.name = "rain";
+    rain.is_series = true;
+    rain.axis = rainy.weather.axis;
+    for (int k = 0; k < rain.axis.n_steps; ++k)
+        rain.values.push_back(k % 50 == 0 ? 3 : 0);
+    rainy.profiles.push_back(rain);
+    rainy.columns.push_back({"rain", "mm"});
+    const auto follow_rain = [&](const LoopOptions& options) {
+        const LoopData data(rainy, options);
+        const Place place = make_place(data, {}, data.drive);
+        const auto all =
+            effects::generic_candidates(*place.surroundings, data.quantities());
+        return std::ranges::count(all, "rain", &effects::Effect::column);
+    };
+    LoopOptions options;
+    EXPECT_EQ(follow_rain(options), 0);
+    options.columns = {"rain"};
+    EXPECT_GT(follow_rain(options), 0);
+    const LoopData data(rainy, options);
+    const auto& values =
+        make_place(data, {}, data.drive).surroundings->columns.at("rain");
+    ASSERT_EQ(values.size(), static_cast<std::size_t>(data.drive->n_steps()));
+    const auto first = static_cast<std::size_t>(data.drive->n_warm_up);
+    for (std::size_t k = 0; k < 100; ++k)  // training begins on the seventh day
+        EXPECT_EQ(values[first + k], rain.values[7 * 24 + k]);
+}
+
+TEST(LoopModel, WhatIsCalibratedAlreadyKeepsItsPrior) {
+    Case declared = measured_case();
+    physics::Parameter share;
+    share.name = "emitter_lag";  // the name of the refinement's other number
+    share.least = 0.1;
+    share.most = 0.6;
+    share.nominal = 0.3;
+    share.targets = physics::resolve(declared.building, "zone.*.emitter_radiant_share");
+    declared.parameters.push_back(share);
+    declared.priors.push_back(declared.priors.back());
+    const LoopData data(declared, LoopOptions{});
+    const Place place = make_place(data, {refinement("emitter")}, data.drive);
+    std::vector<std::string> names;
+    for (const FitUnknown& unknown : place.unknowns) names.push_back(unknown.name);
+    EXPECT_EQ(std::ranges::count(names, "emitter_lag"), 1);
+    EXPECT_EQ(names.back(), "emitter_lag of the structure");
+    EXPECT_EQ(std::ranges::count(names, "radiant_share"), 0);
+    EXPECT_EQ(place.parameters.size(), place.unknowns.size());
+}
+
+TEST(LoopModel, MetersThatShowNothingWeighLittle) {
+    Case two = measured_case();
+    Meter empty = two.meters[0];
+    empty.name = "district";
+    empty.quantity = physics::Quantity::district;
+    empty.values.assign(empty.values.size(), 0);
+    two.meters.push_back(empty);
+    for (const bool both_empty : {false, true}) {
+        if (both_empty) two.meters[0].values = empty.values;
+        const LoopData data(two, LoopOptions{});
+        const std::vector<double> none(data.targets.size(), 0);
+        for (const ChannelNoise& noise : noise_of(data, none)) {
+            EXPECT_GT(noise.share, 0);
+            EXPECT_GT(noise.sigma, 1e-3);
+        }
+        EXPECT_EQ(noise_of(data, none)[1].share, 0.01);
+    }
+}
+
+// A day's reading is 24 hours', and a month's 730: no meter counts more for being read
+// less often.
+TEST(LoopModel, SharesAreOfEnergyByTheHour) {
+    using physics::Interval;
+    Case two = measured_case();
+    two.meters[0].values.assign(two.meters[0].values.size(), 5);
+    Meter other = two.meters[0];
+    other.name = "electricity";
+    other.quantity = physics::Quantity::electricity;
+    for (const auto& [interval, of_reading] :
+         {std::pair{Interval::daily, 24.0}, {Interval::monthly, 730.0}}) {
+        other.interval = interval;
+        other.values.assign(other.values.size(), 5 * of_reading);
+        two.meters.resize(1);
+        two.meters.push_back(other);
+        const LoopData data(two, LoopOptions{});
+        for (const ChannelNoise& noise :
+             noise_of(data, std::vector<double>(data.targets.size(), 1)))
+            EXPECT_EQ(noise.share, 1);
+    }
+}
+
 TEST(LoopModel, ARefinementWithNothingToRefineIsRefusedByName) {
     Case dark = measured_case();
     for (physics::Surface& surface : dark.building.zones[0].surfaces)
