@@ -115,21 +115,6 @@ const char* name_of(Interval interval) {
     return names[static_cast<std::size_t>(interval)];
 }
 
-double hours_of(Interval interval, int step_s) {
-    switch (interval) {
-        case Interval::step:
-            return step_s / 3600.0;
-        case Interval::hourly:
-            return 1;
-        case Interval::daily:
-            return 24;
-        case Interval::monthly:
-            return 730;
-        default:
-            return 8760;
-    }
-}
-
 std::vector<int> interval_bounds(const TimeAxis& period, Interval interval) {
     if (interval == Interval::step) return every_step(period.n_steps);
     std::vector<int> bounds;

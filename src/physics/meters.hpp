@@ -16,8 +16,6 @@ Carrier carrier_of(Quantity quantity);   ///< none where it is not metered by a 
 /// Intervals of a meter: each a run of steps of the period.
 enum class Interval { step, hourly, daily, monthly, annual };
 const char* name_of(Interval interval);
-/// Its mean length [h]; of a simulation's step that of `step_s`.
-double hours_of(Interval interval, int step_s);
 
 /// First steps of each interval within [0, n), and n as the last entry. Daily, monthly
 /// and annual ones are the calendar's; a cut first or last one counts as an interval of

@@ -1,5 +1,7 @@
 #include "study/loop_model.hpp"
 
+#include "physics/interval_hours.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -1,5 +1,6 @@
 #include "study/staged_goal.hpp"
 
+#include "physics/interval_hours.hpp"
 #include "study/meter_goal.hpp"
 
 #include <algorithm>

@@ -13,11 +13,15 @@ using test::measure, test::n_days, test::n_training, test::named, test::windy_ca
 
 namespace {
 
-std::vector<Dataset> searched(const Case& made) {
+LoopOptions quick() {
     LoopOptions options;
     options.block_days = 7;
     options.try_structures = false;
     options.generic = false;
+    return options;
+}
+
+std::vector<Dataset> searched(const Case& made, const LoopOptions& options = quick()) {
     const std::vector<Case> buildings = {made};
     const auto stage = make_loop("loop", buildings, options);
     return stage->conclude({stage->run(0)});
@@ -36,6 +40,36 @@ TEST(Loop, FindsThePlantedEffectAndItsSize) {
     EXPECT_EQ(test::find(datasets, "effect_adequate").values[0], 1);
     // The model is the building: what does not pass is noise, and intervals are its own.
     EXPECT_EQ(test::find(datasets, "misfit").values[0], 1);
+}
+
+// Nothing in the catalogue follows rain; the grammar's terms do where the job names it.
+TEST(Loop, FindsWhatFollowsASeriesOfTheJob) {
+    Case made = windy_case();
+    physics::Profile rain;
+    rain.name = "rain";
+    rain.is_series = true;
+    rain.axis = made.weather.axis;
+    for (int k = 0; k < rain.axis.n_steps; ++k)
+        rain.values.push_back(k % 41 < 9 || k % 97 < 14 ? 2 : 0);
+    made.profiles.push_back(rain);
+    made.columns.push_back({"rain", "mm"});
+    effects::Effect wet;
+    wet.name = "wet walls";
+    wet.hook = effects::Hook::opaque_conductance;
+    wet.driver = effects::Driver::column;
+    wet.column = "rain";
+    wet.least = -1;
+    wet.most = 1;
+    wet.typical = 0.2;
+    measure(made, wet, 0.2, 3);
+    LoopOptions options = quick();
+    options.generic = true;
+    options.columns = {"rain"};
+    const auto datasets = searched(made, options);
+    ASSERT_EQ(test::find(datasets, "effect").texts.size(), 1U);
+    EXPECT_EQ(test::find(datasets, "effect_driver").texts[0], "column");
+    EXPECT_NE(test::find(datasets, "effect_shape").texts[0].find("rain"),
+              std::string::npos);
 }
 
 TEST(Loop, FindsNothingWhereNothingIs) {

@@ -47,8 +47,13 @@ inline void measure(study::Case& made, const effects::Effect& effect, double coe
                     std::uint64_t seed) {
     const study::Period all{"all", day(7), day(n_days)};
     const physics::Drive drive = study::drive_of(made, all);
-    const auto around = effects::make_surroundings(made.building, drive, made.weather,
-                                                   made.periods[0].from);
+    auto around = effects::make_surroundings(made.building, drive, made.weather,
+                                             made.periods[0].from);
+    for (std::size_t p = 0; p < made.profiles.size(); ++p) {
+        const auto row = drive.profiles.row(p);
+        if (made.profiles[p].is_series)
+            around.columns[made.profiles[p].name].assign(row.begin(), row.end());
+    }
     const auto placed = effects::place(std::vector{effect}, around);
     physics::Building building = placed.building;
     physics::apply(placed.building, placed.parameters, std::vector{coefficient},
