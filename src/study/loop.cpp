@@ -71,9 +71,9 @@ class Search {
         result_.last = refine_shape(data_, place, std::move(chosen.standing), newest);
         // The grammar says where and when, not why: its sentences are no names. Nor do
         // months show that nothing is left.
-        result_.found.back().adequate = chosen.effect.number != 0 && near.is_told &&
-                                        !data_.reads_months_only() &&
-                                        is_over(before, alarm_left(place, newest));
+        result_.found.back().adequate =
+            chosen.effect.number != 0 && near.is_told && !data_.reads_months_only() &&
+            is_over(before, alarm_left(place, newest, chosen.effect));
         const double needed = 0.5 * step.threshold;
         if (split(data_, place, result_.last, newest, needed)) note_split(newest);
         swap_earlier(place);
@@ -84,12 +84,15 @@ class Search {
         return true;
     }
 
-    /// The alarm of an effect that has joined, by what its own place still shows: its
-    /// coefficient is held, or it would follow itself.
-    double alarm_left(const Place& place, std::size_t effect) const {
+    /// The alarm that an effect leaves where it has joined: with the shape in which it
+    /// was found, and with the one that it has now; its coefficient is held for that, or
+    /// it would follow itself.
+    double alarm_left(const Place& place, std::size_t effect,
+                      const effects::Effect& as_found) const {
         Standing held = result_.last;
         held.fit.bound[held.built.first_effect() + effect] = 1;
-        return alarm_of(data_, place, held, held.model.effects[effect]);
+        return std::max(alarm_of(data_, place, result_.last, as_found),
+                        alarm_of(data_, place, held, held.model.effects[effect]));
     }
 
     /// What has just joined and left again would be found next, from the same model.

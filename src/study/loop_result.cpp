@@ -363,6 +363,7 @@ class Writer {
         const physics::TimeAxis axis = axis_of(data_.building, period);
         const auto begins = begins_of(axis, physics::Interval::hourly);
         std::vector<std::vector<std::vector<double>>> hours;
+        hours.reserve(3);
         for (std::size_t m = 0; m < 3; ++m)
             hours.push_back(predicted(m, period, drive, begins.size()));
         const auto readings = readings_of(data_.building, period);
