@@ -69,13 +69,14 @@ class Search {
         const std::size_t newest = chosen.standing.model.effects.size() - 1;
         const std::string name = chosen.effect.name;
         result_.last = refine_shape(data_, place, std::move(chosen.standing), newest);
+        const double needed = 0.5 * step.threshold;
+        const bool is_split = split(data_, place, result_.last, newest, needed);
         // The grammar says where and when, not why: its sentences are no names. Nor do
         // months show that nothing is left.
         result_.found.back().adequate =
             chosen.effect.number != 0 && near.is_told && !data_.reads_months_only() &&
             is_over(before, alarm_left(place, newest, chosen.effect));
-        const double needed = 0.5 * step.threshold;
-        if (split(data_, place, result_.last, newest, needed)) note_split(newest);
+        if (is_split) note_split(newest);
         swap_earlier(place);
         drop(prune(data_, place, result_.last, needed), "left again: no longer needed");
         drop(prune_implausible(data_, place, result_.last),
