@@ -148,8 +148,8 @@ TEST(LoopModel, EffectsMayFollowTheJobsSeries) {
     options.columns = {"rain"};
     EXPECT_GT(follow_rain(options), 0);
     const LoopData data(rainy, options);
-    const auto& values =
-        make_place(data, {}, data.drive).surroundings->columns.at("rain");
+    const Place place = make_place(data, {}, data.drive);
+    const auto& values = place.surroundings->columns.at("rain");
     ASSERT_EQ(values.size(), static_cast<std::size_t>(data.drive->n_steps()));
     const auto first = static_cast<std::size_t>(data.drive->n_warm_up);
     for (std::size_t k = 0; k < 100; ++k)  // training begins on the seventh day
