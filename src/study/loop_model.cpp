@@ -205,11 +205,10 @@ bool is_air(const physics::Channel& channel) {
     return channel.quantity == physics::Quantity::air_temperature;
 }
 
-/// Mean energy of an hour; of a temperature the mean of what is read.
+/// What an energy meter shows in an hour, as a mean [kWh].
 double hourly_mean(const LoopData& data, std::size_t channel) {
-    const double mean = mean_of_measured(data.targets, channel);
-    const physics::Channel& read = data.targets.channels[channel];
-    return is_air(read) ? mean : mean / hours_of(read.interval, data.building.step_s);
+    return mean_of_measured(data.targets, channel) /
+           hours_of(data.targets.channels[channel].interval, data.building.step_s);
 }
 
 /// Of all energy meters [kWh in an hour].

@@ -16,8 +16,6 @@ struct Power {
     double bias = 0;           ///< [prior sd]
 };
 
-constexpr double least_detectability = 5;
-
 struct PowerTable {
     std::vector<Power> rows;
     std::vector<Screened> screened;  ///< [rows] with signatures

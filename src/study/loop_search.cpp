@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 namespace bemcal::study {
@@ -18,8 +18,8 @@ constexpr std::size_t most_refitted = 36, most_of_a_kind = 3;
 constexpr double generic_penalty = 4.6;  ///< -2 log 0.1: the grammar's prior weight
 constexpr double slack = 1.5;  ///< how far beyond the plausible range a coefficient goes
 
-bool is_excluded(const LoopOptions& options, const effects::Effect& effect) {
-    return std::ranges::find(options.exclude, effect.name) != options.exclude.end();
+bool is_among(const std::vector<std::string>& names, const effects::Effect& effect) {
+    return std::ranges::find(names, effect.name) != names.end();
 }
 
 std::vector<effects::Effect> candidates_of(const LoopData& data, const Place& place,
@@ -33,8 +33,7 @@ std::vector<effects::Effect> candidates_of(const LoopData& data, const Place& pl
     }
     if (auto days = closed_days(data, place, standing)) all.push_back(*days);
     std::erase_if(all, [&](const effects::Effect& effect) {
-        return is_excluded(data.options, effect) ||
-               std::ranges::find(barred, effect.name) != barred.end() ||
+        return is_among(data.options.exclude, effect) || is_among(barred, effect) ||
                std::ranges::any_of(standing.model.effects, [&](const auto& there) {
                    return effects::are_equal(effect, there);
                });
@@ -179,8 +178,8 @@ class LastQuarter {
 
     /// Relative change from the model before.
     double change_to(const Standing& after) {
-        if (std::isnan(error_before_)) error_before_ = error_of(before_);
-        return std::sqrt(error_of(after) / error_before_) - 1;
+        if (!error_before_) error_before_ = error_of(before_);
+        return std::sqrt(error_of(after) / *error_before_) - 1;
     }
 
   private:
@@ -198,7 +197,7 @@ class LastQuarter {
     const LoopData& data_;
     const Standing& before_;
     std::vector<double> weights_, is_last_;
-    double error_before_ = std::numeric_limits<double>::quiet_NaN();
+    std::optional<double> error_before_;  ///< few candidates come so far
 };
 
 /// Whether the effect acts in the last quarter: what it changes there, of all, counts.
@@ -448,9 +447,9 @@ bool is_plausible(const effects::Effect& effect, double c) {
 Step search(const LoopData& data, const Place& place, const Standing& standing,
             const std::vector<std::string>& barred) {
     Step step;
-    step.screened = screen(data, place, standing,
-                           candidates_of(data, place, standing, barred), Keep::gains);
-    step.ranking = refit_all(data, place, standing, shortlist(step.screened));
+    const auto screened = screen(
+        data, place, standing, candidates_of(data, place, standing, barred), Keep::gains);
+    step.ranking = refit_all(data, place, standing, shortlist(screened));
     const std::size_t n_judged = std::min(most_judged, step.ranking.size());
     for (std::size_t k = 0; k < n_judged; ++k) finish(data, standing, step.ranking[k]);
     sort_by_gain(step.ranking, n_judged);

@@ -57,7 +57,6 @@ struct Step {
     std::vector<Refitted> ranking;  ///< best first
     double threshold = 0;
     int chosen = -1;  ///< of ranking; -1 = nothing passes
-    std::vector<Screened> screened;
 };
 /// \param barred  names of effects that are not tried: they have left again at once
 Step search(const LoopData& data, const Place& place, const Standing& standing,

@@ -45,14 +45,7 @@ TEST(Loop, FindsThePlantedEffectAndItsSize) {
 // Nothing in the catalogue follows rain; the grammar's terms do where the job names it.
 TEST(Loop, FindsWhatFollowsASeriesOfTheJob) {
     Case made = windy_case();
-    physics::Profile rain;
-    rain.name = "rain";
-    rain.is_series = true;
-    rain.axis = made.weather.axis;
-    for (int k = 0; k < rain.axis.n_steps; ++k)
-        rain.values.push_back(k % 41 < 9 || k % 97 < 14 ? 2 : 0);
-    made.profiles.push_back(rain);
-    made.columns.push_back({"rain", "mm"});
+    test::add_rain(made);
     effects::Effect wet;
     wet.name = "wet walls";
     wet.hook = effects::Hook::opaque_conductance;

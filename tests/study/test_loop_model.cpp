@@ -128,14 +128,7 @@ TEST(LoopModel, MonthsAreMetNoBetterThanAModelDeserves) {
 
 TEST(LoopModel, EffectsMayFollowTheJobsSeries) {
     Case rainy = measured_case();
-    physics::Profile rain;
-    rain.name = "rain";
-    rain.is_series = true;
-    rain.axis = rainy.weather.axis;
-    for (int k = 0; k < rain.axis.n_steps; ++k)
-        rain.values.push_back(k % 50 == 0 ? 3 : 0);
-    rainy.profiles.push_back(rain);
-    rainy.columns.push_back({"rain", "mm"});
+    test::add_rain(rainy);
     const auto follow_rain = [&](const LoopOptions& options) {
         const LoopData data(rainy, options);
         const Place place = make_place(data, {}, data.drive);
@@ -153,7 +146,7 @@ TEST(LoopModel, EffectsMayFollowTheJobsSeries) {
     ASSERT_EQ(values.size(), static_cast<std::size_t>(data.drive->n_steps()));
     const auto first = static_cast<std::size_t>(data.drive->n_warm_up);
     for (std::size_t k = 0; k < 100; ++k)  // training begins on the seventh day
-        EXPECT_EQ(values[first + k], rain.values[7 * 24 + k]);
+        EXPECT_EQ(values[first + k], rainy.profiles.back().values[7 * 24 + k]);
 }
 
 TEST(LoopModel, WhatIsCalibratedAlreadyKeepsItsPrior) {

@@ -42,6 +42,18 @@ inline study::Case windy_case() {
     return made;
 }
 
+/// A series that nothing of the building follows: 2 mm in some hours.
+inline void add_rain(study::Case& made) {
+    physics::Profile rain;
+    rain.name = "rain";
+    rain.is_series = true;
+    rain.axis = made.weather.axis;
+    for (int k = 0; k < rain.axis.n_steps; ++k)
+        rain.values.push_back(k % 41 < 9 || k % 97 < 14 ? 2 : 0);
+    made.profiles.push_back(rain);
+    made.columns.push_back({"rain", "mm"});
+}
+
 /// Adds the gas meter of the building with the effect, with errors of 3 % of its mean.
 inline void measure(study::Case& made, const effects::Effect& effect, double coefficient,
                     std::uint64_t seed) {
