@@ -20,6 +20,7 @@ class Right:
     coefficient: Callable = None
     is_decision: bool = False
     aliases: tuple = ()   # what no reading tells from it
+    is_in_parameters: bool = False   # right is a decision that says so: one class with H_op
 
 
 def same(size, truth):
@@ -50,7 +51,7 @@ RIGHT = {
     "night_ventilation": named("night purge", "windows opened in warm rooms"),
     "exhaust_fan": named("exhaust fan on weekdays", "exhaust fan", coefficient=same),
     "heat_recovery": named("heat recovery", "heat recovery bypassed"),
-    "thermal_bridge": named("thermal bridges"),
+    "thermal_bridge": named("thermal bridges", is_in_parameters=True),
     "ground": named("ground coupling", coefficient=same),
     "neighbour": named("cold or warm neighbour", coefficient=same),
     "facade_shading": named("shade in a season", "shade"),
@@ -62,6 +63,7 @@ RIGHT = {
                          places=(("gains", "constant"),), coefficient=same),
     "weekend_use": named("use at weekends", "loads at weekends"),
     "saturday_operation": named("Saturdays worked", "Saturday mornings worked",
+                                "plant runs on Saturday mornings",
                                 "plant runs at weekends as on weekdays"),
     "four_day_week": named("a free weekday", coefficient=same),
     "single_holidays": named("holidays"),

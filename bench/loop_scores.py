@@ -157,9 +157,16 @@ def is_named(scored, planted):
     return any(is_right(effect, planted) for effect in scored.found)
 
 
+def is_put_with_parameters(scored, planted):
+    """Whether a decision says that it and calibrated parameters are one class."""
+    right = RIGHT[planted]
+    return right.is_in_parameters and any(decision["series"] in right.names
+                                          for decision in scored.decisions)
+
+
 def is_classed(scored, planted):
-    return is_named(scored, planted) or any(is_in_class(effect, planted)
-                                            for effect in scored.found)
+    return is_named(scored, planted) or is_put_with_parameters(scored, planted) or \
+        any(is_in_class(effect, planted) for effect in scored.found)
 
 
 def error_fell(scored):

@@ -52,6 +52,9 @@ std::vector<Effect> generic_candidates(const Surroundings& surroundings,
 /// The catalogue's row; nullptr for an effect of the grammar.
 const Entry* entry_of(const Effect& effect);
 
+/// What the catalogue says is the same as the effect in all readings; nullptr: nothing.
+const char* exact_alias(const Effect& effect);
+
 /// `describe effects`: the catalogue and the grammar as text.
 std::string describe();
 

@@ -175,7 +175,7 @@ std::vector<Entry> meter_rows() {
                     .driver = Driver::hour,
                     .shape = {Form::within, 6, 9},
                     .least = 0,
-                    .most = 8,
+                    .most = 12,
                     .typical = 2.5},
          .shapes = windows({{6, 8}, {6, 9}, {6, 22}, {11, 14}, {18, 21}, {18, 23}}),
          .each = Each::meter,

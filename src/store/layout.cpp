@@ -358,7 +358,8 @@ constexpr LayoutRow rows[] = {
     {"power_detectability", "power", number, "1",
      "of a middling one, in standard errors: below 5 it cannot be seen"},
     {"power_visibility", "power", number, "1",
-     "share of its signature that no parameter can take over"},
+     "share of it, where it is small, that no parameter can take over, whatever its "
+     "prior"},
     {"power_alias", "power", text, "", "the effect or parameter that is most like it"},
     {"power_alias_correlation", "power", number, "1",
      "of their signatures; above 0.98 they cannot be told apart"},

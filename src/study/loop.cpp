@@ -59,10 +59,12 @@ class Search {
                     candidate.gain);
         if (step.chosen < 0) {
             result_.log.push_back({"", "nothing passes", 0, step.threshold, 0, {}});
+            note_what_moves(step);
             return false;
         }
         const EffectClass near = class_of(data_, result_.last, step);
         Refitted& chosen = step.ranking[static_cast<std::size_t>(step.chosen)];
+        const bool is_clear = chosen.gain > 3 * step.threshold;
         result_.found.push_back({fmt::format("{}", fmt::join(near.names, "; ")), true,
                                  chosen.gain, near.rivals});
         const double before = alarm_of(data_, place, result_.last, chosen.effect);
@@ -72,9 +74,10 @@ class Search {
         const double needed = 0.5 * step.threshold;
         const bool is_split = split(data_, place, result_.last, newest, needed);
         // The grammar says where and when, not why: its sentences are no names. Nor do
-        // months show that nothing is left.
+        // months show that nothing is left, or what noise could nearly show.
         result_.found.back().adequate =
-            chosen.effect.number != 0 && near.is_told && !data_.reads_months_only() &&
+            chosen.effect.number != 0 && near.is_told && is_clear &&
+            !data_.reads_months_only() &&
             is_over(before, alarm_left(place, newest, chosen.effect));
         if (is_split) note_split(newest);
         swap_earlier(place);
@@ -101,6 +104,21 @@ class Search {
         if (std::ranges::none_of(result_.last.model.effects,
                                  [&](const auto& effect) { return effect.name == name; }))
             barred_.push_back(name);
+    }
+
+    /// What is still missing would move the coefficients: so far as candidates do that
+    /// more than noise speaks for, though none passes.
+    void note_what_moves(const Step& last) {
+        for (std::size_t k = 0; k < result_.found.size(); ++k) {
+            double squares = 0, n = 0;
+            for (const Refitted& candidate : last.ranking) {
+                if (candidate.gain <= last.threshold) continue;
+                squares += std::pow(
+                    candidate.standing.coefficient(k) - result_.last.coefficient(k), 2);
+                n += 1;
+            }
+            result_.found[k].of_missing = n > 0 ? std::sqrt(squares / n) : 0;
+        }
     }
 
     /// A model that is not the building leaves a residual that many terms of the

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string_view>
 
@@ -70,14 +71,30 @@ struct Better {
     Place place;
 };
 
+/// By how much each refinement lowered the score when it was last tried. [refinements]
+using Promises = std::vector<double>;
+
+/// The most promising first.
+std::vector<std::size_t> in_order_of(const Promises& promises) {
+    std::vector<std::size_t> order(promises.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(
+        order, [&](std::size_t a, std::size_t b) { return promises[a] > promises[b]; });
+    return order;
+}
+
+/// What one has brought, another seldom brings again: those that promised far less than
+/// the best now does are not tried (the lazy form of a greedy search: Minoux 1978).
 std::optional<Better> best_refinement(const LoopData& data, const Baseline& baseline,
-                                      const std::vector<ChannelNoise>& noise,
+                                      Promises& promises,
                                       std::vector<TriedStructure>& tried) {
     constexpr double least = 6;  ///< of deviance: what a refinement must bring
+    constexpr double far = 2;    ///< of what was promised
     std::optional<Better> best;
-    double lowest = baseline.chosen.score - least;
+    double most = least;
     const auto& now = baseline.chosen.model.structure;
-    for (std::size_t k = 0; k < refinements().size(); ++k) {
+    for (const std::size_t k : in_order_of(promises)) {
+        if (best && most > far * promises[k]) break;
         if (std::ranges::any_of(now, [&](std::size_t there) {
                 return there == k || are_of_one_kind(there, k);
             }))
@@ -87,11 +104,12 @@ std::optional<Better> best_refinement(const LoopData& data, const Baseline& base
         try {
             Place place = make_place(data, model.structure, data.drive);
             Standing standing =
-                scored(data, place, model, start_of(place, baseline.chosen), noise);
-            tried.push_back({name_of(model.structure),
-                             baseline.gained + standing.score - baseline.chosen.score});
-            if (standing.score >= lowest) continue;
-            lowest = standing.score;
+                scored(data, place, model, start_of(place, baseline.chosen),
+                       baseline.chosen.noise);
+            promises[k] = baseline.chosen.score - standing.score;
+            tried.push_back({name_of(model.structure), baseline.gained - promises[k]});
+            if (promises[k] <= most) continue;
+            most = promises[k];
             best = Better{std::move(standing), std::move(place)};
         } catch (const std::invalid_argument&) {
             continue;  // It cannot enter this building: no cooling, no wind in the
@@ -198,9 +216,9 @@ Baseline make_baseline(const LoopData& data) {
         calibrate(data, baseline.place, {}, first_start(data, baseline.place));
     baseline.chosen = baseline.plain;
     baseline.tried = {{"standard", 0}};
+    Promises promises(refinements().size(), std::numeric_limits<double>::infinity());
     while (data.options.try_structures && !baseline.chosen.fit.failed) {
-        auto better =
-            best_refinement(data, baseline, baseline.chosen.noise, baseline.tried);
+        auto better = best_refinement(data, baseline, promises, baseline.tried);
         if (!better) break;
         baseline.gained += better->standing.score - baseline.chosen.score;
         baseline.place = std::move(better->place);

@@ -35,10 +35,8 @@ bool is_near(const Refitted& other, const Refitted& chosen) {
 }
 
 void add_alias(const Refitted& chosen, std::vector<std::string>& names) {
-    const effects::Entry* entry = effects::entry_of(chosen.effect);
-    if (entry != nullptr && names.size() == 1 &&
-        std::string(entry->like).find("exact") != std::string::npos)
-        names.emplace_back(entry->like);
+    const char* exact = effects::exact_alias(chosen.effect);
+    if (exact != nullptr && names.size() == 1) names.emplace_back(exact);
 }
 
 }  // namespace

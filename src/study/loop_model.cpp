@@ -3,7 +3,9 @@
 #include "physics/interval_hours.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -14,6 +16,9 @@ namespace {
 
 constexpr long long day_s = 86400;
 constexpr double days_of_noise = 7;  ///< blocks over which errors are counted as one
+/// Where no weather is known before the first reading, the first readings tell of that;
+/// where a building seldom heats, they are much of the year's heat.
+constexpr int hours_of_first_state = 48;
 
 /// Whether options name it; no names = all.
 bool is_chosen(const std::vector<std::string>& names, const std::string& name) {
@@ -297,9 +302,23 @@ LoopData::LoopData(const Case& given, const LoopOptions& chosen)
                                 readings[m].values.end());
         targets.first.push_back(targets.measured.size());
     }
+    forget_first_state();
     if (meters.empty())
         throw std::invalid_argument("no meter has a reading in the training period");
     blocks = blocks_of(options.block_days);
+}
+
+void LoopData::forget_first_state() {
+    const int known = physics::known_hours_before(building.weather, building.building,
+                                                  building.profiles, training().from,
+                                                  hours_of_first_state);
+    const auto state = std::chrono::hours(hours_of_first_state);
+    const bool is_short = training().to - training().from < 10 * state;
+    if (known >= hours_of_first_state || is_short) return;
+    for (std::size_t c = 0; c < targets.n_channels(); ++c)
+        for (std::size_t k = targets.first[c]; k < targets.first[c + 1]; ++k)
+            if (is_hourly(targets.channels[c]) && begins[k] < training().from + state)
+                targets.measured[k] = std::numeric_limits<double>::quiet_NaN();
 }
 
 const Period& LoopData::training() const {

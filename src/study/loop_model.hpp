@@ -43,6 +43,10 @@ struct LoopData {
     /// Of blocks of so many days; of calendar months where a meter is read by the month,
     /// so that no reading is in two.
     std::vector<int> blocks_of(double days) const;
+
+  private:
+    /// Hours in which the state shows that the building had before: as not measured.
+    void forget_first_state();
 };
 
 /// A refinement of the zone that is chosen before any effect is sought.

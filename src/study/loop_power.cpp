@@ -51,9 +51,9 @@ std::vector<Screened> one_of_each(const LoopData& data, const Place& place,
 
 void find_alias(std::size_t row, PowerTable& table) {
     Power& power = table.rows[row];
-    constexpr double invisible = 0.02;
-    if (power.visibility < invisible) {
-        power.alias = "the calibrated parameters themselves";
+    if (is_in_parameters(power)) {
+        const char* exact = effects::exact_alias(power.effect);
+        power.alias = exact ? exact : "the calibrated parameters themselves";
         power.correlation = 1;
         return;
     }
@@ -77,6 +77,11 @@ void find_bias(const Standing& standing, const Screened& screened, Power& power)
 
 }  // namespace
 
+bool is_in_parameters(const Power& power) {
+    constexpr double invisible = 0.02;
+    return power.visibility < invisible;
+}
+
 double correlation_of(std::span<const double> a, std::span<const double> b,
                       std::span<const double> weights) {
     double ab = 0, aa = 0, bb = 0;
@@ -96,7 +101,7 @@ PowerTable power_of(const LoopData& data, const Place& place, const Standing& st
         Power power{screened.effect, 0, 0, {}, 0, {}, 0};
         power.detectability =
             std::abs(screened.effect.typical) * std::sqrt(screened.information);
-        power.visibility = screened.alone > 0 ? screened.information / screened.alone : 0;
+        power.visibility = screened.visibility;
         find_bias(standing, screened, power);
         table.rows.push_back(std::move(power));
     }

@@ -297,7 +297,8 @@ class Writer {
             const effects::Effect& effect = last.model.effects[k];
             const std::size_t at = last.built.first_effect() + k;
             const double c = last.coefficient(k);
-            const double half = half_of_90 * std::hypot(sds[at], result_.of_shapes[k]);
+            const double half = half_of_90 * std::hypot(sds[at], result_.of_shapes[k],
+                                                        result_.found[k].of_missing);
             name.push_back(effect.name);
             hook.emplace_back(effects::name_of(effect.hook));
             driver.emplace_back(effects::name_of(effect.driver));
@@ -339,6 +340,12 @@ class Writer {
             visibility.push_back(row.visibility);
             correlation.push_back(row.correlation);
             bias.push_back(row.bias);
+            const char* exact = effects::exact_alias(row.effect);
+            if (exact != nullptr && is_in_parameters(row))
+                decisions_.push_back(
+                    {row.effect.name, std::string("one class with ") + exact,
+                     "cannot be told apart: what the readings say of both stands in the "
+                     "calibrated parameters"});
         }
         out_.texts("power_effect", "power", name);
         out_.texts("power_alias", "power", alias);

@@ -20,6 +20,7 @@ struct Found {
     bool adequate = true;
     double gain = 0;
     std::vector<effects::Effect> rivals{};  ///< what may stand in its place
+    double of_missing = 0;  ///< what its coefficient owes to what may still be missing
 };
 
 struct LoopResult {

@@ -15,12 +15,13 @@ struct Screened {
     double gain = 0;                ///< fall of the objective, all else refitted [-]
     double coefficient = 0;         ///< where that is
     double information = 0;         ///< of the coefficient, all else free
-    double alone = 0;               ///< the same with all else held
     std::vector<double> by_block;   ///< its score, block by block: for the null
     std::vector<double> signature;  ///< [targets] effect at its typical size, what the
                                     ///< other unknowns can follow taken off; may be empty
     std::vector<double> bias;  ///< [unknowns] what leaving it out does to them, at its
                                ///< typical size [prior sd]
+    double visibility = 1;     ///< share of a small effect that the other unknowns
+                               ///< cannot follow, whatever their priors; of_typical
 };
 
 /// What is wanted: gains; signatures and bias, too; or these of the typical size,

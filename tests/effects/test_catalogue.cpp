@@ -55,6 +55,15 @@ TEST(Catalogue, TypicalCoefficientsArePlausible) {
     }
 }
 
+TEST(Catalogue, ThermalBridgesAreTheTransmissionItself) {
+    for (const Entry& entry : catalogue()) {
+        const char* alias = exact_alias(entry.effect);
+        EXPECT_EQ(alias != nullptr, std::string(entry.effect.name) == "thermal bridges");
+        if (alias != nullptr) EXPECT_STREQ(alias, "H_op (exact)");
+    }
+    EXPECT_EQ(exact_alias(generic()[0]), nullptr);
+}
+
 TEST(Catalogue, EveryRowIsFoundByItsEffect) {
     for (const Entry& entry : catalogue())
         EXPECT_EQ(entry_of(entry.effect), &entry) << entry.effect.name;

@@ -42,6 +42,23 @@ TEST(Loop, FindsThePlantedEffectAndItsSize) {
     EXPECT_EQ(test::find(datasets, "misfit").values[0], 1);
 }
 
+// Thermal bridges and U-values are the same in every reading: one class, never found.
+TEST(Loop, ThermalBridgesAreOneClassWithUValuesThatAreCalibrated) {
+    Case made = windy_case();
+    measure(made, named("thermal bridges"), 0.2, 3);
+    made.parameters.push_back(
+        test::parameter(made.building, "construction.wall.u_value", 0.3, 0.9, 0.6));
+    made.priors.push_back(made.priors.back());
+    made.priors.back().prior = {stats::PriorKind::normal, 0.6, 0.15, 0.3, 0.9};
+    const auto datasets = searched(made);
+    EXPECT_TRUE(test::find(datasets, "effect").texts.empty());
+    const auto& decided = test::find(datasets, "decision_series").texts;
+    ASSERT_EQ(decided.size(), 1U);
+    EXPECT_EQ(decided[0], "thermal bridges");
+    EXPECT_EQ(test::find(datasets, "decision_finding").texts[0],
+              "one class with H_op (exact)");
+}
+
 // Nothing in the catalogue follows rain; the grammar's terms do where the job names it.
 TEST(Loop, FindsWhatFollowsASeriesOfTheJob) {
     Case made = windy_case();

@@ -2,6 +2,8 @@
 #include "study/windy_case.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -124,6 +126,20 @@ TEST(LoopModel, MonthsAreMetNoBetterThanAModelDeserves) {
         deviance(data.targets, noise, some) - deviance(data.targets, noise, none);
     EXPECT_GT(gained, 0);
     EXPECT_LT(gained, 0.02 * static_cast<double>(data.targets.size()));
+}
+
+TEST(LoopModel, WhatTellsOfTheStateBeforeIsNotRead) {
+    const auto n_missing = [](const Case& made) {
+        const auto measured = LoopData(made, LoopOptions{}).targets.measured;
+        return std::ranges::count_if(measured, [](double v) { return std::isnan(v); });
+    };
+    EXPECT_EQ(n_missing(measured_case()), 0);  // a week of weather before it is known
+    Case made = measured_case();
+    made.periods[0].from = made.weather.axis.start;
+    made.meters[0].axis.start = made.weather.axis.start;
+    EXPECT_EQ(n_missing(made), 48);
+    made.periods[0].to = made.periods[0].from + std::chrono::days(15);
+    EXPECT_EQ(n_missing(made), 0);  // too little would be left
 }
 
 TEST(LoopModel, EffectsMayFollowTheJobsSeries) {
