@@ -151,8 +151,8 @@ def print_names(scored):
     line("loop_detectable_singles", len(seen), f"of_{len(singles)}", 0)
     line("loop_strict_name", share(map(named, seen)), "%", 70)
     line("loop_class", share(map(classed, seen)), "%", 85)
-    line("loop_class_by_parameters", sum(loop_scores.is_put_with_parameters(s, name)
-                                         for s in seen for name in s.planted), f"of_{len(seen)}", 0)
+    line("loop_class_of_found_effects", share(all(
+        loop_scores.is_in_a_found_class(s, name) for name in s.planted) for s in seen), "%", 0)
     print_where_left_open(seen, {"strict_name": named, "class": classed})
     line("loop_cannot_tell_below", share(not s.found for s in unseen), "%", 0)
     line("loop_both_of_a_pair", share(map(classed, seen_pairs)), "%", 65)

@@ -3,7 +3,8 @@
 `names`: any of them is the right one, the first has the planted form. `places`: (hook, driver) of the
 grammar where the catalogue has no name. `coefficient`: of a generator's size and truth, in the
 catalogue's unit; None where the two forms differ too much to compare. Effects of no catalogue have the
-names that would not be wrong.
+names that would not be wrong. `stands_in_parameters`: of the class {thermal bridges, H_op} a decision
+tells, of every building where it holds, not an effect that is found: that counts as the class.
 """
 from dataclasses import dataclass
 from typing import Callable
@@ -20,7 +21,7 @@ class Right:
     coefficient: Callable = None
     is_decision: bool = False
     aliases: tuple = ()   # what no reading tells from it
-    is_in_parameters: bool = False   # right is a decision that says so: one class with H_op
+    stands_in_parameters: bool = False
 
 
 def same(size, truth):
@@ -51,7 +52,7 @@ RIGHT = {
     "night_ventilation": named("night purge", "windows opened in warm rooms"),
     "exhaust_fan": named("exhaust fan on weekdays", "exhaust fan", coefficient=same),
     "heat_recovery": named("heat recovery", "heat recovery bypassed"),
-    "thermal_bridge": named("thermal bridges", is_in_parameters=True),
+    "thermal_bridge": named("thermal bridges", stands_in_parameters=True),
     "ground": named("ground coupling", coefficient=same),
     "neighbour": named("cold or warm neighbour", coefficient=same),
     "facade_shading": named("shade in a season", "shade"),

@@ -160,13 +160,17 @@ def is_named(scored, planted):
 def is_put_with_parameters(scored, planted):
     """Whether a decision says that it and calibrated parameters are one class."""
     right = RIGHT[planted]
-    return right.is_in_parameters and any(decision["series"] in right.names
+    return right.stands_in_parameters and any(decision["series"] in right.names
                                           for decision in scored.decisions)
 
 
+def is_in_a_found_class(scored, planted):
+    return is_named(scored, planted) or any(is_in_class(effect, planted)
+                                            for effect in scored.found)
+
+
 def is_classed(scored, planted):
-    return is_named(scored, planted) or is_put_with_parameters(scored, planted) or \
-        any(is_in_class(effect, planted) for effect in scored.found)
+    return is_in_a_found_class(scored, planted) or is_put_with_parameters(scored, planted)
 
 
 def error_fell(scored):

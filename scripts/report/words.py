@@ -90,8 +90,8 @@ def found(loop):
     if any(others(loop, k) for k in range(len(names))):
         text += " Where it says or else, these data cannot tell."
     unsure = [name for k, name in enumerate(names) if loop.value("effect_adequate", k) != 1]
-    return text + (f" Not adequate: {listed(unsure)}; the alarm stays, so that the name is only "
-                   "the nearest one." if unsure else "")
+    return text + (f" Not adequate: {listed(unsure)}; the alarm stays, the evidence is little or another "
+                   "does nearly as well, so that the name is only the nearest one." if unsure else "")
 
 
 def change_of(row, since, until):

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <iterator>
 #include <stdexcept>
-#include <string_view>
 
 #include <fmt/format.h>
 
@@ -76,12 +75,9 @@ const Entry* entry_of(const Effect& effect) {
     return effect.number == 0 ? nullptr : find(effect.name);
 }
 
-const char* exact_alias(const Effect& effect) {
+std::string same_as(const Effect& effect) {
     const Entry* entry = entry_of(effect);
-    if (entry == nullptr) return nullptr;
-    const bool is_exact =
-        std::string_view(entry->like).find("exact") != std::string_view::npos;
-    return is_exact ? entry->like : nullptr;
+    return entry == nullptr ? "" : entry->same_as;
 }
 
 Effect with_days(const std::string& name, std::vector<Days> days) {

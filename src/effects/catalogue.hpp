@@ -27,6 +27,7 @@ struct Entry {
     const char* sentence = "";   ///< what it is
     const char* signature = "";  ///< what it leaves in the residual
     const char* like = "";       ///< what it can be mistaken for
+    const char* same_as = "";    ///< what it is in all readings; "" = nothing
     const char* separates = "";  ///< the measurement that would tell them apart
 };
 /// All rows; several may have the same number (forms of one effect), none the same name.
@@ -52,8 +53,8 @@ std::vector<Effect> generic_candidates(const Surroundings& surroundings,
 /// The catalogue's row; nullptr for an effect of the grammar.
 const Entry* entry_of(const Effect& effect);
 
-/// What the catalogue says is the same as the effect in all readings; nullptr: nothing.
-const char* exact_alias(const Effect& effect);
+/// What the effect is in all readings; "" = nothing else.
+std::string same_as(const Effect& effect);
 
 /// `describe effects`: the catalogue and the grammar as text.
 std::string describe();

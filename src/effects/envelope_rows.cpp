@@ -246,6 +246,7 @@ std::vector<Entry> envelope_only_rows() {
          .sentence = "Opaque elements conduct more than their U-values say.",
          .signature = "none beyond that of the transmission",
          .like = "H_op (exact)",
+         .same_as = "H_op",
          .separates = "heat-flux plates, co-heating: cannot be found from meters"},
         {.effect = {.name = "ground coupling",
                     .number = 13,

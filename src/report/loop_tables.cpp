@@ -62,8 +62,8 @@ std::string effect_lines(const Group& study, std::size_t k) {
                                   text_at(study.texts("effect_shape"), k)));
     if (number_at(study.values("effect_adequate"), k) != 1)
         text += wrapped(
-            "  NOT adequate: the alarm that raised it stays with it, so that its name is "
-            "only the nearest one");
+            "  NOT adequate: the alarm that raised it stays, the evidence is little or "
+            "another does nearly as well, so that its name is only the nearest one");
     const std::string others = others_of(study, k);
     if (!others.empty()) text += wrapped("  these data cannot tell it from: " + others);
     const std::string separates = text_at(study.texts("effect_separates"), k);

@@ -358,8 +358,7 @@ constexpr LayoutRow rows[] = {
     {"power_detectability", "power", number, "1",
      "of a middling one, in standard errors: below 5 it cannot be seen"},
     {"power_visibility", "power", number, "1",
-     "share of it, where it is small, that no parameter can take over, whatever its "
-     "prior"},
+     "share of its signature, where it is small, that no parameter can take over"},
     {"power_alias", "power", text, "", "the effect or parameter that is most like it"},
     {"power_alias_correlation", "power", number, "1",
      "of their signatures; above 0.98 they cannot be told apart"},
@@ -391,8 +390,8 @@ constexpr LayoutRow rows[] = {
     {"effect_most", "effect", number, "of the effect", "end of its 90 % interval"},
     {"effect_gain", "effect", number, "1", "gain of evidence, in -2 log"},
     {"effect_adequate", "effect", number, "1",
-     "1 where the alarm that raised it is silent with it; 0 = the name is the nearest "
-     "one, and does not explain what was seen"},
+     "1 where its evidence is three times what noise shows, nothing comes near it and "
+     "the alarm that raised it is silent with it; 0 = the name is the nearest one"},
     {"effect_class", "effect", text, "",
      "effects that these data cannot tell it from, parted by semicolons"},
     {"effect_separates", "effect", text, "", "the measurement that would"},

@@ -66,6 +66,7 @@ double measured_air(const Case& building, physics::Seconds begin) {
 struct Start {
     int warm_up_hours;
     double theta;
+    bool is_known;
 };
 Start start_of(const Case& building, const Period& period) {
     const int known = physics::known_hours_before(building.weather, building.building,
@@ -73,8 +74,9 @@ Start start_of(const Case& building, const Period& period) {
                                                   building.warm_up_hours);
     const double theta = measured_air(building, period.from - std::chrono::hours(known));
     if (std::chrono::hours(known) < a_day || std::isnan(theta))
-        return {building.warm_up_hours, physics::start_temperature};
-    return {known, theta};
+        return {building.warm_up_hours, physics::start_temperature,
+                known == building.warm_up_hours};
+    return {known, theta, true};
 }
 
 }  // namespace
@@ -92,6 +94,10 @@ std::vector<physics::Seconds> begins_of(const physics::TimeAxis& axis,
     for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
         begins.push_back(axis.begin_of(bounds[k]));
     return begins;
+}
+
+bool knows_state_before(const Case& building, const Period& period) {
+    return start_of(building, period).is_known;
 }
 
 bool has_reading(const std::vector<double>& values) {

@@ -69,6 +69,10 @@ physics::TimeAxis axis_of(const Case& building, const Period& period);
 std::vector<physics::Seconds> begins_of(const physics::TimeAxis& axis,
                                         physics::Interval interval);
 
+/// Whether data before a period, or the room's temperature at its begin, tell what state
+/// the building was in; else its warm-up repeats the first days.
+bool knows_state_before(const Case& building, const Period& period);
+
 /// Whether one of the values is not missing.
 bool has_reading(const std::vector<double>& values);
 

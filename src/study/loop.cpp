@@ -64,7 +64,7 @@ class Search {
         }
         const EffectClass near = class_of(data_, result_.last, step);
         Refitted& chosen = step.ranking[static_cast<std::size_t>(step.chosen)];
-        const bool is_clear = chosen.gain > 3 * step.threshold;
+        const bool is_clear = is_overwhelming(chosen.gain, step.threshold);
         result_.found.push_back({fmt::format("{}", fmt::join(near.names, "; ")), true,
                                  chosen.gain, near.rivals});
         const double before = alarm_of(data_, place, result_.last, chosen.effect);
@@ -74,7 +74,7 @@ class Search {
         const double needed = 0.5 * step.threshold;
         const bool is_split = split(data_, place, result_.last, newest, needed);
         // The grammar says where and when, not why: its sentences are no names. Nor do
-        // months show that nothing is left, or what noise could nearly show.
+        // months show that nothing is left, nor is little evidence enough.
         result_.found.back().adequate =
             chosen.effect.number != 0 && near.is_told && is_clear &&
             !data_.reads_months_only() &&
@@ -202,8 +202,8 @@ std::vector<Dataset> searched(const std::string& name, const LoopData& data) {
     Search(data, result).run();
     if (result.last.model.effects.empty()) result.last = result.baseline.chosen;
     for (std::size_t k = 0; k < result.last.model.effects.size(); ++k)
-        result.of_shapes.push_back(
-            deviation_over_shapes(data, place, result.last, k, result.misfit));
+        result.found[k].of_shape =
+            deviation_over_shapes(data, place, result.last, k, result.misfit);
     result.after = localise(data, place, result.last);
     result.unexplained = unexplained_of(data, result.last);
     return datasets_of(data.building.name + "/" + name, data, result);
@@ -211,7 +211,7 @@ std::vector<Dataset> searched(const std::string& name, const LoopData& data) {
 
 bool has_training(const Case& building, const LoopOptions& options) {
     return std::ranges::any_of(
-        readings_of(building, period_of(building, options.period)),
+        training_readings(building, period_of(building, options.period)),
         [](const physics::Readings& meter) { return has_reading(meter.values); });
 }
 

@@ -84,7 +84,8 @@ std::vector<std::size_t> in_order_of(const Promises& promises) {
 }
 
 /// What one has brought, another seldom brings again: those that promised far less than
-/// the best now does are not tried (the lazy form of a greedy search: Minoux 1978).
+/// the best now does are not tried unless nothing else helps (the lazy form of a greedy
+/// search: Minoux 1978).
 std::optional<Better> best_refinement(const LoopData& data, const Baseline& baseline,
                                       Promises& promises,
                                       std::vector<TriedStructure>& tried) {
@@ -112,8 +113,8 @@ std::optional<Better> best_refinement(const LoopData& data, const Baseline& base
             most = promises[k];
             best = Better{std::move(standing), std::move(place)};
         } catch (const std::invalid_argument&) {
-            continue;  // It cannot enter this building: no cooling, no wind in the
-                       // weather.
+            // It cannot enter this building: no cooling, no wind in the weather.
+            promises[k] = -std::numeric_limits<double>::infinity();
         }
     }
     return best;

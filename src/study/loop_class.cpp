@@ -35,8 +35,8 @@ bool is_near(const Refitted& other, const Refitted& chosen) {
 }
 
 void add_alias(const Refitted& chosen, std::vector<std::string>& names) {
-    const char* exact = effects::exact_alias(chosen.effect);
-    if (exact != nullptr && names.size() == 1) names.emplace_back(exact);
+    const std::string alias = effects::same_as(chosen.effect);
+    if (!alias.empty() && names.size() == 1) names.push_back(alias);
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ namespace {
 
 constexpr long long day_s = 86400;
 constexpr double days_of_noise = 7;  ///< blocks over which errors are counted as one
-/// Where no weather is known before the first reading, the first readings tell of that;
-/// where a building seldom heats, they are much of the year's heat.
+/// Where nothing is known of the time before, the first readings tell of that; where a
+/// building seldom heats, they are much of the year's heat.
 constexpr int hours_of_first_state = 48;
 
 /// Whether options name it; no names = all.
@@ -289,7 +289,7 @@ LoopData::LoopData(const Case& given, const LoopOptions& chosen)
     add_planes(building.building);
     drive = drive_over(period);
     const physics::TimeAxis axis = axis_of(building, period);
-    const auto readings = readings_of(building, period);
+    const auto readings = training_readings(building, period);
     for (std::size_t m = 0; m < building.meters.size(); ++m) {
         if (!is_chosen(options.meters, building.meters[m].name) ||
             !has_reading(readings[m].values))
@@ -302,23 +302,25 @@ LoopData::LoopData(const Case& given, const LoopOptions& chosen)
                                 readings[m].values.end());
         targets.first.push_back(targets.measured.size());
     }
-    forget_first_state();
     if (meters.empty())
         throw std::invalid_argument("no meter has a reading in the training period");
     blocks = blocks_of(options.block_days);
 }
 
-void LoopData::forget_first_state() {
-    const int known = physics::known_hours_before(building.weather, building.building,
-                                                  building.profiles, training().from,
-                                                  hours_of_first_state);
-    const auto state = std::chrono::hours(hours_of_first_state);
-    const bool is_short = training().to - training().from < 10 * state;
-    if (known >= hours_of_first_state || is_short) return;
-    for (std::size_t c = 0; c < targets.n_channels(); ++c)
-        for (std::size_t k = targets.first[c]; k < targets.first[c + 1]; ++k)
-            if (is_hourly(targets.channels[c]) && begins[k] < training().from + state)
-                targets.measured[k] = std::numeric_limits<double>::quiet_NaN();
+std::vector<physics::Readings> training_readings(const Case& building,
+                                                 const Period& period) {
+    auto readings = readings_of(building, period);
+    const auto first = std::chrono::hours(hours_of_first_state);
+    const bool is_short = period.to - period.from < 10 * first;
+    if (is_short || knows_state_before(building, period)) return readings;
+    const physics::TimeAxis axis = axis_of(building, period);
+    for (physics::Readings& meter : readings) {
+        if (meter.interval == physics::Interval::monthly) continue;
+        const auto begins = begins_of(axis, meter.interval);
+        for (std::size_t k = 0; k < begins.size() && begins[k] < period.from + first; ++k)
+            meter.values[k] = std::numeric_limits<double>::quiet_NaN();
+    }
+    return readings;
 }
 
 const Period& LoopData::training() const {

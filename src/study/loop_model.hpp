@@ -43,11 +43,12 @@ struct LoopData {
     /// Of blocks of so many days; of calendar months where a meter is read by the month,
     /// so that no reading is in two.
     std::vector<int> blocks_of(double days) const;
-
-  private:
-    /// Hours in which the state shows that the building had before: as not measured.
-    void forget_first_state();
 };
+
+/// The meters' readings of a period, those missing that show the state that the building
+/// had before where nothing is known of that: of two days, in periods of twenty or more.
+std::vector<physics::Readings> training_readings(const Case& building,
+                                                 const Period& period);
 
 /// A refinement of the zone that is chosen before any effect is sought.
 struct Refinement {

@@ -52,8 +52,8 @@ std::vector<Screened> one_of_each(const LoopData& data, const Place& place,
 void find_alias(std::size_t row, PowerTable& table) {
     Power& power = table.rows[row];
     if (is_in_parameters(power)) {
-        const char* exact = effects::exact_alias(power.effect);
-        power.alias = exact ? exact : "the calibrated parameters themselves";
+        power.alias = effects::same_as(power.effect);
+        if (power.alias.empty()) power.alias = "the calibrated parameters themselves";
         power.correlation = 1;
         return;
     }

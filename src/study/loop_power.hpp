@@ -9,12 +9,11 @@ namespace bemcal::study {
 struct Power {
     effects::Effect effect;
     double detectability = 0;  ///< its size over what it can be known to; below 5: cannot
-    double visibility = 0;   ///< share of it, where it is small, that the other unknowns
-                             ///< cannot follow, whatever their priors
-    std::string alias;       ///< what looks most like it
-    double correlation = 0;  ///< of both signatures
-    std::string parameter;   ///< that it would bias most
-    double bias = 0;         ///< [prior sd]
+    double visibility = 0;     ///< share that the other unknowns cannot follow
+    std::string alias;         ///< what looks most like it
+    double correlation = 0;    ///< of both signatures
+    std::string parameter;     ///< that it would bias most
+    double bias = 0;           ///< [prior sd]
 };
 
 struct PowerTable {
@@ -22,7 +21,7 @@ struct PowerTable {
     std::vector<Screened> screened;  ///< [rows] with signatures
     std::vector<double> weights;     ///< of the readings
 };
-/// Whether nothing that is read tells an effect from other values of the parameters.
+/// Whether other values of the parameters do nearly what the effect does.
 bool is_in_parameters(const Power& power);
 PowerTable power_of(const LoopData& data, const Place& place, const Standing& standing);
 

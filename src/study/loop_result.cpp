@@ -297,8 +297,9 @@ class Writer {
             const effects::Effect& effect = last.model.effects[k];
             const std::size_t at = last.built.first_effect() + k;
             const double c = last.coefficient(k);
-            const double half = half_of_90 * std::hypot(sds[at], result_.of_shapes[k],
-                                                        result_.found[k].of_missing);
+            const double half =
+                half_of_90 * std::hypot(sds[at], result_.found[k].of_shape,
+                                        result_.found[k].of_missing);
             name.push_back(effect.name);
             hook.emplace_back(effects::name_of(effect.hook));
             driver.emplace_back(effects::name_of(effect.driver));
@@ -340,12 +341,7 @@ class Writer {
             visibility.push_back(row.visibility);
             correlation.push_back(row.correlation);
             bias.push_back(row.bias);
-            const char* exact = effects::exact_alias(row.effect);
-            if (exact != nullptr && is_in_parameters(row))
-                decisions_.push_back(
-                    {row.effect.name, std::string("one class with ") + exact,
-                     "cannot be told apart: what the readings say of both stands in the "
-                     "calibrated parameters"});
+            state_class(row);
         }
         out_.texts("power_effect", "power", name);
         out_.texts("power_alias", "power", alias);
@@ -354,6 +350,19 @@ class Writer {
         out_.vector("power_visibility", "power", visibility);
         out_.vector("power_alias_correlation", "power", correlation);
         out_.vector("power_bias", "power", bias);
+    }
+
+    /// What readings cannot tell from what is calibrated is no finding, but is said.
+    void state_class(const Power& row) {
+        const std::string alias = effects::same_as(row.effect);
+        const auto& found = result_.last.model.effects;
+        if (alias.empty() || !is_in_parameters(row) ||
+            std::ranges::find(found, row.effect.name, &effects::Effect::name) !=
+                found.end())
+            return;
+        decisions_.push_back({row.effect.name, "one class with " + alias,
+                              "cannot be told apart: what the readings say of both "
+                              "stands in the calibrated parameters"});
     }
 
     void fits() {

@@ -20,7 +20,9 @@ struct Found {
     bool adequate = true;
     double gain = 0;
     std::vector<effects::Effect> rivals{};  ///< what may stand in its place
-    double of_missing = 0;  ///< what its coefficient owes to what may still be missing
+    // What its coefficient owes, as root mean squares in its unit:
+    double of_shape = 0;    ///< to the shape that it has (deviation_over_shapes)
+    double of_missing = 0;  ///< to what may still be missing; 0 after `most_effects`
 };
 
 struct LoopResult {
@@ -35,7 +37,6 @@ struct LoopResult {
     /// Evidence of the best candidate that did not pass over what noise alone would show,
     /// at least 1: how much more than noise what the model cannot say moves its unknowns.
     double misfit = 1;
-    std::vector<double> of_shapes;  ///< deviation_over_shapes, [last.model.effects]
 };
 
 std::vector<Dataset> datasets_of(const std::string& stage, const LoopData& data,

@@ -25,16 +25,13 @@ struct Tangent {
           diagonal(prior_diagonal(standing.built.unknowns)) {
         for (double& entry : diagonal) entry += 1e-6;
         inverse = stats::inverse(equations.matrix, diagonal, bound);
-        const std::vector<double> hardly(diagonal.size(), 1e-6);
-        inverse_of_readings = stats::inverse(equations.matrix, hardly, bound);
     }
 
-    static std::vector<double> times(const Matrix& matrix,
-                                     std::span<const double> vector) {
+    std::vector<double> times_inverse(std::span<const double> vector) const {
         std::vector<double> product(vector.size(), 0.0);
         for (std::size_t i = 0; i < product.size(); ++i)
             for (std::size_t j = 0; j < product.size(); ++j)
-                product[i] += matrix(i, j) * vector[j];
+                product[i] += inverse(i, j) * vector[j];
         return product;
     }
 
@@ -42,7 +39,6 @@ struct Tangent {
     stats::NormalEquations equations;
     std::vector<double> diagonal;
     Matrix inverse;
-    Matrix inverse_of_readings;  ///< without priors
 };
 
 double dot(std::span<const double> a, std::span<const double> b) {
@@ -59,6 +55,7 @@ struct Secant {
     double U = 0, I = 0;
 
     double coefficient() const { return I > 0 ? U / I : 0; }
+    double own_share() const { return I / sums.with_itself; }
     double gain_at(double c) const { return 2 * c * U - c * c * I; }
 };
 
@@ -70,7 +67,7 @@ Secant secant_of(const Standing& standing, const Tangent& tangent,
         secant.per_unit[k] = (predicted[k] - standing.fit.at.predicted[k]) / amplitude;
     secant.sums = stats::bordered(standing.fit.at.derivatives, secant.per_unit,
                                   standing.residuals, tangent.weights);
-    secant.followed = Tangent::times(tangent.inverse, secant.sums.with_others);
+    secant.followed = tangent.times_inverse(secant.sums.with_others);
     secant.U = secant.sums.with_residual;
     secant.I = secant.sums.with_itself - dot(secant.sums.with_others, secant.followed);
     return secant;
@@ -128,7 +125,7 @@ Matrix points_of(const Standing& standing, const effects::Effect& effect,
 Screened judged(const LoopData& data, const Standing& standing, const Tangent& tangent,
                 const effects::Effect& effect, const Secant& secant, double amplitude,
                 Keep keep) {
-    Screened screened{effect, 0, 0, secant.I, {}, {}, {}, 1};
+    Screened screened{effect, 0, 0, secant.I, {}, {}, {}, 0};
     screened.coefficient = within(secant.coefficient(), amplitude, furthest(effect));
     screened.gain = secant.gain_at(screened.coefficient);
     std::vector<double> own = own_part(standing, secant);
@@ -143,16 +140,6 @@ Screened judged(const LoopData& data, const Standing& standing, const Tangent& t
 
 bool is_plausible_sign(const effects::Effect& effect, double amplitude) {
     return (amplitude > 0 && effect.most > 0) || (amplitude < 0 && effect.least < 0);
-}
-
-/// The share of a small secant that the other unknowns cannot follow, whatever their
-/// priors: that of the whole size bends, and what would follow it does not.
-double visibility_of(const Standing& standing, const Tangent& tangent,
-                     std::span<const double> predicted, double amplitude) {
-    const auto sums = secant_of(standing, tangent, predicted, amplitude).sums;
-    if (!(sums.with_itself > 0)) return 0;
-    const auto followed = Tangent::times(tangent.inverse_of_readings, sums.with_others);
-    return std::max(0.0, 1 - dot(sums.with_others, followed) / sums.with_itself);
 }
 
 /// The best of the amplitudes; gain 0 where none moves the meters.
@@ -182,10 +169,13 @@ Screened screen_one(const LoopData& data, const Place& place, const Standing& st
     if (best_gain < 0) throw std::domain_error("the effect moves no meter");
     Screened screened = judged(data, standing, tangent, effect, best_secant,
                                points(best, built.unknowns.size() - 1), keep);
+    screened.visibility = best_secant.own_share();
     constexpr std::size_t small = 2;  ///< of the amplitudes
-    if (keep == Keep::of_typical && !std::isnan(predicted(small, 0)))
-        screened.visibility = visibility_of(standing, tangent, predicted.row(small),
-                                            points(small, points.cols - 1));
+    if (keep == Keep::of_typical && !std::isnan(predicted(small, 0))) {
+        const Secant secant = secant_of(standing, tangent, predicted.row(small),
+                                        points(small, points.cols - 1));
+        if (secant.sums.with_itself > 0) screened.visibility = secant.own_share();
+    }
     return screened;
 }
 

@@ -268,7 +268,7 @@ ErrorChange error_change_of(const Standing& before, const Refitted& candidate) {
 struct Demand {
     Demand(const LoopOptions& options, const Refitted& candidate, double threshold,
            double lowest)
-        : is_overwhelming(candidate.gain > 3 * threshold),
+        : is_far_above(is_overwhelming(candidate.gain, threshold)),
           is_certain(candidate.gain > 8 * threshold) {
         constexpr double more_of_grammar = 3;
         least = options.least_gain * (candidate.effect.number == 0 ? more_of_grammar : 1);
@@ -277,7 +277,7 @@ struct Demand {
     }
     /// A season may be a wrong one, and do harm where it is: but nothing else does as
     /// well.
-    bool is_overwhelming;
+    bool is_far_above;
     /// What noise never shows is there, though another effect beside it may still be
     /// missing, or the season in which it acts be over.
     bool is_certain;
@@ -289,7 +289,7 @@ const char* objection_of_time(const LoopData& data, const Standing& before,
                               const Refitted& candidate, const Demand& demand,
                               LastQuarter& last_quarter) {
     const double change = 100 * last_quarter.change_to(candidate.standing);
-    if (change > demand.most_loss && !demand.is_overwhelming)
+    if (change > demand.most_loss && !demand.is_far_above)
         return "last quarter is foretold worse";
     if (candidate.effect.driver == effects::Driver::elapsed &&
         change >
@@ -316,7 +316,7 @@ std::string objection_to(const LoopData& data, const Standing& before,
     if (100 * change.highest > demand.most_loss) return "left-out error of a meter rises";
     if (candidate.score <= 0) return "left-out score falls";
     constexpr double seldom = 2;  ///< standard errors
-    if (candidate.consistency < seldom && !demand.is_overwhelming)
+    if (candidate.consistency < seldom && !demand.is_far_above)
         return "too few unseen fortnights gain";
     if (candidate.standing.fit.bound.back() != 0)
         return "coefficient at the end of its range";

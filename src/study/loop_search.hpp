@@ -20,8 +20,8 @@ struct Screened {
                                     ///< other unknowns can follow taken off; may be empty
     std::vector<double> bias;  ///< [unknowns] what leaving it out does to them, at its
                                ///< typical size [prior sd]
-    double visibility = 1;     ///< share of a small effect that the other unknowns
-                               ///< cannot follow, whatever their priors; of_typical
+    double visibility = 0;     ///< share of it that the other unknowns cannot follow; of
+                               ///< the typical, where it is small: a large one bends
 };
 
 /// What is wanted: gains; signatures and bias, too; or these of the typical size,
@@ -62,6 +62,11 @@ struct Step {
 /// \param barred  names of effects that are not tried: they have left again at once
 Step search(const LoopData& data, const Place& place, const Standing& standing,
             const std::vector<std::string>& barred = {});
+
+/// Whether evidence is far above what noise alone would show.
+constexpr bool is_overwhelming(double gain, double threshold) {
+    return gain > 3 * threshold;
+}
 
 /// Whether a coefficient lies in its effect's plausible range or little beyond.
 bool is_plausible(const effects::Effect& effect, double coefficient);

@@ -196,7 +196,8 @@ TEST(LoopTables, AnEffectHasItsIntervalItsLikesAndWhatWouldTellThemApart) {
 TEST(LoopTables, AnEffectThatLeavesTheAlarmIsNotCalledAdequate) {
     const std::string text = tables_of(loop_result(true, false));
     EXPECT_TRUE(says(text, "1/h per m/s 412 NO"));
-    EXPECT_TRUE(says(text, "NOT adequate: the alarm that raised it stays with it"));
+    EXPECT_TRUE(says(
+        text, "NOT adequate: the alarm that raised it stays, the evidence is little"));
 }
 
 TEST(LoopTables, TheSearchEndsWithItsReason) {

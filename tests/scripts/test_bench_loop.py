@@ -106,6 +106,15 @@ class Scores(unittest.TestCase):
             case = scored({}, [found("stack infiltration")], "null", after)
             self.assertEqual(len(loop_scores.false_effects(case)), n)
 
+    def test_thermal_bridges_stand_in_the_parameters(self):
+        said = [{"series": "thermal bridges", "finding": "one class with H_op"}]
+        for planted, decisions, is_classed in (("thermal_bridge", said, True),
+                                               ("thermal_bridge", [], False), ("blinds", said, False)):
+            case = scored({planted: 0.1}, [], decisions=decisions)
+            self.assertEqual(loop_scores.is_classed(case, planted), is_classed)
+            self.assertFalse(loop_scores.is_named(case, planted))
+            self.assertFalse(loop_scores.is_in_a_found_class(case, planted))
+
     def test_a_clock_is_a_decision(self):
         decision = {"finding": "the meter's clock is 1 h late"}
         self.assertTrue(loop_scores.is_named(scored({"meter_late": 1}, [], decisions=[decision]),
