@@ -50,7 +50,7 @@ def effect_rows(loop):
              "follows": loop.texts("effect_shape")[k],
              "coefficient": words.coefficient(loop, k),
              "gain": words.number(loop.value("effect_gain", k)),
-             "adequate": loop.value("effect_adequate", k) == 1,
+             "adequate": loop.value("effect_adequate", k) == 1, "doubt": words.doubt(loop, k),
              "others": "; ".join(words.others(loop, k)),
              "separates": loop.texts("effect_separates")[k]}
             for k, name in enumerate(loop.texts("effect"))]

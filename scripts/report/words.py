@@ -89,9 +89,16 @@ def found(loop):
         listed(found_one(loop, k) for k in range(len(names))) + "."
     if any(others(loop, k) for k in range(len(names))):
         text += " Where it says or else, these data cannot tell."
-    unsure = [name for k, name in enumerate(names) if loop.value("effect_adequate", k) != 1]
-    return text + (f" Not adequate: {listed(unsure)}; the alarm stays, the evidence is little or another "
-                   "does nearly as well, so that the name is only the nearest one." if unsure else "")
+    unsure = [f"{name} ({doubt(loop, k)})" for k, name in enumerate(names)
+              if loop.value("effect_adequate", k) != 1]
+    return text + (f" Not adequate, the name only the nearest one: {listed(unsure)}."
+                   if unsure else "")
+
+
+def doubt(loop, k):
+    """Why an effect is not adequate; results of before that was written say nothing."""
+    doubts = loop.texts("effect_doubt")
+    return doubts[k] if k < len(doubts) and doubts[k] else "the alarm that raised it stays with it"
 
 
 def change_of(row, since, until):

@@ -52,6 +52,12 @@ std::string others_of(const Group& study, std::size_t k) {
 
 /// "blind control: enters at aperture, sun on the facade above 212 W/m2; ..."; the
 /// grammar's names say it themselves.
+/// Results of before it was written have none.
+std::string doubt_of(const Group& study, std::size_t k) {
+    const std::string doubt = text_at(study.texts("effect_doubt"), k);
+    return doubt.empty() ? "the alarm that raised it stays with it" : doubt;
+}
+
 std::string effect_lines(const Group& study, std::size_t k) {
     const std::string& name = study.texts("effect")[k];
     const std::string hook = text_at(study.texts("effect_hook"), k);
@@ -62,8 +68,8 @@ std::string effect_lines(const Group& study, std::size_t k) {
                                   text_at(study.texts("effect_shape"), k)));
     if (number_at(study.values("effect_adequate"), k) != 1)
         text += wrapped(
-            "  NOT adequate: the alarm that raised it stays, the evidence is little or "
-            "another does nearly as well, so that its name is only the nearest one");
+            fmt::format("  NOT adequate: {}, so that its name is only the nearest one",
+                        doubt_of(study, k)));
     const std::string others = others_of(study, k);
     if (!others.empty()) text += wrapped("  these data cannot tell it from: " + others);
     const std::string separates = text_at(study.texts("effect_separates"), k);

@@ -392,6 +392,7 @@ constexpr LayoutRow rows[] = {
     {"effect_adequate", "effect", number, "1",
      "1 where its evidence is three times what noise shows, nothing comes near it and "
      "the alarm that raised it is silent with it; 0 = the name is the nearest one"},
+    {"effect_doubt", "effect", text, "", "why it is not adequate"},
     {"effect_class", "effect", text, "",
      "effects that these data cannot tell it from, parted by semicolons"},
     {"effect_separates", "effect", text, "", "the measurement that would"},

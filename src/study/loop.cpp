@@ -64,8 +64,8 @@ class Search {
         }
         const EffectClass near = class_of(data_, result_.last, step);
         Refitted& chosen = step.ranking[static_cast<std::size_t>(step.chosen)];
-        const bool is_clear = is_overwhelming(chosen.gain, step.threshold);
-        result_.found.push_back({fmt::format("{}", fmt::join(near.names, "; ")), true,
+        const std::string doubt = doubt_of(chosen, near, step.threshold);
+        result_.found.push_back({fmt::format("{}", fmt::join(near.names, "; ")), doubt,
                                  chosen.gain, near.rivals});
         const double before = alarm_of(data_, place, result_.last, chosen.effect);
         const std::size_t newest = chosen.standing.model.effects.size() - 1;
@@ -73,12 +73,10 @@ class Search {
         result_.last = refine_shape(data_, place, std::move(chosen.standing), newest);
         const double needed = 0.5 * step.threshold;
         const bool is_split = split(data_, place, result_.last, newest, needed);
-        // The grammar says where and when, not why: its sentences are no names. Nor do
-        // months show that nothing is left, nor is little evidence enough.
-        result_.found.back().adequate =
-            chosen.effect.number != 0 && near.is_told && is_clear &&
-            !data_.reads_months_only() &&
-            is_over(before, alarm_left(place, newest, chosen.effect));
+        result_.found.back().doubt =
+            !doubt.empty() || is_over(before, alarm_left(place, newest, chosen.effect))
+                ? doubt
+                : "the alarm that raised it stays with it";
         if (is_split) note_split(newest);
         swap_earlier(place);
         drop(prune(data_, place, result_.last, needed), "left again: no longer needed");
@@ -86,6 +84,17 @@ class Search {
              "left again: coefficient no longer plausible");
         bar_if_gone(name);
         return true;
+    }
+
+    /// Why an effect's name may be the nearest one only, before its alarm is looked at.
+    std::string doubt_of(const Refitted& chosen, const EffectClass& near,
+                         double threshold) const {
+        if (chosen.effect.number == 0) return "it says where and when, not why";
+        if (!near.is_told) return "others do nearly as well";
+        if (!is_overwhelming(chosen.gain, threshold))
+            return "its evidence is less than three times what noise shows";
+        if (data_.reads_months_only()) return "months cannot show that nothing is left";
+        return "";
     }
 
     /// The alarm that an effect leaves where it has joined: with the shape in which it
@@ -160,7 +169,7 @@ class Search {
                                    0,
                                    {}});
             found.equivalents = now.name + "; " + was;
-            found.adequate = false;
+            found.doubt = "it stands in the place of another";
         }
     }
 

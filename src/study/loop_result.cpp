@@ -289,7 +289,7 @@ class Writer {
 
     void effects_found() {
         std::vector<std::string> name, hook, driver, shape, gate, unit, members,
-            separates;
+            separates, doubt;
         std::vector<double> value, least, most, gain, adequate;
         const Standing& last = result_.last;
         const auto sds = deviations(last);
@@ -313,7 +313,8 @@ class Writer {
             least.push_back(c - half);
             most.push_back(c + half);
             gain.push_back(result_.found[k].gain);
-            adequate.push_back(result_.found[k].adequate ? 1 : 0);
+            doubt.push_back(result_.found[k].doubt);
+            adequate.push_back(doubt.back().empty() ? 1 : 0);
         }
         out_.texts("effect", "effect", name);
         out_.texts("effect_hook", "effect", hook);
@@ -328,6 +329,7 @@ class Writer {
         out_.vector("effect_most", "effect", most);
         out_.vector("effect_gain", "effect", gain);
         out_.vector("effect_adequate", "effect", adequate);
+        out_.texts("effect_doubt", "effect", doubt);
     }
 
     void power() {

@@ -102,14 +102,15 @@ def parameters(study, random):
 def effects(study, found):
     rows = [("wind infiltration", "infiltration", "wind", "wind", "always", "1/h per m/s", 0.083,
              0.079, 0.087, 412, 1, "stack infiltration; outdoor shift",
-             "calm and windy nights apart, or a tracer gas test"),
+             "calm and windy nights apart, or a tracer gas test", ""),
             ("blind control", "aperture", "brightness of the facade",
              "where brightness of the facade is above 212 W/m2, occupied", "occupied",
-             "-", -0.41, -0.52, -0.30, 38, 0, "", "position of the blinds")][:found]
-    columns = list(zip(*rows)) if rows else [()] * 13
+             "-", -0.41, -0.52, -0.30, 38, 0, "", "position of the blinds",
+             "others do nearly as well")][:found]
+    columns = list(zip(*rows)) if rows else [()] * 14
     names = ("effect", "effect_hook", "effect_driver", "effect_shape", "effect_gate", "effect_unit",
              "effect_coefficient", "effect_least", "effect_most", "effect_gain", "effect_adequate",
-             "effect_class", "effect_separates")
+             "effect_class", "effect_separates", "effect_doubt")
     for name, column in zip(names, columns):
         if name[7:] in ("coefficient", "least", "most", "gain", "adequate"):
             study[name] = np.array(column, float)

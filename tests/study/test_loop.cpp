@@ -38,6 +38,7 @@ TEST(Loop, FindsThePlantedEffectAndItsSize) {
     EXPECT_EQ(names[0], "wind infiltration");
     EXPECT_NEAR(test::find(datasets, "effect_coefficient").values[0], 0.08, 0.01);
     EXPECT_EQ(test::find(datasets, "effect_adequate").values[0], 1);
+    EXPECT_EQ(test::find(datasets, "effect_doubt").texts[0], "");
     // The model is the building: what does not pass is noise, and intervals are its own.
     EXPECT_EQ(test::find(datasets, "misfit").values[0], 1);
 }
@@ -79,6 +80,9 @@ TEST(Loop, FindsWhatFollowsASeriesOfTheJob) {
     EXPECT_EQ(test::find(datasets, "effect_driver").texts[0], "column");
     EXPECT_NE(test::find(datasets, "effect_shape").texts[0].find("rain"),
               std::string::npos);
+    EXPECT_EQ(test::find(datasets, "effect_adequate").values[0], 0);
+    EXPECT_EQ(test::find(datasets, "effect_doubt").texts[0],
+              "it says where and when, not why");
 }
 
 TEST(Loop, FindsNothingWhereNothingIs) {
