@@ -50,14 +50,14 @@ std::string others_of(const Group& study, std::size_t k) {
     return others;
 }
 
-/// "blind control: enters at aperture, sun on the facade above 212 W/m2; ..."; the
-/// grammar's names say it themselves.
-/// Results of before it was written have none.
+/// Why an effect is not adequate; results of before that was written do not say.
 std::string doubt_of(const Group& study, std::size_t k) {
     const std::string doubt = text_at(study.texts("effect_doubt"), k);
     return doubt.empty() ? "the alarm that raised it stays with it" : doubt;
 }
 
+/// "blind control: enters at aperture, sun on the facade above 212 W/m2; ..."; the
+/// grammar's names say it themselves.
 std::string effect_lines(const Group& study, std::size_t k) {
     const std::string& name = study.texts("effect")[k];
     const std::string hook = text_at(study.texts("effect_hook"), k);

@@ -73,10 +73,8 @@ class Search {
         result_.last = refine_shape(data_, place, std::move(chosen.standing), newest);
         const double needed = 0.5 * step.threshold;
         const bool is_split = split(data_, place, result_.last, newest, needed);
-        result_.found.back().doubt =
-            !doubt.empty() || is_over(before, alarm_left(place, newest, chosen.effect))
-                ? doubt
-                : "the alarm that raised it stays with it";
+        if (doubt.empty() && !is_over(before, alarm_left(place, newest, chosen.effect)))
+            result_.found.back().doubt = "the alarm that raised it stays with it";
         if (is_split) note_split(newest);
         swap_earlier(place);
         drop(prune(data_, place, result_.last, needed), "left again: no longer needed");

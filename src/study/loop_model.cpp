@@ -16,9 +16,6 @@ namespace {
 
 constexpr long long day_s = 86400;
 constexpr double days_of_noise = 7;  ///< blocks over which errors are counted as one
-/// Where nothing is known of the time before, the first readings tell of that; where a
-/// building seldom heats, they are much of the year's heat.
-constexpr int hours_of_first_state = 48;
 
 /// Whether options name it; no names = all.
 bool is_chosen(const std::vector<std::string>& names, const std::string& name) {
@@ -309,8 +306,9 @@ LoopData::LoopData(const Case& given, const LoopOptions& chosen)
 
 std::vector<physics::Readings> training_readings(const Case& building,
                                                  const Period& period) {
+    // Where a building seldom heats, the first days are much of the year's heat.
+    constexpr std::chrono::hours first{48};
     auto readings = readings_of(building, period);
-    const auto first = std::chrono::hours(hours_of_first_state);
     const bool is_short = period.to - period.from < 10 * first;
     if (is_short || knows_state_before(building, period)) return readings;
     const physics::TimeAxis axis = axis_of(building, period);
