@@ -3,6 +3,7 @@
 
 #include "effects/catalogue.hpp"
 #include "study/loop_class.hpp"
+#include "study/loop_intervals.hpp"
 #include "study/loop_loads.hpp"
 #include "study/loop_moves.hpp"
 #include "study/loop_result.hpp"
@@ -44,6 +45,8 @@ class Search {
             result_.log.push_back({"", "as many effects as were asked for", 0, 0, 0, {}});
         else
             leave_what_does_not_stand_out(place);
+        while (leave_least_certain(place)) {
+        }
     }
 
   private:
@@ -141,6 +144,33 @@ class Search {
              "left: does not stand out from the model's misfit");
     }
 
+    /// An effect whose coefficient, by all that its interval holds, may nearly be nothing
+    /// leaves, the least certain first. Says whether one did.
+    bool leave_least_certain(const Place& place) {
+        constexpr double least = 3.5;  ///< standard deviations from 0
+        const Standing& last = result_.last;
+        const auto sds = deviations_of(data_, last, result_.misfit);
+        double lowest = least;
+        std::size_t weakest = 0;
+        for (std::size_t k = 0; k < last.model.effects.size(); ++k) {
+            Found& found = result_.found[k];
+            found.of_shape = deviation_over_shapes(data_, place, last, k, result_.misfit);
+            const double c = last.coefficient(k);
+            const double certainty =
+                std::abs(c) / deviation_of(found, sds[last.built.first_effect() + k], c);
+            if (!(certainty < lowest)) continue;
+            lowest = certainty, weakest = k;
+        }
+        if (lowest >= least) return false;
+        const std::string name = last.model.effects[weakest].name;
+        Standing without = without_effect(data_, place, last, weakest);
+        if (without.fit.failed) return false;
+        settle(data_, without);
+        result_.last = std::move(without);
+        drop({{weakest, name}}, "left: its coefficient may be nearly nothing");
+        return true;
+    }
+
     void note_split(std::size_t effect) {
         const auto& all = result_.last.model.effects;
         Found& plant = result_.found[effect];
@@ -208,9 +238,6 @@ std::vector<Dataset> searched(const std::string& name, const LoopData& data) {
     result.last = result.baseline.chosen;
     Search(data, result).run();
     if (result.last.model.effects.empty()) result.last = result.baseline.chosen;
-    for (std::size_t k = 0; k < result.last.model.effects.size(); ++k)
-        result.found[k].of_shape =
-            deviation_over_shapes(data, place, result.last, k, result.misfit);
     result.after = localise(data, place, result.last);
     result.unexplained = unexplained_of(data, result.last);
     return datasets_of(data.building.name + "/" + name, data, result);

@@ -37,9 +37,10 @@ double first_move(const effects::Effect& effect) {
     }
 }
 
+constexpr double two_weeks = 0.04;  ///< [a]
+
 /// Where a shape begins at the earliest: readings before a date tell what changes on it.
 double earliest(const effects::Effect& effect) {
-    constexpr double two_weeks = 0.04;  ///< [a]
     return effect.driver == effects::Driver::elapsed ? two_weeks : -1e9;
 }
 
@@ -112,6 +113,11 @@ bool move_shape(const LoopData& data, const Place& place, Standing& standing,
 bool is_dated(const effects::Effect& effect) {
     return effect.driver == effects::Driver::day_of_year ||
            effect.driver == effects::Driver::elapsed;
+}
+
+bool begins_with_readings(const effects::Effect& effect) {
+    return effect.driver == effects::Driver::elapsed &&
+           effect.shape.form == effects::Form::over && effect.shape.at <= two_weeks;
 }
 
 Standing with_best_shape(const LoopData& data, const Place& place, Standing standing,
@@ -233,9 +239,6 @@ bool split(const LoopData& data, const Place& place, Standing& standing,
     return true;
 }
 
-namespace {
-
-/// The model without one of its effects, from where it stands.
 Standing without_effect(const LoopData& data, const Place& place,
                         const Standing& standing, std::size_t effect) {
     Standing without;
@@ -251,8 +254,6 @@ Standing without_effect(const LoopData& data, const Place& place,
     refit(data, without, std::move(start), {5, 1e-3});
     return without;
 }
-
-}  // namespace
 
 std::vector<Gone> prune(const LoopData& data, const Place& place, Standing& standing,
                         double least) {
@@ -281,7 +282,9 @@ std::vector<Gone> prune_implausible(const LoopData& data, const Place& place,
                                     Standing& standing) {
     std::vector<Gone> gone;
     for (std::size_t k = 0; k < standing.model.effects.size();) {
-        if (is_plausible(standing.model.effects[k], standing.coefficient(k))) {
+        const effects::Effect& effect = standing.model.effects[k];
+        if (is_plausible(effect, standing.coefficient(k)) &&
+            !begins_with_readings(effect)) {
             ++k;
             continue;
         }

@@ -13,6 +13,10 @@ namespace bemcal::study {
 /// which something else would seem to explain.
 bool is_dated(const effects::Effect& effect);
 
+/// Whether a step stands at the earliest date that one may have: it takes up what the
+/// first weeks owe to a state that nobody knows.
+bool begins_with_readings(const effects::Effect& effect);
+
 /// The model with the effect's thresholds and dates at their best values, by its noise.
 Standing with_best_shape(const LoopData& data, const Place& place, Standing standing,
                          std::size_t effect);
@@ -42,6 +46,10 @@ inline constexpr const char* of_use = ": use";
 bool split(const LoopData& data, const Place& place, Standing& standing,
            std::size_t effect, double least);
 
+/// The model without one of its effects, from where it stands, not yet settled.
+Standing without_effect(const LoopData& data, const Place& place,
+                        const Standing& standing, std::size_t effect);
+
 /// An effect that has left: its place among those that were there at that moment.
 struct Gone {
     std::size_t index;
@@ -54,8 +62,8 @@ struct Gone {
 std::vector<Gone> prune(const LoopData& data, const Place& place, Standing& standing,
                         double least);
 
-/// Effects leave whose coefficients have left what is plausible, as shapes moved or
-/// others joined. Returns them in the order in which they left.
+/// Effects leave whose coefficients or dates have left what is plausible, as shapes moved
+/// or others joined. Returns them in the order in which they left.
 std::vector<Gone> prune_implausible(const LoopData& data, const Place& place,
                                     Standing& standing);
 

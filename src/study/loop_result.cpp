@@ -1,9 +1,9 @@
 #include "study/loop_result.hpp"
 
 #include "effects/catalogue.hpp"
-#include "stats/least_squares.hpp"
 #include "stats/metrics.hpp"
 #include "study/datasets.hpp"
+#include "study/loop_intervals.hpp"
 #include "study/loop_loads.hpp"
 
 #include <algorithm>
@@ -103,10 +103,6 @@ std::vector<double> outdoors_of(const physics::Drive& drive) {
     return hours;
 }
 
-double days_of(const Period& period) {
-    return static_cast<double>((period.to - period.from).count()) / 86400;
-}
-
 void push(std::vector<double>& to, const stats::FitMetrics& metrics) {
     to.insert(to.end(), {metrics.n, metrics.cv_rmse, metrics.nmbe, metrics.rmse});
 }
@@ -149,36 +145,6 @@ class Writer {
         out_.texts("metric", "metric", {"n", "cv_rmse", "nmbe", "rmse"});
     }
 
-    /// Standard deviations of a model's unknowns, in their units: the variance that noise
-    /// leaves them, times the misfit; more where twelfths of the period say otherwise.
-    std::vector<double> deviations(const Standing& standing) const {
-        auto weights = weights_of(data_.targets, standing.noise);
-        for (double& weight : weights) weight /= result_.misfit;
-        const auto equations = stats::normal_equations(standing.fit.at.derivatives,
-                                                       standing.residuals, weights);
-        auto diagonal = prior_diagonal(standing.built.unknowns);
-        for (double& entry : diagonal) entry += 1e-6;
-        // A set-point where nothing heats any more could be anything: no more is said
-        // than that it is plausible.
-        for (std::size_t k = 0; k < standing.model.effects.size(); ++k) {
-            const effects::Effect& effect = standing.model.effects[k];
-            const std::size_t at = standing.built.first_effect() + k;
-            diagonal[at] +=
-                std::pow(standing.built.unknowns[at].scale /
-                             std::max(std::abs(effect.least), std::abs(effect.most)),
-                         2);
-        }
-        const std::vector<char> none(diagonal.size(), 0);
-        const Matrix covariance = stats::inverse(equations.matrix, diagonal, none);
-        std::vector<double> sd = stats::jackknife_deviations(
-            standing.fit.at.derivatives, standing.residuals, weights,
-            data_.blocks_of(days_of(data_.training()) / 12), diagonal, none);
-        for (std::size_t k = 0; k < diagonal.size(); ++k)
-            sd[k] = std::max(sd[k], std::sqrt(std::max(0.0, covariance(k, k)))) *
-                    standing.built.unknowns[k].scale;
-        return sd;
-    }
-
     void parameters() {
         const auto& unknowns = result_.last.built.unknowns;
         const std::size_t n = result_.last.built.first_effect();
@@ -195,7 +161,7 @@ class Writer {
         std::vector<double> values(3 * n, nan), deviation(3 * n, nan);
         const Standings standings = standings_of(result_);
         for (std::size_t m = 0; m < 3; ++m) {
-            const auto sds = deviations(*standings[m]);
+            const auto sds = deviations_of(data_, *standings[m], result_.misfit);
             const auto& own = standings[m]->built.unknowns;
             for (std::size_t k = 0; k < standings[m]->built.first_effect(); ++k) {
                 const std::size_t at = m * n + index.at(own[k].name);
@@ -292,14 +258,12 @@ class Writer {
             separates, doubt;
         std::vector<double> value, least, most, gain, adequate;
         const Standing& last = result_.last;
-        const auto sds = deviations(last);
+        const auto sds = deviations_of(data_, last, result_.misfit);
         for (std::size_t k = 0; k < last.model.effects.size(); ++k) {
             const effects::Effect& effect = last.model.effects[k];
             const std::size_t at = last.built.first_effect() + k;
             const double c = last.coefficient(k);
-            const double half =
-                half_of_90 * std::hypot(sds[at], result_.found[k].of_shape,
-                                        result_.found[k].of_missing);
+            const double half = half_of_90 * deviation_of(result_.found[k], sds[at], c);
             name.push_back(effect.name);
             hook.emplace_back(effects::name_of(effect.hook));
             driver.emplace_back(effects::name_of(effect.driver));

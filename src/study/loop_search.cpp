@@ -302,6 +302,12 @@ const char* objection_of_time(const LoopData& data, const Standing& before,
     return "";
 }
 
+/// What drifts without a known cause is not carried on beyond the training period.
+bool is_nameless_drift(const effects::Effect& effect) {
+    return effect.number == 0 && effect.driver == effects::Driver::elapsed &&
+           effect.shape.form == effects::Form::linear;
+}
+
 /// The first gate that is not passed.
 std::string objection_to(const LoopData& data, const Standing& before,
                          const Refitted& candidate, double threshold,
@@ -310,6 +316,9 @@ std::string objection_to(const LoopData& data, const Standing& before,
     if (candidate.gain <= threshold) return "evidence below what noise shows";
     if (!is_plausible(candidate.effect, candidate.coefficient))
         return "coefficient not plausible";
+    if (begins_with_readings(candidate.effect)) return "begins where the readings do";
+    if (is_nameless_drift(candidate.effect))
+        return "a drift without a name: it may not go on";
     const ErrorChange change = error_change_of(before, candidate);
     const Demand demand(data.options, candidate, threshold, change.lowest);
     if (!(100 * change.mean <= -demand.least)) return "left-out error falls too little";
@@ -356,6 +365,7 @@ std::vector<Refitted> refit_all(const LoopData& data, const Place& place,
 }
 
 constexpr std::size_t most_judged = 14;
+constexpr double is_near = 0.7;  ///< of the threshold: a rival of one that passes
 
 /// Takes a quick refit to its end.
 void finish(const LoopData& data, const Standing& before, Refitted& candidate) {
@@ -465,7 +475,8 @@ Step search(const LoopData& data, const Place& place, const Standing& standing,
         }
         candidate.coefficient =
             candidate.standing.coefficient(candidate.standing.model.effects.size() - 1);
-        judge_left_out(data, standing, unseen, candidate);
+        if (candidate.gain > is_near * step.threshold)
+            judge_left_out(data, standing, unseen, candidate);
         candidate.objection =
             objection_to(data, standing, candidate, step.threshold, last_quarter);
     }

@@ -75,6 +75,24 @@ TEST(LoopMoves, AnEffectLeavesWhoseCoefficientIsNoLongerPlausible) {
     EXPECT_TRUE(model.standing.model.effects.empty());
 }
 
+// What the first two weeks owe to a state that nobody knows looks like a step there.
+TEST(LoopMoves, AStepThatBeginsWithTheReadingsLeaves) {
+    Model model;
+    prune(model.data, model.place, model.standing, 10);
+    effects::Effect& effect = model.standing.model.effects[0];
+    effect.driver = effects::Driver::elapsed;
+    effect.shape = {effects::Form::over, 0.05};
+    EXPECT_FALSE(begins_with_readings(effect));
+    EXPECT_TRUE(prune_implausible(model.data, model.place, model.standing).empty());
+    effect.shape.at = 0.04;
+    EXPECT_TRUE(begins_with_readings(effect));
+    EXPECT_EQ(names_of(prune_implausible(model.data, model.place, model.standing)),
+              Names{"wind infiltration"});
+    effects::Effect drift;
+    drift.driver = effects::Driver::elapsed;  // has no date
+    EXPECT_FALSE(begins_with_readings(drift));
+}
+
 // Nothing of wind infiltration's form can move. Of a fan by the hour it can: shapes that
 // fit nearly as well leave its coefficient open, the more the wider the misfit.
 TEST(LoopMoves, ShapesLeaveCoefficientsOpen) {

@@ -1,0 +1,63 @@
+#include "study/loop_intervals.hpp"
+#include "study/windy_case.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+using namespace bemcal;
+using namespace bemcal::study;
+using test::measure, test::named, test::windy_case;
+
+namespace {
+
+/// A building whose gas has wind infiltration in it, calibrated with that.
+struct Model {
+    Model() : data(measured(), options()), place(make_place(data, {}, data.drive)) {
+        standing = calibrate(data, place, {{}, {named("wind infiltration")}},
+                             std::vector<double>(place.unknowns.size() + 1, 0.0));
+    }
+    static Case measured() {
+        Case made = windy_case();
+        measure(made, named("wind infiltration"), 0.08, 3);
+        return made;
+    }
+    static LoopOptions options() {
+        LoopOptions options;
+        options.block_days = 7;
+        return options;
+    }
+
+    LoopData data;
+    Place place;
+    Standing standing;
+};
+
+}  // namespace
+
+// What was planted lies within three deviations of noise (false alarm: 1 in 370).
+TEST(LoopIntervals, NoiseLeavesTheTruthWithinItsDeviations) {
+    const Model model;
+    const auto sds = deviations_of(model.data, model.standing, 1);
+    ASSERT_EQ(sds.size(), model.standing.built.unknowns.size());
+    EXPECT_GT(sds.back(), 0);
+    EXPECT_NEAR(model.standing.coefficient(0), 0.08, 3 * sds.back());
+}
+
+TEST(LoopIntervals, TheyWidenWithTheMisfit) {
+    const Model model;
+    const auto sds = deviations_of(model.data, model.standing, 1),
+               wider = deviations_of(model.data, model.standing, 4);
+    for (std::size_t k = 0; k < sds.size(); ++k) EXPECT_GE(wider[k], 0.999 * sds[k]);
+    EXPECT_GT(wider.back(), 1.2 * sds.back());
+}
+
+TEST(LoopIntervals, WhatAddsToACoefficientsAddsInSquares) {
+    Found found;
+    EXPECT_DOUBLE_EQ(deviation_of(found, 0.3, 0), 0.3);
+    EXPECT_DOUBLE_EQ(deviation_of(found, 0, 2), 0.16);  // 8 % of the model's own
+    EXPECT_DOUBLE_EQ(deviation_of(found, 0, -2), 0.16);
+    found.of_shape = 0.3;
+    found.of_missing = 0.4;
+    EXPECT_DOUBLE_EQ(deviation_of(found, 1.2, 0), 1.3);
+}
