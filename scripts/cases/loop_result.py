@@ -17,7 +17,7 @@ EFFECT = {"name": "effect", "hook": "effect_hook", "driver": "effect_driver",
           "shape": "effect_shape", "gate": "effect_gate", "coefficient": "effect_coefficient",
           "interval": ("effect_least", "effect_most"), "unit": "effect_unit",
           "class": "effect_class", "adequate": "effect_adequate", "gain": "effect_gain",
-          "separates": "effect_separates"}
+          "separates": "effect_separates", "doubt": "effect_doubt"}
 DECISION = {"series": "decision_series", "finding": "decision_finding",
             "action": "decision_action"}
 CONVERT = {"class": lambda text: text.split("; "), "adequate": bool}

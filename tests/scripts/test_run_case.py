@@ -207,10 +207,11 @@ def write_result(path):
              "effect_driver": ["constant"], "effect_shape": ["linear"],
              "effect_gate": ["always"], "effect_unit": ["K"],
              "effect_class": ["heat island; sky loss"], "effect_separates": ["a logger"],
+             "effect_doubt": ["others do nearly as well"],
              "decision_series": ["cold"], "decision_finding": ["zeros"],
              "decision_action": ["kept"]}
     numbers = {"effect_coefficient": [1.5], "effect_least": [1.2], "effect_most": [1.8],
-               "effect_adequate": [1.0], "effect_gain": [200.0]}
+               "effect_adequate": [0.0], "effect_gain": [200.0]}
     begin = np.datetime64("2018-01-01T00", "s").astype(np.int64)
     with h5py.File(path, "w") as file:
         for building in ("a", "b"):
@@ -246,7 +247,8 @@ class Results(Folders):
         effect, = json.loads((self.folder / "effects.json").read_text())
         self.assertEqual(effect["class"], ["heat island", "sky loss"])
         self.assertEqual(effect["interval"], [1.2, 1.8])
-        self.assertIs(effect["adequate"], True)
+        self.assertIs(effect["adequate"], False)
+        self.assertEqual(effect["doubt"], "others do nearly as well")
         self.assertEqual((effect["name"], effect["hook"], effect["coefficient"], effect["unit"]),
                          ("heat island", "outdoor air", 1.5, "K"))
 
