@@ -144,31 +144,34 @@ class Search {
              "left: does not stand out from the model's misfit");
     }
 
-    /// An effect whose coefficient, by all that its interval holds, may nearly be nothing
-    /// leaves, the least certain first. Says whether one did.
+    /// An effect whose coefficient may nearly be nothing leaves, the least certain first.
+    /// Says whether one did.
     bool leave_least_certain(const Place& place) {
-        constexpr double least = 3.5;  ///< standard deviations from 0
+        constexpr double least = 3.5;
+        const auto certainties = certainties_of(place);
+        const auto lowest = std::ranges::min_element(certainties);
+        if (lowest == certainties.end() || *lowest >= least) return false;
+        const auto weakest = static_cast<std::size_t>(lowest - certainties.begin());
+        const auto gone = take_out(data_, place, result_.last, weakest);
+        if (!gone) return false;
+        drop({*gone}, "left: its coefficient may be nearly nothing");
+        return true;
+    }
+
+    /// How many standard deviations each effect's coefficient is from 0, by all that its
+    /// interval holds.
+    std::vector<double> certainties_of(const Place& place) {
         const Standing& last = result_.last;
         const auto sds = deviations_of(data_, last, result_.misfit);
-        double lowest = least;
-        std::size_t weakest = 0;
+        std::vector<double> certainties;
         for (std::size_t k = 0; k < last.model.effects.size(); ++k) {
             Found& found = result_.found[k];
             found.of_shape = deviation_over_shapes(data_, place, last, k, result_.misfit);
             const double c = last.coefficient(k);
-            const double certainty =
-                std::abs(c) / deviation_of(found, sds[last.built.first_effect() + k], c);
-            if (!(certainty < lowest)) continue;
-            lowest = certainty, weakest = k;
+            const double of_noise = sds[last.built.first_effect() + k];
+            certainties.push_back(std::abs(c) / deviation_of(found, of_noise, c));
         }
-        if (lowest >= least) return false;
-        const std::string name = last.model.effects[weakest].name;
-        Standing without = without_effect(data_, place, last, weakest);
-        if (without.fit.failed) return false;
-        settle(data_, without);
-        result_.last = std::move(without);
-        drop({{weakest, name}}, "left: its coefficient may be nearly nothing");
-        return true;
+        return certainties;
     }
 
     void note_split(std::size_t effect) {

@@ -30,7 +30,7 @@ std::vector<double> losses_of(const LoopData& data, const Standing& before,
 /// Only what has most of the evidence, too; a term of the grammar, which often says the
 /// same with other words, where it has clearly more.
 bool is_near(const Refitted& other, const Refitted& chosen) {
-    const double share = other.effect.number != 0 ? 0.7 : 1.1;
+    const double share = other.effect.number != 0 ? of_a_rival : 1.1;
     return other.gain > share * chosen.gain;
 }
 

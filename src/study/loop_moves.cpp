@@ -239,6 +239,9 @@ bool split(const LoopData& data, const Place& place, Standing& standing,
     return true;
 }
 
+namespace {
+
+/// The model without one of its effects, from where it stands.
 Standing without_effect(const LoopData& data, const Place& place,
                         const Standing& standing, std::size_t effect) {
     Standing without;
@@ -253,6 +256,18 @@ Standing without_effect(const LoopData& data, const Place& place,
                 static_cast<std::ptrdiff_t>(standing.built.first_effect() + effect));
     refit(data, without, std::move(start), {5, 1e-3});
     return without;
+}
+
+}  // namespace
+
+std::optional<Gone> take_out(const LoopData& data, const Place& place, Standing& standing,
+                             std::size_t effect) {
+    Standing without = without_effect(data, place, standing, effect);
+    if (without.fit.failed) return std::nullopt;
+    const Gone gone{effect, standing.model.effects[effect].name};
+    settle(data, without);
+    standing = std::move(without);
+    return gone;
 }
 
 std::vector<Gone> prune(const LoopData& data, const Place& place, Standing& standing,
@@ -288,11 +303,9 @@ std::vector<Gone> prune_implausible(const LoopData& data, const Place& place,
             ++k;
             continue;
         }
-        Standing without = without_effect(data, place, standing, k);
-        if (without.fit.failed) return gone;
-        gone.push_back({k, standing.model.effects[k].name});
-        settle(data, without);
-        standing = std::move(without);
+        const auto left = take_out(data, place, standing, k);
+        if (!left) return gone;
+        gone.push_back(*left);
         k = 0;
     }
     return gone;

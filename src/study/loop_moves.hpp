@@ -4,6 +4,7 @@
 
 #include "study/loop_baseline.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,15 +47,15 @@ inline constexpr const char* of_use = ": use";
 bool split(const LoopData& data, const Place& place, Standing& standing,
            std::size_t effect, double least);
 
-/// The model without one of its effects, from where it stands, not yet settled.
-Standing without_effect(const LoopData& data, const Place& place,
-                        const Standing& standing, std::size_t effect);
-
 /// An effect that has left: its place among those that were there at that moment.
 struct Gone {
     std::size_t index;
     std::string name;
 };
+
+/// Lets an effect leave; nothing where the model cannot do without it.
+std::optional<Gone> take_out(const LoopData& data, const Place& place, Standing& standing,
+                             std::size_t effect);
 
 /// Effects leave that the model can do without for less than so much evidence, the least
 /// first; where one half leaves of an effect that was split, the other stands for both

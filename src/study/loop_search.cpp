@@ -365,7 +365,6 @@ std::vector<Refitted> refit_all(const LoopData& data, const Place& place,
 }
 
 constexpr std::size_t most_judged = 14;
-constexpr double is_near = 0.7;  ///< of the threshold: a rival of one that passes
 
 /// Takes a quick refit to its end.
 void finish(const LoopData& data, const Standing& before, Refitted& candidate) {
@@ -475,7 +474,7 @@ Step search(const LoopData& data, const Place& place, const Standing& standing,
         }
         candidate.coefficient =
             candidate.standing.coefficient(candidate.standing.model.effects.size() - 1);
-        if (candidate.gain > is_near * step.threshold)
+        if (candidate.gain > of_a_rival * step.threshold)
             judge_left_out(data, standing, unseen, candidate);
         candidate.objection =
             objection_to(data, standing, candidate, step.threshold, last_quarter);
