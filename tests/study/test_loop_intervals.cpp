@@ -1,5 +1,5 @@
 #include "study/loop_intervals.hpp"
-#include "study/windy_case.hpp"
+#include "study/windy_model.hpp"
 
 #include <cmath>
 
@@ -7,37 +7,16 @@
 
 using namespace bemcal;
 using namespace bemcal::study;
-using test::measure, test::named, test::windy_case;
 
 namespace {
 
-/// A building whose gas has wind infiltration in it, calibrated with that.
-struct Model {
-    Model() : data(measured(), options()), place(make_place(data, {}, data.drive)) {
-        standing = calibrate(data, place, {{}, {named("wind infiltration")}},
-                             std::vector<double>(place.unknowns.size() + 1, 0.0));
-    }
-    static Case measured() {
-        Case made = windy_case();
-        measure(made, named("wind infiltration"), 0.08, 3);
-        return made;
-    }
-    static LoopOptions options() {
-        LoopOptions options;
-        options.block_days = 7;
-        return options;
-    }
-
-    LoopData data;
-    Place place;
-    Standing standing;
-};
+const std::vector<std::string> the_right_one = {"wind infiltration"};
 
 }  // namespace
 
 // What was planted lies within three deviations of noise (false alarm: 1 in 370).
 TEST(LoopIntervals, NoiseLeavesTheTruthWithinItsDeviations) {
-    const Model model;
+    const test::WindyModel model(the_right_one);
     const auto sds = deviations_of(model.data, model.standing, 1);
     ASSERT_EQ(sds.size(), model.standing.built.unknowns.size());
     EXPECT_GT(sds.back(), 0);
@@ -45,7 +24,7 @@ TEST(LoopIntervals, NoiseLeavesTheTruthWithinItsDeviations) {
 }
 
 TEST(LoopIntervals, TheyWidenWithTheMisfit) {
-    const Model model;
+    const test::WindyModel model(the_right_one);
     const auto sds = deviations_of(model.data, model.standing, 1),
                wider = deviations_of(model.data, model.standing, 4);
     for (std::size_t k = 0; k < sds.size(); ++k) EXPECT_GE(wider[k], 0.999 * sds[k]);

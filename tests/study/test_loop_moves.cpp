@@ -1,5 +1,5 @@
 #include "study/loop_moves.hpp"
-#include "study/windy_case.hpp"
+#include "study/windy_model.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,28 +9,10 @@ using test::measure, test::named, test::windy_case;
 
 namespace {
 
-/// A building whose gas has wind infiltration in it, calibrated with that and with an
-/// effect that nothing in the readings follows.
-struct Model {
-    Model() : data(measured(), options()), place(make_place(data, {}, data.drive)) {
-        const LoopModel both{{}, {named("exhaust fan"), named("wind infiltration")}};
-        standing = calibrate(data, place, both,
-                             std::vector<double>(place.unknowns.size() + 2, 0.0));
-    }
-    static Case measured() {
-        Case made = windy_case();
-        measure(made, named("wind infiltration"), 0.08, 3);
-        return made;
-    }
-    static LoopOptions options() {
-        LoopOptions options;
-        options.block_days = 7;
-        return options;
-    }
-
-    LoopData data;
-    Place place;
-    Standing standing;
+/// Calibrated with what is there, and with an effect that nothing in the readings
+/// follows.
+struct Model : test::WindyModel {
+    Model() : WindyModel({"exhaust fan", "wind infiltration"}) {}
 };
 
 std::vector<std::string> names_of(const std::vector<effects::Effect>& effects) {
