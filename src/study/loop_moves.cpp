@@ -264,7 +264,7 @@ std::optional<Gone> take_out(const LoopData& data, const Place& place, Standing&
                              std::size_t effect) {
     Standing without = without_effect(data, place, standing, effect);
     if (without.fit.failed) return std::nullopt;
-    const Gone gone{effect, standing.model.effects[effect].name};
+    Gone gone{effect, standing.model.effects[effect].name};
     settle(data, without);
     standing = std::move(without);
     return gone;
