@@ -148,7 +148,8 @@ class Search {
     /// Says whether one did.
     bool leave_least_certain(const Place& place) {
         constexpr double least = 3.5;
-        const auto certainties = certainties_of(place);
+        note_what_shapes_leave_open(place);
+        const auto certainties = certainties_of();
         const auto lowest = std::ranges::min_element(certainties);
         if (lowest == certainties.end() || *lowest >= least) return false;
         const auto weakest = static_cast<std::size_t>(lowest - certainties.begin());
@@ -158,18 +159,23 @@ class Search {
         return true;
     }
 
+    void note_what_shapes_leave_open(const Place& place) {
+        for (std::size_t k = 0; k < result_.found.size(); ++k)
+            result_.found[k].of_shape =
+                deviation_over_shapes(data_, place, result_.last, k, result_.misfit);
+    }
+
     /// How many standard deviations each effect's coefficient is from 0, by all that its
     /// interval holds.
-    std::vector<double> certainties_of(const Place& place) {
+    std::vector<double> certainties_of() const {
         const Standing& last = result_.last;
         const auto sds = deviations_of(data_, last, result_.misfit);
         std::vector<double> certainties;
-        for (std::size_t k = 0; k < last.model.effects.size(); ++k) {
-            Found& found = result_.found[k];
-            found.of_shape = deviation_over_shapes(data_, place, last, k, result_.misfit);
+        for (std::size_t k = 0; k < result_.found.size(); ++k) {
             const double c = last.coefficient(k);
             const double of_noise = sds[last.built.first_effect() + k];
-            certainties.push_back(std::abs(c) / deviation_of(found, of_noise, c));
+            certainties.push_back(std::abs(c) /
+                                  deviation_of(result_.found[k], of_noise, c));
         }
         return certainties;
     }

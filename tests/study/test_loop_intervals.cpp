@@ -1,7 +1,8 @@
 #include "study/loop_intervals.hpp"
 #include "study/windy_model.hpp"
 
-#include <cmath>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -31,7 +32,7 @@ TEST(LoopIntervals, TheyWidenWithTheMisfit) {
     EXPECT_GT(wider.back(), 1.2 * sds.back());
 }
 
-TEST(LoopIntervals, WhatAddsToACoefficientsAddsInSquares) {
+TEST(LoopIntervals, WhatAddsToADeviationAddsInSquares) {
     Found found;
     EXPECT_DOUBLE_EQ(deviation_of(found, 0.3, 0), 0.3);
     EXPECT_DOUBLE_EQ(deviation_of(found, 0, 2), 0.16);  // 8 % of the model's own
