@@ -3,6 +3,7 @@
 
 #include "effects/catalogue.hpp"
 #include "study/loop_class.hpp"
+#include "study/loop_clock.hpp"
 #include "study/loop_intervals.hpp"
 #include "study/loop_loads.hpp"
 #include "study/loop_moves.hpp"
@@ -41,6 +42,7 @@ class Search {
         // What is accepted may leave again, and must not come and go for ever.
         for (std::size_t step = 0; step < 3 * most; ++step)
             if (result_.last.model.effects.size() >= most || !accept_one(place)) break;
+        if (late_clock_) return;
         if (result_.last.model.effects.size() >= most)
             result_.log.push_back({"", "as many effects as were asked for", 0, 0, 0, {}});
         else
@@ -48,6 +50,9 @@ class Search {
         while (leave_least_certain(place)) {
         }
     }
+
+    /// What ended the search: all of it is to be done again by the right hour.
+    const std::optional<LateClock>& late_clock() const { return late_clock_; }
 
   private:
     bool accept_one(const Place& place) {
@@ -74,6 +79,9 @@ class Search {
         const std::size_t newest = chosen.standing.model.effects.size() - 1;
         const std::string name = chosen.effect.name;
         result_.last = refine_shape(data_, place, std::move(chosen.standing), newest);
+        if (result_.hours_late == 0)
+            late_clock_ = late_clock_in_place_of(data_, result_.last, newest);
+        if (late_clock_) return false;
         const double needed = 0.5 * step.threshold;
         const bool is_split = split(data_, place, result_.last, newest, needed);
         if (doubt.empty() && !is_over(before, alarm_left(place, newest, chosen.effect)))
@@ -232,12 +240,15 @@ class Search {
     const LoopData& data_;
     LoopResult& result_;
     double threshold_ = 0;  ///< of the last step
+    std::optional<LateClock> late_clock_;
     std::vector<std::string> barred_;
 };
 
 /// Everything of one building; empty where it cannot be simulated as described.
-std::vector<Dataset> searched(const std::string& name, const LoopData& data) {
+std::vector<Dataset> searched(const std::string& name, const LoopData& data,
+                              int hours_late = 0) {
     LoopResult result;
+    result.hours_late = hours_late;
     result.baseline = make_baseline(data);
     if (result.baseline.chosen.fit.failed) return {};
     know_loads(result.baseline.place, result.baseline.chosen);
@@ -245,7 +256,12 @@ std::vector<Dataset> searched(const std::string& name, const LoopData& data) {
     result.power = power_of(data, place, result.baseline.chosen);
     result.before = localise(data, place, result.baseline.chosen);
     result.last = result.baseline.chosen;
-    Search(data, result).run();
+    Search search(data, result);
+    search.run();
+    if (const auto& late = search.late_clock()) {
+        const Case set = with_clock_set(data.building, *late);
+        return searched(name, LoopData(set, data.options), late->hours);
+    }
     if (result.last.model.effects.empty()) result.last = result.baseline.chosen;
     result.after = localise(data, place, result.last);
     result.unexplained = unexplained_of(data, result.last);

@@ -124,6 +124,13 @@ std::vector<physics::Target> free_targets(const Place& place, const char* path) 
     return targets;
 }
 
+/// A number of the structure ends where it would be something else: a second mass as slow
+/// as the ground, a sky that stands for a station's offset.
+std::pair<double, double> limits_of(double mean, double sd, double least, double most) {
+    constexpr double far = 2.5;  ///< prior standard deviations
+    return {std::max(least, mean - far * sd), std::min(most, mean + far * sd)};
+}
+
 void add_number(const Refinement::Number& number, Place& place) {
     auto targets = free_targets(place, number.path);
     if (targets.empty()) return;
@@ -133,11 +140,11 @@ void add_number(const Refinement::Number& number, Place& place) {
         name += " of the structure";
     for (const physics::Target& target : targets)
         physics::number_at(place.building, target) = number.mean;
-    place.parameters.push_back({name, "", number.least, number.most,
-                                physics::Effect::replace, std::move(targets),
-                                number.mean});
-    place.unknowns.push_back(
-        {name, "", number.mean, number.sd, number.least, number.most, true});
+    const auto [least, most] =
+        limits_of(number.mean, number.sd, number.least, number.most);
+    place.parameters.push_back({name, "", least, most, physics::Effect::replace,
+                                std::move(targets), number.mean});
+    place.unknowns.push_back({name, "", number.mean, number.sd, least, most, true});
 }
 
 void add_structure(const std::vector<std::size_t>& structure, Place& place) {
@@ -464,11 +471,14 @@ BuiltModel build(const Place& place, const std::vector<effects::Effect>& added) 
             all[k].name,     parameter.unit, 0,    std::abs(all[k].typical),
             parameter.least, parameter.most, false};
         if (k < place.always.size()) {
-            unknown.centre = place.always[k].mean;
-            unknown.scale = place.always[k].sd;
+            const Refinement::Always& always = place.always[k];
+            unknown.centre = always.mean;
+            unknown.scale = always.sd;
             unknown.has_prior = true;
-            unknown.least = std::max(unknown.least, place.always[k].least);
-            unknown.most = std::min(unknown.most, place.always[k].most);
+            const auto [least, most] =
+                limits_of(always.mean, always.sd, always.least, always.most);
+            unknown.least = std::max(unknown.least, least);
+            unknown.most = std::min(unknown.most, most);
         }
         built.unknowns.push_back(unknown);
     }

@@ -4,6 +4,7 @@
 #include "study/loop_search.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
@@ -115,9 +116,14 @@ bool is_dated(const effects::Effect& effect) {
            effect.driver == effects::Driver::elapsed;
 }
 
-bool begins_with_readings(const effects::Effect& effect) {
+bool is_at_an_end(const LoopData& data, const effects::Effect& effect) {
+    const Period& training = data.training();
+    const std::chrono::duration<double, std::chrono::years::period> years =
+        training.to - training.from;
+    const double at = effect.shape.at;
     return effect.driver == effects::Driver::elapsed &&
-           effect.shape.form == effects::Form::over && effect.shape.at <= two_weeks;
+           effect.shape.form == effects::Form::over &&
+           (at <= two_weeks || at >= years.count() - two_weeks);
 }
 
 Standing with_best_shape(const LoopData& data, const Place& place, Standing standing,
@@ -299,7 +305,7 @@ std::vector<Gone> prune_implausible(const LoopData& data, const Place& place,
     for (std::size_t k = 0; k < standing.model.effects.size();) {
         const effects::Effect& effect = standing.model.effects[k];
         if (is_plausible(effect, standing.coefficient(k)) &&
-            !begins_with_readings(effect)) {
+            !is_at_an_end(data, effect)) {
             ++k;
             continue;
         }

@@ -14,9 +14,9 @@ namespace bemcal::study {
 /// which something else would seem to explain.
 bool is_dated(const effects::Effect& effect);
 
-/// Whether a step stands at the earliest date that one may have: it takes up what the
-/// first weeks owe to a state that nobody knows.
-bool begins_with_readings(const effects::Effect& effect);
+/// Whether a step stands in the first or the last two weeks of training: the first owe
+/// much to a state that nobody knows, and the last are too few to say what goes on.
+bool is_at_an_end(const LoopData& data, const effects::Effect& effect);
 
 /// The model with the effect's thresholds and dates at their best values, by its noise.
 Standing with_best_shape(const LoopData& data, const Place& place, Standing standing,

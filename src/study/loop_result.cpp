@@ -3,6 +3,7 @@
 #include "effects/catalogue.hpp"
 #include "stats/metrics.hpp"
 #include "study/datasets.hpp"
+#include "study/loop_clock.hpp"
 #include "study/loop_intervals.hpp"
 #include "study/loop_loads.hpp"
 
@@ -350,7 +351,8 @@ class Writer {
             hours.push_back(predicted(m, period, drive, begins.size()));
         const auto readings = readings_of(data_.building, period);
         out_.times(period.name + "/time", begins);
-        out_.vector(period.name + "/outdoor_temperature", "time", outdoors_of(*drive));
+        out_.vector(period.name + "/outdoor_temperature", "time",
+                    by_late_clock_throughout(outdoors_of(*drive), result_.hours_late));
         for (std::size_t c = 0; c < channels_; ++c) {
             const physics::Readings& meter = readings[data_.meters[c]];
             const bool is_hourly = meter.values.size() == begins.size();
@@ -359,7 +361,8 @@ class Writer {
             std::vector<double> simulated;
             for (std::size_t m = 0; m < 3; ++m) {
                 const auto& own = hours[m][c];
-                simulated.insert(simulated.end(), own.begin(), own.end());
+                const auto stamped = by_late_clock_throughout(own, result_.hours_late);
+                simulated.insert(simulated.end(), stamped.begin(), stamped.end());
                 const bool is_mean = meter.quantity == physics::Quantity::air_temperature;
                 const Months months = is_hourly
                                           ? months_of(begins, own, measured, is_mean)
@@ -376,7 +379,8 @@ class Writer {
                             k] = metrics[4 * r + k];
             }
             const std::string folder = period.name + "/" + channel_names_[c] + "/";
-            out_.vector(folder + "measured", "time", measured);
+            out_.vector(folder + "measured", "time",
+                        by_late_clock(measured, result_.hours_late));
             out_.array(folder + "simulated", {"model", "time"}, {3, begins.size()},
                        std::move(simulated));
         }

@@ -37,6 +37,7 @@ struct LoopResult {
     /// Evidence of the best candidate that did not pass over what noise alone would show,
     /// at least 1: how much more than noise what the model cannot say moves its unknowns.
     double misfit = 1;
+    int hours_late = 0;  ///< of the meters' clocks, which predictions follow
 };
 
 std::vector<Dataset> datasets_of(const std::string& stage, const LoopData& data,

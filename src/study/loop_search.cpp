@@ -264,16 +264,37 @@ ErrorChange error_change_of(const Standing& before, const Refitted& candidate) {
     return change;
 }
 
+/// Whether the error of a meter that carries little falls by much: it says nothing of the
+/// mean, but what happens there is seen there alone.
+bool mends_small_meter(const Standing& before, const Refitted& candidate) {
+    constexpr double matters = 0.5, much = 0.15;
+    if (candidate.effect.number == 0) return false;
+    for (std::size_t c = 0; c < candidate.error.size(); ++c)
+        if (before.noise[c].share < matters && candidate.error[c] < -much) return true;
+    return false;
+}
+
+/// Whether an effect with a name has so much evidence that what it brings may be small,
+/// where no meter that counts has a larger error with it.
+bool is_certain_if_small(const Refitted& candidate, double threshold, double highest) {
+    constexpr double much = 150;  ///< of evidence: half of it is seen in buildings that
+                                  ///< lack nothing
+    return candidate.effect.number != 0 && candidate.gain > much &&
+           is_overwhelming(candidate.gain, threshold) && highest <= 0;
+}
+
 /// What is asked of a candidate, by how far its evidence is above what noise shows.
 struct Demand {
     Demand(const LoopOptions& options, const Refitted& candidate, double threshold,
-           double lowest)
+           const ErrorChange& change)
         : is_far_above(is_overwhelming(candidate.gain, threshold)),
           is_certain(candidate.gain > 8 * threshold) {
-        constexpr double more_of_grammar = 3;
+        constexpr double more_of_grammar = 3, less_if_certain = 0.7;
         least = options.least_gain * (candidate.effect.number == 0 ? more_of_grammar : 1);
+        if (is_certain_if_small(candidate, threshold, change.highest))
+            least *= less_if_certain;
         const double in_exchange = is_certain ? 0.3 : 0.15;  // of the best meter's gain
-        most_loss = std::max(options.most_loss, -100 * in_exchange * lowest);
+        most_loss = std::max(options.most_loss, -100 * in_exchange * change.lowest);
     }
     /// A season may be a wrong one, and do harm where it is: but nothing else does as
     /// well.
@@ -316,16 +337,19 @@ std::string objection_to(const LoopData& data, const Standing& before,
     if (candidate.gain <= threshold) return "evidence below what noise shows";
     if (!is_plausible(candidate.effect, candidate.coefficient))
         return "coefficient not plausible";
-    if (begins_with_readings(candidate.effect)) return "begins where the readings do";
+    if (is_at_an_end(data, candidate.effect))
+        return "begins in the first or last two weeks";
     if (is_nameless_drift(candidate.effect))
         return "a drift without a name: it may not go on";
     const ErrorChange change = error_change_of(before, candidate);
-    const Demand demand(data.options, candidate, threshold, change.lowest);
-    if (!(100 * change.mean <= -demand.least)) return "left-out error falls too little";
+    const Demand demand(data.options, candidate, threshold, change);
+    if (!(100 * change.mean <= -demand.least) && !mends_small_meter(before, candidate))
+        return "left-out error falls too little";
     if (100 * change.highest > demand.most_loss) return "left-out error of a meter rises";
     if (candidate.score <= 0) return "left-out score falls";
     constexpr double seldom = 2;  ///< standard errors
-    if (candidate.consistency < seldom && !demand.is_far_above)
+    if (candidate.consistency < seldom && !demand.is_far_above &&
+        candidate.score < std::max(candidate.gain, 2 * threshold))
         return "too few unseen fortnights gain";
     if (candidate.standing.fit.bound.back() != 0)
         return "coefficient at the end of its range";

@@ -97,8 +97,19 @@ TEST(LoopModel, InfiltrationByWindStaysAShareOfIt) {
     EXPECT_EQ(share.name, "share of infiltration by wind");
     EXPECT_TRUE(share.has_prior);
     EXPECT_EQ(share.centre, 0.3);
-    EXPECT_EQ(share.least, 0);
+    EXPECT_DOUBLE_EQ(share.least, 0.05);
     EXPECT_EQ(share.most, 0.45);
+}
+
+// Beyond, a second mass would be the ground.
+TEST(LoopModel, ANumberOfTheStructureStaysNearItsPrior) {
+    const LoopData data = windy_data();
+    const Place place = make_place(data, {refinement("second mass")}, data.drive);
+    const FitUnknown& capacity = place.unknowns.back();
+    EXPECT_EQ(capacity.name, "second_mass_capacity");
+    EXPECT_DOUBLE_EQ(capacity.highest(), 2.5);
+    EXPECT_EQ(capacity.least, 20000);
+    EXPECT_EQ(place.parameters.back().most, capacity.most);
 }
 
 TEST(LoopModel, MonthsAreLeftOutWhole) {

@@ -1,6 +1,8 @@
 #include "study/loop_moves.hpp"
 #include "study/windy_model.hpp"
 
+#include <chrono>
+
 #include <gtest/gtest.h>
 
 using namespace bemcal;
@@ -57,22 +59,30 @@ TEST(LoopMoves, AnEffectLeavesWhoseCoefficientIsNoLongerPlausible) {
     EXPECT_TRUE(model.standing.model.effects.empty());
 }
 
-// What the first two weeks owe to a state that nobody knows looks like a step there.
-TEST(LoopMoves, AStepThatBeginsWithTheReadingsLeaves) {
+// What the first two weeks owe to a state that nobody knows looks like a step there; what
+// the last two show would go on for ever.
+TEST(LoopMoves, AStepAtAnEndOfTheReadingsLeaves) {
     Model model;
     prune(model.data, model.place, model.standing, 10);
     effects::Effect& effect = model.standing.model.effects[0];
     effect.driver = effects::Driver::elapsed;
     effect.shape = {effects::Form::over, 0.05};
-    EXPECT_FALSE(begins_with_readings(effect));
+    EXPECT_FALSE(is_at_an_end(model.data, effect));
     EXPECT_TRUE(prune_implausible(model.data, model.place, model.standing).empty());
+    const Period& training = model.data.training();
+    const std::chrono::duration<double, std::chrono::years::period> years =
+        training.to - training.from;
+    effect.shape.at = years.count() - 0.05;
+    EXPECT_FALSE(is_at_an_end(model.data, effect));
+    effect.shape.at = years.count() - 0.03;
+    EXPECT_TRUE(is_at_an_end(model.data, effect));
     effect.shape.at = 0.04;
-    EXPECT_TRUE(begins_with_readings(effect));
+    EXPECT_TRUE(is_at_an_end(model.data, effect));
     EXPECT_EQ(names_of(prune_implausible(model.data, model.place, model.standing)),
               Names{"wind infiltration"});
     effects::Effect drift;
     drift.driver = effects::Driver::elapsed;  // has no date
-    EXPECT_FALSE(begins_with_readings(drift));
+    EXPECT_FALSE(is_at_an_end(model.data, drift));
 }
 
 // Nothing of wind infiltration's form can move. Of a fan by the hour it can: shapes that
