@@ -155,13 +155,20 @@ class Search {
     /// An effect whose coefficient may nearly be nothing leaves, the least certain first.
     /// Says whether one did.
     bool leave_least_certain(const Place& place) {
-        constexpr double least = 3.5;
         note_what_shapes_leave_open(place);
         const auto certainties = certainties_of();
-        const auto lowest = std::ranges::min_element(certainties);
-        if (lowest == certainties.end() || *lowest >= least) return false;
-        const auto weakest = static_cast<std::size_t>(lowest - certainties.begin());
-        const auto gone = take_out(data_, place, result_.last, weakest);
+        std::optional<std::size_t> weakest;
+        for (std::size_t k = 0; k < certainties.size(); ++k) {
+            Found& found = result_.found[k];
+            const Fate fate = fate_of(certainties[k], found.gain, threshold_);
+            if (fate == Fate::is_doubtful && found.doubt.empty())
+                found.doubt = "its coefficient may be nearly nothing";
+            if (fate == Fate::leaves &&
+                (!weakest || certainties[k] < certainties[*weakest]))
+                weakest = k;
+        }
+        const auto gone =
+            weakest ? take_out(data_, place, result_.last, *weakest) : std::nullopt;
         if (!gone) return false;
         drop({*gone}, "left: its coefficient may be nearly nothing");
         return true;

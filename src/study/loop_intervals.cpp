@@ -53,4 +53,11 @@ double deviation_of(const Found& found, double of_noise, double coefficient) {
                       found.of_missing);
 }
 
+Fate fate_of(double certainty, double gain, double threshold) {
+    constexpr double nearly_nothing = 3.5;
+    constexpr double far_above = 6;
+    if (certainty >= nearly_nothing) return Fate::stays;
+    return gain > far_above * threshold ? Fate::is_doubtful : Fate::leaves;
+}
+
 }  // namespace bemcal::study

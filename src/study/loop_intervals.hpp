@@ -17,4 +17,16 @@ std::vector<double> deviations_of(const LoopData& data, const Standing& standing
 /// found about its shape and about what is missing, and of the model itself.
 double deviation_of(const Found& found, double of_noise, double coefficient);
 
+/// What becomes of an effect that was found.
+enum class Fate {
+    stays,
+    is_doubtful,  ///< it is there, but its coefficient could be nearly anything
+    leaves,
+};
+
+/// By how many of its deviations the coefficient is from 0, and by its evidence beside
+/// what noise shows: a set-point of a season with hardly any load has no certain
+/// coefficient, and may be there for all that.
+Fate fate_of(double certainty, double gain, double threshold);
+
 }  // namespace bemcal::study

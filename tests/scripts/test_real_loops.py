@@ -59,6 +59,26 @@ class RealLoops(unittest.TestCase):
         self.assertTrue(0 < hourly < 200 and 0 < monthly < 200)
         self.assertNotIn("regression", self.errors["office", "air", period])
 
+    def test_a_series_is_judged_by_all_its_held_out_hours_together(self):
+        def models(plain, after, **others):
+            return {name: (error, "%", None) for name, error in
+                    dict(others, plain=plain, before=plain, after=after).items()}
+
+        series = bench_real_loops.of_all_held_out({
+            ("house", "gas", "training"): models(9, 1),
+            ("house", "gas", "autumn"): models(20, 30),
+            ("house", "gas", "spring"): models(40, 20),
+            ("house", "gas", "all held out"): models(30, 25, regression=25),
+            ("office", "gas", "held_out"): models(30, 31, regression=29),
+            ("office", "air", "held_out"): models(1, 1.005)})
+        self.assertEqual([of["after"] for of in series], [25, 31, 1.005])
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            bench_real_loops.print_counts(series)
+        self.assertEqual(printed.getvalue().splitlines(), [
+            "real_series_lower_by_10_percent 1 of_3 - -",
+            "real_series_higher_by_1_percent 1 of_3 - -",
+            "real_series_not_above_regression 1 of_2 - -"])
+
 
 if __name__ == "__main__":
     unittest.main()

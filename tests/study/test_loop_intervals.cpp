@@ -41,3 +41,11 @@ TEST(LoopIntervals, WhatAddsToADeviationAddsInSquares) {
     found.of_missing = 0.4;
     EXPECT_DOUBLE_EQ(deviation_of(found, 1.2, 0), 1.3);
 }
+
+// Evidence says whether an effect is there, its coefficient how much of it.
+TEST(LoopIntervals, AnUncertainCoefficientLeavesUnlessItsEvidenceIsFarAboveNoise) {
+    EXPECT_EQ(fate_of(4, 20, 15), Fate::stays);
+    EXPECT_EQ(fate_of(4, 200, 15), Fate::stays);
+    EXPECT_EQ(fate_of(3, 80, 15), Fate::leaves);
+    EXPECT_EQ(fate_of(3, 100, 15), Fate::is_doubtful);
+}
