@@ -78,8 +78,13 @@ void find_bias(const Standing& standing, const Screened& screened, Power& power)
 }  // namespace
 
 bool is_in_parameters(const Power& power) {
-    constexpr double invisible = 0.02;
-    return power.visibility < invisible;
+    constexpr double same = 0.98;  ///< correlation of what is one signature
+    return power.visibility < 1 - same * same;
+}
+
+bool can_be_seen(const Power& power) {
+    constexpr double least = 5;
+    return power.detectability >= least;
 }
 
 double correlation_of(std::span<const double> a, std::span<const double> b,

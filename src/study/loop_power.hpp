@@ -21,8 +21,11 @@ struct PowerTable {
     std::vector<Screened> screened;  ///< [rows] with signatures
     std::vector<double> weights;     ///< of the readings
 };
-/// Whether other values of the parameters do nearly what the effect does.
+/// Whether other values of the parameters do nearly what the effect does: a correlation
+/// of 0.98.
 bool is_in_parameters(const Power& power);
+/// Whether there would be more of it than it can be known to.
+bool can_be_seen(const Power& power);
 PowerTable power_of(const LoopData& data, const Place& place, const Standing& standing);
 
 /// Correlation of two signatures in the weights' metric.

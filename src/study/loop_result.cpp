@@ -321,7 +321,9 @@ class Writer {
 
     /// What readings cannot tell from what is calibrated is no finding, but is said.
     void state_class(const Power& row) {
-        const std::string alias = effects::same_as(row.effect);
+        std::string alias = effects::same_as(row.effect);
+        if (alias.empty() && can_be_seen(row))
+            alias = row.parameter + " and what else is calibrated";
         const auto& found = result_.last.model.effects;
         if (alias.empty() || !is_in_parameters(row) ||
             std::ranges::find(found, row.effect.name, &effects::Effect::name) !=

@@ -287,7 +287,8 @@ bool is_certain_if_small(const Refitted& candidate, double threshold, double hig
 struct Demand {
     Demand(const LoopOptions& options, const Refitted& candidate, double threshold,
            const ErrorChange& change)
-        : is_far_above(is_overwhelming(candidate.gain, threshold)),
+        : is_far_above(is_overwhelming(candidate.gain, threshold) ||
+                       candidate.score > std::max(candidate.gain, 2 * threshold)),
           is_certain(candidate.gain > 8 * threshold) {
         constexpr double more_of_grammar = 3, less_if_certain = 0.7;
         least = options.least_gain * (candidate.effect.number == 0 ? more_of_grammar : 1);
@@ -297,7 +298,7 @@ struct Demand {
         most_loss = std::max(options.most_loss, -100 * in_exchange * change.lowest);
     }
     /// A season may be a wrong one, and do harm where it is: but nothing else does as
-    /// well.
+    /// well, or unseen fortnights gain as much as those that were fitted.
     bool is_far_above;
     /// What noise never shows is there, though another effect beside it may still be
     /// missing, or the season in which it acts be over.
@@ -348,8 +349,7 @@ std::string objection_to(const LoopData& data, const Standing& before,
     if (100 * change.highest > demand.most_loss) return "left-out error of a meter rises";
     if (candidate.score <= 0) return "left-out score falls";
     constexpr double seldom = 2;  ///< standard errors
-    if (candidate.consistency < seldom && !demand.is_far_above &&
-        candidate.score < std::max(candidate.gain, 2 * threshold))
+    if (candidate.consistency < seldom && !demand.is_far_above)
         return "too few unseen fortnights gain";
     if (candidate.standing.fit.bound.back() != 0)
         return "coefficient at the end of its range";
