@@ -319,19 +319,25 @@ class Writer {
         out_.vector("power_bias", "power", bias);
     }
 
-    /// What readings cannot tell from what is calibrated is no finding, but is said.
+    /// What readings cannot tell from what is calibrated is no finding, but is said: of
+    /// what is the same always, of the rest where it could be seen at all.
     void state_class(const Power& row) {
-        std::string alias = effects::same_as(row.effect);
-        if (alias.empty() && can_be_seen(row))
-            alias = row.parameter + " and what else is calibrated";
         const auto& found = result_.last.model.effects;
-        if (alias.empty() || !is_in_parameters(row) ||
+        if (!is_in_parameters(row) ||
             std::ranges::find(found, row.effect.name, &effects::Effect::name) !=
                 found.end())
             return;
-        decisions_.push_back({row.effect.name, "one class with " + alias,
-                              "cannot be told apart: what the readings say of both "
-                              "stands in the calibrated parameters"});
+        const std::string same = effects::same_as(row.effect);
+        if (!same.empty())
+            decisions_.push_back({row.effect.name, "one class with " + same,
+                                  "cannot be told apart: what the readings say of both "
+                                  "stands in the calibrated parameters"});
+        else if (can_be_seen(row))
+            decisions_.push_back({row.effect.name,
+                                  "one class with " + row.parameter +
+                                      " and what else is calibrated",
+                                  "told apart only where it is large: else what the "
+                                  "readings say of both stands in the parameters"});
     }
 
     void fits() {
