@@ -157,9 +157,14 @@ def is_named(scored, planted):
     return any(is_right(effect, planted) for effect in scored.found)
 
 
+def put_with_parameters(scored):
+    """Names of which a decision says that they and calibrated parameters are one class."""
+    return {decision["series"] for decision in scored.decisions
+            if decision["finding"].startswith("one class with ")}
+
+
 def is_put_with_parameters(scored, planted):
-    """Whether a decision says that it and calibrated parameters are one class."""
-    return any(decision["series"] in RIGHT[planted].names for decision in scored.decisions)
+    return bool(put_with_parameters(scored) & set(RIGHT[planted].names))
 
 
 def is_in_a_found_class(scored, planted):

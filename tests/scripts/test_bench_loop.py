@@ -106,10 +106,14 @@ class Scores(unittest.TestCase):
             case = scored({}, [found("stack infiltration")], "null", after)
             self.assertEqual(len(loop_scores.false_effects(case)), n)
 
-    def test_thermal_bridges_stand_in_the_parameters(self):
-        said = [{"series": "thermal bridges", "finding": "one class with H_op"}]
-        for planted, decisions, is_classed in (("thermal_bridge", said, True),
-                                               ("thermal_bridge", [], False), ("blinds", said, False)):
+    def test_what_parameters_follow_is_one_class_with_them(self):
+        bridges = [{"series": "thermal bridges", "finding": "one class with H_op"}]
+        ground = [{"series": "ground coupling",
+                   "finding": "one class with u_floor and what else is calibrated"}]
+        other = [{"series": "ground coupling", "finding": "an hour late"}]
+        for planted, decisions, is_classed in (
+                ("thermal_bridge", bridges, True), ("thermal_bridge", [], False),
+                ("blinds", bridges, False), ("ground", ground, True), ("ground", other, False)):
             case = scored({planted: 0.1}, [], decisions=decisions)
             self.assertEqual(loop_scores.is_classed(case, planted), is_classed)
             self.assertFalse(loop_scores.is_named(case, planted))
