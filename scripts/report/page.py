@@ -91,6 +91,7 @@ def contents(loop):
         parameter_picture=pictures.parameters(loop), alarm_picture=pictures.alarms(loop),
         steps=step_rows(loop), ranking=ranking, power=power[:MOST_POWER_ROWS],
         more_power=power[MOST_POWER_ROWS:], unseen=words.unseen(loop), aliases=words.aliases(loop),
+        followed=words.followed(loop),
         structures=structures, left=left, models=range(3),
         decisions=side_by_side(loop, "decision_series", "decision_finding", "decision_action"),
         colours={name: (light, dark) for name, light, dark in theme.COLOURS.values()})

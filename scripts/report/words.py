@@ -6,6 +6,7 @@ from report.result import AFTER, BEFORE, PLAIN
 DASH = "–"
 LEAST_SEEN = 5                 # detectability
 SAME_SIGNATURE = 0.98          # correlation
+PARAMETERS = "the calibrated parameters themselves"   # as an alias
 SMALL = 0.005                  # changes below this share are none
 LARGE = 0.02                   # unexplained shares below it are not listed
 
@@ -167,10 +168,19 @@ def unseen(loop):
             if not loop.value("power_detectability", k) >= LEAST_SEEN]
 
 
+def same_signatures(loop):
+    return [(name, loop.texts("power_alias")[k]) for k, name in
+            enumerate(loop.texts("power_effect"))
+            if abs(loop.value("power_alias_correlation", k)) >= SAME_SIGNATURE]
+
+
 def aliases(loop):
     """Pairs with the same signature, each once."""
-    pairs = [(name, loop.texts("power_alias")[k]) for k, name in
-             enumerate(loop.texts("power_effect"))
-             if abs(loop.value("power_alias_correlation", k)) >= SAME_SIGNATURE]
+    pairs = [(a, b) for a, b in same_signatures(loop) if b != PARAMETERS]
     return [f"{a} and {b}" for k, (a, b) in enumerate(pairs)
             if (b, a) not in pairs[:k] and (a, b) not in pairs[:k]]
+
+
+def followed(loop):
+    """Effects that other values of the parameters do nearly the same as."""
+    return [a for a, b in same_signatures(loop) if b == PARAMETERS]

@@ -51,19 +51,27 @@ std::string unseen_line(const Group& study) {
                     least_seen, fmt::join(names, ", ")));
 }
 
-/// Pairs with the same signature, each once.
-std::string alias_line(const Group& study) {
-    std::vector<std::string> pairs;
+/// Pairs with the same signature, each once; those that the parameters are like, together.
+std::string alias_lines(const Group& study) {
+    const std::string parameters = "the calibrated parameters themselves";
+    std::vector<std::string> pairs, followed;
     const auto &effects = study.texts("power_effect"),
                &likes = study.texts("power_alias");
     for (std::size_t k = 0; k < std::min(effects.size(), likes.size()); ++k) {
         const double r = number_at(study.values("power_alias_correlation"), k);
         if (!(std::abs(r) >= same_signature)) continue;
-        if (std::ranges::find(pairs, likes[k] + " and " + effects[k]) == pairs.end())
+        if (likes[k] == parameters)
+            followed.push_back(effects[k]);
+        else if (std::ranges::find(pairs, likes[k] + " and " + effects[k]) == pairs.end())
             pairs.push_back(effects[k] + " and " + likes[k]);
     }
-    if (pairs.empty()) return {};
-    return wrapped(fmt::format("cannot be told apart: {}", fmt::join(pairs, "; ")));
+    std::string text;
+    if (!pairs.empty())
+        text += wrapped(fmt::format("cannot be told apart: {}", fmt::join(pairs, "; ")));
+    if (!followed.empty())
+        text += wrapped(fmt::format("{} do nearly the same as: {}", parameters,
+                                    fmt::join(followed, ", ")));
+    return text;
 }
 
 /// A cell of the localisation.
@@ -113,7 +121,7 @@ std::string loop_power_table(const Group& study) {
     const std::vector<std::size_t> order = from_the_largest(detectability);
     for (std::size_t i = 0; i < std::min(order.size(), most_rows); ++i)
         if (detectability[order[i]] >= least_seen) add_power(table, study, order[i]);
-    return text_of(table, 21) + unseen_line(study) + alias_line(study);
+    return text_of(table, 21) + unseen_line(study) + alias_lines(study);
 }
 
 std::string loop_localisation_table(const Group& study) {

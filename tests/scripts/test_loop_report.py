@@ -140,6 +140,9 @@ class LoopReport(unittest.TestCase):
         self.assertEqual(pictures.of_channel(loop, 0), [])
         self.assertIn("Not read by the hour in this period", page.html_of(loop))
 
+    def test_what_parameters_do_nearly_as_well_stands_together(self):
+        self.assertIn("do nearly the same as: effect 38, effect 39.", self.page.text)
+
     def test_what_a_result_lacks_is_left_out(self):
         file = fake_loop_result.write(self.folder / "lean.h5", channels=ONE)
         with h5py.File(file, "a") as stored:
