@@ -51,7 +51,8 @@ std::string unseen_line(const Group& study) {
                     least_seen, fmt::join(names, ", ")));
 }
 
-/// Pairs with the same signature, each once; those that the parameters are like, together.
+/// Pairs with the same signature, each once; those that the parameters are like,
+/// together.
 std::string alias_lines(const Group& study) {
     const std::string parameters = "the calibrated parameters themselves";
     std::vector<std::string> pairs, followed;

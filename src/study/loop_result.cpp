@@ -333,11 +333,11 @@ class Writer {
                                   "cannot be told apart: what the readings say of both "
                                   "stands in the calibrated parameters"});
         else if (can_be_seen(row))
-            decisions_.push_back({row.effect.name,
-                                  "one class with " + row.parameter +
-                                      " and what else is calibrated",
-                                  "told apart only where it is large: else what the "
-                                  "readings say of both stands in the parameters"});
+            decisions_.push_back(
+                {row.effect.name,
+                 "one class with " + row.parameter + " and what else is calibrated",
+                 "told apart only where it is large: else what the "
+                 "readings say of both stands in the parameters"});
     }
 
     void fits() {

@@ -90,9 +90,11 @@ void add_background(store::ResultFile& result) {
          {2, 2},
          {0.4, 0.2, 0.5, 1.1},
          {}});
-    add(texts("power_effect", "power", {"faint", "clear", "thermal bridge", "ground", "roof"}));
+    add(texts("power_effect", "power",
+              {"faint", "clear", "thermal bridge", "ground", "roof"}));
     const std::string parameters = "the calibrated parameters themselves";
-    add(texts("power_alias", "power", {"clear", "faint", "H_op", parameters, parameters}));
+    add(texts("power_alias", "power",
+              {"clear", "faint", "H_op", parameters, parameters}));
     add(texts("power_bias_parameter", "power",
               {"u_wall", "u_wall", "u_wall", "u_wall", "u_roof"}));
     add(numbers("power_detectability", "power", {2, 95, 7, 6, 6}));
@@ -220,8 +222,9 @@ TEST(LoopTables, ThePowerTableNamesWhatCannotBeSeenOrToldApart) {
     EXPECT_TRUE(
         says(text, "would not be seen in these data (detectability below 5): faint"));
     EXPECT_TRUE(says(text, "cannot be told apart: thermal bridge and H_op"));
-    EXPECT_TRUE(says(text, "the calibrated parameters themselves do nearly the same as: "
-                           "ground, roof"));
+    EXPECT_TRUE(says(text,
+                     "the calibrated parameters themselves do nearly the same as: "
+                     "ground, roof"));
 }
 
 TEST(LoopTables, AlarmsStandFromTheLoudestOn) {
