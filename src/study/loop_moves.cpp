@@ -1,7 +1,7 @@
 /// Every move is a refit from where the model stands.
 #include "study/loop_moves.hpp"
 
-#include "study/loop_search.hpp"
+#include "study/loop_gates.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -71,7 +71,4 @@ constexpr bool is_overwhelming(double gain, double threshold) {
 /// Of the chosen one's evidence, what another must have to be of its class.
 constexpr double of_a_rival = 0.7;
 
-/// Whether a coefficient lies in its effect's plausible range or little beyond.
-bool is_plausible(const effects::Effect& effect, double coefficient);
-
 }  // namespace bemcal::study

@@ -52,26 +52,6 @@ TEST(LoopSearch, ASignalInEveryBlockPasses) {
     EXPECT_GT(largest_gain(screened), null_gain(screened, 0.01, 7));
 }
 
-TEST(LoopSearch, ACoefficientIsPlausibleByHalfBeyondEachEnd) {
-    effects::Effect shade;
-    shade.least = -0.9;
-    shade.most = 0.3;
-    EXPECT_TRUE(is_plausible(shade, 0.44));
-    EXPECT_FALSE(is_plausible(shade, 0.46));
-    EXPECT_TRUE(is_plausible(shade, -1.3));
-    effects::Effect fan;
-    fan.least = 0.3;
-    fan.most = 1;
-    EXPECT_FALSE(is_plausible(fan, 0.19));
-    EXPECT_TRUE(is_plausible(fan, 0.21));
-    EXPECT_FALSE(is_plausible(fan, 1.51));
-    effects::Effect fouling;
-    fouling.least = -0.6;
-    fouling.most = -0.3;
-    EXPECT_TRUE(is_plausible(fouling, -0.89));
-    EXPECT_FALSE(is_plausible(fouling, -0.19));
-}
-
 TEST(LoopSearch, TheThresholdIsTheSameForTheSameSeed) {
     const auto screened = noise_only(1);
     EXPECT_EQ(null_gain(screened, 0.01, 5), null_gain(screened, 0.01, 5));
