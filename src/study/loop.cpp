@@ -49,6 +49,8 @@ class Search {
             leave_what_does_not_stand_out(place);
         while (leave_least_certain(place)) {
         }
+        if (!result_.found.empty())
+            spare_meters(data_, result_.baseline.chosen, result_.last);
     }
 
     /// What ended the search: all of it is to be done again by the right hour.

@@ -68,4 +68,8 @@ std::vector<Gone> prune(const LoopData& data, const Place& place, Standing& stan
 std::vector<Gone> prune_implausible(const LoopData& data, const Place& place,
                                     Standing& standing);
 
+/// No meter pays for what effects mend at another: one whose readings the model explains
+/// worse than the one before them did counts more in the fit, until it does not.
+void spare_meters(const LoopData& data, const Standing& before, Standing& standing);
+
 }  // namespace bemcal::study

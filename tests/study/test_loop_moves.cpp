@@ -150,3 +150,25 @@ TEST(LoopMoves, AHalfStandsForBothWhereTheOtherLeaves) {
         EXPECT_NEAR(standing.coefficient(0), 0.8, 0.1);
     }
 }
+
+// Two meters of one gas flow that disagree: what one gains the other loses.
+TEST(LoopMoves, NoMeterPaysForWhatIsMendedAtAnother) {
+    Case made = test::WindyModel::measured();
+    made.meters.push_back(made.meters[0]);
+    for (double& value : made.meters[1].values) value *= 1.1;
+    const LoopData data(made, test::WindyModel::options());
+    const Place place = make_place(data, {}, data.drive);
+    const Standing before =
+        calibrate(data, place, {}, std::vector<double>(place.unknowns.size()));
+    Standing after = before;
+    after.noise[1].sigma /= 3;
+    refit(data, after, after.fit.at.x, {10, 1e-4});
+    const auto error_of_first = [&](const Standing& standing) {
+        return mean_squares(data.targets, standing.residuals)[0];
+    };
+    ASSERT_GT(error_of_first(after), 1.02 * error_of_first(before));
+    const auto noise = after.noise;
+    spare_meters(data, before, after);
+    EXPECT_LE(error_of_first(after), 1.005 * error_of_first(before));
+    EXPECT_EQ(after.noise[0].sigma, noise[0].sigma);
+}
