@@ -29,6 +29,12 @@ def power_rows(loop):
     return sorted(seen, key=lambda row: -row["d"])
 
 
+def decision_rows(loop):
+    """Of the data: classes of effects and parameters stand with the power table."""
+    rows = side_by_side(loop, "decision_series", "decision_finding", "decision_action")
+    return [row for row in rows if row[0] not in loop.texts("power_effect")]
+
+
 def parameter_rows(loop):
     def shown(p, model):
         return words.plus_minus(loop.value("parameter_value", model, p),
@@ -93,7 +99,7 @@ def contents(loop):
         more_power=power[MOST_POWER_ROWS:], unseen=words.unseen(loop), aliases=words.aliases(loop),
         followed=words.followed(loop),
         structures=structures, left=left, models=range(3),
-        decisions=side_by_side(loop, "decision_series", "decision_finding", "decision_action"),
+        decisions=decision_rows(loop),
         colours={name: (light, dark) for name, light, dark in theme.COLOURS.values()})
 
 

@@ -96,13 +96,22 @@ std::vector<Alarm> alarms_of(const Group& study) {
 
 }  // namespace
 
+/// What was decided of the data: classes of effects and parameters stand with the power
+/// table, and what the building's own table of its data has is not said again.
 std::string loop_decision_table(const Group& study) {
     TextTable table({"data", "finding", "done about it"});
-    const auto& series = study.texts("decision_series");
-    for (std::size_t k = 0; k < series.size(); ++k)
-        table.add({series[k], text_at(study.texts("decision_finding"), k),
-                   text_at(study.texts("decision_action"), k)});
-    return text_of(table, 38);
+    const auto &series = study.texts("decision_series"),
+               &findings = study.texts("decision_finding"),
+               &effects = study.texts("power_effect");
+    std::vector<std::string> shown;
+    for (std::size_t k = 0; k < series.size(); ++k) {
+        if (std::ranges::find(effects, series[k]) != effects.end()) continue;
+        shown.push_back(text_at(findings, k));
+        table.add({series[k], shown.back(), text_at(study.texts("decision_action"), k)});
+    }
+    const std::string& path = study.path();
+    const Group data = study.elsewhere(path.substr(0, path.rfind('/')) + "/data");
+    return shown == data.texts("finding") ? std::string() : text_of(table, 38);
 }
 
 std::string loop_structure_table(const Group& study) {

@@ -154,13 +154,6 @@ std::string parameter_table(const Group& study) {
                      "prior\n";
 }
 
-/// Whether the building's own table of what was found in its data has it already.
-bool is_said_of_data(const Group& study) {
-    const std::string& path = study.path();
-    const Group data = study.elsewhere(path.substr(0, path.rfind('/')) + "/data");
-    return data.texts("finding") == study.texts("decision_finding");
-}
-
 }  // namespace
 
 std::string three_digits(double value) {
@@ -210,11 +203,10 @@ std::string loop_section(const Group& study) {
         effects += effect_lines(study, k);
     std::string text = fmt::format("\n{}: {}\n", study.path(), count_of(study));
     for (const std::string& part :
-         {failure_lines(study),
-          is_said_of_data(study) ? std::string() : loop_decision_table(study),
-          loop_structure_table(study), loop_power_table(study),
-          loop_unexplained_table(study), loop_localisation_table(study),
-          parameter_table(study), step_table(study) + end_lines(study), effects,
+         {failure_lines(study), loop_decision_table(study), loop_structure_table(study),
+          loop_power_table(study), loop_unexplained_table(study),
+          loop_localisation_table(study), parameter_table(study),
+          step_table(study) + end_lines(study), effects,
           loop_headline(study) + loop_fit_table(study)})
         if (!part.empty()) text += "\n" + part;
     return text;

@@ -138,9 +138,10 @@ store::ResultFile loop_result(bool is_held_out = true, bool is_adequate = true) 
     add(texts("structure", "structure", {"standard", "second mass"}));
     add(numbers("structure_score", "structure", {1.31, 0.94}));
     add({"office/loop/structure_chosen", {}, {}, {}, {"second mass"}});
-    add(texts("decision_series", "decision", {"gas"}));
-    add(texts("decision_finding", "decision", {"60 h of the same value"}));
-    add(texts("decision_action", "decision", {"masked"}));
+    add(texts("decision_series", "decision", {"gas", "ground"}));
+    add(texts("decision_finding", "decision",
+              {"60 h of the same value", "one class with u_floor"}));
+    add(texts("decision_action", "decision", {"masked", "told apart where it is large"}));
     add(numbers("noise_floor", "channel", {0.08, nan}));
     add_effect(result, is_adequate);
     add_background(result);
@@ -235,6 +236,7 @@ TEST(LoopTables, AlarmsStandFromTheLoudestOn) {
 TEST(LoopTables, WhatTheDataChecksSaidAlreadyIsNotSaidAgain) {
     store::ResultFile result = loop_result();
     EXPECT_TRUE(says(tables_of(result), "gas 60 h of the same value masked"));
+    EXPECT_FALSE(says(tables_of(result), "one class with u_floor"));
     for (const char* leaf : {"series", "finding", "action"})
         result.datasets.push_back({std::string("office/data/") + leaf,
                                    {"decision"},

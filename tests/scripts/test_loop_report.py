@@ -142,6 +142,7 @@ class LoopReport(unittest.TestCase):
 
     def test_what_parameters_do_nearly_as_well_stands_together(self):
         self.assertIn("do nearly the same as: effect 38, effect 39.", self.page.text)
+        self.assertNotIn("one class with u_floor", self.page.text)
 
     def test_what_a_result_lacks_is_left_out(self):
         file = fake_loop_result.write(self.folder / "lean.h5", channels=ONE)
