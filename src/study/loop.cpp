@@ -20,15 +20,20 @@
 namespace bemcal::study {
 namespace {
 
+/// A term of the grammar is called by what it says.
+std::string label_of(const effects::Effect& effect) {
+    return effect.number == 0 ? effect.name
+                              : effect.name + ": " + effects::sentence_of(effect);
+}
+
 void log_step(const Step& step, std::vector<LoggedStep>& log) {
     for (std::size_t k = 0; k < step.ranking.size() && k < 8; ++k) {
         const Refitted& candidate = step.ranking[k];
         const bool chosen = static_cast<int>(k) == step.chosen;
         if (!chosen && step.chosen >= 0 && static_cast<int>(k) > step.chosen) break;
-        log.push_back(
-            {candidate.effect.name + ": " + effects::sentence_of(candidate.effect),
-             chosen ? "accepted" : candidate.objection, candidate.gain, step.threshold,
-             candidate.score, candidate.error});
+        log.push_back({label_of(candidate.effect),
+                       chosen ? "accepted" : candidate.objection, candidate.gain,
+                       step.threshold, candidate.score, candidate.error});
     }
 }
 
@@ -64,9 +69,8 @@ class Search {
         result_.candidates.clear();
         for (const Refitted& candidate : step.ranking)
             if (!candidate.objection.empty())
-                result_.candidates.emplace_back(
-                    candidate.effect.name + ": " + effects::sentence_of(candidate.effect),
-                    candidate.gain);
+                result_.candidates.emplace_back(label_of(candidate.effect),
+                                                candidate.gain);
         if (step.chosen < 0) {
             result_.log.push_back({"", "nothing passes", 0, step.threshold, 0, {}});
             note_what_moves(step);
@@ -216,12 +220,7 @@ class Search {
             const int rival = swap(data_, place, result_.last, k, found.rivals);
             if (rival < 0) continue;
             const effects::Effect& now = result_.last.model.effects[k];
-            result_.log.push_back({now.name + ": " + effects::sentence_of(now),
-                                   "in place of " + was,
-                                   0,
-                                   0,
-                                   0,
-                                   {}});
+            result_.log.push_back({label_of(now), "in place of " + was, 0, 0, 0, {}});
             found.equivalents = now.name + "; " + was;
             found.doubt = "it stands in the place of another";
         }
