@@ -106,9 +106,14 @@ std::string step_table(const Group& study) {
 }
 
 std::string end_lines(const Group& study) {
-    const auto& verdicts = study.texts("step_verdict");
+    const auto &verdicts = study.texts("step_verdict"),
+               &effects = study.texts("step_effect");
     std::string text;
-    if (!verdicts.empty()) text += wrapped("the search ended: " + verdicts.back());
+    for (std::size_t k = std::min(verdicts.size(), effects.size()); k-- > 0;)
+        if (effects[k].empty()) {  // a verdict of the search, not of an effect
+            text += wrapped("the search ended: " + verdicts[k]);
+            break;
+        }
     const auto& candidates = study.texts("candidate");
     std::string ranking;
     for (std::size_t k = 0; k < std::min<std::size_t>(candidates.size(), 5); ++k)

@@ -54,8 +54,10 @@ class Search {
             leave_what_does_not_stand_out(place);
         while (leave_least_certain(place)) {
         }
-        if (!result_.found.empty())
-            spare_meters(data_, result_.baseline.chosen, result_.last);
+        if (!result_.found.empty() &&
+            spare_meters(data_, result_.baseline.chosen, result_.last))
+            result_.log.push_back(
+                {"last fit", "meters that were explained worse count more", 0, 0, 0, {}});
     }
 
     /// What ended the search: all of it is to be done again by the right hour.

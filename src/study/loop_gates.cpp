@@ -101,8 +101,9 @@ bool is_certain_if_small(const Refitted& candidate, double threshold, double hig
 struct Demand {
     Demand(const LoopOptions& options, const Refitted& candidate, double threshold,
            const ErrorChange& change)
-        : is_far_above(is_overwhelming(candidate.gain, threshold) ||
-                       candidate.score > std::max(candidate.gain, 2 * threshold)),
+        : is_far_above(is_overwhelming(candidate.gain, threshold)),
+          is_foretold(candidate.score > std::max(candidate.gain, 2 * threshold)),
+          is_seen_often(candidate.consistency >= 2),  // standard errors
           is_certain(candidate.gain > 8 * threshold) {
         constexpr double more_of_grammar = 3, less_if_certain = 0.7;
         least = options.least_gain * (candidate.effect.number == 0 ? more_of_grammar : 1);
@@ -112,8 +113,11 @@ struct Demand {
         most_loss = std::max(options.most_loss, -100 * in_exchange * change.lowest);
     }
     /// A season may be a wrong one, and do harm where it is: but nothing else does as
-    /// well, or unseen fortnights gain as much as those that were fitted.
+    /// well.
     bool is_far_above;
+    /// Unseen fortnights fall by more than the evidence, which has paid for its freedom.
+    bool is_foretold;
+    bool is_seen_often;  ///< in more of them than chance shows
     /// What noise never shows is there, though another effect beside it may still be
     /// missing, or the season in which it acts be over.
     bool is_certain;
@@ -125,7 +129,9 @@ const char* objection_of_time(const LoopData& data, const Standing& before,
                               const Refitted& candidate, const Demand& demand,
                               LastQuarter& last_quarter) {
     const double change = 100 * last_quarter.change_to(candidate.standing);
-    if (change > demand.most_loss && !demand.is_far_above)
+    const bool is_of_another_season =
+        demand.is_far_above || (demand.is_foretold && demand.is_seen_often);
+    if (change > demand.most_loss && !is_of_another_season)
         return "last quarter is foretold worse";
     if (candidate.effect.driver == effects::Driver::elapsed &&
         change >
@@ -189,8 +195,7 @@ std::string objection_to(const LoopData& data, const Standing& before,
         return "left-out error falls too little";
     if (100 * change.highest > demand.most_loss) return "left-out error of a meter rises";
     if (candidate.score <= 0) return "left-out score falls";
-    constexpr double seldom = 2;  ///< standard errors
-    if (candidate.consistency < seldom && !demand.is_far_above)
+    if (!demand.is_seen_often && !demand.is_far_above && !demand.is_foretold)
         return "too few unseen fortnights gain";
     if (candidate.standing.fit.bound.back() != 0)
         return "coefficient at the end of its range";

@@ -317,25 +317,63 @@ std::vector<Gone> prune_implausible(const LoopData& data, const Place& place,
     return gone;
 }
 
-void spare_meters(const LoopData& data, const Standing& before, Standing& standing) {
+namespace {
+
+/// By how much the error of each meter that counts has grown, as a ratio of mean squares;
+/// 1 for the others. Errors below what a model may have are none.
+std::vector<double> growth_of(const LoopData& data, const Standing& before,
+                              const Standing& after) {
+    constexpr double counts =
+        0.1;  ///< share: where next to nothing flows, nothing can be kept
+    const auto old = mean_squares(data.targets, before.residuals),
+               now = mean_squares(data.targets, after.residuals);
+    std::vector<double> growth;
+    growth.reserve(old.size());
+    for (std::size_t c = 0; c < old.size(); ++c) {
+        const ChannelNoise& noise = before.noise[c];
+        const double met = std::pow(std::hypot(noise.least, 1e-3 * noise.sigma), 2);
+        growth.push_back(noise.share < counts ? 1 : (now[c] + met) / (old[c] + met));
+    }
+    return growth;
+}
+
+/// Whether the effects are still what was found.
+bool are_the_same(const Standing& found, const Standing& now) {
+    constexpr double moved = 0.1;  ///< of a coefficient
+    for (std::size_t k = 0; k < found.model.effects.size(); ++k) {
+        const double was = found.coefficient(k), is = now.coefficient(k);
+        if (std::abs(is - was) > moved * std::abs(was) ||
+            now.fit.bound[now.built.first_effect() + k] != 0)
+            return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+bool spare_meters(const LoopData& data, const Standing& before, Standing& standing) {
     constexpr int most_rounds = 8;
     constexpr double worse = 1.004;  ///< mean square: 0.2 % of the error
-    const auto old = mean_squares(data.targets, before.residuals);
-    Standing spared = standing;
-    for (int round = 0; round < most_rounds; ++round) {
-        const auto now = mean_squares(data.targets, spared.residuals);
-        bool is_any_worse = false;
-        for (std::size_t c = 0; c < now.size(); ++c) {
-            if (now[c] <= worse * old[c]) continue;
-            is_any_worse = true;
-            spared.noise[c].sigma /= std::min(1.5, std::pow(now[c] / old[c], 4));
-        }
-        if (!is_any_worse) break;
-        refit(data, spared, spared.fit.at.x, {6, 3e-4});
-        if (spared.fit.failed) return;
+    std::vector<double> growth = growth_of(data, before, standing);
+    double least = std::ranges::max(growth);
+    Standing tried = standing, best = standing;
+    bool is_better = false;
+    for (int round = 0; round < most_rounds && std::ranges::max(growth) > worse;
+         ++round) {
+        for (std::size_t c = 0; c < growth.size(); ++c)
+            if (growth[c] > worse)
+                tried.noise[c].sigma /= std::min(1.5, std::pow(growth[c], 4));
+        refit(data, tried, tried.fit.at.x, {6, 3e-4});
+        if (tried.fit.failed || !are_the_same(standing, tried)) break;
+        growth = growth_of(data, before, tried);
+        if (std::ranges::max(growth) >= least) continue;
+        least = std::ranges::max(growth);
+        best = tried;
+        is_better = true;
     }
-    spared.noise = standing.noise;  // what is known of errors has not changed
-    standing = std::move(spared);
+    best.noise = standing.noise;  // what is known of errors has not changed
+    standing = std::move(best);
+    return is_better;
 }
 
 }  // namespace bemcal::study

@@ -322,11 +322,11 @@ class Writer {
     /// What readings cannot tell from what is calibrated is no finding, but is said: of
     /// what is the same always, of the rest where it could be seen at all.
     void state_class(const Power& row) {
-        const auto& found = result_.last.model.effects;
-        if (!is_in_parameters(row) ||
-            std::ranges::find(found, row.effect.name, &effects::Effect::name) !=
-                found.end())
-            return;
+        const bool is_found = std::ranges::any_of(result_.found, [&](const Found& found) {
+            return ("; " + found.equivalents + ";").find("; " + row.effect.name + ";") !=
+                   std::string::npos;
+        });
+        if (is_found || !is_in_parameters(row)) return;
         const std::string same = effects::same_as(row.effect);
         if (!same.empty())
             decisions_.push_back({row.effect.name, "one class with " + same,

@@ -68,15 +68,18 @@ void add_background(store::ResultFile& result) {
     const auto add = [&](Dataset dataset) {
         result.datasets.push_back(std::move(dataset));
     };
-    add(texts("step_effect", "step", {"wind infiltration", "meter drift"}));
-    add(texts("step_verdict", "step", {"accepted", "evidence below what noise shows"}));
-    add(numbers("step_gain", "step", {412, 11}));
-    add(numbers("step_threshold", "step", {24, 24}));
-    add(numbers("step_score", "step", {160, -4}));
+    add(texts("step_effect", "step",
+              {"wind infiltration", "meter drift", "", "last fit"}));
+    add(texts(
+        "step_verdict", "step",
+        {"accepted", "evidence below what noise shows", "nothing passes", "moved"}));
+    add(numbers("step_gain", "step", {412, 11, 0, 0}));
+    add(numbers("step_threshold", "step", {24, 24, 24, 0}));
+    add(numbers("step_score", "step", {160, -4, 0, 0}));
     add({"office/loop/step_error",
          {"step", "channel"},
-         {2, 2},
-         {-0.31, 0.004, nan, nan},
+         {4, 2},
+         {-0.31, 0.004, nan, nan, nan, nan, nan, nan},
          {}});
     add(texts("hook", "hook", {"infiltration", "gains"}));
     add(texts("driver", "driver", {"wind", "hour of the day"}));
@@ -209,7 +212,7 @@ TEST(LoopTables, TheSearchEndsWithItsReason) {
     const std::string text = tables_of(loop_result());
     EXPECT_TRUE(says(text, "1 wind infiltration 412 24 160 gas -31.0 accepted"));
     EXPECT_TRUE(says(text, "2 meter drift 11 24 -4 - evidence"));
-    EXPECT_TRUE(says(text, "the search ended: evidence below what noise shows"));
+    EXPECT_TRUE(says(text, "the search ended: nothing passes"));
 }
 
 TEST(LoopTables, ParametersMoveInStandardDeviationsOfTheirPriors) {
