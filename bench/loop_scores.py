@@ -164,7 +164,9 @@ def put_with_parameters(scored):
 
 
 def is_put_with_parameters(scored, planted):
-    return bool(put_with_parameters(scored) & set(RIGHT[planted].names))
+    """Where nothing false is found in its place; by the name of the planted form only."""
+    return not false_effects(scored) and \
+        bool(put_with_parameters(scored) & set(RIGHT[planted].names[:1]))
 
 
 def is_in_a_found_class(scored, planted):

@@ -32,7 +32,9 @@ def power_rows(loop):
 def decision_rows(loop):
     """Of the data: classes of effects and parameters stand with the power table."""
     rows = side_by_side(loop, "decision_series", "decision_finding", "decision_action")
-    return [row for row in rows if row[0] not in loop.texts("power_effect")]
+    effects = loop.texts("power_effect")
+    return [row for row in rows
+            if not (row[0] in effects and row[1].startswith("one class with "))]
 
 
 def parameter_rows(loop):

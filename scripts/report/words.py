@@ -182,5 +182,6 @@ def aliases(loop):
 
 
 def followed(loop):
-    """Effects that other values of the parameters do nearly the same as."""
-    return [a for a, b in same_signatures(loop) if b == PARAMETERS]
+    """Effects that could be seen, and that other values of the parameters do nearly the same as."""
+    hidden = unseen(loop)
+    return [a for a, b in same_signatures(loop) if b == PARAMETERS and a not in hidden]

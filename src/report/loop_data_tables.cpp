@@ -61,17 +61,20 @@ std::string alias_lines(const Group& study) {
     for (std::size_t k = 0; k < std::min(effects.size(), likes.size()); ++k) {
         const double r = number_at(study.values("power_alias_correlation"), k);
         if (!(std::abs(r) >= same_signature)) continue;
-        if (likes[k] == parameters)
-            followed.push_back(effects[k]);
-        else if (std::ranges::find(pairs, likes[k] + " and " + effects[k]) == pairs.end())
+        if (likes[k] == parameters) {
+            if (number_at(study.values("power_detectability"), k) >= least_seen)
+                followed.push_back(effects[k]);
+        } else if (std::ranges::find(pairs, likes[k] + " and " + effects[k]) ==
+                   pairs.end())
             pairs.push_back(effects[k] + " and " + likes[k]);
     }
     std::string text;
     if (!pairs.empty())
         text += wrapped(fmt::format("cannot be told apart: {}", fmt::join(pairs, "; ")));
     if (!followed.empty())
-        text += wrapped(fmt::format("{} do nearly the same as: {}", parameters,
-                                    fmt::join(followed, ", ")));
+        text += wrapped(
+            fmt::format("{} do nearly the same as (told apart only where large): {}",
+                        parameters, fmt::join(followed, ", ")));
     return text;
 }
 
@@ -105,7 +108,9 @@ std::string loop_decision_table(const Group& study) {
                &effects = study.texts("power_effect");
     std::vector<std::string> shown;
     for (std::size_t k = 0; k < series.size(); ++k) {
-        if (std::ranges::find(effects, series[k]) != effects.end()) continue;
+        if (std::ranges::find(effects, series[k]) != effects.end() &&
+            text_at(findings, k).starts_with("one class with "))
+            continue;
         shown.push_back(text_at(findings, k));
         table.add({series[k], shown.back(), text_at(study.texts("decision_action"), k)});
     }

@@ -13,7 +13,7 @@ std::string loop_headline(const Group& study);
 /// Errors of the three models for every channel, period and interval.
 std::string loop_fit_table(const Group& study);
 
-/// What was found in the data; the structures that were tried.
+/// What was found in the data and is not said elsewhere; the structures that were tried.
 std::string loop_decision_table(const Group& study);
 std::string loop_structure_table(const Group& study);
 /// What the data can show at all: the effects most clearly seen, those that would not be,

@@ -53,8 +53,10 @@ void find_alias(std::size_t row, PowerTable& table) {
     Power& power = table.rows[row];
     if (is_in_parameters(power)) {
         power.alias = effects::same_as(power.effect);
-        if (power.alias.empty()) power.alias = "the calibrated parameters themselves";
         power.correlation = 1;
+        if (!power.alias.empty()) return;
+        power.alias = "the calibrated parameters themselves";
+        power.correlation = std::sqrt(1 - power.visibility);
         return;
     }
     for (std::size_t other = 0; other < table.rows.size(); ++other) {

@@ -411,7 +411,7 @@ class Writer {
 
     const LoopData& data_;
     const LoopResult& result_;
-    std::vector<DataDecision> decisions_;  ///< of the data, then of periods
+    std::vector<DataDecision> decisions_;  ///< of the data, of effects, then of periods
     DatasetBuilder out_;
     std::size_t channels_;
     std::vector<std::string> channel_names_;

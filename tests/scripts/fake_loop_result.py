@@ -137,7 +137,7 @@ def power(study, random):
     text(study, "power_effect", names)
     text(study, "power_alias", [names[k - 1] for k in range(38)] + ["the calibrated parameters themselves"] * 2)
     text(study, "power_bias_parameter", ["infiltration", "wall_u_value"] * 20)
-    study["power_detectability"] = np.append(np.exp(random.normal(2, 1.5, 39)), np.nan)
+    study["power_detectability"] = np.append(np.exp(random.normal(2, 1.5, 38)), [9, np.nan])
     study["power_visibility"] = random.random(40)
     study["power_alias_correlation"] = np.append(random.random(38) ** 0.2, [1, 1])
     study["power_bias"] = random.normal(0, 2, 40)

@@ -118,6 +118,8 @@ class Scores(unittest.TestCase):
             self.assertEqual(loop_scores.is_classed(case, planted), is_classed)
             self.assertFalse(loop_scores.is_named(case, planted))
             self.assertFalse(loop_scores.is_in_a_found_class(case, planted))
+        beside = scored({"ground": 0.1}, [found("reheat")], decisions=ground)
+        self.assertFalse(loop_scores.is_classed(beside, "ground"))
 
     def test_a_clock_is_a_decision(self):
         decision = {"finding": "the meter's clock is 1 h late"}

@@ -141,7 +141,7 @@ class LoopReport(unittest.TestCase):
         self.assertIn("Not read by the hour in this period", page.html_of(loop))
 
     def test_what_parameters_do_nearly_as_well_stands_together(self):
-        self.assertIn("do nearly the same as: effect 38, effect 39.", self.page.text)
+        self.assertIn("do nearly the same as (told apart only where large): effect 38.", self.page.text)
         self.assertNotIn("one class with u_floor", self.page.text)
 
     def test_what_a_result_lacks_is_left_out(self):

@@ -54,7 +54,7 @@ TEST(LoopGates, AMeanOverTheMetersHasToFallAndNoMeterMayRise) {
 }
 
 // Few fortnights need gain where evidence is far above what noise shows, or where those
-// that no fit has seen gain more than those that were fitted.
+// that no fit has seen gain more than the evidence.
 TEST(LoopGates, FewUnseenFortnightsAreNotEnoughUnlessTheySayMore) {
     Judged judged;
     judged.candidate.consistency = 1;
@@ -64,6 +64,25 @@ TEST(LoopGates, FewUnseenFortnightsAreNotEnoughUnlessTheySayMore) {
     judged.candidate.score = 40;
     judged.candidate.gain = 61;
     EXPECT_EQ(judged.objection(), "");
+}
+
+// What takes the wind out of the model again foretells nothing: but a season may be
+// wrong.
+TEST(LoopGates, TheLastQuarterIsForetoldNoWorseUnlessMuchElseSpeaksForTheEffect) {
+    Judged judged;
+    judged.candidate.standing = judged.before.standing;
+    const auto objection = [&] {
+        LastQuarter last_quarter(judged.after.data, judged.after.standing);
+        return objection_to(judged.after.data, judged.after.standing, judged.candidate,
+                            20, last_quarter);
+    };
+    EXPECT_EQ(objection(), "last quarter is foretold worse");
+    judged.candidate.score = 51;
+    EXPECT_EQ(objection(), "");
+    judged.candidate.consistency = 1;
+    EXPECT_EQ(objection(), "last quarter is foretold worse");
+    judged.candidate.gain = 61;
+    EXPECT_EQ(objection(), "");
 }
 
 TEST(LoopGates, ADriftOfTheGrammarIsNotCarriedOn) {
