@@ -123,14 +123,21 @@ def of_kind(scored, *kind):
     return [s for s in scored if s.kind in kind]
 
 
-def print_where_left_open(seen, flags):
-    """Shares by flag {name: of a case} of the effects that parameters and structure do not take up: of a
-    closed error no search can tell the cause."""
-    most = 0.8
-    left = [s for s in seen if s.closed["plain", "before"] < most]
-    line("loop_left_open_by_structure", len(left), f"of_{len(seen)}", 0)
+def print_among(seen, where, subset, flags):
+    """Shares by flag {name: of a case} among some of the cases that are detectable."""
+    line(f"loop_{where}", len(subset), f"of_{len(seen)}", 0)
     for name, flag in flags.items():
-        line(f"loop_{name}_where_left_open", share(map(flag, left)), "%", 0)
+        line(f"loop_{name}_where_{where}", share(map(flag, subset)), "%", 0)
+
+
+def print_by_what_shows(seen, flags):
+    """Of what moves no meter that matters there is nothing to see, whatever the table says of another
+    season; and of an error that parameters and structure close no search can tell the cause."""
+    most = 0.8
+    moving = [s for s in seen if not np.isnan(s.closed["plain", "before"])]
+    print_among(seen, "a_meter_moves", moving, flags)
+    print_among(seen, "left_open_by_structure",
+                [s for s in moving if s.closed["plain", "before"] < most], flags)
 
 
 def print_false(nulls, name):
@@ -156,7 +163,7 @@ def print_names(scored):
     stated = [len(loop_scores.put_with_parameters(s)) for s in scored]
     line("loop_put_with_parameters", float(np.mean(stated)) if stated else np.nan,
          "of_a_building", 0)
-    print_where_left_open(seen, {"strict_name": named, "class": classed})
+    print_by_what_shows(seen, {"strict_name": named, "class": classed})
     line("loop_cannot_tell_below", share(not s.found for s in unseen), "%", 0)
     line("loop_both_of_a_pair", share(map(classed, seen_pairs)), "%", 65)
     line("loop_both_of_a_pair_found", share(all(
