@@ -88,6 +88,17 @@ bool mends_small_meter(const Standing& before, const Refitted& candidate) {
     return false;
 }
 
+/// Whether what enters at a meter lowers the error there by much: the others do not see
+/// it, and a mean over all would ask for more the more there are.
+bool mends_its_meter(const Refitted& candidate, double threshold, double lowest) {
+    using effects::Hook;
+    constexpr double much = 0.05;
+    const Hook hook = candidate.effect.hook;
+    return candidate.effect.number != 0 &&
+           (hook == Hook::meter_factor || hook == Hook::meter_addition) &&
+           is_overwhelming(candidate.gain, threshold) && lowest < -much;
+}
+
 /// Whether an effect with a name has so much evidence that what it brings may be small,
 /// where no meter that counts has a larger error with it.
 bool is_certain_if_small(const Refitted& candidate, double threshold, double highest) {
@@ -191,7 +202,8 @@ std::string objection_to(const LoopData& data, const Standing& before,
         return "a drift without a name: it may not go on";
     const ErrorChange change = error_change_of(before, candidate);
     const Demand demand(data.options, candidate, threshold, change);
-    if (!(100 * change.mean <= -demand.least) && !mends_small_meter(before, candidate))
+    if (!(100 * change.mean <= -demand.least) && !mends_small_meter(before, candidate) &&
+        !mends_its_meter(candidate, threshold, change.lowest))
         return "left-out error falls too little";
     if (100 * change.highest > demand.most_loss) return "left-out error of a meter rises";
     if (candidate.score <= 0) return "left-out score falls";
