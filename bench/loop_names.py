@@ -21,6 +21,7 @@ class Right:
     coefficient: Callable = None
     is_decision: bool = False
     aliases: tuple = ()   # what no reading tells from it
+    is_dated: bool = False   # its size is a day of the year
 
 
 def same(size, truth):
@@ -81,8 +82,8 @@ RIGHT = {
     "summer_set_point": named("cooling set-point in hot weather", "summer compensation",
                               "cooling set-point of a season",
                               places=(("cooling set-point", "outdoor temperature"),)),
-    "cooling_locked": named("cooling locked out"),
-    "heating_locked": named("heating locked out"),
+    "cooling_locked": named("cooling locked out", is_dated=True),
+    "heating_locked": named("heating locked out", is_dated=True),
     "demand_response": named("demand response", coefficient=same),
     "reheat": named("reheat"),
     "part_load": named("part-load efficiency of heating"),

@@ -110,11 +110,17 @@ def closed(errors, truth, begin, end):
     return float(np.mean(shares)) if shares else np.nan
 
 
-def detectability(loop, planted):
+def detectability(loop, truth):
+    """{planted effect: d}, of the table's typical size scaled to the planted one. A lock-out's size is
+    a day, and the table's season is another: of one that moves no meter nothing can be seen."""
     table = dict(zip(loop_result.texts(loop, "power_effect"), loop["power_detectability"][:]))
-    first = lambda effect: next(iter(RIGHT[effect].names), None)
-    return {effect: table.get(first(effect), np.nan) * abs(size) / EFFECTS[effect].size
-            for effect, size in planted.items()}
+
+    def of_one(effect, size):
+        typical = table.get(next(iter(RIGHT[effect].names), None), np.nan)
+        if RIGHT[effect].is_dated:
+            return np.nan_to_num(typical) if affected(truth) else 0.0
+        return typical * abs(size) / EFFECTS[effect].size
+    return {effect: of_one(effect, size) for effect, size in truth["effects"].items()}
 
 
 def coverage(found, planted, truth):
@@ -134,7 +140,7 @@ def score(file, case, kind):
     return Scored(case.name, kind, planted, found,
                   loop_result.records(loop, loop_result.DECISION), errors,
                   {step: closed(errors, truth, *step) for step in steps},
-                  detectability(loop, planted), parameter_errors(loop, truth, case, found),
+                  detectability(loop, truth), parameter_errors(loop, truth, case, found),
                   coverage(found, planted, truth))
 
 

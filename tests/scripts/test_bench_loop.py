@@ -121,6 +121,20 @@ class Scores(unittest.TestCase):
         beside = scored({"ground": 0.1}, [found("reheat")], decisions=ground)
         self.assertFalse(loop_scores.is_classed(beside, "ground"))
 
+    def test_a_lock_out_that_moves_no_meter_cannot_be_detected(self):
+        loop = h5py.File("none", "w", driver="core", backing_store=False)
+        self.addCleanup(loop.close)
+        loop.create_dataset("power_effect", data=["heating locked out", "reheat"],
+                            dtype=h5py.string_dtype())
+        loop["power_detectability"] = [30.0, 8.0]
+        truth = {"effects": {"heating_locked": 100.0, "reheat": 0.1},
+                 "without_effect": {"heat_kWh": 20.0}, "expected_floor": {"heat_kWh": 12.0},
+                 "held_out_kWh_m2": {"heat_kWh": 30.0}}
+        self.assertEqual(loop_scores.detectability(loop, truth),
+                         {"heating_locked": 30.0, "reheat": 4.0})
+        truth["without_effect"]["heat_kWh"] = 13.0
+        self.assertEqual(loop_scores.detectability(loop, truth)["heating_locked"], 0)
+
     def test_a_clock_is_a_decision(self):
         decision = {"finding": "the meter's clock is 1 h late"}
         self.assertTrue(loop_scores.is_named(scored({"meter_late": 1}, [], decisions=[decision]),

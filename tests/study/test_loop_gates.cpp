@@ -53,6 +53,21 @@ TEST(LoopGates, AMeanOverTheMetersHasToFallAndNoMeterMayRise) {
     EXPECT_EQ(judged.objection(), "left-out error of a meter rises");
 }
 
+// The other meters see nothing of a factor on one, and would divide its fall by their
+// number.
+TEST(LoopGates, WhatEntersAtAMeterIsJudgedThere) {
+    Judged judged;
+    auto& noise = judged.before.standing.noise;
+    noise.resize(5, noise[0]);
+    judged.candidate.error = {-0.07, 0, 0, 0, 0};
+    judged.candidate.gain = 61;
+    EXPECT_EQ(judged.objection(), "left-out error falls too little");
+    judged.candidate.effect.hook = effects::Hook::meter_factor;
+    EXPECT_EQ(judged.objection(), "");
+    judged.candidate.gain = 59;
+    EXPECT_EQ(judged.objection(), "left-out error falls too little");
+}
+
 // Few fortnights need gain where evidence is far above what noise shows, or where those
 // that no fit has seen gain more than the evidence.
 TEST(LoopGates, FewUnseenFortnightsAreNotEnoughUnlessTheySayMore) {
