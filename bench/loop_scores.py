@@ -94,9 +94,9 @@ def errors_of(loop, readings):
     return found
 
 
-def affected(truth):
-    """Columns that the planted effects move, and where energy flows."""
-    size = {column: abs(truth["without_effect"][column] - best)
+def affected(truth, errors):
+    """Columns that planted effects move, and where energy flows. `errors`: of the truth without them."""
+    size = {column: abs(errors[column] - best)
             for column, best in truth["expected_floor"].items()}
     return [column for column, by in size.items() if by >= LEAST_EFFECT[column == AIR] and
             (column == AIR or truth["held_out_kWh_m2"][column] >= LEAST_ENERGY)]
@@ -106,7 +106,8 @@ def closed(errors, truth, begin, end):
     """Mean over the affected channels of the share of the reducible error that is closed."""
     best = truth["expected_floor"]
     shares = [(errors[begin][c] - errors[end][c]) / (errors[begin][c] - best[c])
-              for c in affected(truth) if c in errors[end] and errors[begin][c] > best[c]]
+              for c in affected(truth, truth["without_effect"])
+              if c in errors[end] and errors[begin][c] > best[c]]
     return float(np.mean(shares)) if shares else np.nan
 
 
@@ -118,7 +119,8 @@ def detectability(loop, truth):
     def of_one(effect, size):
         typical = table.get(next(iter(RIGHT[effect].names), None), np.nan)
         if RIGHT[effect].is_dated:
-            return np.nan_to_num(typical) if affected(truth) else 0.0
+            moved = affected(truth, truth["without_one"][effect])
+            return np.nan_to_num(typical) if moved else 0.0
         return typical * abs(size) / EFFECTS[effect].size
     return {effect: of_one(effect, size) for effect, size in truth["effects"].items()}
 

@@ -146,8 +146,8 @@ def numbers_of(office):
 
 
 def truth(recipe, built, weather, measured):
-    """Errors of the held-out year: `expected_floor`, the best that any model can do, and that of
-    the truth without the effects."""
+    """Errors of the held-out year: `expected_floor`, the best that any model can do, and those of
+    the truth without the effects, and without each of them alone."""
     def floor(effects):
         true = true_channels(recipe, built, weather, AVERAGE_DAYS, effects)
         return {column: error(column, true[column][YEAR:], series[YEAR:])
@@ -155,6 +155,9 @@ def truth(recipe, built, weather, measured):
 
     floors = {"expected_floor": floor(recipe.effects)}
     floors["without_effect"] = floor({}) if recipe.effects else floors["expected_floor"]
+    floors["without_one"] = {
+        name: floor(others) if (others := {k: v for k, v in recipe.effects.items() if k != name})
+        else floors["without_effect"] for name in recipe.effects}
     return {"effects": recipe.effects, "climate": recipe.climate, "seed": recipe.seed,
             "meaning": {name: EFFECTS[name].meaning for name in recipe.effects},
             "design": numbers_of(recipe.design), "built": numbers_of(built), **floors,

@@ -128,11 +128,12 @@ class Scores(unittest.TestCase):
                             dtype=h5py.string_dtype())
         loop["power_detectability"] = [30.0, 8.0]
         truth = {"effects": {"heating_locked": 100.0, "reheat": 0.1},
-                 "without_effect": {"heat_kWh": 20.0}, "expected_floor": {"heat_kWh": 12.0},
+                 "without_one": {"heating_locked": {"heat_kWh": 20.0}},
+                 "expected_floor": {"heat_kWh": 12.0},
                  "held_out_kWh_m2": {"heat_kWh": 30.0}}
         self.assertEqual(loop_scores.detectability(loop, truth),
                          {"heating_locked": 30.0, "reheat": 4.0})
-        truth["without_effect"]["heat_kWh"] = 13.0
+        truth["without_one"]["heating_locked"]["heat_kWh"] = 13.0
         self.assertEqual(loop_scores.detectability(loop, truth)["heating_locked"], 0)
 
     def test_a_clock_is_a_decision(self):
@@ -151,7 +152,7 @@ class Scores(unittest.TestCase):
         truth = {"expected_floor": {"heat_kWh": 10, "cool_kWh": 10, "T_air_C": 0.2},
                  "without_effect": {"heat_kWh": 30, "cool_kWh": 90, "T_air_C": 0.3},
                  "held_out_kWh_m2": {"heat_kWh": 50, "cool_kWh": 1}}
-        self.assertEqual(loop_scores.affected(truth), ["heat_kWh"])
+        self.assertEqual(loop_scores.affected(truth, truth["without_effect"]), ["heat_kWh"])
         errors = {"plain": {"heat_kWh": 50.0}, "after": {"heat_kWh": 20.0}}
         self.assertAlmostEqual(loop_scores.closed(errors, truth, "plain", "after"), 0.75)
 
