@@ -153,22 +153,20 @@ def print_names(scored):
     seen_pairs = [s for s in pairs if loop_scores.is_detectable(s)]
     named = lambda s: all(loop_scores.is_named(s, name) for name in s.planted)
     classed = lambda s: all(loop_scores.is_classed(s, name) for name in s.planted)
+    found = lambda s: all(loop_scores.is_in_a_found_class(s, name) for name in s.planted)
     print_false(nulls, "loop")
     line("loop_nulls_with_any_effect", sum(bool(s.found) for s in nulls), f"of_{len(nulls)}", 0)
     line("loop_detectable_singles", len(seen), f"of_{len(singles)}", 0)
     line("loop_strict_name", share(map(named, seen)), "%", 70)
     line("loop_class", share(map(classed, seen)), "%", 85)
-    line("loop_class_of_found_effects", share(all(
-        loop_scores.is_in_a_found_class(s, name) for name in s.planted) for s in seen), "%", 0)
+    line("loop_class_of_found_effects", share(map(found, seen)), "%", 0)
     stated = [len(loop_scores.put_with_parameters(s)) for s in scored]
     line("loop_put_with_parameters", float(np.mean(stated)) if stated else np.nan,
          "of_a_building", 0)
     print_by_what_shows(seen, {"strict_name": named, "class": classed})
     line("loop_cannot_tell_below", share(not s.found for s in unseen), "%", 0)
     line("loop_both_of_a_pair", share(map(classed, seen_pairs)), "%", 65)
-    line("loop_both_of_a_pair_found", share(all(
-        loop_scores.is_in_a_found_class(s, name) for name in s.planted) for s in seen_pairs),
-         "%", 0)
+    line("loop_both_of_a_pair_found", share(map(found, seen_pairs)), "%", 0)
     line("loop_both_of_a_pair_strict", share(map(named, seen_pairs)), "%", 0)
     line("loop_adequate_but_wrong", share(map(loop_scores.is_adequate_but_wrong, of_kind(
         scored, "single", "pair", "outside"))), "%", 5)

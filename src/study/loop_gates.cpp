@@ -57,6 +57,8 @@ bool is_within_usual_change(const LoopData& data, const Refitted& candidate) {
     return change_of_level(data, candidate.standing) < one_of_ten * usual;
 }
 
+constexpr double matters = 0.5;  ///< a meter's share, for the mean over the meters
+
 /// Relative changes of the left-out errors of the meters that count.
 struct ErrorChange {
     double mean = 0;  ///< NaN where none counts
@@ -64,7 +66,6 @@ struct ErrorChange {
 };
 
 ErrorChange error_change_of(const Standing& before, const Refitted& candidate) {
-    constexpr double matters = 0.5;
     ErrorChange change;
     double n = 0;
     for (std::size_t c = 0; c < candidate.error.size(); ++c) {
@@ -81,7 +82,7 @@ ErrorChange error_change_of(const Standing& before, const Refitted& candidate) {
 /// Whether the error of a meter that carries little falls by much: it says nothing of the
 /// mean, but what happens there is seen there alone.
 bool mends_small_meter(const Standing& before, const Refitted& candidate) {
-    constexpr double matters = 0.5, much = 0.15;
+    constexpr double much = 0.15;
     if (candidate.effect.number == 0) return false;
     for (std::size_t c = 0; c < candidate.error.size(); ++c)
         if (before.noise[c].share < matters && candidate.error[c] < -much) return true;
