@@ -22,6 +22,11 @@ class Right:
     is_decision: bool = False
     aliases: tuple = ()   # what no reading tells from it
     is_dated: bool = False   # its size is a day of the year
+    meter: str = ""          # the only one at which it is right
+
+    def rows(self):
+        """What the power table may call it: one of a meter has the meter's name beside others."""
+        return tuple(f"{name}, {self.meter}" for name in self.names[:1] if self.meter) + self.names[:1]
 
 
 def same(size, truth):
@@ -37,7 +42,11 @@ def named(*names, **more):
 
 
 STATION = ("urban heat island or station offset", "urban heat island at night")
-STEP = named("step of a meter", coefficient=same)
+
+
+def step_of(meter):
+    return named("step of a meter", coefficient=same, meter=meter)
+
 
 RIGHT = {
     "heat_island": named(*STATION),
@@ -95,7 +104,8 @@ RIGHT = {
     "latent_load": named("latent load", "latent load on the meter of cooling"),
     "standing_losses": named("standing losses", coefficient=same),
     "hot_water": named("hot water", coefficient=same),
-    "electricity_step": STEP, "cooling_step": STEP, "heating_step": STEP, "gas_step": STEP,
+    "electricity_step": step_of("electricity meter"), "cooling_step": step_of("cooling meter"),
+    "heating_step": step_of("heating meter"), "gas_step": step_of("gas meter"),
     "meter_late": named("clock of the meter", is_decision=True,
                         aliases=("schedules earlier or later",)),
     # outside the catalogue
@@ -118,7 +128,8 @@ ALWAYS_THERE = {
 def is_right(effect, planted):
     """Whether a found effect (a record of effects.json) is the planted one."""
     right = RIGHT[planted]
-    return effect["name"] in right.names or (effect["hook"], effect["driver"]) in right.places
+    return (effect["name"] in right.names and effect["shape"].endswith(right.meter)) or \
+        (effect["hook"], effect["driver"]) in right.places
 
 
 def is_in_class(effect, planted, most=3):

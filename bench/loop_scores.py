@@ -117,7 +117,7 @@ def detectability(loop, truth):
     table = dict(zip(loop_result.texts(loop, "power_effect"), loop["power_detectability"][:]))
 
     def of_one(effect, size):
-        typical = table.get(next(iter(RIGHT[effect].names), None), np.nan)
+        typical = next((table[row] for row in RIGHT[effect].rows() if row in table), np.nan)
         if RIGHT[effect].is_dated:
             moved = affected(truth, truth["without_one"][effect])
             return np.nan_to_num(typical) if moved else 0.0
@@ -174,7 +174,7 @@ def put_with_parameters(scored):
 def is_put_with_parameters(scored, planted):
     """Where nothing false is found in its place; by the name of the planted form only."""
     return not false_effects(scored) and \
-        bool(put_with_parameters(scored) & set(RIGHT[planted].names[:1]))
+        bool(put_with_parameters(scored) & set(RIGHT[planted].rows()))
 
 
 def is_in_a_found_class(scored, planted):

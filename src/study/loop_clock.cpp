@@ -1,5 +1,7 @@
 #include "study/loop_clock.hpp"
 
+#include "effects/catalogue.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -55,23 +57,65 @@ double objective_of(const BuiltModel& built, const Targets& targets,
     return best.failed ? std::numeric_limits<double>::infinity() : best.objective;
 }
 
+constexpr double clearly = 10;  ///< of the objective
+
+/// Schedules that also keep, or drop, summer time: what this brings is half a year's
+/// shift of an hour, and a clock asked about without it stops half way.
+std::vector<std::vector<effects::Effect>> summers_of(const LoopData& data,
+                                                     const Place& place) {
+    std::vector<std::vector<effects::Effect>> summers{{}};
+    const auto meters = data.quantities();
+    for (effects::Effect& effect :
+         effects::named_candidates(*place.surroundings, meters)) {
+        const bool is_excluded = std::ranges::find(data.options.exclude, effect.name) !=
+                                 data.options.exclude.end();
+        if (effect.gate != effects::Gate::eu_summer_time &&
+            effect.gate != effects::Gate::us_summer_time)
+            continue;
+        if (!is_excluded) summers.push_back({std::move(effect)});
+    }
+    return summers;
+}
+
+/// The least objective with any of the summers, each paid for.
+double least_objective(const Place& place,
+                       const std::vector<std::vector<effects::Effect>>& summers,
+                       const std::vector<effects::Effect>& others, const Targets& targets,
+                       const std::vector<ChannelNoise>& noise) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::vector<effects::Effect> all : summers) {
+        const double price = all.empty() ? 0 : clearly;
+        all.insert(all.end(), others.begin(), others.end());
+        least = std::min(least, price + objective_of(build(place, all), targets, noise));
+    }
+    return least;
+}
+
 }  // namespace
 
 std::optional<LateClock> late_clock_in_place_of(const LoopData& data,
                                                 const Standing& standing,
                                                 std::size_t effect) {
-    constexpr double clearly = 10;  ///< of the objective
-    const int hours =
-        hours_of(standing.model.effects[effect], standing.coefficient(effect));
+    const effects::Effect& schedules = standing.model.effects[effect];
+    const int hours = hours_of(schedules, standing.coefficient(effect));
     if (hours == 0 || !std::ranges::all_of(data.targets.channels, is_by_the_hour))
         return {};
     const Place plain = make_place(data, {}, data.drive);
-    const double schedules = objective_of(build(plain, {standing.model.effects[effect]}),
-                                          data.targets, standing.noise);
-    const double clock =
-        objective_of(build(plain, {}), read_later(data.targets, hours), standing.noise);
-    if (!(schedules - clock > clearly)) return {};
-    return LateClock{hours, schedules - clock};
+    const auto summers = summers_of(data, plain);
+    const auto with_clock = [&](int late) {
+        return least_objective(plain, summers, {}, read_later(data.targets, late),
+                               standing.noise);
+    };
+    const double by_schedules =
+        least_objective(plain, summers, {schedules}, data.targets, standing.noise);
+    LateClock best{hours, by_schedules - with_clock(hours)};
+    for (const int other : {hours - 1, hours + 1}) {
+        if (other == 0) continue;
+        const double gained = by_schedules - with_clock(other);
+        if (gained > best.gained + clearly) best = {other, gained};
+    }
+    if (!(best.gained > clearly)) return {};
+    return best;
 }
 
 Case with_clock_set(const Case& building, const LateClock& late) {

@@ -9,44 +9,65 @@
 namespace bemcal::study {
 namespace {
 
-/// An effect of the catalogue in all its shapes and places.
-struct Named {
+/// An effect of the catalogue in all its shapes and places: a row of the table.
+struct Row {
+    std::string name;
     std::vector<effects::Effect> variants;
     std::optional<Screened> screened{};
 };
 
-std::vector<Named> by_name(const LoopData& data, const Place& place) {
-    std::vector<Named> all;
-    for (effects::Effect& effect :
-         effects::named_candidates(*place.surroundings, data.quantities())) {
-        if (all.empty() || all.back().variants[0].name != effect.name) all.emplace_back();
-        all.back().variants.push_back(std::move(effect));
-    }
-    return all;
+/// What one meter shows wrongly the others do not: their steps are effects of their own.
+bool is_of_one_row(const effects::Effect& a, const effects::Effect& b) {
+    return a.name == b.name &&
+           (a.hook != effects::Hook::meter_factor || a.place == b.place);
 }
 
-/// The catalogue's effects, each in the first of its variants that moves a meter.
-std::vector<Screened> one_of_each(const LoopData& data, const Place& place,
-                                  const Standing& standing) {
-    std::vector<Named> all = by_name(data, place);
+void name_by_meters(std::vector<Row>& rows) {
+    for (Row& row : rows) row.name = row.variants[0].name;
+    for (Row& row : rows) {
+        const effects::Effect& first = row.variants[0];
+        const auto n = std::ranges::count_if(
+            rows, [&](const Row& other) { return other.variants[0].name == first.name; });
+        if (n > 1) row.name += ", " + first.place_name;
+    }
+}
+
+std::vector<Row> rows_of(const LoopData& data, const Place& place) {
+    std::vector<Row> rows;
+    const auto all = effects::named_candidates(*place.surroundings, data.quantities());
+    for (const effects::Effect& effect : all) {
+        const auto row = std::ranges::find_if(rows, [&](const Row& there) {
+            return is_of_one_row(there.variants[0], effect);
+        });
+        if (row == rows.end())
+            rows.push_back({"", {effect}});
+        else
+            row->variants.push_back(effect);
+    }
+    name_by_meters(rows);
+    return rows;
+}
+
+/// The rows that move a meter, each by the first of its variants that does.
+std::vector<Row> one_of_each(const LoopData& data, const Place& place,
+                             const Standing& standing) {
+    std::vector<Row> rows = rows_of(data, place);
     std::vector<effects::Effect> tried;
     for (std::size_t variant = 0; variant == 0 || !tried.empty(); ++variant) {
         tried.clear();
-        for (const Named& named : all)
-            if (!named.screened && variant < named.variants.size())
-                tried.push_back(named.variants[variant]);
+        for (const Row& row : rows)
+            if (!row.screened && variant < row.variants.size())
+                tried.push_back(row.variants[variant]);
         for (Screened& screened :
              screen(data, place, standing, tried, Keep::of_typical)) {
-            const auto same = [&](const Named& named) {
-                return named.variants[0].name == screened.effect.name;
-            };
-            std::ranges::find_if(all, same)->screened = std::move(screened);
+            const auto row = std::ranges::find_if(rows, [&](const Row& there) {
+                return is_of_one_row(there.variants[0], screened.effect);
+            });
+            row->screened = std::move(screened);
         }
     }
-    std::vector<Screened> chosen;
-    for (Named& named : all)
-        if (named.screened) chosen.push_back(std::move(*named.screened));
-    return chosen;
+    std::erase_if(rows, [](const Row& row) { return !row.screened; });
+    return rows;
 }
 
 void find_alias(std::size_t row, PowerTable& table) {
@@ -65,7 +86,7 @@ void find_alias(std::size_t row, PowerTable& table) {
                                           table.screened[other].signature, table.weights);
         if (std::abs(rho) <= std::abs(power.correlation)) continue;
         power.correlation = rho;
-        power.alias = table.rows[other].effect.name;
+        power.alias = table.rows[other].name;
     }
 }
 
@@ -102,10 +123,10 @@ double correlation_of(std::span<const double> a, std::span<const double> b,
 
 PowerTable power_of(const LoopData& data, const Place& place, const Standing& standing) {
     PowerTable table;
-    table.screened = one_of_each(data, place, standing);
     table.weights = weights_of(data.targets, standing.noise);
-    for (const Screened& screened : table.screened) {
-        Power power{screened.effect, 0, 0, {}, 0, {}, 0};
+    for (Row& row : one_of_each(data, place, standing)) {
+        const Screened& screened = table.screened.emplace_back(std::move(*row.screened));
+        Power power{std::move(row.name), screened.effect};
         power.detectability =
             std::abs(screened.effect.typical) * std::sqrt(screened.information);
         power.visibility = screened.visibility;

@@ -301,7 +301,7 @@ class Writer {
         std::vector<std::string> name, alias, parameter;
         std::vector<double> detectability, visibility, correlation, bias;
         for (const Power& row : result_.power.rows) {
-            name.push_back(row.effect.name);
+            name.push_back(row.name);
             alias.push_back(row.alias);
             parameter.push_back(row.parameter);
             detectability.push_back(row.detectability);
@@ -329,12 +329,12 @@ class Writer {
         if (is_found || !is_in_parameters(row)) return;
         const std::string same = effects::same_as(row.effect);
         if (!same.empty())
-            decisions_.push_back({row.effect.name, "one class with " + same,
+            decisions_.push_back({row.name, "one class with " + same,
                                   "cannot be told apart: what the readings say of both "
                                   "stands in the calibrated parameters"});
         else if (can_be_seen(row))
             decisions_.push_back(
-                {row.effect.name,
+                {row.name,
                  "one class with " + row.parameter + " and what else is calibrated",
                  "told apart only where it is large: else what the "
                  "readings say of both stands in the parameters"});

@@ -23,8 +23,8 @@ from effects import EFFECTS, INSIDE, OUTSIDE  # noqa: E402
 
 
 def found(name, members=(), adequate=True, hook="gains", driver="hour of the day",
-          interval=(0, 1)):
-    return {"name": name, "class": list(members), "adequate": adequate, "hook": hook,
+          interval=(0, 1), shape="from 18 to 21 h"):
+    return {"name": name, "shape": shape, "class": list(members), "adequate": adequate, "hook": hook,
             "driver": driver, "interval": list(interval)}
 
 
@@ -86,6 +86,22 @@ class Scores(unittest.TestCase):
     def test_a_place_without_a_name_is_right_too(self):
         case = scored({"server_heat": 2}, [found("a sentence", hook="gains", driver="constant")])
         self.assertTrue(loop_scores.is_named(case, "server_heat"))
+
+    def test_a_step_is_right_at_its_meter_only(self):
+        step = found("step of a meter", shape="after 0.5 years, gas meter")
+        self.assertTrue(loop_scores.is_named(scored({"gas_step": 0.1}, [step]), "gas_step"))
+        self.assertFalse(loop_scores.is_named(scored({"heating_step": 0.1}, [step]), "heating_step"))
+
+    def test_a_step_is_as_detectable_as_its_meter_shows(self):
+        loop = h5py.File("none", "w", driver="core", backing_store=False)
+        self.addCleanup(loop.close)
+        loop.create_dataset("power_effect", dtype=h5py.string_dtype(), data=[
+            "step of a meter, heating meter", "step of a meter, cooling meter"])
+        loop["power_detectability"] = [60.0, 4.0]
+        truth = {"effects": {"cooling_step": 0.2, "heating_step": -0.1}}
+        typical = EFFECTS["cooling_step"].size
+        self.assertEqual(loop_scores.detectability(loop, truth),
+                         {"cooling_step": 4 * 0.2 / typical, "heating_step": 60 * 0.1 / typical})
 
     def test_a_class_of_at_most_three_counts_as_a_class_only(self):
         members = ["night purge", "blinds", "shade"]

@@ -72,6 +72,31 @@ TEST(LoopClock, WeatherTellsAClockFromSchedules) {
     EXPECT_FALSE(found_in(0));
 }
 
+// In summer people come an hour earlier by such a clock: one hour late is half way
+// between, and the two are asked about together.
+TEST(LoopClock, ItIsAskedTogetherWithSummerTime) {
+    Case made = test::windy_case();
+    const effects::Effect summer = named("summer time not applied");
+    test::measure(made, summer, 1, 3);
+    made.meters[0].axis.start += std::chrono::hours(2);
+    const auto found_with = [&](const std::vector<std::string>& exclude) {
+        auto options = test::WindyModel::options();
+        options.exclude = exclude;
+        const LoopData data(made, options);
+        const Place place = make_place(data, {}, data.drive);
+        LoopModel model;
+        model.effects = {named("schedules earlier or later")};
+        model.effects[0].shape.at = 1;
+        Standing standing =
+            calibrate(data, place, model, std::vector<double>(place.unknowns.size() + 1));
+        standing.fit.at.x.back() = 1 / standing.built.unknowns.back().scale;
+        return late_clock_in_place_of(data, standing, 0).value_or(LateClock{});
+    };
+    const LateClock late = found_with({}), without = found_with({summer.name});
+    EXPECT_EQ(late.hours, 2);
+    EXPECT_GT(late.gained, without.gained + 10);
+}
+
 TEST(LoopClock, OnlyWholeHoursOfAllSchedulesAreAsked) {
     test::WindyModel model({"wind infiltration"});
     EXPECT_FALSE(late_clock_in_place_of(model.data, model.standing, 0));
