@@ -11,9 +11,9 @@ struct Power {
     effects::Effect effect;
     double detectability = 0;  ///< its size over what it can be known to; below 5: cannot
     double visibility = 0;     ///< share that the other unknowns cannot follow
-    std::string alias{};         ///< what looks most like it
+    std::string alias{};       ///< what looks most like it
     double correlation = 0;    ///< of both signatures
-    std::string parameter{};     ///< that it would bias most
+    std::string parameter{};   ///< that it would bias most
     double bias = 0;           ///< [prior sd]
 };
 
