@@ -20,6 +20,13 @@ def made_at(path):
     return os.stat(path).st_mtime_ns if os.path.exists(path) else None
 
 
+def is_right(program, job, **more):
+    """Whether the program can read all of the job, without a simulation. `more`: of subprocess.run."""
+    command = [str(program), "check", str(job)]
+    return subprocess.run(command, env=environment(), stdout=subprocess.DEVNULL,
+                          **more).returncode == 0
+
+
 def run(program, job, result, ranks, words=(), may_fail=False, **more):
     """Runs the job; returns the exit code. `words`: further words of the command; `may_fail`:
     whether a result without the items that failed is one; `more`: of subprocess.run. Raises

@@ -300,10 +300,13 @@ class Runs(Folders):
             self.run_program(65, writes=False, may_fail=True)
         self.assertEqual(raised.exception.code, 65)
 
-    def run_script(self, cases, code, result):
-        """run_case with a program that leaves `result` and ends with `code`."""
+    def run_script(self, cases, code, result, unreadable="none"):
+        """run_case with a program that leaves `result` and ends with `code`; it cannot read a job
+        with the building `unreadable`."""
         program = self.folder / "program"
-        program.write_text(f"#!/bin/sh\ncp {result} $4\nexit {code}\n")
+        program.write_text(f"#!/bin/sh\n[ $1 = run ] || {{\n  grep -q {unreadable}.toml $2 || exit 0\n"
+                           f"  echo {unreadable} is wrong >&2\n  exit 78\n}}\n"
+                           f"cp {result} $4\nexit {code}\n")
         program.chmod(0o755)
         return subprocess.run([PROGRAM, *cases, self.folder / "out", "--ranks", "1"],
                               capture_output=True, text=True,
@@ -336,6 +339,23 @@ class Runs(Folders):
         self.assertEqual(done.returncode, 1)
         self.assertIn("bad/building.json: site: is not there", done.stderr)
         self.assertTrue((self.folder / "out/a/effects.json").exists())
+
+    def test_cases_that_the_program_cannot_read_stop_no_others(self):
+        cases = [write_case(self.folder / name) for name in ("a", "b")]
+        result = fake_loop_result.write(self.folder / "made.h5", stage="a/loop")
+        done = self.run_script(cases, 0, result, unreadable="b")
+        self.assertEqual((done.returncode, done.stderr), (1, "b is wrong\n"))
+        job = tomllib.loads((self.folder / "out/job/job.toml").read_text())
+        self.assertEqual(job["buildings"], ["a.toml"])
+        self.assertTrue((self.folder / "out/a/effects.json").exists())
+
+    def test_where_the_program_can_read_none_there_is_no_result(self):
+        case, result = write_case(self.folder / "a"), fake_loop_result.write(self.folder / "made.h5")
+        done = self.run_script([case], 0, result, unreadable="a")
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stderr, "a is wrong\nrun_case: " + str(self.folder / "out/job/job.toml") +
+                         ": no case that can be read; no result\n")
+        self.assertFalse((self.folder / "out/result.h5").exists())
 
     def test_a_case_that_fails_alone_is_said_to(self):
         case, result = write_case(self.folder / "b"), self.result_without(0)
