@@ -22,11 +22,12 @@ class Right:
     is_decision: bool = False
     aliases: tuple = ()   # what no reading tells from it
     is_dated: bool = False   # its size is a day of the year
-    meter: str = ""          # the only one at which it is right
+    meters: tuple = ()       # at which it is right
 
     def rows(self):
-        """What the power table may call it: one of a meter has the meter's name beside others."""
-        return tuple(f"{name}, {self.meter}" for name in self.names[:1] if self.meter) + self.names[:1]
+        """What the power table may call it: beside others, what is at a meter has the meter's name."""
+        return [f"{name} ({meter})" for name in self.names[:1] for meter in self.meters] + \
+            list(self.names[:1])
 
 
 def same(size, truth):
@@ -41,11 +42,12 @@ def named(*names, **more):
     return Right(names, **more)
 
 
+GAS = ("gas meter",)
 STATION = ("urban heat island or station offset", "urban heat island at night")
 
 
 def step_of(meter):
-    return named("step of a meter", coefficient=same, meter=meter)
+    return named("step of a meter", coefficient=same, meters=(meter,))
 
 
 RIGHT = {
@@ -94,7 +96,7 @@ RIGHT = {
     "cooling_locked": named("cooling locked out", is_dated=True),
     "heating_locked": named("heating locked out", is_dated=True),
     "demand_response": named("demand response", coefficient=same),
-    "reheat": named("reheat"),
+    "reheat": named("reheat", meters=("gas meter", "electricity meter")),
     "part_load": named("part-load efficiency of heating"),
     "cop_temperature": named("COP over outdoor temperature",
                              coefficient=lambda size, truth: size / (1 + 7 * size)),
@@ -102,8 +104,8 @@ RIGHT = {
     "degraded_boiler": named("drift of heating efficiency",
                              coefficient=lambda size, truth: -size / YEARS),
     "latent_load": named("latent load", "latent load on the meter of cooling"),
-    "standing_losses": named("standing losses", coefficient=same),
-    "hot_water": named("hot water", coefficient=same),
+    "standing_losses": named("standing losses", coefficient=same, meters=GAS),
+    "hot_water": named("hot water", coefficient=same, meters=GAS),
     "electricity_step": step_of("electricity meter"), "cooling_step": step_of("cooling meter"),
     "heating_step": step_of("heating meter"), "gas_step": step_of("gas meter"),
     "meter_late": named("clock of the meter", is_decision=True,
@@ -128,13 +130,14 @@ ALWAYS_THERE = {
 def is_right(effect, planted):
     """Whether a found effect (a record of effects.json) is the planted one."""
     right = RIGHT[planted]
-    return (effect["name"] in right.names and effect["shape"].endswith(right.meter)) or \
+    is_there = not right.meters or effect["shape"].endswith(right.meters)
+    return (effect["name"] in right.names and is_there) or \
         (effect["hook"], effect["driver"]) in right.places
 
 
 def is_in_class(effect, planted, most=3):
     """Whether the planted one is in the found one's class of at most `most`."""
-    others = [name for name in effect["class"] if name]
+    others = [name for name in effect["class"] if name and name != effect["name"]]
     return is_right(effect, planted) or effect["name"] in RIGHT[planted].aliases or (
         len(set(others) | {effect["name"]}) <= most
         and bool(set(others) & set(RIGHT[planted].names)))

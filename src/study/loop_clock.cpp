@@ -13,6 +13,8 @@
 namespace bemcal::study {
 namespace {
 
+using Effects = std::vector<effects::Effect>;
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 double at(std::span<const double> series, std::ptrdiff_t k) {
@@ -59,36 +61,21 @@ double objective_of(const BuiltModel& built, const Targets& targets,
 
 constexpr double clearly = 10;  ///< of the objective
 
-/// Schedules that also keep, or drop, summer time: what this brings is half a year's
-/// shift of an hour, and a clock asked about without it stops half way.
-std::vector<std::vector<effects::Effect>> summers_of(const LoopData& data,
-                                                     const Place& place) {
-    std::vector<std::vector<effects::Effect>> summers{{}};
+/// Summer time, which people may keep though the building does not say so, or the
+/// reverse: beside a clock it is half a year's hour, and the clock alone would stop
+/// between.
+Effects summers_of(const LoopData& data, const Place& place) {
+    Effects summers;
+    const auto& exclude = data.options.exclude;
     const auto meters = data.quantities();
     for (effects::Effect& effect :
          effects::named_candidates(*place.surroundings, meters)) {
-        const bool is_excluded = std::ranges::find(data.options.exclude, effect.name) !=
-                                 data.options.exclude.end();
-        if (effect.gate != effects::Gate::eu_summer_time &&
-            effect.gate != effects::Gate::us_summer_time)
-            continue;
-        if (!is_excluded) summers.push_back({std::move(effect)});
+        const bool is_summers = effect.gate == effects::Gate::eu_summer_time ||
+                                effect.gate == effects::Gate::us_summer_time;
+        if (is_summers && std::ranges::find(exclude, effect.name) == exclude.end())
+            summers.push_back(std::move(effect));
     }
     return summers;
-}
-
-/// The least objective with any of the summers, each paid for.
-double least_objective(const Place& place,
-                       const std::vector<std::vector<effects::Effect>>& summers,
-                       const std::vector<effects::Effect>& others, const Targets& targets,
-                       const std::vector<ChannelNoise>& noise) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::vector<effects::Effect> all : summers) {
-        const double price = all.empty() ? 0 : clearly;
-        all.insert(all.end(), others.begin(), others.end());
-        least = std::min(least, price + objective_of(build(place, all), targets, noise));
-    }
-    return least;
 }
 
 }  // namespace
@@ -101,20 +88,27 @@ std::optional<LateClock> late_clock_in_place_of(const LoopData& data,
     if (hours == 0 || !std::ranges::all_of(data.targets.channels, is_by_the_hour))
         return {};
     const Place plain = make_place(data, {}, data.drive);
-    const auto summers = summers_of(data, plain);
-    const auto with_clock = [&](int late) {
-        return least_objective(plain, summers, {}, read_later(data.targets, late),
-                               standing.noise);
+    const auto by_clock = [&](const Effects& others, int late) {
+        return objective_of(build(plain, others), read_later(data.targets, late),
+                            standing.noise);
     };
-    const double by_schedules =
-        least_objective(plain, summers, {schedules}, data.targets, standing.noise);
-    LateClock best{hours, by_schedules - with_clock(hours)};
+    const double gained =
+        objective_of(build(plain, {schedules}), data.targets, standing.noise) -
+        by_clock({}, hours);
+    if (!(gained > clearly)) return {};
+    const auto summers = summers_of(data, plain);
+    const auto with_summers = [&](int late) {
+        double least = by_clock({}, late);
+        for (const effects::Effect& summer : summers)
+            least = std::min(least, clearly + by_clock({summer}, late));
+        return least;
+    };
+    const double least = with_summers(hours);
+    LateClock best{hours, gained};
     for (const int other : {hours - 1, hours + 1}) {
-        if (other == 0) continue;
-        const double gained = by_schedules - with_clock(other);
-        if (gained > best.gained + clearly) best = {other, gained};
+        const double more = other == 0 ? 0 : least - with_summers(other);
+        if (more > clearly && gained + more > best.gained) best = {other, gained + more};
     }
-    if (!(best.gained > clearly)) return {};
     return best;
 }
 

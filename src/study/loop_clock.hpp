@@ -1,6 +1,7 @@
 /// Clocks of all meters that are late or early by whole hours. What schedules that are as
 /// late say nearly as well: but the weather's answer is late with a clock, not with a
-/// schedule. Clocks of single meters, and summer time, are job/data_checks' to find.
+/// schedule. Summer time beside it moves by how many hours, and is tried with it, for
+/// that only. Clocks of single meters are job/data_checks' to find.
 #pragma once
 
 #include "study/loop_baseline.hpp"
@@ -11,7 +12,7 @@ namespace bemcal::study {
 
 struct LateClock {
     int hours = 0;      ///< what all readings are stamped too late
-    double gained = 0;  ///< fall of the objective, next to schedules as late
+    double gained = 0;  ///< fall of the objective, next to late schedules
 };
 
 /// Whether a clock explains more than an effect of a model does; nothing where the effect

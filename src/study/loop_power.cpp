@@ -16,20 +16,13 @@ struct Row {
     std::optional<Screened> screened{};
 };
 
-/// What one meter shows wrongly the others do not: their steps are effects of their own.
-bool is_of_one_row(const effects::Effect& a, const effects::Effect& b) {
-    return a.name == b.name &&
-           (a.hook != effects::Hook::meter_factor || a.place == b.place);
+bool is_at_a_meter(effects::Hook hook) {
+    return hook == effects::Hook::meter_factor || hook == effects::Hook::meter_addition;
 }
 
-void name_by_meters(std::vector<Row>& rows) {
-    for (Row& row : rows) row.name = row.variants[0].name;
-    for (Row& row : rows) {
-        const effects::Effect& first = row.variants[0];
-        const auto n = std::ranges::count_if(
-            rows, [&](const Row& other) { return other.variants[0].name == first.name; });
-        if (n > 1) row.name += ", " + first.place_name;
-    }
+/// What enters at one meter the others do not see: it is an effect of its own.
+bool is_of_one_row(const effects::Effect& a, const effects::Effect& b) {
+    return a.name == b.name && (!is_at_a_meter(a.hook) || a.place == b.place);
 }
 
 std::vector<Row> rows_of(const LoopData& data, const Place& place) {
@@ -44,8 +37,17 @@ std::vector<Row> rows_of(const LoopData& data, const Place& place) {
         else
             row->variants.push_back(effect);
     }
-    name_by_meters(rows);
     return rows;
+}
+
+/// An effect that several meters could show has the meter's name, too.
+void name_by_meters(std::vector<Row>& rows) {
+    for (Row& row : rows) {
+        const effects::Effect& first = row.variants[0];
+        const auto n = std::ranges::count_if(
+            rows, [&](const Row& other) { return other.variants[0].name == first.name; });
+        row.name = n > 1 ? first.name + " (" + first.place_name + ")" : first.name;
+    }
 }
 
 /// The rows that move a meter, each by the first of its variants that does.
@@ -67,6 +69,7 @@ std::vector<Row> one_of_each(const LoopData& data, const Place& place,
         }
     }
     std::erase_if(rows, [](const Row& row) { return !row.screened; });
+    name_by_meters(rows);
     return rows;
 }
 

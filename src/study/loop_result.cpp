@@ -319,14 +319,24 @@ class Writer {
         out_.vector("power_bias", "power", bias);
     }
 
+    /// Itself, at the same place, or as a name of what was found.
+    bool is_found(const effects::Effect& effect) const {
+        for (std::size_t k = 0; k < result_.found.size(); ++k) {
+            const effects::Effect& own = result_.last.model.effects[k];
+            const std::string names = "; " + result_.found[k].equivalents + ";";
+            const bool is_elsewhere =
+                own.name == effect.name && own.place != effect.place;
+            if (!is_elsewhere &&
+                names.find("; " + effect.name + ";") != std::string::npos)
+                return true;
+        }
+        return false;
+    }
+
     /// What readings cannot tell from what is calibrated is no finding, but is said: of
     /// what is the same always, of the rest where it could be seen at all.
     void state_class(const Power& row) {
-        const bool is_found = std::ranges::any_of(result_.found, [&](const Found& found) {
-            return ("; " + found.equivalents + ";").find("; " + row.effect.name + ";") !=
-                   std::string::npos;
-        });
-        if (is_found || !is_in_parameters(row)) return;
+        if (is_found(row.effect) || !is_in_parameters(row)) return;
         const std::string same = effects::same_as(row.effect);
         if (!same.empty())
             decisions_.push_back({row.name, "one class with " + same,

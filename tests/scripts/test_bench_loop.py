@@ -88,15 +88,18 @@ class Scores(unittest.TestCase):
         self.assertTrue(loop_scores.is_named(case, "server_heat"))
 
     def test_a_step_is_right_at_its_meter_only(self):
-        step = found("step of a meter", shape="after 0.5 years, gas meter")
-        self.assertTrue(loop_scores.is_named(scored({"gas_step": 0.1}, [step]), "gas_step"))
-        self.assertFalse(loop_scores.is_named(scored({"heating_step": 0.1}, [step]), "heating_step"))
+        step = found("step of a meter", ["step of a meter"], shape="after 0.5 years, gas meter")
+        for planted, is_right in (("gas_step", True), ("heating_step", False)):
+            case = scored({planted: 0.1}, [step])
+            self.assertEqual(loop_scores.is_named(case, planted), is_right)
+            self.assertEqual(loop_scores.is_classed(case, planted), is_right)
+            self.assertEqual(loop_scores.false_effects(case), [] if is_right else [step])
 
     def test_a_step_is_as_detectable_as_its_meter_shows(self):
         loop = h5py.File("none", "w", driver="core", backing_store=False)
         self.addCleanup(loop.close)
         loop.create_dataset("power_effect", dtype=h5py.string_dtype(), data=[
-            "step of a meter, heating meter", "step of a meter, cooling meter"])
+            "step of a meter (heating meter)", "step of a meter (cooling meter)"])
         loop["power_detectability"] = [60.0, 4.0]
         truth = {"effects": {"cooling_step": 0.2, "heating_step": -0.1}}
         typical = EFFECTS["cooling_step"].size

@@ -57,7 +57,7 @@ inline void add_rain(study::Case& made) {
 /// Adds the gas meter of the building with the effect, with errors of 3 % of its mean.
 inline void measure(study::Case& made, const effects::Effect& effect, double coefficient,
                     std::uint64_t seed) {
-    const study::Period all{"all", day(7), day(n_days)};
+    const study::Period all{"all", made.periods.front().from, made.periods.back().to};
     const physics::Drive drive = study::drive_of(made, all);
     auto around = effects::make_surroundings(made.building, drive, made.weather,
                                              made.periods[0].from);
