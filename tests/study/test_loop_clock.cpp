@@ -18,6 +18,18 @@ const std::vector<double> hours_of_two_days = [] {
     return hours;
 }();
 
+/// What is asked where the search had found all schedules so many hours late.
+std::optional<LateClock> asked_of_schedules(const LoopData& data, double hours) {
+    const Place place = make_place(data, {}, data.drive);
+    LoopModel model;
+    model.effects = {named("schedules earlier or later")};
+    model.effects[0].shape.at = hours;
+    Standing standing =
+        calibrate(data, place, model, std::vector<double>(place.unknowns.size() + 1));
+    standing.fit.at.x.back() = 1 / standing.built.unknowns.back().scale;
+    return late_clock_in_place_of(data, standing, 0);
+}
+
 TEST(LoopClock, ALateClockShowsAnHourLater) {
     const auto late = by_late_clock(hours_of_two_days, 2);
     EXPECT_TRUE(std::isnan(late[0]) && std::isnan(late[1]));
@@ -55,16 +67,7 @@ TEST(LoopClock, WeatherTellsAClockFromSchedules) {
     const auto found_in = [](int hours) {
         Case made = test::WindyModel::measured();
         made.meters[0].axis.start += std::chrono::hours(hours);
-        const LoopData data(made, test::WindyModel::options());
-        const Place place = make_place(data, {}, data.drive);
-        LoopModel model;
-        model.effects = {named("schedules earlier or later")};
-        model.effects[0].shape.at = 2;
-        Standing standing =
-            calibrate(data, place, model, std::vector<double>(place.unknowns.size() + 1));
-        // As if the search had found them two hours late.
-        standing.fit.at.x.back() = 1 / standing.built.unknowns.back().scale;
-        return late_clock_in_place_of(data, standing, 0);
+        return asked_of_schedules(LoopData(made, test::WindyModel::options()), 2);
     };
     const auto late = found_in(2);
     ASSERT_TRUE(late);
@@ -92,15 +95,7 @@ TEST(LoopClock, ItIsAskedTogetherWithSummerTime) {
     const auto hours_with = [&](const std::vector<std::string>& exclude) {
         auto options = test::WindyModel::options();
         options.exclude = exclude;
-        const LoopData data(made, options);
-        const Place place = make_place(data, {}, data.drive);
-        LoopModel model;
-        model.effects = {named("schedules earlier or later")};
-        model.effects[0].shape.at = 1;
-        Standing standing =
-            calibrate(data, place, model, std::vector<double>(place.unknowns.size() + 1));
-        standing.fit.at.x.back() = 1 / standing.built.unknowns.back().scale;
-        return late_clock_in_place_of(data, standing, 0).value_or(LateClock{}).hours;
+        return asked_of_schedules(LoopData(made, options), 1).value_or(LateClock{}).hours;
     };
     EXPECT_EQ(hours_with({}), 2);
     EXPECT_EQ(hours_with({summer.name}), 1);
