@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace bemcal::study {
 namespace {
@@ -13,7 +12,8 @@ namespace {
 struct Row {
     std::string name;
     std::vector<effects::Effect> variants;
-    std::optional<Screened> screened{};
+    Screened screened{};
+    bool is_seen = false;  ///< at a meter
 };
 
 bool is_at_a_meter(effects::Hook hook) {
@@ -58,7 +58,7 @@ std::vector<Row> one_of_each(const LoopData& data, const Place& place,
     for (std::size_t variant = 0; variant == 0 || !tried.empty(); ++variant) {
         tried.clear();
         for (const Row& row : rows)
-            if (!row.screened && variant < row.variants.size())
+            if (!row.is_seen && variant < row.variants.size())
                 tried.push_back(row.variants[variant]);
         for (Screened& screened :
              screen(data, place, standing, tried, Keep::of_typical)) {
@@ -66,9 +66,10 @@ std::vector<Row> one_of_each(const LoopData& data, const Place& place,
                 return is_of_one_row(there.variants[0], screened.effect);
             });
             row->screened = std::move(screened);
+            row->is_seen = true;
         }
     }
-    std::erase_if(rows, [](const Row& row) { return !row.screened; });
+    std::erase_if(rows, [](const Row& row) { return !row.is_seen; });
     name_by_meters(rows);
     return rows;
 }
@@ -128,7 +129,7 @@ PowerTable power_of(const LoopData& data, const Place& place, const Standing& st
     PowerTable table;
     table.weights = weights_of(data.targets, standing.noise);
     for (Row& row : one_of_each(data, place, standing)) {
-        const Screened& screened = table.screened.emplace_back(std::move(*row.screened));
+        const Screened& screened = table.screened.emplace_back(std::move(row.screened));
         Power power{std::move(row.name), screened.effect};
         power.detectability =
             std::abs(screened.effect.typical) * std::sqrt(screened.information);
