@@ -139,6 +139,9 @@ struct Effect {
 /// Whether they bring the same: hook, driver, shape, gate, days, hours and place.
 bool are_equal(const Effect& a, const Effect& b);
 
+/// Whether it enters at one meter, which the others do not see.
+bool is_at_a_meter(Hook hook);
+
 const char* name_of(Hook hook);
 const char* name_of(Driver driver);
 const char* name_of(Form form);

@@ -97,6 +97,10 @@ bool are_equal(const Effect& a, const Effect& b) {
                                           });
 }
 
+bool is_at_a_meter(Hook hook) {
+    return hook == Hook::meter_factor || hook == Hook::meter_addition;
+}
+
 const char* name_of(Hook hook) {
     return hooks[static_cast<std::size_t>(hook)].name;
 }

@@ -92,21 +92,21 @@ std::optional<LateClock> late_clock_in_place_of(const LoopData& data,
         return objective_of(build(plain, others), read_later(data.targets, late),
                             standing.noise);
     };
+    const double without = by_clock({}, hours);
     const double gained =
-        objective_of(build(plain, {schedules}), data.targets, standing.noise) -
-        by_clock({}, hours);
+        objective_of(build(plain, {schedules}), data.targets, standing.noise) - without;
     if (!(gained > clearly)) return {};
     const auto summers = summers_of(data, plain);
-    const auto with_summers = [&](int late) {
-        double least = by_clock({}, late);
+    const auto with_summers = [&](int late, double least) {
         for (const effects::Effect& summer : summers)
             least = std::min(least, clearly + by_clock({summer}, late));
         return least;
     };
-    const double least = with_summers(hours);
+    const double least = with_summers(hours, without);
     LateClock best{hours, gained};
     for (const int other : {hours - 1, hours + 1}) {
-        const double more = other == 0 ? 0 : least - with_summers(other);
+        if (other == 0) continue;
+        const double more = least - with_summers(other, by_clock({}, other));
         if (more > clearly && gained + more > best.gained) best = {other, gained + more};
     }
     return best;

@@ -92,11 +92,9 @@ bool mends_small_meter(const Standing& before, const Refitted& candidate) {
 /// Whether what enters at a meter lowers the error there by much: the others do not see
 /// it, and a mean over all would ask for more the more there are.
 bool mends_its_meter(const Refitted& candidate, double threshold, double lowest) {
-    using effects::Hook;
     constexpr double much = 0.05;
-    const Hook hook = candidate.effect.hook;
     return candidate.effect.number != 0 &&
-           (hook == Hook::meter_factor || hook == Hook::meter_addition) &&
+           effects::is_at_a_meter(candidate.effect.hook) &&
            is_overwhelming(candidate.gain, threshold) && lowest < -much;
 }
 

@@ -16,21 +16,12 @@ struct Row {
     bool is_seen = false;  ///< at a meter
 };
 
-bool is_at_a_meter(effects::Hook hook) {
-    return hook == effects::Hook::meter_factor || hook == effects::Hook::meter_addition;
-}
-
-/// What enters at one meter the others do not see: it is an effect of its own.
-bool is_of_one_row(const effects::Effect& a, const effects::Effect& b) {
-    return a.name == b.name && (!is_at_a_meter(a.hook) || a.place == b.place);
-}
-
 std::vector<Row> rows_of(const LoopData& data, const Place& place) {
     std::vector<Row> rows;
     const auto all = effects::named_candidates(*place.surroundings, data.quantities());
     for (const effects::Effect& effect : all) {
         const auto row = std::ranges::find_if(rows, [&](const Row& there) {
-            return is_of_one_row(there.variants[0], effect);
+            return are_of_one_row(there.variants[0], effect);
         });
         if (row == rows.end())
             rows.push_back({"", {effect}});
@@ -63,7 +54,7 @@ std::vector<Row> one_of_each(const LoopData& data, const Place& place,
         for (Screened& screened :
              screen(data, place, standing, tried, Keep::of_typical)) {
             const auto row = std::ranges::find_if(rows, [&](const Row& there) {
-                return is_of_one_row(there.variants[0], screened.effect);
+                return are_of_one_row(there.variants[0], screened.effect);
             });
             row->screened = std::move(screened);
             row->is_seen = true;
@@ -103,6 +94,10 @@ void find_bias(const Standing& standing, const Screened& screened, Power& power)
 }
 
 }  // namespace
+
+bool are_of_one_row(const effects::Effect& a, const effects::Effect& b) {
+    return a.name == b.name && (!effects::is_at_a_meter(a.hook) || a.place == b.place);
+}
 
 bool is_in_parameters(const Power& power) {
     constexpr double same = 0.98;  ///< correlation of what is one signature

@@ -22,6 +22,8 @@ struct PowerTable {
     std::vector<Screened> screened;  ///< [rows] with signatures
     std::vector<double> weights;     ///< of the readings
 };
+/// Whether one row stands for both: what enters at one meter the others do not see.
+bool are_of_one_row(const effects::Effect& a, const effects::Effect& b);
 /// Whether other values of the parameters do nearly what the effect does: a correlation
 /// of 0.98.
 bool is_in_parameters(const Power& power);

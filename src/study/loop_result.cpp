@@ -319,13 +319,13 @@ class Writer {
         out_.vector("power_bias", "power", bias);
     }
 
-    /// Itself, at the same place, or as a name of what was found.
+    /// Itself, at the same meter where it is at one, or as a name of what was found.
     bool is_found(const effects::Effect& effect) const {
         for (std::size_t k = 0; k < result_.found.size(); ++k) {
             const effects::Effect& own = result_.last.model.effects[k];
             const std::string names = "; " + result_.found[k].equivalents + ";";
             const bool is_elsewhere =
-                own.name == effect.name && own.place != effect.place;
+                own.name == effect.name && !are_of_one_row(own, effect);
             if (!is_elsewhere &&
                 names.find("; " + effect.name + ";") != std::string::npos)
                 return true;

@@ -60,6 +60,16 @@ TEST(LoopPower, EachMetersStepIsARow) {
     EXPECT_LT(fall_of("step of a meter (gas meter)"), 1.2);
 }
 
+TEST(LoopPower, FacadesShareARowMetersDoNot) {
+    for (const auto& [name, is_one] :
+         {std::pair{"shade in a season", true}, {"step of a meter", false}}) {
+        effects::Effect here = test::named(name), there = here;
+        there.place = here.place + 1;
+        EXPECT_TRUE(are_of_one_row(here, here));
+        EXPECT_EQ(are_of_one_row(here, there), is_one);
+    }
+}
+
 TEST(LoopPower, ARowIsOfTheMeterInItsName) {
     int n = 0;
     for (const Power& row : power_of_building(with_two_meters()).rows) {
