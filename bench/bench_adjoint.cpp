@@ -5,7 +5,7 @@
 /// derivative is predict and pull_back, all points with sensitivities of their own.
 /// Instructions are the difference of two runs of this program under callgrind.
 #include "bench_office.hpp"
-#include "physics/response.hpp"
+#include "kernel/response.hpp"
 
 #include <cstring>
 
@@ -81,13 +81,14 @@ struct Bench {
     Building building;
     Drive drive = bench_drive();
     std::vector<Parameter> parameters;
-    Batch batch;
-    Response response;
-    Response::RunPointer run;
-    Request request;
+    kernel::Batch batch;
+    kernel::Response response;
+    kernel::Response::RunPointer run;
+    kernel::Request request;
     Matrix gradient;
 
-    Bench(InstructionSet set, std::size_t n_parameters, Hour hour = Hour::standard)
+    Bench(kernel::InstructionSet set, std::size_t n_parameters,
+          Hour hour = Hour::standard)
         : building(building_with(hour)),
           parameters(first_parameters(building, n_parameters)),
           batch(building, parameters, drive, set),
@@ -101,7 +102,7 @@ struct Bench {
             sensitivities[k] = 1 + 0.5 * std::sin(static_cast<double>(k));
     }
 
-    Readings readings() const {
+    kernel::Readings readings() const {
         return {Quantity::gas, Interval::hourly,
                 predict(building, drive, simulate(building, drive), Quantity::gas)};
     }
@@ -152,7 +153,7 @@ void print_instructions(const std::string& self) {
     print("instructions_30_over_10_parameters", thirty / ten, "-", 1.15);
 }
 
-void print_times(InstructionSet set) {
+void print_times(kernel::InstructionSet set) {
     constexpr std::size_t n = 64;
     Bench few(set, 10), many(set, 30);
     const Matrix points = few.points(n), wide = many.points(n);
@@ -160,7 +161,7 @@ void print_times(InstructionSet set) {
         {[&] { few.work("evaluate", points); }, [&] { few.work("predict", points); },
          [&] { few.work("derivative", points); },
          [&] { many.work("derivative", wide); }});
-    const std::string suffix = fmt::format("_{}", name_of(set));
+    const std::string suffix = fmt::format("_{}", kernel::name_of(set));
     print("year_errors" + suffix, evaluate / n, "us");
     print("year_predict" + suffix, predict / n, "us");
     print("year_derivative" + suffix, ten / n, "us");
@@ -169,14 +170,14 @@ void print_times(InstructionSet set) {
     print("derivative_30_over_10_parameters" + suffix, thirty / ten, "-", 1.15);
 }
 
-void print_refined(InstructionSet set) {
+void print_refined(kernel::InstructionSet set) {
     constexpr std::size_t n = 32;
     Bench bench(set, 10, Hour::refined);
     const Matrix points = bench.points(n);
     const auto [predict, derivative] =
         medians<2>({[&] { bench.work("predict", points); },
                     [&] { bench.work("derivative", points); }});
-    const std::string suffix = fmt::format("_{}", name_of(set));
+    const std::string suffix = fmt::format("_{}", kernel::name_of(set));
     print("refined_year_derivative" + suffix, derivative / n, "us");
     print("refined_derivative_over_predict" + suffix, derivative / predict, "-", 4);
 }
@@ -185,7 +186,8 @@ void print_refined(InstructionSet set) {
 
 /// What callgrind counts: bench_adjoint WORK PARAMETERS POINTS.
 int run_counted(char** arguments) {
-    Bench bench(InstructionSet::v3, static_cast<std::size_t>(std::atoi(arguments[1])));
+    Bench bench(kernel::InstructionSet::v3,
+                static_cast<std::size_t>(std::atoi(arguments[1])));
     bench.work(arguments[0],
                bench.points(static_cast<std::size_t>(std::atoi(arguments[2]))));
     return 0;
@@ -193,9 +195,10 @@ int run_counted(char** arguments) {
 
 int run_all(const std::string& self) {
     print_instructions(self);
-    for (InstructionSet set :
-         {InstructionSet::scalar, InstructionSet::v3, InstructionSet::v4})
-        if (is_supported(set)) {
+    for (kernel::InstructionSet set :
+         {kernel::InstructionSet::scalar, kernel::InstructionSet::v3,
+          kernel::InstructionSet::v4})
+        if (kernel::is_supported(set)) {
             print_times(set);
             print_refined(set);
         }

@@ -1,8 +1,8 @@
 /// Hourly Sobol indices of a year against the simulations alone, on one thread, and
 /// memory at two sample sizes. Lines: name value unit reference ratio.
+#include "sensitivity/sensitivity.hpp"
 #include "stats/saltelli.hpp"
 #include "study/points.hpp"
-#include "study/sensitivity.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -144,8 +144,8 @@ study::Case year_of_an_office() {
     return made;
 }
 
-study::SensitivityOptions options_of(std::size_t n_base) {
-    study::SensitivityOptions options;
+sensitivity::SensitivityOptions options_of(std::size_t n_base) {
+    sensitivity::SensitivityOptions options;
     options.n_base = n_base;
     return options;
 }
@@ -172,7 +172,7 @@ class Simulations {
   private:
     study::Case made_;
     physics::Drive drive_;
-    physics::Batch batch_;
+    kernel::Batch batch_;
 };
 
 struct Times {
@@ -181,9 +181,9 @@ struct Times {
 
 /// Items and the simulations alone in turn, so that a busy machine slows both.
 Times time_both(const study::Case& made, std::size_t n_base) {
-    const auto stage = study::make_hourly_sensitivity("hourly", made, made.periods[0],
-                                                      physics::Quantity::electricity,
-                                                      options_of(n_base));
+    const auto stage = sensitivity::make_hourly_sensitivity(
+        "hourly", made, made.periods[0], physics::Quantity::electricity,
+        options_of(n_base));
     const Simulations simulations(made);
     const std::size_t n = n_base / static_cast<std::size_t>(stage->n_items());
     Times times;

@@ -35,23 +35,26 @@ struct Bench {
     Building building = bench_building();
     Drive drive = bench_drive();
     std::vector<Parameter> parameters = bench_parameters(building);
-    Request annual{{Quantity::heating, Quantity::cooling}, {}, {}};
-    Request hourly_meter{annual.annual, {}, {readings()}};
+    kernel::Request annual{{Quantity::heating, Quantity::cooling}, {}, {}};
+    kernel::Request hourly_meter{annual.annual, {}, {readings()}};
 
     Matrix points(std::size_t n) const { return bench_points(n, parameters.size()); }
-    Batch batch(InstructionSet set) const { return {building, parameters, drive, set}; }
-    Readings readings() const {
+    kernel::Batch batch(kernel::InstructionSet set) const {
+        return {building, parameters, drive, set};
+    }
+    kernel::Readings readings() const {
         return {Quantity::gas, Interval::hourly,
                 predict(building, drive, simulate(building, drive), Quantity::gas)};
     }
 };
 
 /// Per simulated hour and point; each run evaluates whole groups.
-double instructions_per_hour(const std::string& self, InstructionSet set,
+double instructions_per_hour(const std::string& self, kernel::InstructionSet set,
                              const char* request) {
     const int few = 32, many = 96;
     const auto count = [&](int n) {
-        return instructions(self, fmt::format("{} {} {}", name_of(set), request, n));
+        return instructions(self,
+                            fmt::format("{} {} {}", kernel::name_of(set), request, n));
     };
     const long long a = count(few), b = count(many);
     return a < 0 || b < 0
@@ -62,13 +65,14 @@ double instructions_per_hour(const std::string& self, InstructionSet set,
 void print_instructions(const std::string& self) {
     const struct {
         const char* name;
-        InstructionSet set;
+        kernel::InstructionSet set;
         const char* request;
         double reach;
     } lines[] = {
-        {"instructions_per_hour", InstructionSet::v3, "annual", 7.5},
-        {"instructions_per_hour_scalar", InstructionSet::scalar, "annual", 40},
-        {"instructions_per_hour_sse_fused", InstructionSet::v3, "hourly_meter", 7.5}};
+        {"instructions_per_hour", kernel::InstructionSet::v3, "annual", 7.5},
+        {"instructions_per_hour_scalar", kernel::InstructionSet::scalar, "annual", 40},
+        {"instructions_per_hour_sse_fused", kernel::InstructionSet::v3, "hourly_meter",
+         7.5}};
     for (const auto& line : lines) {
         const double count = instructions_per_hour(self, line.set, line.request);
         if (std::isnan(count))
@@ -82,8 +86,8 @@ constexpr std::size_t n = 1024;  ///< points of an item
 
 void print_times(const Bench& bench) {
     const Matrix points = bench.points(n);
-    const Batch scalar = bench.batch(InstructionSet::scalar),
-                v3 = bench.batch(InstructionSet::v3);
+    const kernel::Batch scalar = bench.batch(kernel::InstructionSet::scalar),
+                        v3 = bench.batch(kernel::InstructionSet::v3);
     const auto group = v3.make_group();
     const auto lanes = static_cast<std::size_t>(v3.lanes());
     const auto [one, annual, compared, prepared] =
@@ -103,13 +107,13 @@ void print_times(const Bench& bench) {
 }
 
 void print_v4(const Bench& bench) {
-    if (!is_supported(InstructionSet::v4)) {
+    if (!kernel::is_supported(kernel::InstructionSet::v4)) {
         fmt::print("v4: this processor has no AVX-512, so its kernel cannot run here\n");
         return;
     }
     const Matrix points = bench.points(n);
-    const Batch scalar = bench.batch(InstructionSet::scalar),
-                v4 = bench.batch(InstructionSet::v4);
+    const kernel::Batch scalar = bench.batch(kernel::InstructionSet::scalar),
+                        v4 = bench.batch(kernel::InstructionSet::v4);
     const auto [one, annual] = medians<2>({[&] { scalar.evaluate(points, bench.annual); },
                                            [&] { v4.evaluate(points, bench.annual); }});
     print("speedup_v4_over_scalar", one / annual, "-", 9);
@@ -120,9 +124,9 @@ void print_plain(const Bench& bench) {
     print("year_plain_version", plain, "us");
 }
 
-InstructionSet set_named(const std::string& name) {
-    if (name == "v4") return InstructionSet::v4;
-    return name == "scalar" ? InstructionSet::scalar : InstructionSet::v3;
+kernel::InstructionSet set_named(const std::string& name) {
+    if (name == "v4") return kernel::InstructionSet::v4;
+    return name == "scalar" ? kernel::InstructionSet::scalar : kernel::InstructionSet::v3;
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 /// value unit reference ratio.
 #pragma once
 
-#include "physics/plain_answer.hpp"
+#include "kernel/plain_answer.hpp"
 
 #include <algorithm>
 #include <array>

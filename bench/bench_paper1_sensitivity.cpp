@@ -1,7 +1,8 @@
 /// Paper 1's sensitivity analysis of one office hour and its agreement with the printed
 /// result: 19 inputs first, then 17 in 12 cases of floor area and last-hour temperature.
 /// Lines: name value unit reference ratio, after a table of the indices.
-#include "study/sensitivity.hpp"
+#include "sensitivity/sensitivity.hpp"
+#include "sensitivity/simulators.hpp"
 
 #include <algorithm>
 #include <set>
@@ -30,11 +31,11 @@ const study::Dataset& find(const std::vector<study::Dataset>& datasets,
 
 Result indices_of(std::vector<std::pair<std::string, double>> fixed,
                   const physics::OfficeHourAssumptions& assumptions) {
-    study::SensitivityOptions options;
+    sensitivity::SensitivityOptions options;
     options.n_base = 4096;
     options.n_bootstrap = 100;
-    const auto stage = study::make_sensitivity(
-        "hour", study::make_office_hour_simulator(std::move(fixed), assumptions),
+    const auto stage = sensitivity::make_sensitivity(
+        "hour", sensitivity::make_office_hour_simulator(std::move(fixed), assumptions),
         options);
     std::vector<study::ItemAnswer> answers;
     for (int item = 0; item < stage->n_items(); ++item)

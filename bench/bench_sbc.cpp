@@ -27,8 +27,8 @@ study::Case office() {
     return made;
 }
 
-study::PosteriorOptions options() {
-    study::PosteriorOptions options;
+posterior::PosteriorOptions options() {
+    posterior::PosteriorOptions options;
     options.chains.n_chains = 8;
     options.chains.sampler.n_warm_up = 300;
     options.residuals.discrepancy = true;

@@ -2,8 +2,8 @@
 #include "base/error.hpp"
 #include "effects/catalogue.hpp"
 #include "external/process.hpp"
-#include "job/plan.hpp"
-#include "job/slurm_lines.hpp"
+#include "plan/plan.hpp"
+#include "plan/slurm_lines.hpp"
 #include "report/merge_chains.hpp"
 #include "report/stock_files.hpp"
 #include "report/tables.hpp"
@@ -43,7 +43,7 @@ struct CommandLine {
     double stop_after_s = 0;  ///< 0 = no limit
     int first_chain = 0;
     bool slurm = false;
-    job::SlurmRequest slurm_request;
+    plan::SlurmRequest slurm_request;
 };
 
 constexpr const char* footer =
@@ -205,11 +205,11 @@ ExitCode run_command(run::Comm& comm, const CommandLine& line) {
 ExitCode check_command(const CommandLine& line, int n_ranks) {
     const job::Job job = job::read_job(run::job_file(line.job));
     if (line.slurm) {
-        fmt::print("{}", job::slurm_lines(job::plan_cost(job), line.slurm_request));
+        fmt::print("{}", plan::slurm_lines(plan::plan_cost(job), line.slurm_request));
         return ExitCode::ok;
     }
     const auto cores = static_cast<int>(run::placement().cores.size());
-    fmt::print("{}", job::plan_text(job, std::max(cores, n_ranks)));
+    fmt::print("{}", plan::plan_text(job, std::max(cores, n_ranks)));
     return ExitCode::ok;
 }
 

@@ -1,8 +1,8 @@
 /// The memory of an elimination, filled up to whole blocks, and its answers by name.
 #pragma once
 
+#include "base/lane_array.hpp"
 #include "emulator/elimination.hpp"
-#include "physics/lane_array.hpp"
 
 namespace bemcal::emulator {
 
@@ -42,7 +42,7 @@ class BorderedMatrix {
 
   private:
     std::size_t n_ = 0, n_border_ = 0, n_pivot_ = 0, n_rows_ = 0, stride_ = 0;
-    physics::LaneArray values_, panel_, whitened_;
+    LaneArray values_, panel_, whitened_;
 };
 
 }  // namespace bemcal::emulator

@@ -1,6 +1,6 @@
 #include "emulator/density.hpp"
 
-#include "physics/batch.hpp"
+#include "kernel/batch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace bemcal::emulator {
 namespace {
 
 Layout checked_layout(const Standardised& data, const ModelOptions& options) {
-    if (!physics::is_supported(physics::InstructionSet::scalar))
+    if (!kernel::is_supported(kernel::InstructionSet::scalar))
         throw std::invalid_argument(
             "this processor has no fused multiply-add (FMA, since 2013)");
     const Layout layout =

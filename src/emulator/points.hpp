@@ -1,9 +1,9 @@
 /// Points by columns, as the correlations read them: some fixed, some that move.
 #pragma once
 
+#include "base/lane_array.hpp"
 #include "base/matrix.hpp"
 #include "emulator/correlation.hpp"
-#include "physics/lane_array.hpp"
 
 namespace bemcal::emulator {
 
@@ -48,7 +48,7 @@ class Points {
 
   private:
     std::size_t n_ = 0, dimension_ = 0, stride_ = 0;
-    physics::LaneArray values_;
+    LaneArray values_;
 };
 
 }  // namespace bemcal::emulator

@@ -53,7 +53,7 @@ physics::Drive profiles_of(const Sources& sources, const Case& building,
     return drive;
 }
 
-void check_set_points(const Section& section, const physics::Zone& zone,
+void check_set_points(const schema::Section& section, const physics::Zone& zone,
                       const physics::Drive& drive) {
     if (zone.thermostat.imposed || zone.radiator) return;
     for (int step = 0; step < drive.n_steps(); ++step) {
@@ -72,7 +72,8 @@ void check_set_points(const Section& section, const physics::Zone& zone,
 }  // namespace
 
 void check_building(const Sources& sources, const Case& building) {
-    const std::vector<Section> sections = sources.with("zone").tables("zone", "zone");
+    const std::vector<schema::Section> sections =
+        sources.with("zone").tables("zone", "zone");
     for (const study::Period& period : building.periods) {
         const physics::Drive drive = profiles_of(sources, building, period);
         for (std::size_t z = 0; z < sections.size(); ++z) {

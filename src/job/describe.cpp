@@ -1,6 +1,6 @@
 /// The schema and the building's numbers as text: the two references of a job file.
 #include "job/job.hpp"
-#include "job/schema.hpp"
+#include "schema/schema.hpp"
 
 #include <cmath>
 #include <string_view>
@@ -11,15 +11,16 @@ namespace bemcal::job {
 
 namespace {
 
-std::string default_of(const Key& key) {
+std::string default_of(const schema::Key& key) {
     if (key.fallback == nullptr) return "required";
     if (*key.fallback == '\0') return "optional";
     return fmt::format("default {}", key.fallback);
 }
 
-std::string line_of(const Key& key) {
+std::string line_of(const schema::Key& key) {
     return fmt::format("  {:<24} {:<10} {}{}{}\n", key.key, default_of(key),
-                       expectation(key), *key.sentence != '\0' ? ". " : "", key.sentence);
+                       schema::expectation(key), *key.sentence != '\0' ? ". " : "",
+                       key.sentence);
 }
 
 }  // namespace
@@ -29,14 +30,14 @@ std::string describe_job() {
         "A job is a TOML file. Every key, with its default, what is accepted, and what "
         "it means.\n"
         "An unknown key, or one without effect, is an error.\n";
-    for (const SectionInfo& section : sections()) {
+    for (const schema::SectionInfo& section : schema::sections()) {
         text += fmt::format("\n{}\n  {}\n", section.heading, section.sentence);
         if (*section.includes != '\0')
             text += fmt::format("  Also all keys of: {}\n", section.includes);
-        const std::vector<Key> included = keys_of(section.includes);
-        std::vector<Key> keys = keys_of(section.name);
+        const std::vector<schema::Key> included = schema::keys_of(section.includes);
+        std::vector<schema::Key> keys = schema::keys_of(section.name);
         keys.resize(keys.size() - included.size());  // the included rows stand last
-        for (const Key& key : keys) text += line_of(key);
+        for (const schema::Key& key : keys) text += line_of(key);
     }
     return text;
 }
@@ -48,7 +49,7 @@ std::string describe_parameters() {
         "of the section, * means all; .low after a number is its value outside the "
         "schedule.\n\n";
     for (const physics::Field& field : physics::fields()) {
-        std::string path = section_of(field.part);
+        std::string path = schema::section_of(field.part);
         if (const std::size_t dot = path.find('.'); dot != std::string::npos)
             path = fmt::format("zone.NAME{}.NAME", path.substr(dot));
         else if (field.part != physics::Part::plant)

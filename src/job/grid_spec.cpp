@@ -1,6 +1,6 @@
 #include "job/grid_spec.hpp"
 
-#include "job/suggest.hpp"
+#include "input/suggest.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,8 @@
 namespace bemcal::job {
 namespace {
 
+using calibration::Statistic;
 using physics::Quantity;
-using study::Statistic;
 
 /// Annual electricity and gas, where the job does not say.
 std::vector<GridTargetSpec> targets_of(const GridSpec& spec) {
@@ -45,9 +45,9 @@ std::size_t meter_of(const GridTargetSpec& target, const study::Case& building) 
 std::vector<double> measured_of(const GridTargetSpec& target, const study::Case& building,
                                 const study::Period& period) {
     if (target.measured.empty())
-        return measured_outputs(target.output, building, period,
-                                meter_of(target, building));
-    const std::size_t n = outputs_of(target.output, building, period).size();
+        return calibration::measured_outputs(target.output, building, period,
+                                             meter_of(target, building));
+    const std::size_t n = calibration::outputs_of(target.output, building, period).size();
     if (target.measured.size() != n)
         throw std::invalid_argument(
             fmt::format("{} numbers are measured, and {} has {} months; expected one for "
@@ -56,7 +56,7 @@ std::vector<double> measured_of(const GridTargetSpec& target, const study::Case&
     return target.measured;
 }
 
-void add(study::GridOptions& options, const std::string& output, double measured,
+void add(calibration::GridOptions& options, const std::string& output, double measured,
          double scale) {
     if (measured == 0)
         throw std::invalid_argument(
@@ -66,7 +66,7 @@ void add(study::GridOptions& options, const std::string& output, double measured
     options.targets.push_back({output, measured, scale});
 }
 
-std::string sentence_of(const study::NamedGrid& grid) {
+std::string sentence_of(const calibration::NamedGrid& grid) {
     std::vector<std::string> axes;
     std::size_t n = 1;
     for (const auto& [name, values] : grid) {
@@ -78,21 +78,21 @@ std::string sentence_of(const study::NamedGrid& grid) {
 
 }  // namespace
 
-std::vector<study::OutputSpec> outputs_of(const GridSpec& spec) {
-    std::vector<study::OutputSpec> outputs;
+std::vector<calibration::OutputSpec> outputs_of(const GridSpec& spec) {
+    std::vector<calibration::OutputSpec> outputs;
     for (const GridTargetSpec& target : targets_of(spec))
         outputs.push_back(target.output);
     return outputs;
 }
 
-study::GridOptions options_for(const GridSpec& spec, const study::Case& building,
-                               const study::Period& period) {
-    study::GridOptions options = spec.options;
+calibration::GridOptions options_for(const GridSpec& spec, const study::Case& building,
+                                     const study::Period& period) {
+    calibration::GridOptions options = spec.options;
     for (std::size_t p = 0; p < building.priors.size(); ++p)
         if (!building.priors[p].values.empty())
             options.discrete.push_back(building.parameters[p].name);
     for (const GridTargetSpec& target : targets_of(spec)) {
-        const auto outputs = outputs_of(target.output, building, period);
+        const auto outputs = calibration::outputs_of(target.output, building, period);
         const auto measured = measured_of(target, building, period);
         for (std::size_t k = 0; k < outputs.size(); ++k)
             add(options, outputs[k].name, measured[k], target.scale);
@@ -100,8 +100,9 @@ study::GridOptions options_for(const GridSpec& spec, const study::Case& building
     return options;
 }
 
-study::GridOptions options_for(const GridSpec& spec, const study::Simulator& simulator) {
-    study::GridOptions options = spec.options;
+calibration::GridOptions options_for(const GridSpec& spec,
+                                     const study::Simulator& simulator) {
+    calibration::GridOptions options = spec.options;
     if (simulator.is_slow()) options.points_per_item = 1;
     std::vector<std::string> names;
     for (const study::Output& output : simulator.outputs()) names.push_back(output.name);
@@ -113,7 +114,7 @@ study::GridOptions options_for(const GridSpec& spec, const study::Simulator& sim
         if (std::ranges::count(names, target.simulator_output) == 0)
             throw std::invalid_argument(fmt::format(
                 "\"{}\" is no output of the simulator{}", target.simulator_output,
-                suggestion(target.simulator_output, names)));
+                input::suggestion(target.simulator_output, names)));
         if (target.measured.size() != 1)
             throw std::invalid_argument(
                 fmt::format("the target {} is missing; expected it as measured",
@@ -123,10 +124,11 @@ study::GridOptions options_for(const GridSpec& spec, const study::Simulator& sim
     return options;
 }
 
-std::string sentence_of(const study::GridOptions& options) {
+std::string sentence_of(const calibration::GridOptions& options) {
     std::vector<std::string> grids;
     grids.reserve(options.grids.size());
-    for (const study::NamedGrid& grid : options.grids) grids.push_back(sentence_of(grid));
+    for (const calibration::NamedGrid& grid : options.grids)
+        grids.push_back(sentence_of(grid));
     const bool is_refined = options.most_stages > static_cast<int>(options.grids.size());
     return fmt::format("{}{}", fmt::join(grids, ", then "),
                        is_refined ? fmt::format(", then refined by itself: at most {} "

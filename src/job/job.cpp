@@ -2,7 +2,7 @@
 #include "job/job.hpp"
 
 #include "base/error.hpp"
-#include "job/data_checks.hpp"
+#include "input/checks.hpp"
 #include "job/readers.hpp"
 #include "job/result_names.hpp"
 #include "job/stock.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 void read_run(const Sources& sources, study::Case& building) {
     if (!sources.has("run")) return;
-    const Section section = sources.with("run").table("run", "run");
+    const schema::Section section = sources.with("run").table("run", "run");
     building.step_s = static_cast<int>(section.integer("step"));
     if (3600 % building.step_s != 0)
         section.fail_value("step",
@@ -45,9 +45,9 @@ void check_meter_steps(const Sources& sources, const study::Case& building) {
 
 }  // namespace
 
-study::Case read_case(const Sources& sources, InputFiles& files) {
+study::Case read_case(const Sources& sources, input::InputFiles& files) {
     study::Case building;
-    const Section& own = sources.own;
+    const schema::Section& own = sources.own;
     building.name = own.has("name") ? own.text("name") : name_of_file(own.file());
     building.periods = read_periods(sources);
     read_run(sources, building);
@@ -65,7 +65,7 @@ study::Case read_case(const Sources& sources, InputFiles& files) {
 
 namespace {
 
-void add_case(Job& job, study::Case building, const Section& own) {
+void add_case(Job& job, study::Case building, const schema::Section& own) {
     check_name(own, "name", Named::building, building.name);
     for (const study::Case& other : job.buildings)
         if (other.name == building.name)
@@ -75,10 +75,11 @@ void add_case(Job& job, study::Case building, const Section& own) {
 }
 
 /// Files with a building each; their trees are kept until all keys are checked.
-void read_building_files(const Section& root, InputFiles& files, Job& job) {
+void read_building_files(const schema::Section& root, input::InputFiles& files,
+                         Job& job) {
     struct File {
         std::string name;
-        Node tree;
+        schema::Node tree;
     };
     std::list<File> trees;
     const std::vector<std::string> names = root.texts("buildings");
@@ -87,11 +88,11 @@ void read_building_files(const Section& root, InputFiles& files, Job& job) {
     for (const std::string& name : names) {
         const std::filesystem::path path = root.path(name);
         trees.push_back({path.string(), {}});
-        trees.back().tree =
-            parse_document(files.text(path, root.where("buildings")), trees.back().name);
-        const Section own(trees.back().tree, "building", trees.back().name);
+        trees.back().tree = schema::parse_document(
+            files.text(path, root.where("buildings")), trees.back().name);
+        const schema::Section own(trees.back().tree, "building", trees.back().name);
         add_case(job, read_case({own, root}, files), own);
-        check_all_used(trees.back().tree, trees.back().name);
+        schema::check_all_used(trees.back().tree, trees.back().name);
     }
 }
 
@@ -101,9 +102,9 @@ bool needs_building(const Job& job) {
     return job.studies.empty();
 }
 
-void read_output(const Section& root, Job& job) {
+void read_output(const schema::Section& root, Job& job) {
     if (!root.has("output")) return;
-    const Section section = root.table("output", "output");
+    const schema::Section section = root.table("output", "output");
     job.output = section.text("file");
     for (const physics::Quantity quantity : read_quantities(section, "hourly"))
         job.hourly_outputs.emplace_back(physics::name_of(quantity));
@@ -123,7 +124,7 @@ bool has_readings(const study::Case& building) {
 }
 
 /// What a study needs of a building: parameters, meters, the period that it names.
-void check_study(const Section& section, const StudySpec& study, const Job& job) {
+void check_study(const schema::Section& section, const StudySpec& study, const Job& job) {
     if (job.simulator) {
         check_simulator_study(section, study);
         if (study.kind == StudyKind::grid)
@@ -162,7 +163,7 @@ void check_study(const Section& section, const StudySpec& study, const Job& job)
 
 /// The table and what is done with every line; the lines are read by those who work on
 /// them.
-void read_stock_job(const Section& root, InputFiles& files, Job& job) {
+void read_stock_job(const schema::Section& root, input::InputFiles& files, Job& job) {
     for (const char* key : {"buildings", "zone", "simulator", "scenario"})
         if (root.has(key))
             root.fail(key,
@@ -182,9 +183,9 @@ void read_stock_job(const Section& root, InputFiles& files, Job& job) {
 
 }  // namespace
 
-void check_studies_of(const Section& root, Job& job) {
+void check_studies_of(const schema::Section& root, Job& job) {
     std::size_t next = 0;
-    for (const Section& section : root.tables("study", "study")) {
+    for (const schema::Section& section : root.tables("study", "study")) {
         check_study(section, job.studies[next], job);
         if (job.studies[next].kind == StudyKind::retrofit)
             read_retrofit(root, section, next, job);
@@ -202,15 +203,15 @@ bool can_be_of_simulator(StudyKind kind) {
            kind == StudyKind::grid || kind == StudyKind::optimisation;
 }
 
-Job read_job(const std::filesystem::path& file, InputFiles& files) {
+Job read_job(const std::filesystem::path& file, input::InputFiles& files) {
     Job job;
     job.file = file;
     job.text = files.text(file);
     if (file.extension() == ".csv")
         job.text = job_text_of_table(file.filename().string());
     const std::string name = file.string();
-    const Node tree = parse_document(job.text, name);
-    const Section root(tree, "job", name);
+    const schema::Node tree = schema::parse_document(job.text, name);
+    const schema::Section root(tree, "job", name);
     job.name = root.has("name") ? root.text("name") : name_of_file(file);
     job.seed = static_cast<std::uint64_t>(root.integer("seed"));
     if (root.has("simulator"))
@@ -229,15 +230,15 @@ Job read_job(const std::filesystem::path& file, InputFiles& files) {
         read_building_files(root, files, job);
     else if (needs_building(job) || root.has("zone"))
         add_case(job, read_case({root, std::nullopt}, files), root);
-    check_shared_meters(job.buildings);
+    input::check_shared_meters(job.buildings);
     check_studies_of(root, job);
-    check_all_used(tree, name);
+    schema::check_all_used(tree, name);
     job.inputs = files.log();
     return job;
 }
 
 Job read_job(const std::filesystem::path& file) {
-    InputFiles files;
+    input::InputFiles files;
     return read_job(file, files);
 }
 

@@ -2,19 +2,20 @@
 /// run.
 #pragma once
 
+#include "calibration/optimisation.hpp"
+#include "calibration/screening.hpp"
+#include "calibration/staged.hpp"
+#include "input/input_files.hpp"
 #include "job/grid_spec.hpp"
+#include "loop/options.hpp"
+#include "posterior/koh_options.hpp"
+#include "posterior/koh_runs.hpp"
+#include "posterior/posterior.hpp"
+#include "retrofit/retrofit.hpp"
+#include "sensitivity/sensitivity.hpp"
 #include "study/case.hpp"
-#include "study/koh_options.hpp"
-#include "study/koh_runs.hpp"
-#include "study/loop_options.hpp"
-#include "study/optimisation.hpp"
-#include "study/posterior.hpp"
-#include "study/retrofit.hpp"
-#include "study/screening.hpp"
-#include "study/sensitivity.hpp"
 #include "study/simulator.hpp"
 #include "study/stage.hpp"
-#include "study/staged.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -48,32 +49,27 @@ bool can_be_of_simulator(StudyKind kind);
 using SimulatorPointer = std::shared_ptr<const study::Simulator>;
 
 struct KohStudy {
-    study::KohOptions options;
-    std::optional<study::KohRuns> runs;  ///< to be made by the job's simulator
+    posterior::KohOptions options;
+    std::optional<posterior::KohRuns> runs;  ///< to be made by the job's simulator
 };
 
 struct StudySpec {
     StudyKind kind = StudyKind::screening;
     std::string name;
-    study::SensitivityOptions sensitivity;
-    study::ScreeningOptions screening;
-    study::PosteriorOptions posterior;
+    sensitivity::SensitivityOptions sensitivity;
+    calibration::ScreeningOptions screening;
+    posterior::PosteriorOptions posterior;
     KohStudy koh;
-    study::LoopOptions loop;
-    study::OptimisationOptions optimisation;
-    study::StagedOptions staged;
+    loop::LoopOptions loop;
+    calibration::OptimisationOptions optimisation;
+    calibration::StagedOptions staged;
     GridSpec grid;
-    std::vector<study::RetrofitOptions> retrofits;  ///< one for each building
+    std::vector<retrofit::RetrofitOptions> retrofits;  ///< one for each building
     std::string period;  ///< not of a screening; empty = the first one
     std::vector<physics::Quantity> quantities;  ///< outputs of a sensitivity study
     /// office_hour_sensitivity: each case fixes the named inputs of
     /// physics/office_hour.hpp
     std::vector<std::pair<std::string, std::vector<double>>> fixed;
-};
-
-struct InputFile {
-    std::filesystem::path path;
-    std::string hash;  ///< of its content
 };
 
 class Stock;
@@ -87,7 +83,7 @@ struct Job {
     std::shared_ptr<const Stock> stock;  ///< in place of buildings, or nullptr
     SimulatorPointer simulator;  ///< what is studied in place of a building, or nullptr
     std::vector<StudySpec> studies;  ///< in the order of the file
-    std::vector<InputFile> inputs;   ///< every file read, the job's own first
+    std::vector<input::InputFile> inputs;   ///< every file read, the job's own first
     /// Default result file; empty = beside the working folder.
     std::filesystem::path output;
     /// Quantities of nominal and best to store by hour.
@@ -99,12 +95,8 @@ struct Job {
 /// Throws UserError with file:line:key, what is wrong, why, and what to write instead.
 Job read_job(const std::filesystem::path& file);
 
-class InputFiles;
 /// The same through another reader of files (tests, fuzzers).
-Job read_job(const std::filesystem::path& file, InputFiles& files);
-
-/// The stages that the job asks for, in order.
-std::vector<std::unique_ptr<study::Stage>> make_plan(const Job& job);
+Job read_job(const std::filesystem::path& file, input::InputFiles& files);
 
 /// `describe job`: the schema table, as text.
 std::string describe_job();

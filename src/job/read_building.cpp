@@ -1,7 +1,7 @@
 /// Constructions, glazings, boundaries, zones and plant. Their numbers come from
 /// physics::fields(), so that a number of a building is declared once.
+#include "input/suggest.hpp"
 #include "job/readers.hpp"
-#include "job/suggest.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,8 +34,8 @@ std::vector<std::string> names_of(const std::vector<Named>& list) {
 
 /// Index of the thing that the key names; the error lists what there is.
 template <class Named>
-int index_of(const Section& section, const char* key, const std::vector<Named>& list,
-             const char* heading) {
+int index_of(const schema::Section& section, const char* key,
+             const std::vector<Named>& list, const char* heading) {
     const std::string name = section.text(key);
     for (std::size_t i = 0; i < list.size(); ++i)
         if (list[i].name == name) return static_cast<int>(i);
@@ -43,7 +43,7 @@ int index_of(const Section& section, const char* key, const std::vector<Named>& 
         section.fail_value(
             key, fmt::format("there is no {} of this name, nor any other", heading));
     section.fail_value(key, fmt::format("there is no {} of this name{}", heading,
-                                        suggestion(name, names_of(list))));
+                                        input::suggestion(name, names_of(list))));
 }
 
 /// Reads the numbers of parts, with the profiles that they may follow.
@@ -53,7 +53,7 @@ class NumberReader {
 
     /// Every field of the part: as written, or its default. One may be left out, since it
     /// follows from others.
-    void read(const Section& section, Part part, void* object,
+    void read(const schema::Section& section, Part part, void* object,
               std::string_view left_out = "") const {
         for (const Field& field : physics::fields()) {
             if (field.part != part || field.key == left_out) continue;
@@ -65,20 +65,20 @@ class NumberReader {
     }
 
   private:
-    Input read_input(const Section& section, const Field& field) const {
-        const Key& row = *find_key(section.schema(), field.key);
+    Input read_input(const schema::Section& section, const Field& field) const {
+        const schema::Key& row = *schema::find_key(section.schema(), field.key);
         if (!section.has(field.key) && row.fallback != nullptr)
             return {field.fallback, 0, -1};
-        const Node& node = section.node(field.key);
-        if (node.kind != Node::Kind::table) {
+        const schema::Node& node = section.node(field.key);
+        if (node.kind != schema::Node::Kind::table) {
             const std::string where = section.where(field.key);
-            return {checked_number(node, row, where), 0, -1};
+            return {schema::checked_number(node, row, where), 0, -1};
         }
-        const Section parts = section.table(field.key, "input");
+        const schema::Section parts = section.table(field.key, "input");
         return parts.has("series") ? read_series(parts) : read_scheduled(parts, row);
     }
 
-    Input read_series(const Section& parts) const {
+    Input read_series(const schema::Section& parts) const {
         for (const char* key : {"schedule", "low"})
             if (parts.has(key))
                 parts.fail(key, "has no place beside series; remove one of them");
@@ -89,10 +89,10 @@ class NumberReader {
         return {parts.has("value") ? parts.number("value") : 1, 0, profile};
     }
 
-    Input read_scheduled(const Section& parts, const Key& row) const {
+    Input read_scheduled(const schema::Section& parts, const schema::Key& row) const {
         Input input;
         const auto checked = [&](const char* key) {
-            return checked_number(parts.node(key), row, parts.where(key));
+            return schema::checked_number(parts.node(key), row, parts.where(key));
         };
         input.value = checked("value");
         if (!parts.has("schedule")) {
@@ -120,10 +120,11 @@ class BuildingReader {
     Building read() {
         read_envelope();
         if (!sources_.has("zone")) sources_.own.node("zone");
-        const std::vector<Section> zones = sources_.with("zone").tables("zone", "zone");
+        const std::vector<schema::Section> zones =
+            sources_.with("zone").tables("zone", "zone");
         if (zones.empty())
             sources_.own.fail("zone", "is empty; expected at least one [[zone]]");
-        for (const Section& section : zones) read_zone(section);
+        for (const schema::Section& section : zones) read_zone(section);
         for (std::size_t i = 0; i < zones.size(); ++i) read_couplings(zones[i], i);
         read_plant();
         return std::move(building_);
@@ -131,7 +132,7 @@ class BuildingReader {
 
   private:
     template <class Item>
-    void add_named(const Section& section, Item item, std::vector<Item>& list) {
+    void add_named(const schema::Section& section, Item item, std::vector<Item>& list) {
         for (const Item& other : list)
             if (other.name == item.name)
                 section.fail_value(
@@ -145,14 +146,14 @@ class BuildingReader {
 
     /// The name as written, or "surface_3".
     template <class Item>
-    std::string name_or_number(const Section& section, const std::vector<Item>& list,
-                               const char* kind) {
+    std::string name_or_number(const schema::Section& section,
+                               const std::vector<Item>& list, const char* kind) {
         return section.has("name") ? section.text("name")
                                    : fmt::format("{}_{}", kind, list.size() + 1);
     }
 
     void read_envelope() {
-        for (const Section& section :
+        for (const schema::Section& section :
              sources_.with("construction").tables("construction", "construction")) {
             physics::Construction construction;
             construction.name = section.text("name");
@@ -161,7 +162,7 @@ class BuildingReader {
                           construction.layers.empty() ? "" : "u_value");
             add_named(section, std::move(construction), building_.constructions);
         }
-        for (const Section& section :
+        for (const schema::Section& section :
              sources_.with("glazing").tables("glazing", "glazing")) {
             physics::Glazing glazing;
             glazing.name = section.text("name");
@@ -171,7 +172,7 @@ class BuildingReader {
                 glazing.incidence_factor = 1;
             add_named(section, std::move(glazing), building_.glazings);
         }
-        for (const Section& section :
+        for (const schema::Section& section :
              sources_.with("boundary").tables("boundary", "boundary")) {
             physics::Boundary boundary;
             boundary.name = section.text("name");
@@ -180,8 +181,10 @@ class BuildingReader {
         }
     }
 
-    void read_layers(const Section& section, physics::Construction& construction) {
-        for (const Section& part : section.tables("layer", "construction.layer")) {
+    void read_layers(const schema::Section& section,
+                     physics::Construction& construction) {
+        for (const schema::Section& part :
+             section.tables("layer", "construction.layer")) {
             physics::Layer layer;
             layer.name = name_or_number(part, construction.layers, "layer");
             numbers_.read(part, Part::layer, &layer);
@@ -191,12 +194,12 @@ class BuildingReader {
             section.fail("u_value", "follows from the layers; remove it, or them");
     }
 
-    int boundary_of(const Section& section, const char* key) {
+    int boundary_of(const schema::Section& section, const char* key) {
         if (section.text(key) == "outdoors") return physics::outdoors;
         return index_of(section, key, building_.boundaries, "[[boundary]]");
     }
 
-    int plane_of(const Section& section, const std::vector<double>& modifier) {
+    int plane_of(const schema::Section& section, const std::vector<double>& modifier) {
         const double tilt = section.number("tilt");
         if (!section.has("azimuth") && tilt > 0 && tilt < 180)
             section.fail("azimuth",
@@ -207,7 +210,7 @@ class BuildingReader {
         return building_.plane_index({radians(tilt), radians(azimuth), modifier});
     }
 
-    void read_surface(const Section& section, Zone& zone) {
+    void read_surface(const schema::Section& section, Zone& zone) {
         physics::Surface surface;
         surface.name = name_or_number(section, zone.surfaces, "surface");
         surface.construction = index_of(section, "construction", building_.constructions,
@@ -225,7 +228,7 @@ class BuildingReader {
         add_named(section, std::move(surface), zone.surfaces);
     }
 
-    void read_window(const Section& section, Zone& zone) {
+    void read_window(const schema::Section& section, Zone& zone) {
         physics::Window window;
         window.name = name_or_number(section, zone.windows, "window");
         window.glazing = index_of(section, "glazing", building_.glazings, "[[glazing]]");
@@ -237,14 +240,14 @@ class BuildingReader {
         add_named(section, std::move(window), zone.windows);
     }
 
-    static void check_area(const Section& section, double area) {
+    static void check_area(const schema::Section& section, double area) {
         if (area <= 0)
             section.fail_value("area",
                                "expected more than 0 m2; leave the element out if it "
                                "is not there");
     }
 
-    void read_flow(const Section& section, Zone& zone) {
+    void read_flow(const schema::Section& section, Zone& zone) {
         physics::AirFlow flow;
         flow.name = section.text("name");
         flow.supply = boundary_of(section, "supply");
@@ -255,7 +258,7 @@ class BuildingReader {
         add_named(section, std::move(flow), zone.flows);
     }
 
-    void read_load(const Section& section, Zone& zone) {
+    void read_load(const schema::Section& section, Zone& zone) {
         physics::Load load;
         load.name = section.text("name");
         load.carrier = section.choice_as<physics::Carrier>("carrier");
@@ -263,7 +266,7 @@ class BuildingReader {
         add_named(section, std::move(load), zone.loads);
     }
 
-    void read_zone(const Section& section) {
+    void read_zone(const schema::Section& section) {
         Zone zone;
         zone.name = section.text("name");
         numbers_.read(section, Part::zone, &zone);
@@ -273,26 +276,26 @@ class BuildingReader {
             if (zone.thermostat.imposed && section.has(key))
                 section.fail(key,
                              "has no effect beside imposed_power; remove one of them");
-        for (const Section& part : section.tables("surface", "zone.surface"))
+        for (const schema::Section& part : section.tables("surface", "zone.surface"))
             read_surface(part, zone);
-        for (const Section& part : section.tables("window", "zone.window"))
+        for (const schema::Section& part : section.tables("window", "zone.window"))
             read_window(part, zone);
-        for (const Section& part : section.tables("flow", "zone.flow"))
+        for (const schema::Section& part : section.tables("flow", "zone.flow"))
             read_flow(part, zone);
-        for (const Section& part : section.tables("load", "zone.load"))
+        for (const schema::Section& part : section.tables("load", "zone.load"))
             read_load(part, zone);
         if (section.has("class")) read_class(section, zone);
         add_named(section, std::move(zone), building_.zones);
     }
 
-    void read_radiator(const Section& section, Zone& zone) {
+    void read_radiator(const schema::Section& section, Zone& zone) {
         for (const char* key :
              {"heating_set_point", "heating_capacity", "heating_available",
               "imposed_power", "emitter_time_constant", "emitter_radiant_share"})
             if (section.has(key))
                 section.fail(key,
                              "has no effect beside [zone.radiator]; remove one of them");
-        const Section part = section.table("radiator", "zone.radiator");
+        const schema::Section part = section.table("radiator", "zone.radiator");
         physics::ZoneRadiator& radiator = zone.radiator.emplace();
         numbers_.read(part, Part::radiator, &radiator);
         radiator.radiator.n_elements = static_cast<int>(part.integer("elements"));
@@ -305,7 +308,7 @@ class BuildingReader {
                           "remove this");
     }
 
-    void check_layers(const Section& section, const Zone& zone) const {
+    void check_layers(const schema::Section& section, const Zone& zone) const {
         for (const char* key : {"heat_capacity", "mass_area_ratio"})
             if (section.has(key))
                 section.fail(key, "follows from the layers; remove it, or class");
@@ -318,7 +321,7 @@ class BuildingReader {
                            "with [[construction.layer]], or another class");
     }
 
-    void read_class(const Section& section, Zone& zone) const {
+    void read_class(const schema::Section& section, Zone& zone) const {
         const auto index = static_cast<std::size_t>(section.choice_as<int>("class"));
         zone.capacity_of_layers = index == std::size(physics::capacity_classes);
         if (zone.capacity_of_layers) return check_layers(section, zone);
@@ -328,8 +331,8 @@ class BuildingReader {
             zone.mass_area_ratio = capacity.mass_area_ratio;
     }
 
-    void read_couplings(const Section& section, std::size_t zone) {
-        for (const Section& part : section.tables("coupling", "zone.coupling")) {
+    void read_couplings(const schema::Section& section, std::size_t zone) {
+        for (const schema::Section& part : section.tables("coupling", "zone.coupling")) {
             physics::ZoneCoupling coupling;
             coupling.zone = index_of(part, "zone", building_.zones, "[[zone]]");
             if (coupling.zone == static_cast<int>(zone))
@@ -341,7 +344,7 @@ class BuildingReader {
 
     void read_plant() {
         if (!sources_.has("plant")) return;
-        const Section section = sources_.with("plant").table("plant", "plant");
+        const schema::Section section = sources_.with("plant").table("plant", "plant");
         building_.plant.heating_carrier =
             section.choice_as<physics::Carrier>("heating_carrier");
         building_.plant.cooling_carrier =

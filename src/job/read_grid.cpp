@@ -1,6 +1,6 @@
 /// The keys of a [[study]] of kind "grid", and what it needs of the buildings.
+#include "input/units.hpp"
 #include "job/readers.hpp"
-#include "job/units.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -11,24 +11,26 @@ namespace bemcal::job {
 
 namespace {
 
+using calibration::NamedGrid;
+using calibration::Statistic;
 using physics::Quantity;
-using study::NamedGrid;
-using study::Statistic;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 /// [study.grid] or a [[study.stage]]: rising values by parameter.
-NamedGrid read_values_of_grid(const Section& section) {
+NamedGrid read_values_of_grid(const schema::Section& section) {
     NamedGrid grid;
-    for (const Entry& entry : section.root().entries) {
-        const Key row{section.schema(), "", Type::numbers, "", nullptr, -inf, inf, ""};
-        const Node& list = section.node(entry.key);
-        if (list.kind != Node::Kind::array)
+    for (const schema::Entry& entry : section.root().entries) {
+        const schema::Key row{
+            section.schema(), "", schema::Type::numbers, "", nullptr, -inf, inf, ""};
+        const schema::Node& list = section.node(entry.key);
+        if (list.kind != schema::Node::Kind::array)
             section.fail_value(entry.key, "expected a list of numbers");
         std::vector<double> values;
         values.reserve(list.entries.size());
-        for (const Entry& value : list.entries)
-            values.push_back(checked_number(value.node, row, section.where(entry.key)));
+        for (const schema::Entry& value : list.entries)
+            values.push_back(
+                schema::checked_number(value.node, row, section.where(entry.key)));
         if (values.empty())
             section.fail(entry.key, "is empty; expected the values to try");
         std::ranges::sort(values);
@@ -36,7 +38,7 @@ NamedGrid read_values_of_grid(const Section& section) {
         if (twice != values.end())
             section.fail(entry.key, fmt::format("{} stands there twice; expected each "
                                                 "value once",
-                                                plain(*twice)));
+                                                schema::plain(*twice)));
         grid.emplace_back(entry.key, std::move(values));
     }
     if (grid.empty())
@@ -51,7 +53,8 @@ std::size_t n_points(const NamedGrid& grid) {
     return n;
 }
 
-void check_sizes(const Section& section, const study::GridOptions& options) {
+void check_sizes(const schema::Section& section,
+                 const calibration::GridOptions& options) {
     std::size_t n = 0;
     for (const NamedGrid& grid : options.grids) {
         n += n_points(grid);
@@ -68,7 +71,7 @@ void check_sizes(const Section& section, const study::GridOptions& options) {
                                            options.budget, n));
 }
 
-stats::NearestOptions read_nearest(const Section& section) {
+stats::NearestOptions read_nearest(const schema::Section& section) {
     stats::NearestOptions nearest;
     nearest.count_rule = section.choice_as<stats::CountRule>("k_rule");
     if (nearest.count_rule == stats::CountRule::given)
@@ -79,13 +82,15 @@ stats::NearestOptions read_nearest(const Section& section) {
     return nearest;
 }
 
-UnitKind unit_kind_of(const study::OutputSpec& output) {
-    if (output.quantity == Quantity::air_temperature) return UnitKind::temperature;
-    return output.statistic == Statistic::peak ? UnitKind::power : UnitKind::energy;
+input::UnitKind unit_kind_of(const calibration::OutputSpec& output) {
+    if (output.quantity == Quantity::air_temperature) return input::UnitKind::temperature;
+    return output.statistic == Statistic::peak ? input::UnitKind::power
+                                               : input::UnitKind::energy;
 }
 
 /// Numbers that the job gives, in the output's own unit.
-std::vector<double> read_measured(const Section& section, const GridTargetSpec& target) {
+std::vector<double> read_measured(const schema::Section& section,
+                                  const GridTargetSpec& target) {
     const bool by_month =
         target.simulator_output.empty() && target.output.statistic == Statistic::months;
     const char* key = by_month ? "measured_months" : "measured";
@@ -97,18 +102,19 @@ std::vector<double> read_measured(const Section& section, const GridTargetSpec& 
                            "errors are in per cent of it; expected a number other "
                            "than 0");
     if (!target.simulator_output.empty()) return values;
-    const UnitKind kind = unit_kind_of(target.output);
-    const char* usual = kind == UnitKind::energy  ? "kWh"
-                        : kind == UnitKind::power ? "kW"
-                                                  : "degC";
-    const Unit* unit = find_unit(section.has("unit") ? section.text("unit") : usual);
+    const input::UnitKind kind = unit_kind_of(target.output);
+    const char* usual = kind == input::UnitKind::energy  ? "kWh"
+                        : kind == input::UnitKind::power ? "kW"
+                                                         : "degC";
+    const input::Unit* unit =
+        input::find_unit(section.has("unit") ? section.text("unit") : usual);
     if (unit == nullptr || unit->kind != kind)
         section.fail_value("unit", fmt::format("expected one like {}", usual));
     for (double& value : values) value = value * unit->factor + unit->offset;
     return values;
 }
 
-GridTargetSpec read_target(const Section& section) {
+GridTargetSpec read_target(const schema::Section& section) {
     GridTargetSpec target;
     if (section.has("output")) {
         target.simulator_output = section.text("output");
@@ -124,7 +130,7 @@ GridTargetSpec read_target(const Section& section) {
 }
 
 /// Each parameter is there, and its values lie within its range.
-void check_values(const Section& section, const NamedGrid& grid,
+void check_values(const schema::Section& section, const NamedGrid& grid,
                   const std::vector<physics::Parameter>& parameters,
                   const std::string& owner) {
     std::vector<std::string> names;
@@ -139,36 +145,37 @@ void check_values(const Section& section, const NamedGrid& grid,
             if (value < parameter.least || value > parameter.most)
                 section.fail(name, fmt::format("{} lies outside the parameter's range; "
                                                "expected {} to {}",
-                                               plain(value), plain(parameter.least),
-                                               plain(parameter.most)));
+                                               schema::plain(value),
+                                               schema::plain(parameter.least),
+                                               schema::plain(parameter.most)));
     }
 }
 
-void check_values(const Section& section, const GridSpec& spec,
+void check_values(const schema::Section& section, const GridSpec& spec,
                   const std::vector<physics::Parameter>& parameters,
                   const std::string& owner) {
     check_values(section.table("grid", "study.grid"), spec.options.grids[0], parameters,
                  owner);
     std::size_t next = 1;
-    for (const Section& stage : section.tables("stage", "study.stage"))
+    for (const schema::Section& stage : section.tables("stage", "study.stage"))
         check_values(stage, spec.options.grids[next++], parameters, owner);
 }
 
 }  // namespace
 
-GridSpec read_grid(const Section& section) {
+GridSpec read_grid(const schema::Section& section) {
     GridSpec spec;
-    study::GridOptions& options = spec.options;
+    calibration::GridOptions& options = spec.options;
     if (!section.has("grid"))
         section.fail("grid",
                      "is missing; expected a section [study.grid] with values of "
                      "each parameter: air_change = [1, 3, 5]");
     options.grids = {read_values_of_grid(section.table("grid", "study.grid"))};
-    for (const Section& stage : section.tables("stage", "study.stage"))
+    for (const schema::Section& stage : section.tables("stage", "study.stage"))
         options.grids.push_back(read_values_of_grid(stage));
     const auto n_given = static_cast<int>(options.grids.size());
     options.nearest = read_nearest(section);
-    options.distance = section.choice_as<study::GridDistance>("distance");
+    options.distance = section.choice_as<calibration::GridDistance>("distance");
     options.target_error = section.number("target_error");
     options.most_stages = section.has("most_stages")
                               ? static_cast<int>(section.integer("most_stages"))
@@ -184,39 +191,39 @@ GridSpec read_grid(const Section& section) {
     return spec;
 }
 
-std::vector<GridTargetSpec> read_targets(const Section& section) {
+std::vector<GridTargetSpec> read_targets(const schema::Section& section) {
     std::vector<GridTargetSpec> targets;
-    for (const Section& target : section.tables("target", "study.target"))
+    for (const schema::Section& target : section.tables("target", "study.target"))
         targets.push_back(read_target(target));
     return targets;
 }
 
-void check_grid(const Section& section, const GridSpec& spec, const std::string& period,
-                const std::vector<study::Case>& buildings) {
+void check_grid(const schema::Section& section, const GridSpec& spec,
+                const std::string& period, const std::vector<study::Case>& buildings) {
     for (const study::Case& building : buildings)
         check_values(section, spec, building.parameters, building.name);
     check_targets(section, spec, period, buildings);
 }
 
-void check_targets(const Section& section, const GridSpec& spec,
+void check_targets(const schema::Section& section, const GridSpec& spec,
                    const std::string& period, const std::vector<study::Case>& buildings) {
     for (const study::Case& building : buildings)
         at_key(section, section.has("target") ? "target" : "kind",
                [&] { options_for(spec, building, period_of(building, period)); });
-    for (const Section& target : section.tables("target", "study.target"))
+    for (const schema::Section& target : section.tables("target", "study.target"))
         if (target.has("output"))
             target.fail("output",
                         "is of a [simulator]; expected the quantity of a "
                         "building");
 }
 
-void check_grid(const Section& section, const GridSpec& spec,
+void check_grid(const schema::Section& section, const GridSpec& spec,
                 const study::Simulator& simulator) {
     check_values(section, spec, simulator.parameters(), "the simulator");
     check_targets(section, spec, simulator);
 }
 
-void check_targets(const Section& section, const GridSpec& spec,
+void check_targets(const schema::Section& section, const GridSpec& spec,
                    const study::Simulator& simulator) {
     at_key(section, section.has("target") ? "target" : "kind",
            [&] { options_for(spec, simulator); });

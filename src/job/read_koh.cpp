@@ -1,12 +1,12 @@
 /// The keys of a [[study]] of kind "kennedy_ohagan", and the data it learns from.
 #include "base/error.hpp"
+#include "input/suggest.hpp"
 #include "job/readers.hpp"
 #include "job/result_names.hpp"
-#include "job/suggest.hpp"
 #include "physics/office_hour.hpp"
-#include "study/koh_posterior.hpp"
-#include "study/koh_runs.hpp"
-#include "study/office_hour_runs.hpp"
+#include "posterior/koh_posterior.hpp"
+#include "posterior/koh_runs.hpp"
+#include "posterior/office_hour_runs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,22 +20,23 @@ namespace bemcal::job {
 namespace {
 
 using emulator::Observations;
-using study::KohOptions;
+using posterior::KohOptions;
 
 /// From the files' output to the reported unit.
 struct OutputScale {
     double factor = 1, offset = 0;
 };
 
-[[noreturn]] void fail_row(const Csv& csv, std::size_t row, const std::string& message) {
+[[noreturn]] void fail_row(const input::Csv& csv, std::size_t row,
+                           const std::string& message) {
     throw UserError(ExitCode::data,
                     fmt::format("{}:{}: {}", csv.file, csv.lines[row], message));
 }
 
 /// A column of numbers, none missing.
-std::vector<double> full_column(const Csv& csv, const std::string& name) {
+std::vector<double> full_column(const input::Csv& csv, const std::string& name) {
     const std::size_t column = csv.column(name);
-    std::vector<double> values = numbers_in(csv, column);
+    std::vector<double> values = input::numbers_in(csv, column);
     for (std::size_t row = 0; row < values.size(); ++row)
         if (std::isnan(values[row]))
             fail_row(csv, row,
@@ -44,7 +45,7 @@ std::vector<double> full_column(const Csv& csv, const std::string& name) {
     return values;
 }
 
-Matrix full_columns(const Csv& csv, const std::vector<std::string>& names) {
+Matrix full_columns(const input::Csv& csv, const std::vector<std::string>& names) {
     Matrix made(csv.n_rows(), names.size());
     for (std::size_t k = 0; k < names.size(); ++k) {
         const std::vector<double> column = full_column(csv, names[k]);
@@ -53,7 +54,7 @@ Matrix full_columns(const Csv& csv, const std::vector<std::string>& names) {
     return made;
 }
 
-std::vector<double> output_of(const Csv& csv, const std::string& name,
+std::vector<double> output_of(const input::Csv& csv, const std::string& name,
                               const OutputScale& scale) {
     std::vector<double> values = full_column(csv, name);
     for (double& value : values) value = scale.factor * value + scale.offset;
@@ -61,7 +62,8 @@ std::vector<double> output_of(const Csv& csv, const std::string& name,
 }
 
 /// A column that the job does not know may be an input that the runs differ in.
-void check_columns(const Csv& runs, const Observations& o, const std::string& output) {
+void check_columns(const input::Csv& runs, const Observations& o,
+                   const std::string& output) {
     for (const std::string& column : runs.columns)
         if (column != output && std::ranges::count(o.x_names, column) == 0 &&
             std::ranges::count(o.t_names, column) == 0)
@@ -74,7 +76,7 @@ void check_columns(const Csv& runs, const Observations& o, const std::string& ou
 }
 
 /// A simulator has one answer to a question.
-void check_repetition(const Csv& runs, const Observations& o) {
+void check_repetition(const input::Csv& runs, const Observations& o) {
     std::map<std::vector<double>, std::size_t> first;
     for (std::size_t row = 0; row < o.simulated.size(); ++row) {
         const auto t = o.simulated_t.row(row), x = o.simulated_x.row(row);
@@ -94,7 +96,7 @@ void check_repetition(const Csv& runs, const Observations& o) {
     }
 }
 
-void check_designs(const Section& section, const Observations& o) {
+void check_designs(const schema::Section& section, const Observations& o) {
     std::set<std::vector<double>> designs;
     for (std::size_t row = 0; row < o.simulated_t.rows; ++row) {
         const auto t = o.simulated_t.row(row);
@@ -122,9 +124,9 @@ std::vector<study::Coordinate> ranges_of(const Observations& o) {
     return made;
 }
 
-void read_runs(const Section& section, InputFiles& files, const OutputScale& scale,
-               KohOptions& options) {
-    const Csv& runs =
+void read_runs(const schema::Section& section, input::InputFiles& files,
+               const OutputScale& scale, KohOptions& options) {
+    const input::Csv& runs =
         files.csv(section.path(section.text("runs")), section.where("runs"));
     const std::string output =
         section.text(section.has("runs_output") ? "runs_output" : "field_output");
@@ -139,33 +141,38 @@ void read_runs(const Section& section, InputFiles& files, const OutputScale& sca
 }
 
 /// Inputs of the office hour that are neither known nor calibrated.
-std::vector<std::pair<std::string, double>> read_constants(const Section& section) {
+std::vector<std::pair<std::string, double>> read_constants(
+    const schema::Section& section) {
     std::vector<std::pair<std::string, double>> values;
     if (!section.has("fixed")) return values;
-    const Section table = section.table("fixed", "study.fixed");
-    for (const Entry& entry : table.root().entries) {
+    const schema::Section table = section.table("fixed", "study.fixed");
+    for (const schema::Entry& entry : table.root().entries) {
         const physics::OfficeHourInput& input = office_hour_input(table, entry.key);
-        const Key row{"study.fixed", input.name, Type::number, input.unit,
-                      nullptr,       -1e9,       1e9,          input.sentence};
-        values.emplace_back(entry.key, checked_number(table.node(entry.key), row,
-                                                      table.where(entry.key)));
+        const schema::Key row{"study.fixed", input.name,    schema::Type::number,
+                              input.unit,    nullptr,       -1e9,
+                              1e9,           input.sentence};
+        values.emplace_back(entry.key, schema::checked_number(table.node(entry.key), row,
+                                                              table.where(entry.key)));
     }
     return values;
 }
 
-void simulate_runs(const Section& section, std::uint64_t seed, KohOptions& options) {
-    study::OfficeHourDesign design{static_cast<std::size_t>(section.integer("n_designs")),
-                                   seed, read_constants(section)};
+void simulate_runs(const schema::Section& section, std::uint64_t seed,
+                   KohOptions& options) {
+    posterior::OfficeHourDesign design{
+        static_cast<std::size_t>(section.integer("n_designs")), seed,
+        read_constants(section)};
     at_key(section, "simulator", [&] {
-        options.calibrated = study::office_hour_coordinates(options.observations.t_names);
-        add_office_hour_runs(design, options.observations);
+        options.calibrated =
+            posterior::office_hour_coordinates(options.observations.t_names);
+        posterior::add_office_hour_runs(design, options.observations);
     });
 }
 
 /// The job's [simulator], which will run the designs when the job does.
-study::KohRuns runs_to_make(const Section& section, const OutputScale& scale,
-                            std::uint64_t seed, const SimulatorPointer& simulator,
-                            KohOptions& options) {
+posterior::KohRuns runs_to_make(const schema::Section& section, const OutputScale& scale,
+                                std::uint64_t seed, const SimulatorPointer& simulator,
+                                KohOptions& options) {
     if (!simulator)
         section.fail_value("simulator",
                            "the job has none; expected a section [simulator]");
@@ -175,7 +182,7 @@ study::KohRuns runs_to_make(const Section& section, const OutputScale& scale,
     for (const study::Output& each : simulator->outputs()) names.push_back(each.name);
     check_word(section, section.has("runs_output") ? "runs_output" : "field_output",
                output, names, "output of the simulator");
-    study::KohRuns runs{
+    posterior::KohRuns runs{
         simulator,
         static_cast<std::size_t>(std::ranges::find(names, output) - names.begin()),
         scale.factor,
@@ -184,15 +191,16 @@ study::KohRuns runs_to_make(const Section& section, const OutputScale& scale,
         seed};
     at_key(section, "calibrated", [&] {
         options.calibrated =
-            simulator_coordinates(*simulator, options.observations.t_names);
+            posterior::simulator_coordinates(*simulator, options.observations.t_names);
     });
-    at_key(section, "inputs",
-           [&] { simulator_coordinates(*simulator, options.observations.x_names); });
+    at_key(section, "inputs", [&] {
+        posterior::simulator_coordinates(*simulator, options.observations.x_names);
+    });
     return runs;
 }
 
 /// Names that are needed, each once.
-std::vector<std::string> read_names(const Section& section, std::string_view key,
+std::vector<std::string> read_names(const schema::Section& section, std::string_view key,
                                     const std::vector<std::string>& taken) {
     std::vector<std::string> names = section.texts(key);
     if (names.empty()) section.fail(key, "is empty; expected the names of columns");
@@ -205,9 +213,9 @@ std::vector<std::string> read_names(const Section& section, std::string_view key
     return names;
 }
 
-void read_field(const Section& section, InputFiles& files, const OutputScale& scale,
-                Observations& o) {
-    const Csv& field =
+void read_field(const schema::Section& section, input::InputFiles& files,
+                const OutputScale& scale, Observations& o) {
+    const input::Csv& field =
         files.csv(section.path(section.text("field")), section.where("field"));
     o.x_names = read_names(section, "inputs", {});
     o.t_names = read_names(section, "calibrated", o.x_names);
@@ -224,27 +232,28 @@ void read_field(const Section& section, InputFiles& files, const OutputScale& sc
 }
 
 /// [study.prior]: what is believed of calibrated inputs.
-void read_priors(const Section& section, KohOptions& options) {
+void read_priors(const schema::Section& section, KohOptions& options) {
     if (!section.has("prior")) return;
-    const Section table = section.table("prior", "study.prior");
-    for (const Entry& entry : table.root().entries) {
+    const schema::Section table = section.table("prior", "study.prior");
+    for (const schema::Entry& entry : table.root().entries) {
         const auto found =
             std::ranges::find(options.calibrated, entry.key, &study::Coordinate::name);
         if (found == options.calibrated.end())
-            table.fail(entry.key,
-                       fmt::format("is not calibrated{}",
-                                   suggestion(entry.key, options.observations.t_names)));
+            table.fail(
+                entry.key,
+                fmt::format("is not calibrated{}",
+                            input::suggestion(entry.key, options.observations.t_names)));
         physics::Parameter parameter;
         parameter.name = found->name;
         parameter.least = found->prior.least;
         parameter.most = found->prior.most;
-        const Section prior = table.table(entry.key, "prior");
+        const schema::Section prior = table.table(entry.key, "prior");
         found->prior = read_distribution(prior, parameter);
-        at_key(prior, "kind", [&] { study::on_unit_scale(found->prior); });
+        at_key(prior, "kind", [&] { posterior::on_unit_scale(found->prior); });
     }
 }
 
-emulator::ModelOptions read_model(const Section& section) {
+emulator::ModelOptions read_model(const schema::Section& section) {
     emulator::ModelOptions model;
     model.priors = section.choice("hyperpriors") == "paper" ? emulator::table_7_priors()
                                                             : emulator::bc_stan_priors();
@@ -260,8 +269,8 @@ emulator::ModelOptions read_model(const Section& section) {
 
 /// Tempered and careful, so that no chain is trapped in a mode of its own: on bc-stan's
 /// example 2 of 124 chains were, and none of 60 at these temperatures.
-void read_koh_chains(const Section& section, std::uint64_t seed,
-                     study::ChainOptions& chains) {
+void read_koh_chains(const schema::Section& section, std::uint64_t seed,
+                     posterior::ChainOptions& chains) {
     chains.seed = seed;
     chains.chains_per_item = 1;
     chains.sampler.inverse_temperatures = {1, 0.55, 0.3};
@@ -272,8 +281,8 @@ void read_koh_chains(const Section& section, std::uint64_t seed,
 
 }  // namespace
 
-KohStudy read_koh(const Section& section, InputFiles& files, std::uint64_t seed,
-                  const SimulatorPointer& simulator) {
+KohStudy read_koh(const schema::Section& section, input::InputFiles& files,
+                  std::uint64_t seed, const SimulatorPointer& simulator) {
     KohStudy study;
     KohOptions& options = study.options;
     read_koh_chains(section, seed, options.chains);
@@ -294,11 +303,11 @@ KohStudy read_koh(const Section& section, InputFiles& files, std::uint64_t seed,
     }
     read_priors(section, options);
     options.model = read_model(section);
-    options.form = section.choice_as<study::KohForm>("form");
+    options.form = section.choice_as<posterior::KohForm>("form");
     section.number_if("n_predictive", options.n_predictive);
     if (!study.runs)
         at_key(section, section.has("form") ? "form" : "kind",
-               [&] { make_koh_posterior(options); });
+               [&] { posterior::make_koh_posterior(options); });
     return study;
 }
 

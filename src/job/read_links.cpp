@@ -16,13 +16,13 @@ using physics::Field;
 using physics::Link;
 using physics::Target;
 
-std::vector<Target> resolved(const Section& section, const char* key,
+std::vector<Target> resolved(const schema::Section& section, const char* key,
                              const Building& building, const std::string& path) {
     return at_key(section, key, [&] { return physics::resolve(building, path); });
 }
 
 /// A link follows what stands still, and sets what nothing else does.
-void check_target(const Section& section, const Building& building,
+void check_target(const schema::Section& section, const Building& building,
                   const Target& target) {
     if (target.part == physics::Part::meter)
         section.fail("target",
@@ -40,8 +40,8 @@ void check_target(const Section& section, const Building& building,
                                                    field_of(target).key));
 }
 
-void check_source(const Section& section, const Building& building, const Link& link,
-                  const Target& source) {
+void check_source(const schema::Section& section, const Building& building,
+                  const Link& link, const Target& source) {
     if (physics::follows_from_layers(building, source))
         section.fail("of", fmt::format("{} follows from layers; expected a number of "
                                        "these in its place",
@@ -51,9 +51,10 @@ void check_source(const Section& section, const Building& building, const Link& 
             section.fail("of", "a number cannot follow itself");
 }
 
-std::vector<Link::Term> read_terms(const Section& section, std::size_t n_sources) {
+std::vector<Link::Term> read_terms(const schema::Section& section,
+                                   std::size_t n_sources) {
     std::vector<Link::Term> terms;
-    for (const Section& part : section.tables("term", "link.term")) {
+    for (const schema::Section& part : section.tables("term", "link.term")) {
         Link::Term term;
         term.factor = part.number("factor");
         const std::vector<double> exponents = part.has("exponents")
@@ -74,10 +75,10 @@ std::vector<Link::Term> read_terms(const Section& section, std::size_t n_sources
 }
 
 /// \param n_each  how many numbers each path in `target` has matched
-std::vector<Link::Row> read_rows(const Section& section, std::size_t n_sources,
+std::vector<Link::Row> read_rows(const schema::Section& section, std::size_t n_sources,
                                  const std::vector<std::size_t>& n_each) {
     std::vector<Link::Row> rows;
-    for (const Section& part : section.tables("row", "link.row")) {
+    for (const schema::Section& part : section.tables("row", "link.row")) {
         const std::vector<double> values = part.numbers("values");
         if (values.size() != n_each.size())
             part.fail("values", fmt::format("has {} numbers; expected {}, one for each "
@@ -93,7 +94,7 @@ std::vector<Link::Row> read_rows(const Section& section, std::size_t n_sources,
     return rows;
 }
 
-Link read_link(const Section& section, const Building& building) {
+Link read_link(const schema::Section& section, const Building& building) {
     Link link;
     std::vector<std::size_t> n_each;
     for (const std::string& path : section.texts("target")) {
@@ -123,7 +124,7 @@ Link read_link(const Section& section, const Building& building) {
 }  // namespace
 
 void read_links(const Sources& sources, Building& building) {
-    for (const Section& section : sources.with("link").tables("link", "link")) {
+    for (const schema::Section& section : sources.with("link").tables("link", "link")) {
         building.links.push_back(read_link(section, building));
         physics::derive(building);
         check_linked(section, "target", building);
@@ -131,7 +132,8 @@ void read_links(const Sources& sources, Building& building) {
     physics::derive(building);
 }
 
-void check_linked(const Section& section, const char* key, const Building& building) {
+void check_linked(const schema::Section& section, const char* key,
+                  const Building& building) {
     for (const Link& link : building.links)
         for (const Target& target : link.targets) {
             const Field& field = field_of(target);

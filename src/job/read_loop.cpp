@@ -2,7 +2,7 @@
 /// will do.
 #include "effects/catalogue.hpp"
 #include "job/readers.hpp"
-#include "physics/response.hpp"
+#include "kernel/response.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,14 +11,15 @@ namespace bemcal::job {
 
 std::vector<study::Column> read_columns(const Sources& sources) {
     std::vector<study::Column> columns;
-    for (const Section& section : sources.with("series").tables("series", "series"))
+    for (const schema::Section& section :
+         sources.with("series").tables("series", "series"))
         columns.push_back({section.text("name"),
                            section.has("unit") ? section.text("unit") : std::string()});
     return columns;
 }
 
-study::LoopOptions read_loop(const Section& section, std::uint64_t seed) {
-    study::LoopOptions options;
+loop::LoopOptions read_loop(const schema::Section& section, std::uint64_t seed) {
+    loop::LoopOptions options;
     options.period = section.text("period");
     options.parameters = section.texts("parameters");
     options.meters = section.texts("meters");
@@ -37,7 +38,7 @@ study::LoopOptions read_loop(const Section& section, std::uint64_t seed) {
 
 namespace {
 
-void check_columns(const Section& section, const study::LoopOptions& options,
+void check_columns(const schema::Section& section, const loop::LoopOptions& options,
                    const study::Case& building) {
     std::vector<std::string> names;
     names.reserve(building.columns.size());
@@ -47,7 +48,7 @@ void check_columns(const Section& section, const study::LoopOptions& options,
 }
 
 /// Names of the grammar are sentences with a colon; any of them may stand there.
-void check_exclude(const Section& section, const study::LoopOptions& options) {
+void check_exclude(const schema::Section& section, const loop::LoopOptions& options) {
     std::vector<std::string> names;
     names.reserve(effects::catalogue().size());
     for (const effects::Entry& entry : effects::catalogue())
@@ -60,12 +61,12 @@ void check_exclude(const Section& section, const study::LoopOptions& options) {
 
 }  // namespace
 
-void check_loop(const Section& section, const study::LoopOptions& options,
+void check_loop(const schema::Section& section, const loop::LoopOptions& options,
                 const std::vector<study::Case>& buildings) {
     check_exclude(section, options);
     const Learning learning{options.period, options.parameters, options.meters};
     for (const study::Case& building : buildings) {
-        if (!physics::has_derivatives(building.building))
+        if (!kernel::has_derivatives(building.building))
             section.fail_value("kind",
                                building.name +
                                    " has coupled zones, a radiator or linked numbers, "
@@ -76,7 +77,7 @@ void check_loop(const Section& section, const study::LoopOptions& options,
     }
 }
 
-std::string sentence_of(const study::LoopOptions& options) {
+std::string sentence_of(const loop::LoopOptions& options) {
     const std::string columns =
         options.columns.empty() || !options.generic
             ? std::string()

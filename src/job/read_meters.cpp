@@ -1,13 +1,13 @@
 /// [[meter]]: readings on an even axis, corrected as the job says, converted, and
 /// checked.
 #include "base/error.hpp"
-#include "job/data_checks.hpp"
-#include "job/intervals.hpp"
+#include "input/checks.hpp"
+#include "input/intervals.hpp"
+#include "input/suggest.hpp"
+#include "input/units.hpp"
 #include "job/readers.hpp"
 #include "job/result_names.hpp"
-#include "job/suggest.hpp"
 #include "job/timed_csv.hpp"
-#include "job/units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,25 +27,26 @@ using study::Meter;
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr int day_s = 86400;
 
-const Unit& unit_of(const Section& section, Quantity quantity) {
+const input::Unit& unit_of(const schema::Section& section, Quantity quantity) {
     const bool temperature = quantity == Quantity::air_temperature;
     const std::string name = section.text("unit");
     std::vector<std::string> names;
-    for (const Unit& unit : units()) {
-        if ((unit.kind == UnitKind::temperature) != temperature) continue;
+    for (const input::Unit& unit : input::units()) {
+        if ((unit.kind == input::UnitKind::temperature) != temperature) continue;
         if (name == unit.name) return unit;
         names.emplace_back(unit.name);
     }
     section.fail_value("unit",
                        fmt::format("is not a unit of {}{}",
                                    temperature ? "temperature" : "energy or power",
-                                   suggestion(name, names)));
+                                   input::suggestion(name, names)));
 }
 
 /// One meter on its way from its file to study::Meter.
 class MeterReader {
   public:
-    MeterReader(const Section& section, InputFiles& files, study::Case& building)
+    MeterReader(const schema::Section& section, input::InputFiles& files,
+                study::Case& building)
         : section_(section),
           files_(files),
           building_(building),
@@ -59,9 +60,10 @@ class MeterReader {
         if (!section_.has("file")) return without_readings();
         section_.node("column");
         const std::vector<TimedCsv> sources = open_files();
-        const Interval rows = interval_of_rows(sources[0].stamps.step_s);
-        RegularSeries series = rows < Interval::monthly ? even_rows(sources)
-                                                        : rows_by_calendar(sources, rows);
+        const Interval rows = input::interval_of_rows(sources[0].stamps.step_s);
+        input::RegularSeries series = rows < Interval::monthly
+                                          ? even_rows(sources)
+                                          : rows_by_calendar(sources, rows);
         meter_.axis = series.axis;
         meter_.values = std::move(series.values);
         check_readings(sources[0].csv->file);
@@ -103,33 +105,36 @@ class MeterReader {
             {meter_.name, std::move(finding), std::move(action)});
     }
 
-    RegularSeries even_rows(const std::vector<TimedCsv>& sources) {
-        RegularSeries series = series_of(sources[0], column_);
+    input::RegularSeries even_rows(const std::vector<TimedCsv>& sources) {
+        input::RegularSeries series = series_of(sources[0], column_);
         for (std::size_t k = 1; k < sources.size(); ++k)
-            append(series, series_of(sources[k], column_), sources[k].csv->file);
+            input::append(series, series_of(sources[k], column_), sources[k].csv->file);
         note_gaps(series);
         correct(series);
-        const CheckOptions options = check_options();
+        const input::CheckOptions options = check_options();
         if (series.axis.step_s <= 3600 && day_s % series.axis.step_s == 0) {
-            for (Finding& found : check_series(series, meter_.quantity, options))
+            for (input::Finding& found :
+                 input::check_series(series, meter_.quantity, options))
                 decide(std::move(found.finding), std::move(found.action));
         }
         convert(series);
         return on_intervals(std::move(series));
     }
 
-    RegularSeries rows_by_calendar(const std::vector<TimedCsv>& sources, Interval rows) {
+    input::RegularSeries rows_by_calendar(const std::vector<TimedCsv>& sources,
+                                          Interval rows) {
         if (sources.size() > 1)
             section_.fail("file",
                           "has several files of months or years; put them into one");
         const TimedCsv& source = sources[0];
         if (rows != meter_.interval) refuse_rows(source.stamps.step_s);
-        const Csv& csv = *source.csv;
-        RegularSeries series = calendar_rows(
-            csv, source.stamps, numbers_in(csv, csv.column(column_), source.decimal),
-            rows, source.rules.at_end);
+        const input::Csv& csv = *source.csv;
+        input::RegularSeries series = input::calendar_rows(
+            csv, source.stamps,
+            input::numbers_in(csv, csv.column(column_), source.decimal), rows,
+            source.rules.at_end);
         correct(series);
-        if (unit_of(section_, meter_.quantity).kind == UnitKind::power)
+        if (unit_of(section_, meter_.quantity).kind == input::UnitKind::power)
             section_.fail_value("unit",
                                 "is a power, but the rows are months or years; convert "
                                 "them to energies");
@@ -137,13 +142,13 @@ class MeterReader {
         return series;
     }
 
-    void note_gaps(const RegularSeries& series) {
+    void note_gaps(const input::RegularSeries& series) {
         int absent = 0;
-        for (const Gap& gap : series.gaps) absent += gap.n;
+        for (const input::Gap& gap : series.gaps) absent += gap.n;
         if (absent > 0)
             decide(
                 fmt::format("{} gaps, {} rows in all; the first: {}", series.gaps.size(),
-                            absent, words_of(series.gaps[0], series.axis)),
+                            absent, input::words_of(series.gaps[0], series.axis)),
                 "taken as missing");
         const auto n = std::count_if(series.values.begin(), series.values.end(),
                                      [](double v) { return std::isnan(v); });
@@ -154,7 +159,7 @@ class MeterReader {
     }
 
     template <class Change>
-    static void for_steps(RegularSeries& series, const study::Period& range,
+    static void for_steps(input::RegularSeries& series, const study::Period& range,
                           Change change) {
         for (int k = 0; k < series.axis.n_steps; ++k) {
             const Seconds begin = series.axis.begin_of(k);
@@ -164,8 +169,8 @@ class MeterReader {
     }
 
     /// [[meter.scale]] in the order of the file, then the mask.
-    void correct(RegularSeries& series) {
-        for (const Section& scale : section_.tables("scale", "meter.scale")) {
+    void correct(input::RegularSeries& series) {
+        for (const schema::Section& scale : section_.tables("scale", "meter.scale")) {
             const std::string from = scale.text("from");
             const std::string to = scale.has("to") ? scale.text("to") : "2500-01-01";
             const double factor = scale.number("factor");
@@ -181,18 +186,18 @@ class MeterReader {
         }
     }
 
-    CheckOptions check_options() const {
-        return {section_.choice_as<Handling>("zeros"),
-                section_.choice_as<Handling>("constant"),
-                section_.choice_as<StepHandling>("steps"),
+    input::CheckOptions check_options() const {
+        return {section_.choice_as<input::Handling>("zeros"),
+                section_.choice_as<input::Handling>("constant"),
+                section_.choice_as<input::StepHandling>("steps"),
                 static_cast<int>(section_.integer("zero_run")),
                 static_cast<int>(section_.integer("constant_run"))};
     }
 
-    void convert(RegularSeries& series) {
-        const Unit& unit = unit_of(section_, meter_.quantity);
+    void convert(input::RegularSeries& series) {
+        const input::Unit& unit = unit_of(section_, meter_.quantity);
         const double hours =
-            unit.kind == UnitKind::power ? series.axis.step_s / 3600.0 : 1;
+            unit.kind == input::UnitKind::power ? series.axis.step_s / 3600.0 : 1;
         const double factor = section_.number("factor") * unit.factor * hours;
         for (double& value : series.values) value = value * factor + unit.offset;
         if (*unit.source != '\0')
@@ -200,16 +205,16 @@ class MeterReader {
                    fmt::format("scaled by {:.4g} kWh ({})", unit.factor, unit.source));
     }
 
-    RegularSeries on_intervals(RegularSeries series) const {
+    input::RegularSeries on_intervals(input::RegularSeries series) const {
         const int step_s = series.axis.step_s;
-        const Interval rows = interval_of_rows(step_s);
+        const Interval rows = input::interval_of_rows(step_s);
         const bool even = rows == Interval::step ? 3600 % step_s == 0
                                                  : step_s == 3600 || step_s == day_s;
         if (!even) refuse_rows(step_s);
         if (meter_.interval == Interval::step) return series;
         if (rows > meter_.interval) refuse_rows(step_s);
-        return sum_intervals(series, meter_.interval,
-                             meter_.quantity == Quantity::air_temperature);
+        return input::sum_intervals(series, meter_.interval,
+                                    meter_.quantity == Quantity::air_temperature);
     }
 
     [[noreturn]] void refuse_rows(int step_s) const {
@@ -248,8 +253,8 @@ class MeterReader {
         }
     }
 
-    const Section& section_;
-    InputFiles& files_;
+    const schema::Section& section_;
+    input::InputFiles& files_;
     study::Case& building_;
     std::string column_;
     Meter meter_;
@@ -257,8 +262,10 @@ class MeterReader {
 
 }  // namespace
 
-void read_meters(const Sources& sources, InputFiles& files, study::Case& building) {
-    for (const Section& section : sources.with("meter").tables("meter", "meter")) {
+void read_meters(const Sources& sources, input::InputFiles& files,
+                 study::Case& building) {
+    for (const schema::Section& section :
+         sources.with("meter").tables("meter", "meter")) {
         Meter meter = MeterReader(section, files, building).read();
         for (const Meter& other : building.meters)
             if (other.name == meter.name)
@@ -266,7 +273,7 @@ void read_meters(const Sources& sources, InputFiles& files, study::Case& buildin
         check_name(section, "name", Named::meter, meter.name);
         building.meters.push_back(std::move(meter));
     }
-    check_clocks(building);
+    input::check_clocks(building);
 }
 
 }  // namespace bemcal::job

@@ -9,9 +9,10 @@ namespace bemcal::job {
 namespace {
 
 /// What is minimised of the meters.
-void read_objective(const Section& section, study::OptimisationOptions& options) {
-    options.objective = section.choice_as<study::Objective>("objective");
-    if (options.objective != study::Objective::likelihood) {
+void read_objective(const schema::Section& section,
+                    calibration::OptimisationOptions& options) {
+    options.objective = section.choice_as<calibration::Objective>("objective");
+    if (options.objective != calibration::Objective::likelihood) {
         options.cv_weight = section.number("cv_weight");
         options.r2_weight = section.number("r2_weight");
     }
@@ -20,19 +21,21 @@ void read_objective(const Section& section, study::OptimisationOptions& options)
 
 }  // namespace
 
-study::OptimisationOptions read_optimisation(const Section& section, std::uint64_t seed) {
-    study::OptimisationOptions options;
-    options.method = section.choice_as<study::OptimisationMethod>("method");
+calibration::OptimisationOptions read_optimisation(const schema::Section& section,
+                                                   std::uint64_t seed) {
+    calibration::OptimisationOptions options;
+    options.method = section.choice_as<calibration::OptimisationMethod>("method");
     options.period = section.text("period");
     options.parameters = section.texts("parameters");
     options.seed = seed;
     const bool is_of_meters = !section.has("target");
     if (is_of_meters) {
         options.meters = section.texts("meters");
-        options.resolution = section.choice_as<study::ObjectiveResolution>("resolution");
+        options.resolution =
+            section.choice_as<calibration::ObjectiveResolution>("resolution");
     }
-    if (options.method == study::OptimisationMethod::nsga2) {
-        options.errors = section.choice_as<study::MeterError>("errors");
+    if (options.method == calibration::OptimisationMethod::nsga2) {
+        options.errors = section.choice_as<calibration::MeterError>("errors");
         options.n_population = static_cast<int>(section.integer("n_population"));
         options.n_generations = static_cast<int>(section.integer("n_generations"));
         if (options.n_population % 2 != 0)
@@ -41,14 +44,15 @@ study::OptimisationOptions read_optimisation(const Section& section, std::uint64
     }
     if (is_of_meters) read_objective(section, options);
     options.evaluations = static_cast<std::size_t>(section.integer("evaluations"));
-    if (options.method != study::OptimisationMethod::pattern)
+    if (options.method != calibration::OptimisationMethod::pattern)
         options.n_particles = static_cast<int>(section.integer("n_particles"));
-    if (options.method == study::OptimisationMethod::swarm_then_pattern)
+    if (options.method == calibration::OptimisationMethod::swarm_then_pattern)
         options.restart = section.flag("restart");
     return options;
 }
 
-void check_optimisation(const Section& section, const study::OptimisationOptions& options,
+void check_optimisation(const schema::Section& section,
+                        const calibration::OptimisationOptions& options,
                         const std::vector<study::Case>& buildings) {
     if (section.has("target")) {
         for (const study::Case& building : buildings)

@@ -16,7 +16,7 @@ using physics::Field;
 using physics::Parameter;
 using physics::Target;
 
-void read_targets(const Section& section, const Building& building,
+void read_targets(const schema::Section& section, const Building& building,
                   Parameter& parameter) {
     const std::vector<std::string> paths = section.texts("target");
     if (paths.empty()) section.fail("target", "is empty; expected the path of a number");
@@ -47,7 +47,7 @@ double effect_of(const Parameter& parameter, double nominal, double value) {
 }
 
 /// Min and max, or the first and last of its values.
-void read_range(const Section& section, Parameter& parameter) {
+void read_range(const schema::Section& section, Parameter& parameter) {
     if (section.has("values")) {
         const std::vector<double> values = read_values(section);
         parameter.least = values.front();
@@ -63,7 +63,7 @@ void read_range(const Section& section, Parameter& parameter) {
 }
 
 /// One end of the range, which a key says.
-void check_end(const Section& section, const char* key, const Building& building,
+void check_end(const schema::Section& section, const char* key, const Building& building,
                const Parameter& parameter, double end) {
     for (const Target& target : parameter.targets) {
         const Field& field = field_of(target);
@@ -76,7 +76,7 @@ void check_end(const Section& section, const char* key, const Building& building
     }
 }
 
-void check_range(const Section& section, const Building& building,
+void check_range(const schema::Section& section, const Building& building,
                  const Parameter& parameter) {
     const bool has_values = section.has("values");
     check_end(section, has_values ? "values" : "min", building, parameter,
@@ -86,7 +86,7 @@ void check_range(const Section& section, const Building& building,
 }
 
 /// What follows from the parameter stays within its ranges, too.
-void check_links(const Section& section, const Building& building,
+void check_links(const schema::Section& section, const Building& building,
                  const Parameter& parameter) {
     Building changed = building;
     const bool has_values = section.has("values");
@@ -111,7 +111,7 @@ double nominal_of(const Building& building, const Parameter& parameter) {
 }
 
 /// Two parameters that write to the same place: the later one would undo the earlier.
-void check_overlap(const Section& section, const std::vector<Parameter>& before,
+void check_overlap(const schema::Section& section, const std::vector<Parameter>& before,
                    const Parameter& parameter) {
     for (const Parameter& other : before) {
         if (other.name == parameter.name)
@@ -125,7 +125,7 @@ void check_overlap(const Section& section, const std::vector<Parameter>& before,
     }
 }
 
-Parameter read_parameter(const Section& section, const Building& building) {
+Parameter read_parameter(const schema::Section& section, const Building& building) {
     Parameter parameter;
     parameter.name = section.text("name");
     parameter.effect = section.choice_as<Effect>("mode");
@@ -141,7 +141,7 @@ Parameter read_parameter(const Section& section, const Building& building) {
 }  // namespace
 
 void read_parameters(const Sources& sources, study::Case& building) {
-    for (const Section& section :
+    for (const schema::Section& section :
          sources.with("parameter").tables("parameter", "parameter")) {
         Parameter parameter = read_parameter(section, building.building);
         check_overlap(section, building.parameters, parameter);

@@ -9,7 +9,7 @@
 namespace bemcal::job {
 
 /// [from, to); a last day without an hour is included.
-study::Period read_range(const Section& section, std::string_view key,
+study::Period read_range(const schema::Section& section, std::string_view key,
                          const std::string& from, const std::string& to) {
     return at_key(section, key, [&] {
         study::Period period{"", physics::parse_time(from), physics::parse_time(to)};
@@ -21,7 +21,7 @@ study::Period read_range(const Section& section, std::string_view key,
     });
 }
 
-study::Period read_slashed_range(const Section& section, std::string_view key,
+study::Period read_slashed_range(const schema::Section& section, std::string_view key,
                                  const std::string& text) {
     const std::size_t slash = text.find('/');
     const std::string from = text.substr(0, slash);
@@ -31,10 +31,10 @@ study::Period read_slashed_range(const Section& section, std::string_view key,
 
 std::vector<study::Period> read_periods(const Sources& sources) {
     if (!sources.has("periods")) sources.own.node("periods");
-    const Section section = sources.with("periods").table("periods", "periods");
+    const schema::Section section = sources.with("periods").table("periods", "periods");
     section.node("training");
     std::vector<study::Period> periods;
-    for (const Entry& entry : section.root().entries) {
+    for (const schema::Entry& entry : section.root().entries) {
         const std::vector<std::string> days = section.texts(entry.key);
         if (days.size() != 2)
             section.fail(entry.key,

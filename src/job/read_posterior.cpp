@@ -1,6 +1,6 @@
 /// The keys of a [[study]] of kind "posterior", and what it needs of the buildings.
+#include "input/suggest.hpp"
 #include "job/readers.hpp"
-#include "job/suggest.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +12,15 @@ namespace bemcal::job {
 
 namespace {
 
+using posterior::PosteriorOptions;
 using study::Case;
-using study::PosteriorOptions;
 
-int whole(const Section& section, std::string_view key) {
+int whole(const schema::Section& section, std::string_view key) {
     return static_cast<int>(section.integer(key));
 }
 
 /// Temperatures as the job has them, 1 first, rising, become their inverses.
-std::vector<double> read_temperatures(const Section& section,
+std::vector<double> read_temperatures(const schema::Section& section,
                                       const std::vector<double>& otherwise) {
     std::vector<double> temperatures = section.numbers("temperatures");
     if (temperatures.empty()) return otherwise;
@@ -35,7 +35,7 @@ std::vector<double> read_temperatures(const Section& section,
 
 }  // namespace
 
-void read_chains(const Section& section, study::ChainOptions& chains) {
+void read_chains(const schema::Section& section, posterior::ChainOptions& chains) {
     chains.sampler.method = section.choice_as<sampling::Method>("sampler");
     chains.sampler.n_warm_up = whole(section, "warm_up");
     chains.sampler.thin = whole(section, "thin");
@@ -54,11 +54,12 @@ void read_chains(const Section& section, study::ChainOptions& chains) {
                         chains.most_draws, chains.draws_per_round));
 }
 
-void check_word(const Section& section, std::string_view key, const std::string& word,
-                const std::vector<std::string>& names, const std::string& what) {
+void check_word(const schema::Section& section, std::string_view key,
+                const std::string& word, const std::vector<std::string>& names,
+                const std::string& what) {
     if (std::ranges::find(names, word) != names.end()) return;
-    section.fail(key,
-                 fmt::format("\"{}\" is no {}{}", word, what, suggestion(word, names)));
+    section.fail(key, fmt::format("\"{}\" is no {}{}", word, what,
+                                  input::suggestion(word, names)));
 }
 
 namespace {
@@ -75,7 +76,7 @@ bool has_reading(const Case& building, const study::Period& period,
 
 }  // namespace
 
-void check_parameters(const Section& section, const Learning& learning,
+void check_parameters(const schema::Section& section, const Learning& learning,
                       const Case& building) {
     std::vector<std::string> names;
     names.reserve(building.parameters.size());
@@ -86,7 +87,7 @@ void check_parameters(const Section& section, const Learning& learning,
                    "parameter of " + building.name);
 }
 
-void check_meters(const Section& section, const Learning& learning,
+void check_meters(const schema::Section& section, const Learning& learning,
                   const Case& building) {
     std::vector<std::string> names;
     names.reserve(building.meters.size());
@@ -109,7 +110,7 @@ void check_meters(const Section& section, const Learning& learning,
 namespace {
 
 /// Draws are stored under the parameter's name, beside their dimensions.
-void check_parameter_names(const Section& section, const Case& building) {
+void check_parameter_names(const schema::Section& section, const Case& building) {
     for (const physics::Parameter& parameter : building.parameters)
         if (parameter.name.find('/') != std::string::npos || parameter.name == "chain" ||
             parameter.name == "draw" || parameter.name == "." || parameter.name == "..")
@@ -125,8 +126,9 @@ bool is_unseen(const PosteriorOptions& options, const Case& building) {
 
 /// Residuals that were learnt from a meter are drawn for the same one of another
 /// building.
-void check_meters_of_unseen(const Section& section, const PosteriorOptions& options,
-                            const Case& unseen, const Case& seen) {
+void check_meters_of_unseen(const schema::Section& section,
+                            const PosteriorOptions& options, const Case& unseen,
+                            const Case& seen) {
     for (const study::Meter& meter : seen.meters) {
         const bool is_used =
             options.meters.empty() ||
@@ -147,7 +149,7 @@ void check_meters_of_unseen(const Section& section, const PosteriorOptions& opti
     }
 }
 
-void check_unseen(const Section& section, const PosteriorOptions& options,
+void check_unseen(const schema::Section& section, const PosteriorOptions& options,
                   const std::vector<Case>& buildings) {
     std::vector<std::string> names;
     names.reserve(buildings.size());
@@ -166,7 +168,7 @@ void check_unseen(const Section& section, const PosteriorOptions& options,
 
 }  // namespace
 
-PosteriorOptions read_posterior(const Section& section, std::uint64_t seed) {
+PosteriorOptions read_posterior(const schema::Section& section, std::uint64_t seed) {
     PosteriorOptions options;
     read_chains(section, options.chains);
     options.chains.seed = seed;
@@ -182,12 +184,13 @@ PosteriorOptions read_posterior(const Section& section, std::uint64_t seed) {
     options.level_change = section.number("level_change");
     options.lasting_weeks = section.number("lasting_weeks");
     options.reading_weight = section.number("reading_weight");
-    options.pooling = section.choice_as<study::Pooling>("pooling");
-    if (options.pooling != study::Pooling::none) options.unseen = section.texts("unseen");
+    options.pooling = section.choice_as<posterior::Pooling>("pooling");
+    if (options.pooling != posterior::Pooling::none)
+        options.unseen = section.texts("unseen");
     return options;
 }
 
-void check_posterior(const Section& section, const PosteriorOptions& options,
+void check_posterior(const schema::Section& section, const PosteriorOptions& options,
                      const std::vector<Case>& buildings) {
     check_unseen(section, options, buildings);
     const Learning learning{options.period, options.parameters, options.meters};

@@ -25,13 +25,13 @@ constexpr Numbers numbers_of[] = {
     {PriorKind::beta, "alpha", "beta"},   {PriorKind::gamma, "shape", "rate"}};
 
 /// A number that this kind needs.
-double needed_number(const Section& section, const char* key) {
+double needed_number(const schema::Section& section, const char* key) {
     section.node(key);
     return section.number(key);
 }
 
 /// A median becomes the mean of the logarithm.
-double first_number(const Section& section, const Numbers& keys) {
+double first_number(const schema::Section& section, const Numbers& keys) {
     if (keys.a == nullptr) return 0;
     const double number = needed_number(section, keys.a);
     if (keys.kind != PriorKind::lognormal) return number;
@@ -46,7 +46,8 @@ bool may_be_normalised(PriorKind kind) {
 
 }  // namespace
 
-Prior read_distribution(const Section& section, const physics::Parameter& parameter) {
+Prior read_distribution(const schema::Section& section,
+                        const physics::Parameter& parameter) {
     const Numbers& keys = *std::ranges::find(
         numbers_of, section.choice_as<PriorKind>("kind"), &Numbers::kind);
     Prior prior;
@@ -73,20 +74,20 @@ Prior uniform_on(const physics::Parameter& parameter) {
 }
 
 /// Who says what is believed of a number has not meant it to exclude the description.
-void check_nominal(const Section& section, std::string_view key,
+void check_nominal(const schema::Section& section, std::string_view key,
                    const physics::Parameter& parameter) {
     if (parameter.nominal >= parameter.least && parameter.nominal <= parameter.most)
         return;
     section.fail(
         key, fmt::format("{} is {} in the description, outside {} to {}; expected "
                          "a range with it",
-                         parameter.name, plain(parameter.nominal), plain(parameter.least),
-                         plain(parameter.most)));
+                         parameter.name, schema::plain(parameter.nominal),
+                         schema::plain(parameter.least), schema::plain(parameter.most)));
 }
 
 }  // namespace
 
-std::vector<double> read_values(const Section& section) {
+std::vector<double> read_values(const schema::Section& section) {
     std::vector<double> values = section.numbers("values");
     if (values.size() < 2) section.fail("values", "expected two numbers or more");
     if (std::ranges::adjacent_find(values, std::greater_equal<>()) != values.end())
@@ -94,7 +95,7 @@ std::vector<double> read_values(const Section& section) {
     return values;
 }
 
-study::ParameterPrior read_prior(const Section& section,
+study::ParameterPrior read_prior(const schema::Section& section,
                                  const physics::Parameter& parameter) {
     study::ParameterPrior result{uniform_on(parameter), {}};
     if (section.has("values")) {

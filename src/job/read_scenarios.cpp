@@ -11,9 +11,9 @@ namespace bemcal::job {
 
 namespace {
 
-using study::ChangeBy;
-using study::Scenario;
-using study::ScenarioChange;
+using retrofit::ChangeBy;
+using retrofit::Scenario;
+using retrofit::ScenarioChange;
 
 /// How a change says what becomes of the number.
 struct Way {
@@ -25,7 +25,7 @@ constexpr Way ways[] = {{"value", ChangeBy::value},
                         {"offset", ChangeBy::offset},
                         {"insulation", ChangeBy::resistance}};
 
-const Way& way_of(const Section& section) {
+const Way& way_of(const schema::Section& section) {
     const Way* found = nullptr;
     for (const Way& way : ways) {
         if (!section.has(way.key)) continue;
@@ -41,7 +41,7 @@ const Way& way_of(const Section& section) {
     return *found;
 }
 
-ScenarioChange read_change(const Section& section, const study::Case& building) {
+ScenarioChange read_change(const schema::Section& section, const study::Case& building) {
     ScenarioChange change;
     for (const std::string& path : section.texts("target"))
         for (const physics::Target& target : at_key(section, "target", [&] {
@@ -67,7 +67,7 @@ ScenarioChange read_change(const Section& section, const study::Case& building) 
     for (const physics::Target& target : change.targets) {
         const physics::Field& field = field_of(target);
         const double number =
-            study::changed(physics::number_at(building.building, target), change);
+            retrofit::changed(physics::number_at(building.building, target), change);
         if (number < field.least || number > field.most)
             section.fail_value(
                 way.key,
@@ -77,19 +77,20 @@ ScenarioChange read_change(const Section& section, const study::Case& building) 
     return change;
 }
 
-Scenario read_scenario(const Section& section, const study::Case& building) {
+Scenario read_scenario(const schema::Section& section, const study::Case& building) {
     Scenario scenario;
     scenario.name = section.text("name");
-    for (const Section& each : section.tables("change", "scenario.change"))
+    for (const schema::Section& each : section.tables("change", "scenario.change"))
         scenario.changes.push_back(read_change(each, building));
     if (section.has("heating_carrier"))
         scenario.heating_carrier = section.choice_as<physics::Carrier>("heating_carrier");
     return scenario;
 }
 
-std::vector<Scenario> read_scenarios(const Section& root, const study::Case& building) {
+std::vector<Scenario> read_scenarios(const schema::Section& root,
+                                     const study::Case& building) {
     std::vector<Scenario> scenarios;
-    for (const Section& section : root.tables("scenario", "scenario")) {
+    for (const schema::Section& section : root.tables("scenario", "scenario")) {
         scenarios.push_back(read_scenario(section, building));
         const auto same =
             std::ranges::count(scenarios, scenarios.back().name, &Scenario::name);
@@ -109,7 +110,7 @@ bool finds_points(StudyKind kind) {
 }
 
 /// The stage whose points are taken: of an earlier study.
-std::string stage_of(const Section& section, const Job& job, std::size_t number,
+std::string stage_of(const schema::Section& section, const Job& job, std::size_t number,
                      const study::Case& building) {
     const std::string of = section.text("of");
     for (std::size_t k = 0; k < number; ++k) {
@@ -118,7 +119,7 @@ std::string stage_of(const Section& section, const Job& job, std::size_t number,
         if (!finds_points(study.kind))
             section.fail_value("of", "is no posterior, screening or grid");
         const bool is_pooled = study.kind == StudyKind::posterior &&
-                               study.posterior.pooling != study::Pooling::none;
+                               study.posterior.pooling != posterior::Pooling::none;
         return is_pooled ? of : building.name + "/" + of;
     }
     section.fail_value("of",
@@ -127,7 +128,7 @@ std::string stage_of(const Section& section, const Job& job, std::size_t number,
 }
 
 /// The row of a schedule or series among the case's profiles.
-int profile_of(const Section& section, const study::Case& building) {
+int profile_of(const schema::Section& section, const study::Case& building) {
     if (!section.has("occupied")) return -1;
     const std::string name = section.text("occupied");
     std::vector<std::string> names;
@@ -140,10 +141,10 @@ int profile_of(const Section& section, const study::Case& building) {
 
 }  // namespace
 
-void read_retrofit(const Section& root, const Section& section, std::size_t number,
-                   Job& job) {
+void read_retrofit(const schema::Section& root, const schema::Section& section,
+                   std::size_t number, Job& job) {
     for (const study::Case& building : job.buildings) {
-        study::RetrofitOptions options;
+        retrofit::RetrofitOptions options;
         options.scenarios = read_scenarios(root, building);
         options.of = stage_of(section, job, number, building);
         section.number_if("n_predictive", options.n_points);

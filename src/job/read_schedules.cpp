@@ -16,20 +16,20 @@ namespace {
 
 using physics::Day;
 
-Day read_day(const Section& section, const char* key) {
-    const Node& value = section.node(key);
-    const Key& row = *find_key(section.schema(), key);
+Day read_day(const schema::Section& section, const char* key) {
+    const schema::Node& value = section.node(key);
+    const schema::Key& row = *schema::find_key(section.schema(), key);
     const std::string where = section.where(key);
     Day day{};
-    if (value.kind == Node::Kind::number) {
-        day.fill(checked_number(value, row, where));
+    if (value.kind == schema::Node::Kind::number) {
+        day.fill(schema::checked_number(value, row, where));
         return day;
     }
-    if (value.kind != Node::Kind::array || value.entries.size() != day.size())
+    if (value.kind != schema::Node::Kind::array || value.entries.size() != day.size())
         section.fail(key, fmt::format("has {} values; expected {}", value.entries.size(),
-                                      expectation(row)));
+                                      schema::expectation(row)));
     for (std::size_t hour = 0; hour < day.size(); ++hour)
-        day[hour] = checked_number(value.entries[hour].node, row, where);
+        day[hour] = schema::checked_number(value.entries[hour].node, row, where);
     return day;
 }
 
@@ -43,7 +43,7 @@ constexpr DayKey day_keys[] = {
     {"tuesday", 1, 1},   {"wednesday", 2, 2}, {"thursday", 3, 3}, {"friday", 4, 4},
     {"saturday", 5, 5},  {"sunday", 6, 6}};
 
-std::array<Day, 7> read_week(const Section& section) {
+std::array<Day, 7> read_week(const schema::Section& section) {
     constexpr const char* names[] = {"monday", "tuesday",  "wednesday", "thursday",
                                      "friday", "saturday", "sunday"};
     std::array<Day, 7> week{};
@@ -65,7 +65,8 @@ std::array<Day, 7> read_week(const Section& section) {
     return week;
 }
 
-std::vector<physics::DateRange> read_dates(const Section& section, const char* key) {
+std::vector<physics::DateRange> read_dates(const schema::Section& section,
+                                           const char* key) {
     std::vector<physics::DateRange> ranges;
     for (const std::string& text : section.texts(key))
         ranges.push_back(
@@ -74,16 +75,16 @@ std::vector<physics::DateRange> read_dates(const Section& section, const char* k
 }
 
 /// The days of a register with their numbers; a day may stand in it once.
-std::map<std::chrono::sys_days, double> read_register(const Section& section,
-                                                      InputFiles& files) {
-    const Csv& csv =
+std::map<std::chrono::sys_days, double> read_register(const schema::Section& section,
+                                                      input::InputFiles& files) {
+    const input::Csv& csv =
         files.csv(section.path(section.text("register")), section.where("register"));
     const std::size_t column = csv.column(section.text("register_column"));
     std::map<std::chrono::sys_days, double> days;
     for (std::size_t row = 0; row < csv.n_rows(); ++row) {
         const std::string date(csv.cell(row, 0)),
             where = fmt::format("{}:{}", csv.file, csv.lines[row]);
-        const double number = number_in(csv, row, column);
+        const double number = input::number_in(csv, row, column);
         if (!(number >= 0))
             throw UserError(ExitCode::data,
                             where + ": expected a number of persons, 0 or more");
@@ -101,9 +102,9 @@ std::map<std::chrono::sys_days, double> read_register(const Section& section,
     return days;
 }
 
-physics::Profile read_schedule(const Section& section,
+physics::Profile read_schedule(const schema::Section& section,
                                const std::vector<physics::DateRange>& holidays,
-                               InputFiles& files) {
+                               input::InputFiles& files) {
     physics::Profile profile;
     physics::Schedule& schedule = profile.schedule;
     profile.name = schedule.name = section.text("name");
@@ -117,7 +118,7 @@ physics::Profile read_schedule(const Section& section,
         schedule.days = read_register(section, files);
     else if (section.has("register_column"))
         section.fail("register_column", "has no effect without register");
-    for (const Section& part : section.tables("period", "schedule.period"))
+    for (const schema::Section& part : section.tables("period", "schedule.period"))
         schedule.periods.push_back(
             {at_key(part, "dates",
                     [&] { return physics::parse_date_range(part.text("dates")); }),
@@ -125,10 +126,10 @@ physics::Profile read_schedule(const Section& section,
     return profile;
 }
 
-physics::Profile read_series(const Section& section, InputFiles& files,
+physics::Profile read_series(const schema::Section& section, input::InputFiles& files,
                              const physics::Site& site) {
     const TimedCsv source = open_csv(section, "file", section.text("file"), files, site);
-    const RegularSeries series = series_of(source, section.text("column"));
+    const input::RegularSeries series = series_of(source, section.text("column"));
     physics::Profile profile;
     profile.name = section.text("name");
     profile.is_series = true;
@@ -136,13 +137,13 @@ physics::Profile read_series(const Section& section, InputFiles& files,
     profile.values = series.values;
     const double factor = section.number("factor"), offset = section.number("offset");
     for (double& value : profile.values) value = value * factor + offset;
-    fill_gaps(profile.values,
-              static_cast<int>(section.integer("fill_gaps") * 3600 / series.axis.step_s));
+    input::fill_gaps(profile.values, static_cast<int>(section.integer("fill_gaps") *
+                                                      3600 / series.axis.step_s));
     return profile;
 }
 
 void add(std::vector<physics::Profile>& profiles, physics::Profile profile,
-         const Section& section) {
+         const schema::Section& section) {
     for (const physics::Profile& other : profiles)
         if (other.name == profile.name)
             section.fail_value("name", "another schedule or series has this name");
@@ -151,14 +152,17 @@ void add(std::vector<physics::Profile>& profiles, physics::Profile profile,
 
 }  // namespace
 
-std::vector<physics::Profile> read_profiles(const Sources& sources, InputFiles& files,
+std::vector<physics::Profile> read_profiles(const Sources& sources,
+                                            input::InputFiles& files,
                                             const physics::Site& site) {
     const std::vector<physics::DateRange> holidays =
         read_dates(sources.with("holidays"), "holidays");
     std::vector<physics::Profile> profiles;
-    for (const Section& section : sources.with("schedule").tables("schedule", "schedule"))
+    for (const schema::Section& section :
+         sources.with("schedule").tables("schedule", "schedule"))
         add(profiles, read_schedule(section, holidays, files), section);
-    for (const Section& section : sources.with("series").tables("series", "series"))
+    for (const schema::Section& section :
+         sources.with("series").tables("series", "series"))
         add(profiles, read_series(section, files, site), section);
     return profiles;
 }

@@ -1,8 +1,8 @@
 /// [simulator]: another program that is studied in place of a building.
 #include "external/process.hpp"
+#include "input/suggest.hpp"
 #include "job/readers.hpp"
 #include "job/result_names.hpp"
-#include "job/suggest.hpp"
 
 #include <algorithm>
 #include <set>
@@ -29,16 +29,17 @@ bool is_plain_name(const std::string& name) {
 }
 
 /// Names of one kind, each once.
-void add_name(const Section& section, const std::string& name,
+void add_name(const schema::Section& section, const std::string& name,
               std::set<std::string>& names) {
     if (!names.insert(name).second)
         section.fail_value("name", "stands twice; expected another name");
 }
 
-std::vector<physics::Parameter> read_parameters(const Section& simulator) {
+std::vector<physics::Parameter> read_parameters(const schema::Section& simulator) {
     std::vector<physics::Parameter> parameters;
     std::set<std::string> names;
-    for (const Section& section : simulator.tables("parameter", "simulator.parameter")) {
+    for (const schema::Section& section :
+         simulator.tables("parameter", "simulator.parameter")) {
         physics::Parameter made;
         made.name = section.text("name");
         add_name(section, made.name, names);
@@ -63,7 +64,7 @@ std::vector<physics::Parameter> read_parameters(const Section& simulator) {
     return parameters;
 }
 
-void read_take(const Section& section, OutputRule& rule) {
+void read_take(const schema::Section& section, OutputRule& rule) {
     if (!section.has("row")) {
         rule.take = section.choice_as<Take>("take");
         return;
@@ -72,7 +73,7 @@ void read_take(const Section& section, OutputRule& rule) {
     rule.row = static_cast<int>(section.integer("row"));
 }
 
-OutputRule read_output(const Section& section) {
+OutputRule read_output(const schema::Section& section) {
     OutputRule rule;
     rule.name = section.text("name");
     rule.unit = section.text("unit");
@@ -95,10 +96,11 @@ OutputRule read_output(const Section& section) {
     return rule;
 }
 
-std::vector<OutputRule> read_outputs(const Section& simulator) {
+std::vector<OutputRule> read_outputs(const schema::Section& simulator) {
     std::vector<OutputRule> outputs;
     std::set<std::string> names;
-    for (const Section& section : simulator.tables("output", "simulator.output")) {
+    for (const schema::Section& section :
+         simulator.tables("output", "simulator.output")) {
         outputs.push_back(read_output(section));
         add_name(section, outputs.back().name, names);
     }
@@ -119,7 +121,8 @@ std::string name_of_filled(const fs::path& file) {
 /// The names that already stand for a file in a point's folder.
 class Folder {
   public:
-    void add(const Section& section, std::string_view key, const std::string& name) {
+    void add(const schema::Section& section, std::string_view key,
+             const std::string& name) {
         if (name.find('/') != std::string::npos)
             section.fail(key, fmt::format("\"{}\" has a slash; expected the name of a "
                                           "file in the folder of a point",
@@ -142,10 +145,12 @@ std::vector<std::string> names_of(const std::vector<physics::Parameter>& paramet
     return names;
 }
 
-void read_inputs(const Section& simulator, InputFiles& files, CommandOptions& options) {
+void read_inputs(const schema::Section& simulator, input::InputFiles& files,
+                 CommandOptions& options) {
     const std::vector<std::string> names = names_of(options.parameters);
     Folder folder;
-    for (const Section& section : simulator.tables("template", "simulator.template")) {
+    for (const schema::Section& section :
+         simulator.tables("template", "simulator.template")) {
         const fs::path path = section.path(section.text("file"));
         const std::string name =
             section.has("as") ? section.text("as") : name_of_filled(path);
@@ -163,7 +168,7 @@ void read_inputs(const Section& simulator, InputFiles& files, CommandOptions& op
 }
 
 /// The words of the command; with a shell those that start it.
-std::vector<std::string> read_words(const Section& simulator) {
+std::vector<std::string> read_words(const schema::Section& simulator) {
     std::vector<std::string> words = simulator.texts("command");
     if (words.empty() || words[0].empty())
         simulator.fail("command", "is empty; expected a program and its arguments");
@@ -174,7 +179,7 @@ std::vector<std::string> read_words(const Section& simulator) {
     return {"/bin/sh", "-c", words[0]};
 }
 
-void read_command(const Section& simulator, CommandOptions& options) {
+void read_command(const schema::Section& simulator, CommandOptions& options) {
     const std::vector<std::string> words = read_words(simulator);
     const fs::path beside = fs::path(simulator.file()).parent_path();
     options.program = external::find_program(words[0], beside).string();
@@ -191,7 +196,7 @@ void read_command(const Section& simulator, CommandOptions& options) {
 }
 
 /// What no template asks for cannot have an effect.
-void check_use(const Section& simulator, const CommandOptions& options) {
+void check_use(const schema::Section& simulator, const CommandOptions& options) {
     const auto sections = simulator.tables("parameter", "simulator.parameter");
     for (std::size_t k = 0; k < sections.size(); ++k) {
         const bool in_input = std::ranges::any_of(
@@ -208,7 +213,7 @@ void check_use(const Section& simulator, const CommandOptions& options) {
 
 }  // namespace
 
-CommandOptions read_simulator(const Section& simulator, InputFiles& files,
+CommandOptions read_simulator(const schema::Section& simulator, input::InputFiles& files,
                               const std::string& job) {
     CommandOptions options;
     options.parameters = read_parameters(simulator);
@@ -222,7 +227,7 @@ CommandOptions read_simulator(const Section& simulator, InputFiles& files,
     return options;
 }
 
-void check_simulator_study(const Section& section, const StudySpec& study) {
+void check_simulator_study(const schema::Section& section, const StudySpec& study) {
     if (!can_be_of_simulator(study.kind))
         section.fail_value("kind",
                            "needs a building, and the job has a [simulator] in its "

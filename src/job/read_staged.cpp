@@ -13,18 +13,19 @@ namespace {
 constexpr const char* stage_schema = "study.calibration_stage";
 
 /// What a stage minimises, and how: from the study's keys.
-study::OptimisationOptions read_fit(const Section& section, std::uint64_t seed) {
-    study::OptimisationOptions fit;
-    fit.method = section.choice_as<study::OptimisationMethod>("method");
-    if (fit.method == study::OptimisationMethod::nsga2)
+calibration::OptimisationOptions read_fit(const schema::Section& section,
+                                          std::uint64_t seed) {
+    calibration::OptimisationOptions fit;
+    fit.method = section.choice_as<calibration::OptimisationMethod>("method");
+    if (fit.method == calibration::OptimisationMethod::nsga2)
         section.fail_value("method",
                            "a stage has one objective; expected another method");
-    fit.objective = section.choice_as<study::Objective>("objective");
+    fit.objective = section.choice_as<calibration::Objective>("objective");
     fit.cv_weight = section.number("cv_weight");
     fit.r2_weight = section.number("r2_weight");
     fit.meters = section.texts("meters");
     fit.meter_weights = section.numbers("meter_weights");
-    fit.resolution = section.choice_as<study::ObjectiveResolution>("resolution");
+    fit.resolution = section.choice_as<calibration::ObjectiveResolution>("resolution");
     fit.evaluations = static_cast<std::size_t>(section.integer("evaluations"));
     fit.n_particles = static_cast<int>(section.integer("n_particles"));
     fit.restart = section.flag("restart");
@@ -32,15 +33,16 @@ study::OptimisationOptions read_fit(const Section& section, std::uint64_t seed) 
     return fit;
 }
 
-std::vector<study::NamedRange> read_ranges(const Section& stage) {
-    std::vector<study::NamedRange> ranges;
+std::vector<calibration::NamedRange> read_ranges(const schema::Section& stage) {
+    std::vector<calibration::NamedRange> ranges;
     if (!stage.has("ranges")) return ranges;
-    const Section table = stage.table("ranges", "study.ranges");
-    for (const Entry& entry : table.root().entries) {
-        const Key row{"study.ranges", "", Type::numbers, "", nullptr, -1e300, 1e300, ""};
+    const schema::Section table = stage.table("ranges", "study.ranges");
+    for (const schema::Entry& entry : table.root().entries) {
+        const schema::Key row{
+            "study.ranges", "", schema::Type::numbers, "", nullptr, -1e300, 1e300, ""};
         std::vector<double> ends;
-        for (const Entry& end : table.node(entry.key).entries)
-            ends.push_back(checked_number(end.node, row, table.where(entry.key)));
+        for (const schema::Entry& end : table.node(entry.key).entries)
+            ends.push_back(schema::checked_number(end.node, row, table.where(entry.key)));
         if (ends.size() != 2 || !(ends[0] < ends[1]))
             table.fail(entry.key, "expected two rising numbers: [0.1, 1.5]");
         ranges.push_back({entry.key, ends[0], ends[1]});
@@ -48,19 +50,20 @@ std::vector<study::NamedRange> read_ranges(const Section& stage) {
     return ranges;
 }
 
-std::vector<study::NamedValue> read_set(const Section& stage) {
-    std::vector<study::NamedValue> set;
+std::vector<calibration::NamedValue> read_set(const schema::Section& stage) {
+    std::vector<calibration::NamedValue> set;
     if (!stage.has("set")) return set;
-    const Section table = stage.table("set", "study.set");
-    const Key row{"study.set", "", Type::number, "", nullptr, -1e300, 1e300, ""};
-    for (const Entry& entry : table.root().entries)
-        set.push_back({entry.key, checked_number(table.node(entry.key), row,
-                                                 table.where(entry.key))});
+    const schema::Section table = stage.table("set", "study.set");
+    const schema::Key row{"study.set", "", schema::Type::number, "", nullptr, -1e300,
+                          1e300,       ""};
+    for (const schema::Entry& entry : table.root().entries)
+        set.push_back({entry.key, schema::checked_number(table.node(entry.key), row,
+                                                         table.where(entry.key))});
     return set;
 }
 
 /// What the stage says of its own; the rest is the study's.
-void read_own_fit(const Section& stage, study::OptimisationOptions& fit) {
+void read_own_fit(const schema::Section& stage, calibration::OptimisationOptions& fit) {
     stage.number_if("evaluations", fit.evaluations);
     stage.number_if("seed", fit.seed);
     if (stage.has("meters")) {
@@ -69,16 +72,17 @@ void read_own_fit(const Section& stage, study::OptimisationOptions& fit) {
     }
     if (stage.has("meter_weights")) fit.meter_weights = stage.numbers("meter_weights");
     if (stage.has("objective"))
-        fit.objective = stage.choice_as<study::Objective>("objective");
+        fit.objective = stage.choice_as<calibration::Objective>("objective");
 }
 
-study::CalibrationStage read_stage(const Section& stage, const std::string& before,
-                                   const study::OptimisationOptions& fit,
-                                   double independent_hours) {
-    study::CalibrationStage read;
+calibration::CalibrationStage read_stage(const schema::Section& stage,
+                                         const std::string& before,
+                                         const calibration::OptimisationOptions& fit,
+                                         double independent_hours) {
+    calibration::CalibrationStage read;
     read.name = stage.text("name");
     check_name(stage, "name", Named::study, read.name);
-    if (read.name == study::initial_values || read.name == study::all_at_once)
+    if (read.name == calibration::initial_values || read.name == calibration::all_at_once)
         stage.fail_value("name", "stands for something else; expected another name");
     read.from = stage.has("from") ? stage.text("from") : before;
     read.periods = stage.texts("periods");
@@ -93,9 +97,9 @@ study::CalibrationStage read_stage(const Section& stage, const std::string& befo
 }
 
 /// Ranges within the parameter's own, which is what its description admits.
-void check_ranges(const Section& stage, const study::CalibrationStage& read,
+void check_ranges(const schema::Section& stage, const calibration::CalibrationStage& read,
                   const study::Case& building) {
-    for (const study::NamedRange& range : read.ranges) {
+    for (const calibration::NamedRange& range : read.ranges) {
         const auto found = std::ranges::find(building.parameters, range.parameter,
                                              &physics::Parameter::name);
         if (found == building.parameters.end()) continue;  // the study says so itself
@@ -103,22 +107,24 @@ void check_ranges(const Section& stage, const study::CalibrationStage& read,
             stage.fail("ranges",
                        fmt::format("{} goes from {} to {}; expected a part of "
                                    "the parameter's range, {} to {}",
-                                   range.parameter, plain(range.least), plain(range.most),
-                                   plain(found->least), plain(found->most)));
+                                   range.parameter, schema::plain(range.least),
+                                   schema::plain(range.most), schema::plain(found->least),
+                                   schema::plain(found->most)));
     }
 }
 
-void check_set(const Section& stage, const study::CalibrationStage& read,
+void check_set(const schema::Section& stage, const calibration::CalibrationStage& read,
                const study::Case& building) {
-    for (const study::NamedValue& each : read.set) {
+    for (const calibration::NamedValue& each : read.set) {
         const auto found = std::ranges::find(building.parameters, each.parameter,
                                              &physics::Parameter::name);
         if (found == building.parameters.end()) continue;  // the study says so itself
         if (each.value < found->least || each.value > found->most)
             stage.fail("set", fmt::format("{} = {} is outside the parameter's range, {} "
                                           "to {}",
-                                          each.parameter, plain(each.value),
-                                          plain(found->least), plain(found->most)));
+                                          each.parameter, schema::plain(each.value),
+                                          schema::plain(found->least),
+                                          schema::plain(found->most)));
     }
 }
 
@@ -130,13 +136,13 @@ std::vector<std::string> names_of(const std::vector<Named>& all) {
     return names;
 }
 
-void check_words(const Section& section, const char* key,
+void check_words(const schema::Section& section, const char* key,
                  const std::vector<std::string>& words,
                  const std::vector<std::string>& names, const std::string& what) {
     for (const std::string& word : words) check_word(section, key, word, names, what);
 }
 
-void check_stage(const Section& stage, const study::CalibrationStage& read,
+void check_stage(const schema::Section& stage, const calibration::CalibrationStage& read,
                  const study::Case& building) {
     check_words(stage, "periods", read.periods, names_of(building.periods),
                 "period of " + building.name);
@@ -150,15 +156,16 @@ void check_stage(const Section& stage, const study::CalibrationStage& read,
 
 }  // namespace
 
-study::StagedOptions read_staged(const Section& section, std::uint64_t seed) {
-    study::StagedOptions options;
-    const study::OptimisationOptions fit = read_fit(section, seed);
+calibration::StagedOptions read_staged(const schema::Section& section,
+                                       std::uint64_t seed) {
+    calibration::StagedOptions options;
+    const calibration::OptimisationOptions fit = read_fit(section, seed);
     const double independent_hours = section.number("independent_hours");
-    std::string before = study::initial_values;
-    for (const Section& stage : section.tables("stage", stage_schema)) {
+    std::string before = calibration::initial_values;
+    for (const schema::Section& stage : section.tables("stage", stage_schema)) {
         options.stages.push_back(read_stage(stage, before, fit, independent_hours));
         if (independent_hours > 0 &&
-            options.stages.back().fit.objective != study::Objective::likelihood)
+            options.stages.back().fit.objective != calibration::Objective::likelihood)
             section.fail("independent_hours",
                          "is of a likelihood; expected objective = \"likelihood\", or "
                          "leave it out");
@@ -168,7 +175,8 @@ study::StagedOptions read_staged(const Section& section, std::uint64_t seed) {
         section.fail("stage",
                      "is missing; expected sections [[study.stage]], each with a "
                      "name, periods and parameters");
-    for (const Section& validation : section.tables("validation", "study.validation"))
+    for (const schema::Section& validation :
+         section.tables("validation", "study.validation"))
         options.validation.push_back(
             {validation.text("period"),
              validation.has("stage") ? validation.text("stage") : before});
@@ -181,17 +189,19 @@ study::StagedOptions read_staged(const Section& section, std::uint64_t seed) {
     return options;
 }
 
-void check_staged(const Section& section, const study::StagedOptions& options,
+void check_staged(const schema::Section& section,
+                  const calibration::StagedOptions& options,
                   const std::vector<study::Case>& buildings) {
-    const std::vector<Section> stages = section.tables("stage", stage_schema);
+    const std::vector<schema::Section> stages = section.tables("stage", stage_schema);
     for (const study::Case& building : buildings) {
         for (std::size_t s = 0; s < stages.size(); ++s)
             check_stage(stages[s], options.stages[s], building);
-        for (const Section& validation : section.tables("validation", "study.validation"))
+        for (const schema::Section& validation :
+             section.tables("validation", "study.validation"))
             check_words(validation, "period", {validation.text("period")},
                         names_of(building.periods), "period of " + building.name);
         at_key(section, "kind",
-               [&] { return make_staged("checked", building, options); });
+               [&] { return calibration::make_staged("checked", building, options); });
     }
 }
 

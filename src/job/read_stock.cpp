@@ -42,7 +42,7 @@ void check_names(std::vector<StockLine>& lines) {
     }
 }
 
-std::vector<StockLine> lines_of(const Csv& csv) {
+std::vector<StockLine> lines_of(const input::Csv& csv) {
     std::vector<std::size_t> order(csv.columns.size());
     std::iota(order.begin(), order.end(), 0U);
     std::ranges::sort(order, {}, [&](std::size_t k) { return csv.columns[k]; });
@@ -61,7 +61,7 @@ std::vector<StockLine> lines_of(const Csv& csv) {
     return lines;
 }
 
-std::vector<StockLine> lines_of(const Section& section, const fs::path& folder) {
+std::vector<StockLine> lines_of(const schema::Section& section, const fs::path& folder) {
     const auto columns = std::make_shared<const std::vector<std::string>>(1, "file");
     std::vector<StockLine> lines;
     std::error_code error;
@@ -119,7 +119,7 @@ struct OwnText {
     std::vector<study::DataDecision> decisions;
 };
 
-OwnText own_text(const Stock& stock, const StockLine& line, InputFiles& files) {
+OwnText own_text(const Stock& stock, const StockLine& line, input::InputFiles& files) {
     if (const std::string file = line.cell("file"); !file.empty()) {
         const fs::path folder =
             fs::is_directory(stock.table) ? stock.table : stock.table.parent_path();
@@ -147,8 +147,8 @@ void set_seeds(Job& job) {
     study.screening.seed = study.posterior.chains.seed = study.loop.seed = job.seed;
 }
 
-void add_building(const Section& own, const Section& root, const StockLine& line,
-                  InputFiles& files, Job& job) {
+void add_building(const schema::Section& own, const schema::Section& root,
+                  const StockLine& line, input::InputFiles& files, Job& job) {
     study::Case building = read_case({own, root}, files);
     building.name = building.building.name = line.name;
     job.buildings.push_back(std::move(building));
@@ -177,7 +177,8 @@ std::string Stock::hash_of(const StockLine& line) const {
     return hasher.hex();
 }
 
-std::shared_ptr<Stock> read_stock(const Section& section, InputFiles& files) {
+std::shared_ptr<Stock> read_stock(const schema::Section& section,
+                                  input::InputFiles& files) {
     auto stock = std::make_shared<Stock>();
     stock->weathers = std::make_shared<WeatherMemory>();
     if (section.has("table") == section.has("folder"))
@@ -210,7 +211,8 @@ std::string job_text_of_table(const std::string& table) {
         table);
 }
 
-Job read_stock_building(const Job& stock_job, const StockLine& line, InputFiles& files) {
+Job read_stock_building(const Job& stock_job, const StockLine& line,
+                        input::InputFiles& files) {
     const Stock& stock = *stock_job.stock;
     if (!line.complaint.empty())
         throw UserError(ExitCode::data, fmt::format("{}:{}: {}", stock.table.string(),
@@ -223,13 +225,13 @@ Job read_stock_building(const Job& stock_job, const StockLine& line, InputFiles&
     set_seeds(job);
     files.weathers = stock.weathers;
     const std::string root_name = stock_job.file.string();
-    const Node root_tree = parse_document(stock_job.text, root_name);
-    const Section root(root_tree, "job", root_name);
+    const schema::Node root_tree = schema::parse_document(stock_job.text, root_name);
+    const schema::Section root(root_tree, "job", root_name);
     OwnText own = own_text(stock, line, files);
-    const Node tree = parse_document(own.text, own.file);
-    add_building(Section(tree, "building", own.file), root, line, files, job);
+    const schema::Node tree = schema::parse_document(own.text, own.file);
+    add_building(schema::Section(tree, "building", own.file), root, line, files, job);
     check_studies_of(root, job);
-    check_all_used(tree, own.file);
+    schema::check_all_used(tree, own.file);
     auto& decisions = job.buildings[0].decisions;
     decisions.insert(decisions.begin(), own.decisions.begin(), own.decisions.end());
     job.inputs = files.log();

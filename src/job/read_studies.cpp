@@ -1,7 +1,7 @@
 /// [[study]]: what is to be done with every building.
+#include "input/suggest.hpp"
 #include "job/readers.hpp"
 #include "job/result_names.hpp"
-#include "job/suggest.hpp"
 #include "physics/office_hour.hpp"
 
 #include <algorithm>
@@ -18,8 +18,8 @@ constexpr Quantity quantities[] = {
     Quantity::air_temperature, Quantity::heating, Quantity::cooling,
     Quantity::electricity,     Quantity::gas,     Quantity::district};
 
-void read_sensitivity(const Section& section, StudySpec& study) {
-    study::SensitivityOptions& options = study.sensitivity;
+void read_sensitivity(const schema::Section& section, StudySpec& study) {
+    sensitivity::SensitivityOptions& options = study.sensitivity;
     options.n_base = static_cast<std::size_t>(section.integer("n_base"));
     options.scramble = section.flag("scramble");
     options.threshold = section.number("threshold");
@@ -40,7 +40,8 @@ void read_sensitivity(const Section& section, StudySpec& study) {
         study.period = section.text("period");
 }
 
-void read_screening(const Section& section, study::ScreeningOptions& options) {
+void read_screening(const schema::Section& section,
+                    calibration::ScreeningOptions& options) {
     options.n_points = static_cast<std::size_t>(section.integer("n_points"));
     options.points_per_item =
         static_cast<std::size_t>(section.integer("points_per_item"));
@@ -50,37 +51,39 @@ void read_screening(const Section& section, study::ScreeningOptions& options) {
 
 }  // namespace
 
-const physics::OfficeHourInput& office_hour_input(const Section& section,
+const physics::OfficeHourInput& office_hour_input(const schema::Section& section,
                                                   const std::string& name) {
     std::vector<std::string> names;
     for (const physics::OfficeHourInput& input : physics::office_hour_inputs()) {
         if (name == input.name) return input;
         names.emplace_back(input.name);
     }
-    section.fail(name, fmt::format("unknown input{}", suggestion(name, names)));
+    section.fail(name, fmt::format("unknown input{}", input::suggestion(name, names)));
 }
 
 namespace {
 
 /// The values of one input, one for each case.
-std::vector<double> read_cases(const Section& section, const Entry& entry) {
+std::vector<double> read_cases(const schema::Section& section,
+                               const schema::Entry& entry) {
     const physics::OfficeHourInput& input = office_hour_input(section, entry.key);
-    const Key row{"study.fixed", input.name, Type::numbers, input.unit,
-                  nullptr,       -1e9,       1e9,           input.sentence};
+    const schema::Key row{"study.fixed", input.name,    schema::Type::numbers,
+                          input.unit,    nullptr,       -1e9,
+                          1e9,           input.sentence};
     const std::string where =
         fmt::format("{}:{}: study.fixed.{}", section.file(), entry.line, entry.key);
     std::vector<double> values;
-    for (const Entry& value : section.node(entry.key).entries)
-        values.push_back(checked_number(value.node, row, where));
+    for (const schema::Entry& value : section.node(entry.key).entries)
+        values.push_back(schema::checked_number(value.node, row, where));
     if (values.empty())
         section.fail(entry.key, "has no values; expected a list of numbers");
     return values;
 }
 
-void read_fixed(const Section& section, StudySpec& study) {
+void read_fixed(const schema::Section& section, StudySpec& study) {
     if (!section.has("fixed")) return;
-    const Section table = section.table("fixed", "study.fixed");
-    for (const Entry& entry : table.root().entries) {
+    const schema::Section table = section.table("fixed", "study.fixed");
+    for (const schema::Entry& entry : table.root().entries) {
         study.fixed.emplace_back(entry.key, read_cases(table, entry));
         if (study.fixed.back().second.size() != study.fixed[0].second.size())
             table.fail(entry.key,
@@ -91,8 +94,8 @@ void read_fixed(const Section& section, StudySpec& study) {
     }
 }
 
-StudySpec read_study(const Section& section, InputFiles& files, std::uint64_t seed,
-                     const SimulatorPointer& simulator) {
+StudySpec read_study(const schema::Section& section, input::InputFiles& files,
+                     std::uint64_t seed, const SimulatorPointer& simulator) {
     StudySpec study;
     study.kind = section.choice_as<StudyKind>("kind");
     study.name = section.has("name") ? section.text("name") : section.choice("kind");
@@ -129,7 +132,8 @@ StudySpec read_study(const Section& section, InputFiles& files, std::uint64_t se
 
 }  // namespace
 
-std::vector<Quantity> read_quantities(const Section& section, std::string_view key) {
+std::vector<Quantity> read_quantities(const schema::Section& section,
+                                      std::string_view key) {
     std::vector<std::string> names;
     for (const Quantity quantity : quantities)
         names.emplace_back(physics::name_of(quantity));
@@ -138,17 +142,17 @@ std::vector<Quantity> read_quantities(const Section& section, std::string_view k
         const auto found = std::find(names.begin(), names.end(), word);
         if (found == names.end())
             section.fail(key, fmt::format("\"{}\" is no quantity{}", word,
-                                          suggestion(word, names)));
+                                          input::suggestion(word, names)));
         chosen.push_back(quantities[found - names.begin()]);
     }
     return chosen;
 }
 
-std::vector<StudySpec> read_studies(const Section& job, InputFiles& files,
+std::vector<StudySpec> read_studies(const schema::Section& job, input::InputFiles& files,
                                     std::uint64_t seed,
                                     const SimulatorPointer& simulator) {
     std::vector<StudySpec> studies;
-    for (const Section& section : job.tables("study", "study")) {
+    for (const schema::Section& section : job.tables("study", "study")) {
         studies.push_back(read_study(section, files, seed, simulator));
         const auto same = [&](const StudySpec& other) {
             return other.name == studies.back().name;

@@ -1,7 +1,7 @@
 /// [site] and [weather]: EPW files or CSV columns, completed and cut to the periods.
 #include "base/error.hpp"
-#include "job/data_checks.hpp"
-#include "job/epw.hpp"
+#include "input/checks.hpp"
+#include "input/epw.hpp"
 #include "job/readers.hpp"
 #include "job/timed_csv.hpp"
 #include "job/weather_memory.hpp"
@@ -34,7 +34,7 @@ constexpr Column columns[] = {{"outdoor_temperature", &Weather::theta_e},
                               {"cloud_cover", &Weather::cloud_cover},
                               {"infrared", &Weather::infrared}};
 
-void read_site(const Section& section, physics::Site& site) {
+void read_site(const schema::Section& section, physics::Site& site) {
     section.number_if("latitude", site.latitude);
     section.number_if("longitude", site.longitude);
     section.number_if("utc_offset", site.utc_offset_h);
@@ -49,15 +49,15 @@ struct ColumnSource {
     bool at_end = false;
 };
 
-ColumnSource column_source(const Section& section, const char* key,
-                           const StampRules& rules) {
+ColumnSource column_source(const schema::Section& section, const char* key,
+                           const input::StampRules& rules) {
     ColumnSource source;
     source.at_end = rules.at_end;
-    if (section.node(key).kind != Node::Kind::table) {
+    if (section.node(key).kind != schema::Node::Kind::table) {
         source.column = section.text(key);
         return source;
     }
-    const Section more = section.table(key, "column");
+    const schema::Section more = section.table(key, "column");
     source.column = more.text("column");
     source.factor = more.number("factor");
     source.offset = more.number("offset");
@@ -76,8 +76,8 @@ std::string row_at(const TimedCsv& file, physics::Seconds begin) {
 
 /// Numbers outside the range that the table gives are a wrong unit or a missing-value
 /// code.
-void check_range(const RegularSeries& series, const Key& row, const TimedCsv& file,
-                 const std::string& column) {
+void check_range(const input::RegularSeries& series, const schema::Key& row,
+                 const TimedCsv& file, const std::string& column) {
     for (std::size_t k = 0; k < series.values.size(); ++k) {
         const double value = series.values[k];
         if (!(value < row.least || value > row.most)) continue;
@@ -91,11 +91,12 @@ void check_range(const RegularSeries& series, const Key& row, const TimedCsv& fi
     }
 }
 
-RegularSeries read_column(const Section& section, const char* key, const TimedCsv& file) {
+input::RegularSeries read_column(const schema::Section& section, const char* key,
+                                 const TimedCsv& file) {
     const ColumnSource source = column_source(section, key, file.rules);
-    RegularSeries series = series_of(file, source.column);
+    input::RegularSeries series = series_of(file, source.column);
     for (double& value : series.values) value = value * source.factor + source.offset;
-    check_range(series, *find_key("weather.columns", key), file, source.column);
+    check_range(series, *schema::find_key("weather.columns", key), file, source.column);
     const int shift =
         static_cast<int>(source.at_end) - static_cast<int>(file.rules.at_end);
     series.axis.start -= std::chrono::seconds(shift * series.axis.step_s);
@@ -103,7 +104,7 @@ RegularSeries read_column(const Section& section, const char* key, const TimedCs
 }
 
 void append(Weather& weather, std::vector<double> Weather::* series,
-            const RegularSeries& part) {
+            const input::RegularSeries& part) {
     std::vector<double>& values = weather.*series;
     values.resize(static_cast<std::size_t>(weather.axis.n_steps), missing);
     for (int k = 0; k < part.axis.n_steps; ++k) {
@@ -130,9 +131,9 @@ void extend(Weather& weather, const physics::TimeAxis& axis, const std::string& 
         static_cast<int>((axis.end() - weather.axis.start).count() / weather.axis.step_s);
 }
 
-Weather read_csv_weather(const Section& section, InputFiles& files,
+Weather read_csv_weather(const schema::Section& section, input::InputFiles& files,
                          const physics::Site& site) {
-    const Section names = section.table("columns", "weather.columns");
+    const schema::Section names = section.table("columns", "weather.columns");
     names.node("outdoor_temperature");
     Weather weather;
     weather.site = site;
@@ -141,7 +142,7 @@ Weather read_csv_weather(const Section& section, InputFiles& files,
         bool first = true;
         for (const Column& column : columns) {
             if (!names.has(column.key)) continue;
-            const RegularSeries part = read_column(names, column.key, source);
+            const input::RegularSeries part = read_column(names, column.key, source);
             if (first) extend(weather, part.axis, source.csv->file);
             first = false;
             append(weather, column.series, part);
@@ -150,18 +151,20 @@ Weather read_csv_weather(const Section& section, InputFiles& files,
     return weather;
 }
 
-Weather read_epw_weather(const Section& section, InputFiles& files, const Section* site,
+Weather read_epw_weather(const schema::Section& section, input::InputFiles& files,
+                         const schema::Section* site,
                          std::vector<study::DataDecision>& decisions) {
-    EpwOptions options;
+    input::EpwOptions options;
     if (section.has("temperature"))
-        options.temperature = section.choice_as<TemperatureConvention>("temperature");
+        options.temperature =
+            section.choice_as<input::TemperatureConvention>("temperature");
     section.number_if("year", options.year);
-    std::vector<EpwText> texts;
+    std::vector<input::EpwText> texts;
     for (const std::string& file : section.texts("files")) {
         const std::filesystem::path path = section.path(file);
         texts.push_back({path.string(), files.text(path, section.where("files"))});
     }
-    EpwFile epw = parse_epw_chain(texts, options);
+    input::EpwFile epw = input::parse_epw_chain(texts, options);
     for (const std::string& sentence : epw.decisions)
         decisions.push_back({"weather", sentence, "as said"});
     if (site != nullptr) read_site(*site, epw.weather.site);
@@ -190,7 +193,7 @@ void cut(Weather& weather, const study::Case& building) {
 /// Short gaps become lines; longer ones are check_hours' matter.
 void fill(Weather& weather, int longest, std::vector<study::DataDecision>& decisions) {
     for (const Column& column : columns) {
-        const int n = fill_gaps(weather.*column.series, longest);
+        const int n = input::fill_gaps(weather.*column.series, longest);
         if (n > 0)
             decisions.push_back(
                 {fmt::format("weather {}", column.key),
@@ -216,7 +219,7 @@ const char* advice_on(const study::Period& period, const physics::TimeAxis& axis
     return "give more files, or choose another period";
 }
 
-void check_periods(const Section& section, const study::Case& building) {
+void check_periods(const schema::Section& section, const study::Case& building) {
     const physics::TimeAxis& axis = building.weather.axis;
     for (const study::Period& period : building.periods)
         if (period.from < axis.start || period.to > axis.end())
@@ -236,7 +239,7 @@ bool in_a_period(const study::Case& building, physics::Seconds time) {
 
 /// An hour without temperature or irradiance is an error in a period; before one it only
 /// keeps the warm-up from using the real hours.
-void check_hours(const Section& section, study::Case& building) {
+void check_hours(const schema::Section& section, study::Case& building) {
     Weather& weather = building.weather;
     const auto time_of = [&](std::size_t k) {
         return weather.axis.begin_of(static_cast<int>(k));
@@ -261,8 +264,8 @@ void check_hours(const Section& section, study::Case& building) {
     }
 }
 
-void read_any_weather(const Section& section, const Section* site, InputFiles& files,
-                      study::Case& building) {
+void read_any_weather(const schema::Section& section, const schema::Section* site,
+                      input::InputFiles& files, study::Case& building) {
     if (section.choice("format") == "epw") {
         building.weather = read_epw_weather(section, files, site, building.decisions);
         return;
@@ -283,8 +286,9 @@ void read_any_weather(const Section& section, const Section* site, InputFiles& f
 
 namespace {
 
-void read_weather_now(const Section& section, const std::optional<Section>& site,
-                      InputFiles& files, study::Case& building) {
+void read_weather_now(const schema::Section& section,
+                      const std::optional<schema::Section>& site,
+                      input::InputFiles& files, study::Case& building) {
     building.sky = section.choice_as<physics::SkyModel>("sky");
     read_any_weather(section, site ? &*site : nullptr, files, building);
     check_periods(section, building);
@@ -293,12 +297,13 @@ void read_weather_now(const Section& section, const std::optional<Section>& site
          building.decisions);
     check_hours(section, building);
     at_key(section, "files", [&] { physics::complete_irradiance(building.weather); });
-    check_weather_clock(building);
+    input::check_weather_clock(building);
 }
 
 /// What a weather is made of: contents of files, keys, hours that are needed.
-std::string key_of(const Section& section, const std::optional<Section>& site,
-                   InputFiles& files, const study::Case& building) {
+std::string key_of(const schema::Section& section,
+                   const std::optional<schema::Section>& site, input::InputFiles& files,
+                   const study::Case& building) {
     std::string key = text_of(section, "files") + (site ? text_of(*site) : "");
     key += fmt::format("{};", building.warm_up_hours);
     for (const study::Period& period : building.periods)
@@ -316,15 +321,16 @@ std::string key_of(const Section& section, const std::optional<Section>& site,
 
 }  // namespace
 
-void read_weather(const Sources& sources, InputFiles& files, study::Case& building) {
+void read_weather(const Sources& sources, input::InputFiles& files,
+                  study::Case& building) {
     if (!sources.has("weather")) sources.own.node("weather");
-    const Section section = sources.with("weather").table("weather", "weather");
-    std::optional<Section> site;
+    const schema::Section section = sources.with("weather").table("weather", "weather");
+    std::optional<schema::Section> site;
     if (sources.has("site")) site = sources.with("site").table("site", "site");
     if (!files.weathers) return read_weather_now(section, site, files, building);
     files.weathers->get(key_of(section, site, files, building), building,
                         [&](study::Case& made) {
-                            InputFiles own;
+                            input::InputFiles own;
                             read_weather_now(section, site, own, made);
                         });
 }

@@ -150,7 +150,7 @@ std::string refusal_of_name(Named kind, const std::string& name) {
     return {};
 }
 
-void check_name(const Section& section, std::string_view key, Named kind,
+void check_name(const schema::Section& section, std::string_view key, Named kind,
                 const std::string& name) {
     const std::string refusal = refusal_of_name(kind, name);
     if (refusal.empty()) return;

@@ -2,7 +2,7 @@
 /// parts the names of a result, and some names stand there already.
 #pragma once
 
-#include "job/section.hpp"
+#include "schema/section.hpp"
 
 #include <string>
 
@@ -14,7 +14,7 @@ enum class Named { building, study, period, meter };
 std::string refusal_of_name(Named kind, const std::string& name);
 
 /// Throws UserError at the key where the name is refused.
-void check_name(const Section& section, std::string_view key, Named kind,
+void check_name(const schema::Section& section, std::string_view key, Named kind,
                 const std::string& name);
 
 }  // namespace bemcal::job

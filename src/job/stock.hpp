@@ -9,8 +9,8 @@
 #pragma once
 
 #include "job/job.hpp"
-#include "job/section.hpp"
 #include "job/weather_memory.hpp"
+#include "schema/section.hpp"
 
 #include <memory>
 #include <string>
@@ -41,7 +41,6 @@ struct StockOptions {
     bool keep_results = false;  ///< every building's whole result as well
 };
 
-class InputFiles;
 
 class Stock {
   public:
@@ -57,13 +56,15 @@ class Stock {
 };
 
 /// [stock] of a job. A line that cannot be read keeps its complaint.
-std::shared_ptr<Stock> read_stock(const Section& section, InputFiles& files);
+std::shared_ptr<Stock> read_stock(const schema::Section& section,
+                                  input::InputFiles& files);
 
 /// The job that a table alone stands for.
 std::string job_text_of_table(const std::string& table);
 
 /// A job of this one building, with the stock's studies and random numbers of its own.
 /// Throws UserError as any job does.
-Job read_stock_building(const Job& stock_job, const StockLine& line, InputFiles& files);
+Job read_stock_building(const Job& stock_job, const StockLine& line,
+                        input::InputFiles& files);
 
 }  // namespace bemcal::job

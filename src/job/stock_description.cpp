@@ -1,7 +1,7 @@
 #include "job/stock_description.hpp"
 
 #include "base/error.hpp"
-#include "job/stock_readings.hpp"
+#include "input/stock_readings.hpp"
 #include "physics/calendar.hpp"
 
 #include <algorithm>
@@ -83,7 +83,7 @@ constexpr double large_building = 2e4;  ///< [m2] that are hardly one building
 
 class Writer {
   public:
-    Writer(const Stock& stock, const StockLine& line, InputFiles& files)
+    Writer(const Stock& stock, const StockLine& line, input::InputFiles& files)
         : stock_(stock), line_(line), files_(files) {}
 
     Description write() {
@@ -149,7 +149,7 @@ class Writer {
     void add_meter(const MeterKind& kind) {
         const std::string name = kind.name;
         const std::string column = word(name + "_column", line_.name);
-        const ReadingsLook look = look_at(files_.csv(path(name)), column);
+        const input::ReadingsLook look = input::look_at(files_.csv(path(name)), column);
         if (look.last_day.empty())
             fail(name,
                  fmt::format("{} has no reading of {}", path(name).string(), column));
@@ -176,7 +176,7 @@ class Writer {
     }
 
     /// By a year's gas of a square metre; says what the others would make of it.
-    std::string chosen_unit(const std::string& name, const ReadingsLook& look) {
+    std::string chosen_unit(const std::string& name, const input::ReadingsLook& look) {
         const double year = look.total / look.hours * 8760 / floor_area_;
         const auto oddity = [&](const GasUnit& unit) {
             return std::abs(std::log(std::max(year * unit.kwh, 1e-9) / usual_gas));
@@ -347,7 +347,7 @@ class Writer {
 
     const Stock& stock_;
     const StockLine& line_;
-    InputFiles& files_;
+    input::InputFiles& files_;
     double floor_area_ = 0;
     double mean_load_ = 10;  ///< [W/m2]
     int n_meters_ = 0;
@@ -358,7 +358,8 @@ class Writer {
 
 }  // namespace
 
-Description describe_line(const Stock& stock, const StockLine& line, InputFiles& files) {
+Description describe_line(const Stock& stock, const StockLine& line,
+                          input::InputFiles& files) {
     return Writer(stock, line, files).write();
 }
 

@@ -10,7 +10,7 @@
 /// begin and end. Use is that of offices; eleven parameters take up what that misses.
 #pragma once
 
-#include "job/input_files.hpp"
+#include "input/input_files.hpp"
 #include "job/stock.hpp"
 
 #include <vector>
@@ -23,6 +23,7 @@ struct Description {
 };
 
 /// Throws UserError with TABLE:LINE and the column.
-Description describe_line(const Stock& stock, const StockLine& line, InputFiles& files);
+Description describe_line(const Stock& stock, const StockLine& line,
+                          input::InputFiles& files);
 
 }  // namespace bemcal::job

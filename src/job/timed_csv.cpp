@@ -8,16 +8,17 @@ namespace bemcal::job {
 
 namespace {
 
-Clock clock_of(const Section& section) {
-    return section.has("clock") ? static_cast<Clock>(static_cast<int>(Clock::standard) +
-                                                     section.choice_as<int>("clock"))
-                                : Clock::unstated;
+input::Clock clock_of(const schema::Section& section) {
+    return section.has("clock")
+               ? static_cast<input::Clock>(static_cast<int>(input::Clock::standard) +
+                                           section.choice_as<int>("clock"))
+               : input::Clock::unstated;
 }
 
 }  // namespace
 
-StampRules stamp_rules(const Section& section, const physics::Site& site) {
-    StampRules rules;
+input::StampRules stamp_rules(const schema::Section& section, const physics::Site& site) {
+    input::StampRules rules;
     rules.at_end = section.choice("stamp") == "end";
     rules.clock = clock_of(section);
     rules.site_offset_h = site.utc_offset_h;
@@ -27,28 +28,30 @@ StampRules stamp_rules(const Section& section, const physics::Site& site) {
     return rules;
 }
 
-TimedCsv open_csv(const Section& section, const char* key, const std::string& file,
-                  InputFiles& files, const physics::Site& site, int fallback_step_s) {
+TimedCsv open_csv(const schema::Section& section, const char* key,
+                  const std::string& file, input::InputFiles& files,
+                  const physics::Site& site, int fallback_step_s) {
     TimedCsv source;
     source.csv = &files.csv(section.path(file), section.where(key));
     source.rules = stamp_rules(section, site);
     const std::string time = section.text("time");
     const std::size_t column = time.empty() ? 0 : source.csv->column(time);
-    source.stamps = stamps_in(*source.csv, column, source.rules, fallback_step_s);
+    source.stamps = input::stamps_in(*source.csv, column, source.rules, fallback_step_s);
     source.decimal = section.choice("decimal")[0];
     source.gaps_are_missing = section.choice("gaps") == "missing";
     return source;
 }
 
-RegularSeries series_of(const TimedCsv& source, const std::string& column) {
-    const Csv& csv = *source.csv;
-    RegularSeries series =
-        lay(csv, source.stamps, numbers_in(csv, csv.column(column), source.decimal));
-    if (!source.gaps_are_missing) refuse_gaps(csv, series);
+input::RegularSeries series_of(const TimedCsv& source, const std::string& column) {
+    const input::Csv& csv = *source.csv;
+    input::RegularSeries series = input::lay(
+        csv, source.stamps, input::numbers_in(csv, csv.column(column), source.decimal));
+    if (!source.gaps_are_missing) input::refuse_gaps(csv, series);
     return series;
 }
 
-RegularSeries hourly_means(const RegularSeries& series, const std::string& file) {
+input::RegularSeries hourly_means(const input::RegularSeries& series,
+                                  const std::string& file) {
     const int per_hour = 3600 / std::max(series.axis.step_s, 1);
     if (3600 % series.axis.step_s != 0)
         throw UserError(
@@ -64,7 +67,7 @@ RegularSeries hourly_means(const RegularSeries& series, const std::string& file)
                         "hour; check time, stamp and utc_offset",
                         file, physics::format_time(series.axis.start)));
     const auto last = std::chrono::floor<std::chrono::hours>(series.axis.end());
-    RegularSeries hours;
+    input::RegularSeries hours;
     hours.axis = {first, 3600, std::max(0, static_cast<int>((last - first).count()))};
     const int skipped = series.axis.step_of(first);
     for (int hour = 0; hour < hours.axis.n_steps; ++hour) {

@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/hash.hpp"
-#include "job/input_files.hpp"
+#include "input/input_files.hpp"
 
 #include <utility>
 
@@ -39,10 +39,10 @@ class PlaneMemory : public physics::PlaneSource {
     std::vector<Known> known_;
 };
 
-void add_text(const Node& node, std::string& text) {
+void add_text(const schema::Node& node, std::string& text) {
     node.used = true;
     text += fmt::format("{}:{}:{};", static_cast<int>(node.kind), node.text, node.number);
-    for (const Entry& entry : node.entries) {
+    for (const schema::Entry& entry : node.entries) {
         text += entry.key + "=";
         add_text(entry.node, text);
     }
@@ -95,14 +95,14 @@ std::string WeatherMemory::content_hash(const std::filesystem::path& path) {
         const auto known = hashes_.find(path.string());
         if (known != hashes_.end()) return known->second;
     }
-    std::string hash = file_hash(path);
+    std::string hash = input::file_hash(path);
     const std::scoped_lock lock(mutex_);
     return hashes_.emplace(path.string(), std::move(hash)).first->second;
 }
 
-std::string text_of(const Section& section, const std::string& without) {
+std::string text_of(const schema::Section& section, const std::string& without) {
     std::string text;
-    for (const Entry& entry : section.root().entries) {
+    for (const schema::Entry& entry : section.root().entries) {
         std::string part = entry.key + "=";
         add_text(entry.node, part);
         if (entry.key != without) text += part;

@@ -2,7 +2,7 @@
 /// share it: known by what their files hold and what the job says of them, not by name.
 #pragma once
 
-#include "job/section.hpp"
+#include "schema/section.hpp"
 #include "study/case.hpp"
 
 #include <filesystem>
@@ -36,6 +36,6 @@ class WeatherMemory {
 };
 
 /// All that a section says, but for one key; marked as if all of it had been read.
-std::string text_of(const Section& section, const std::string& without = "");
+std::string text_of(const schema::Section& section, const std::string& without = "");
 
 }  // namespace bemcal::job

@@ -1,10 +1,11 @@
 #include "run/run_job.hpp"
 
+#include "job/stages.hpp"
 #include "job/stock.hpp"
-#include "job/stock_stage.hpp"
-#include "physics/batch.hpp"
+#include "kernel/batch.hpp"
 #include "run/timer.hpp"
 #include "run/together.hpp"
+#include "stock/stage.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -110,12 +111,12 @@ void write_pages(const JobOptions& options, const fs::path& output,
 }
 
 /// The last night's records, and a line of identity for them.
-job::StockNight night_of(const JobOptions& options, double hours, Work& work) {
-    job::StockNight night;
+stock::StockNight night_of(const JobOptions& options, double hours, Work& work) {
+    stock::StockNight night;
     night.version = options.version;
     if (!options.last_night.empty()) {
         const store::ResultFile last = store::read_result(options.last_night, "stock");
-        night.before = job::records_in(last.datasets);
+        night.before = stock::records_in(last.datasets);
         if (night.before.empty())
             throw UserError(
                 ExitCode::data,
@@ -144,7 +145,7 @@ std::vector<std::unique_ptr<study::Stage>> stages_of(const job::Job& job,
     }
     std::vector<std::unique_ptr<study::Stage>> stages;
     stages.push_back(
-        job::make_stock_stage(job, night_of(options, job.stock->options.hours, work)));
+        stock::make_stock_stage(job, night_of(options, job.stock->options.hours, work)));
     return stages;
 }
 
@@ -158,7 +159,7 @@ store::ResultFile frame_of(const job::Job& job, const std::string& version) {
                         {"title", job.name},
                         {"job", job.text},
                         {"seed", std::to_string(job.seed)}};
-    frame.run["instruction_set"] = physics::name_of(physics::choose_instruction_set());
+    frame.run["instruction_set"] = kernel::name_of(kernel::choose_instruction_set());
     add_inputs(job, frame.datasets);
     for (const study::Case& building : job.buildings)
         add_decisions(building, frame.datasets);

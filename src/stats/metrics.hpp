@@ -16,7 +16,7 @@ struct FitMetrics {
     double rmse = 0;        ///< [unit of the meter]
 };
 
-/// From sums over pairs, see physics::ErrorSums.
+/// From sums over pairs, see kernel::ErrorSums.
 struct PairSums {
     double n = 0, error = 0, square = 0;
     double simulated = 0, simulated_square = 0, product = 0;

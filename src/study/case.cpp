@@ -31,11 +31,11 @@ double reading_at(const Meter& meter, physics::Seconds time) {
 }
 
 /// A cut first interval needs no care: its reading stands before the period.
-physics::Readings readings_of(const Meter& meter, const physics::TimeAxis& axis) {
+kernel::Readings readings_of(const Meter& meter, const physics::TimeAxis& axis) {
     if (meter.interval == physics::Interval::step && meter.axis.step_s != axis.step_s)
         throw std::invalid_argument("meter " + meter.name +
                                     " is read at another step than the simulation's");
-    physics::Readings readings{meter.quantity, meter.interval, {}};
+    kernel::Readings readings{meter.quantity, meter.interval, {}};
     readings.values.assign(physics::interval_bounds(axis, meter.interval).size() - 1,
                            missing);
     const std::vector<int> bounds = whole_intervals(axis, meter.interval);
@@ -124,8 +124,8 @@ physics::Drive drive_of(const Case& building, const physics::Building& variant,
     return drive;
 }
 
-std::vector<physics::Readings> readings_of(const Case& building, const Period& period) {
-    std::vector<physics::Readings> readings;
+std::vector<kernel::Readings> readings_of(const Case& building, const Period& period) {
+    std::vector<kernel::Readings> readings;
     readings.reserve(building.meters.size());
     for (const Meter& meter : building.meters)
         readings.push_back(readings_of(meter, axis_of(building, period)));

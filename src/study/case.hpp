@@ -2,7 +2,7 @@
 /// periods.
 #pragma once
 
-#include "physics/batch.hpp"
+#include "kernel/batch.hpp"
 #include "stats/prior.hpp"
 
 #include <memory>
@@ -86,6 +86,6 @@ physics::Drive drive_of(const Case& building, const Period& period);
 /// The same of a variant of the case's building.
 physics::Drive drive_of(const Case& building, const physics::Building& variant,
                         const Period& period);
-std::vector<physics::Readings> readings_of(const Case& building, const Period& period);
+std::vector<kernel::Readings> readings_of(const Case& building, const Period& period);
 
 }  // namespace bemcal::study

@@ -16,7 +16,7 @@ bool is_finer_than_month(physics::Interval interval) {
 }
 
 /// What is measured follows from the errors: measured = simulated - error.
-stats::PairSums pairs_of(const physics::ErrorSums& sums) {
+stats::PairSums pairs_of(const kernel::ErrorSums& sums) {
     stats::PairSums pairs;
     pairs.n = sums.n;
     pairs.error = sums.error;
@@ -32,7 +32,7 @@ stats::PairSums pairs_of(const physics::ErrorSums& sums) {
 }
 
 const stats::FitMetrics* metrics_at(stats::Resolution resolution,
-                                    const physics::Readings& readings,
+                                    const kernel::Readings& readings,
                                     const MeterFit& fit) {
     if (resolution == stats::Resolution::monthly) return &fit.monthly;
     return is_finer_than_month(readings.interval) ? &fit.own : nullptr;
@@ -91,7 +91,7 @@ class PlainRun {
 };
 
 MeterSeries series_of(const PlainRun& run, const physics::TimeAxis& axis,
-                      const physics::Readings& readings) {
+                      const kernel::Readings& readings) {
     const std::vector<int> bounds = physics::interval_bounds(axis, readings.interval);
     MeterSeries series;
     series.begins = begins_of(axis, readings.interval);
@@ -107,14 +107,14 @@ MeterSeries series_of(const PlainRun& run, const physics::TimeAxis& axis,
 
 }  // namespace
 
-MeterFit fit_of(const physics::Readings& readings, const physics::ErrorSums& own,
-                const physics::ErrorSums& monthly) {
+MeterFit fit_of(const kernel::Readings& readings, const kernel::ErrorSums& own,
+                const kernel::ErrorSums& monthly) {
     const stats::FitMetrics metrics = stats::metrics_of(pairs_of(own));
     if (!is_finer_than_month(readings.interval)) return {metrics, metrics};
     return {metrics, stats::metrics_of(pairs_of(monthly))};
 }
 
-bool meet_guideline_14(const std::vector<physics::Readings>& readings,
+bool meet_guideline_14(const std::vector<kernel::Readings>& readings,
                        const std::vector<MeterFit>& fits, stats::Resolution resolution) {
     bool any = false;
     for (std::size_t m = 0; m < fits.size(); ++m) {

@@ -30,12 +30,12 @@ struct MeterFit {
     stats::FitMetrics own;
     stats::FitMetrics monthly;
 };
-MeterFit fit_of(const physics::Readings& readings, const physics::ErrorSums& own,
-                const physics::ErrorSums& monthly);
+MeterFit fit_of(const kernel::Readings& readings, const kernel::ErrorSums& own,
+                const kernel::ErrorSums& monthly);
 
 /// Whether every meter that has readings meets ASHRAE Guideline 14: finer than monthly
 /// with the hourly limits, by month with the monthly ones.
-bool meet_guideline_14(const std::vector<physics::Readings>& readings,
+bool meet_guideline_14(const std::vector<kernel::Readings>& readings,
                        const std::vector<MeterFit>& fits, stats::Resolution resolution);
 
 /// Sum over meters of the squared CV(RMSE) at their own interval; NaN where a point

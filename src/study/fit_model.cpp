@@ -178,10 +178,10 @@ FitUnknown unknown_of(const physics::Parameter& parameter, const stats::Prior& p
 
 FitModel::FitModel(const physics::Building& building,
                    std::vector<physics::Parameter> parameters,
-                   const physics::Drive& drive, std::vector<physics::Channel> channels)
+                   const physics::Drive& drive, std::vector<kernel::Channel> channels)
     : parameters_(std::move(parameters)),
-      batch_(std::make_unique<physics::Batch>(building, parameters_, drive)),
-      response_(std::make_unique<physics::Response>(*batch_, std::move(channels))),
+      batch_(std::make_unique<kernel::Batch>(building, parameters_, drive)),
+      response_(std::make_unique<kernel::Response>(*batch_, std::move(channels))),
       first_{0},
       run_(response_->make_run()) {
     for (std::size_t c = 0; c < response_->channels().size(); ++c)

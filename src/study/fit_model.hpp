@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/matrix.hpp"
-#include "physics/response.hpp"
+#include "kernel/response.hpp"
 #include "stats/prior.hpp"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ FitUnknown unknown_of(const physics::Parameter& parameter, const stats::Prior& p
 
 /// Readings of all meters over a period, one after the other.
 struct Targets {
-    std::vector<physics::Channel> channels;
+    std::vector<kernel::Channel> channels;
     std::vector<std::size_t> first;  ///< [channels + 1] where a channel's begin
     std::vector<double> measured;    ///< NaN = missing
 
@@ -49,7 +49,7 @@ class FitModel {
     /// The building and the drive must outlive it. Channels may have no readings.
     FitModel(const physics::Building& building,
              std::vector<physics::Parameter> parameters, const physics::Drive& drive,
-             std::vector<physics::Channel> channels);
+             std::vector<kernel::Channel> channels);
 
     std::size_t n_parameters() const { return parameters_.size(); }
     std::size_t n_readings() const { return first_.back(); }
@@ -60,10 +60,10 @@ class FitModel {
 
   private:
     std::vector<physics::Parameter> parameters_;
-    std::unique_ptr<physics::Batch> batch_;
-    std::unique_ptr<physics::Response> response_;
+    std::unique_ptr<kernel::Batch> batch_;
+    std::unique_ptr<kernel::Response> response_;
     std::vector<std::size_t> first_;
-    mutable physics::Response::RunPointer run_;  ///< scratch: a model is of one thread
+    mutable kernel::Response::RunPointer run_;  ///< scratch: a model is of one thread
 };
 
 /// Where a fit stands: unknowns, predictions, their derivatives by the unknowns.

@@ -1,7 +1,7 @@
 /// Points simulated step by step, in one quantity: for what no sum over a period tells.
 #pragma once
 
-#include "physics/batch.hpp"
+#include "kernel/batch.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -24,7 +24,7 @@ class LaneSeries {
 /// Calls action(row, series) for each of the points [n x parameters]: power [W], or
 /// temperature [degC], in each of the period's steps. An impossible point has no sense.
 template <class Action>
-void for_each_series(const physics::Batch& batch, const Matrix& points,
+void for_each_series(const kernel::Batch& batch, const Matrix& points,
                      physics::Quantity quantity, int n_steps, Action action) {
     const auto lanes = static_cast<std::size_t>(batch.lanes());
     const auto n = static_cast<std::size_t>(n_steps);

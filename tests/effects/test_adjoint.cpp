@@ -1,8 +1,8 @@
 /// The way back through a simulation (physics/response.hpp), for the coefficient of every
 /// effect of the catalogue: against central differences.
 #include "effects/catalogue.hpp"
+#include "kernel/response_derivative.hpp"
 #include "office.hpp"
-#include "physics/response_derivative.hpp"
 
 #include <set>
 #include <string>
@@ -22,8 +22,8 @@ bool is_checked(const Effect& effect, const Office& office) {
     const Placed placed = place(std::span(&effect, 1), office.around);
     std::vector<physics::Parameter> parameters = placed.parameters;
     parameters[0].nominal = effect.typical;
-    const physics::Batch batch(placed.building, parameters, placed.drive);
-    const physics::Response response(batch, physics::test::some_channels());
+    const kernel::Batch batch(placed.building, parameters, placed.drive);
+    const kernel::Response response(batch, physics::test::some_channels());
     if (!response.is_differentiable()) return false;
     const auto run = response.make_run();
     physics::test::write_sensitivities(response, *run);

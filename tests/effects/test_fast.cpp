@@ -1,6 +1,6 @@
 #include "effects/catalogue.hpp"
+#include "kernel/batch.hpp"
 #include "office.hpp"
-#include "physics/batch.hpp"
 
 #include <set>
 
@@ -23,7 +23,7 @@ TEST(FastSimulation, SeesEveryEffectAsThePlainOneDoes) {
     for (const Effect& effect : named_candidates(office.around, meters)) {
         if (!seen.insert(effect.name).second) continue;
         const Placed placed = place(std::span(&effect, 1), office.around);
-        const physics::Batch batch(placed.building, placed.parameters, placed.drive);
+        const kernel::Batch batch(placed.building, placed.parameters, placed.drive);
         Matrix point(1, 1, effect.typical);
         const auto answer = batch.evaluate(point, {quantities, {}, {}})[0];
         ASSERT_EQ(answer.failure, "") << effect.name;

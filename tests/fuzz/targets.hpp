@@ -3,13 +3,13 @@
 #pragma once
 
 #include "base/error.hpp"
-#include "job/csv.hpp"
-#include "job/data_checks.hpp"
-#include "job/epw.hpp"
-#include "job/input_files.hpp"
-#include "job/series.hpp"
+#include "input/checks.hpp"
+#include "input/csv.hpp"
+#include "input/epw.hpp"
+#include "input/input_files.hpp"
+#include "input/series.hpp"
+#include "input/stamps.hpp"
 #include "job/small_office.hpp"
-#include "job/stamps.hpp"
 
 #include <string>
 
@@ -17,7 +17,7 @@ namespace bemcal::job {
 
 inline void try_job(const std::string& text) {
     static const std::string weather = small_weather(), readings = small_readings();
-    InputFiles files([&](const std::filesystem::path& path) -> std::string {
+    input::InputFiles files([&](const std::filesystem::path& path) -> std::string {
         if (path.filename() == "office.toml") return text;
         if (path.filename() == "weather.csv") return weather;
         if (path.filename() == "measured.csv") return readings;
@@ -30,17 +30,18 @@ inline void try_job(const std::string& text) {
 }
 
 inline void try_csv(const std::string& text) {
-    for (const Clock clock : {Clock::unstated, Clock::eu}) {
+    for (const input::Clock clock : {input::Clock::unstated, input::Clock::eu}) {
         try {
-            const Csv csv = parse_csv(text, "fuzz.csv");
-            StampRules rules;
+            const input::Csv csv = input::parse_csv(text, "fuzz.csv");
+            input::StampRules rules;
             rules.clock = clock;
-            rules.at_end = clock == Clock::eu;
-            const Stamps stamps = stamps_in(csv, 0, rules);
+            rules.at_end = clock == input::Clock::eu;
+            const input::Stamps stamps = input::stamps_in(csv, 0, rules);
             for (std::size_t column = 1; column < csv.columns.size(); ++column) {
-                RegularSeries series = lay(csv, stamps, numbers_in(csv, column));
-                check_series(series, physics::Quantity::electricity, {});
-                fill_gaps(series.values, 3);
+                input::RegularSeries series =
+                    input::lay(csv, stamps, input::numbers_in(csv, column));
+                input::check_series(series, physics::Quantity::electricity, {});
+                input::fill_gaps(series.values, 3);
             }
         } catch (const UserError&) {
         }
@@ -49,14 +50,14 @@ inline void try_csv(const std::string& text) {
 
 inline void try_epw(const std::string& text) {
     try {
-        parse_epw(text, "fuzz.epw");
+        input::parse_epw(text, "fuzz.epw");
     } catch (const UserError&) {
     }
 }
 
 inline void try_gzip(const std::string& bytes) {
     try {
-        unpack_gzip(bytes, "fuzz.gz");
+        input::unpack_gzip(bytes, "fuzz.gz");
     } catch (const UserError&) {
     }
 }

@@ -1,7 +1,7 @@
 /// scripts/case_to_job and scripts/run_case: every case at hand becomes a job that is
 /// read without a complaint.
-#include "job/plan.hpp"
 #include "job/small_office.hpp"
+#include "plan/plan.hpp"
 
 #include <cstdlib>
 

@@ -1,7 +1,7 @@
 /// The keys of a grid, and what bad ones get.
 #include "base/error.hpp"
-#include "job/document.hpp"
 #include "job/readers.hpp"
+#include "schema/document.hpp"
 #include "study/analytic_simulator.hpp"
 #include "study/small_case.hpp"
 
@@ -13,11 +13,11 @@ namespace {
 /// The study's section as a file of its own.
 struct GridText {
     explicit GridText(const std::string& text)
-        : tree(parse_document("kind = \"grid\"\n" + text, file)),
+        : tree(schema::parse_document("kind = \"grid\"\n" + text, file)),
           section(tree, "study", file) {}
     std::string file = "job.toml";
-    Node tree;
-    Section section;
+    schema::Node tree;
+    schema::Section section;
 };
 
 /// A small office with a plain parameter name and both meters.
@@ -63,7 +63,7 @@ TEST(GridStudyKeys, ReadTheGridItsTargetsAndItsDefaults) {
     EXPECT_EQ(spec.options.budget, 8000);
     ASSERT_EQ(spec.targets.size(), 2U);
     EXPECT_NEAR(spec.targets[0].measured[0], 12178.5, 1e-9);
-    EXPECT_EQ(spec.targets[1].output.statistic, study::Statistic::peak);
+    EXPECT_EQ(spec.targets[1].output.statistic, calibration::Statistic::peak);
     EXPECT_EQ(sentence_of(spec.options),
               "air 3 x set_point 3 = 9 points, then refined by itself: at most 8000 "
               "points in 10 stages");

@@ -1,7 +1,8 @@
 /// Whole jobs: what the sample becomes, and how sections, files and defaults meet.
 #include "job/job.hpp"
-#include "job/plan.hpp"
 #include "job/small_office.hpp"
+#include "job/stages.hpp"
+#include "plan/plan.hpp"
 
 #include <cmath>
 #include <set>
@@ -179,7 +180,7 @@ TEST(Plan, HasAStageForEachStudyWithANameOfItsOwn) {
     ASSERT_EQ(plan.size(), 2U);
     EXPECT_EQ(plan[0]->name(), "small_office/sensitivity");
     EXPECT_EQ(plan[0]->n_simulations(), 64 * (3 + 2));
-    const std::string text = plan_text(job, 2);
+    const std::string text = plan::plan_text(job, 2);
     for (const char* part : {"small_office/screening", "training: 2021-01-01",
                              "memory:", "output:", "on 2 cores", "the job's mask"})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
@@ -199,7 +200,7 @@ TEST(Plan, OfAJobWithoutStudiesSaysWhatIsMissing) {
     job.file = "office.toml";
     for (const bool is_check : {true, false}) {
         try {
-            is_check ? void(plan_text(job, 2)) : void(make_plan(job));
+            is_check ? void(plan::plan_text(job, 2)) : void(make_plan(job));
             FAIL() << "nothing was refused";
         } catch (const UserError& error) {
             EXPECT_EQ(error.exit_code(), ExitCode::config);

@@ -1,6 +1,7 @@
 /// Studies of kind "loop": what the keys become, and what is refused.
-#include "job/plan.hpp"
 #include "job/small_office.hpp"
+#include "job/stages.hpp"
+#include "plan/plan.hpp"
 
 #include <gtest/gtest.h>
 
@@ -42,7 +43,7 @@ TEST(LoopStudy, TakesEveryKey) {
         "most_loss = 0.5\nalpha = 0.05\nexclude = [\"wind infiltration\"]\n"
         "generic = false\ncolumns = [\"rain\"]"));
     ASSERT_EQ(job.studies[1].kind, StudyKind::loop);
-    const study::LoopOptions& options = job.studies[1].loop;
+    const loop::LoopOptions& options = job.studies[1].loop;
     EXPECT_EQ(options.period, "training");
     EXPECT_EQ(options.parameters, Texts{"infiltration"});
     EXPECT_EQ(options.meters, Texts{"air"});
@@ -63,8 +64,8 @@ TEST(LoopStudy, TakesEveryKey) {
 
 TEST(LoopStudy, HasTheDefaultsOfItsOptions) {
     const Folder folder;
-    const study::LoopOptions read = read_job(write_job(folder, "")).studies[1].loop;
-    const study::LoopOptions plain;
+    const loop::LoopOptions read = read_job(write_job(folder, "")).studies[1].loop;
+    const loop::LoopOptions plain;
     EXPECT_EQ(read.period, "");
     EXPECT_EQ(read.most_effects, plain.most_effects);
     EXPECT_EQ(read.try_structures, plain.try_structures);
@@ -101,7 +102,7 @@ TEST(LoopStudy, IsAStageOfItsNameAndSaysWhatItWillDo) {
     const Folder folder;
     const Job job = read_job(write_job(folder, "columns = [\"rain\"]\nmost_effects = 3"));
     EXPECT_TRUE(make_plan(job).back()->name().ends_with("loop"));
-    const std::string text = plan_text(job, 2);
+    const std::string text = plan::plan_text(job, 2);
     EXPECT_NE(text.find("at most 3 effects of the catalogue and beside it, which may "
                         "follow rain"),
               std::string::npos)

@@ -1,6 +1,6 @@
 /// Studies of kind "optimisation": what the keys become, and what is refused.
-#include "job/plan.hpp"
 #include "job/small_office.hpp"
+#include "plan/plan.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,10 +26,10 @@ TEST(OptimisationStudy, TakesEveryKey) {
         "meter_weights = [2]\nresolution = \"monthly\"\nevaluations = 300\n"
         "n_particles = 12\nrestart = false"));
     ASSERT_EQ(job.studies[1].kind, StudyKind::optimisation);
-    const study::OptimisationOptions& options = job.studies[1].optimisation;
-    EXPECT_EQ(options.method, study::OptimisationMethod::swarm_then_pattern);
-    EXPECT_EQ(options.objective, study::Objective::fraction);
-    EXPECT_EQ(options.resolution, study::ObjectiveResolution::monthly);
+    const calibration::OptimisationOptions& options = job.studies[1].optimisation;
+    EXPECT_EQ(options.method, calibration::OptimisationMethod::swarm_then_pattern);
+    EXPECT_EQ(options.objective, calibration::Objective::fraction);
+    EXPECT_EQ(options.resolution, calibration::ObjectiveResolution::monthly);
     EXPECT_EQ(options.parameters, Texts{"infiltration"});
     EXPECT_EQ(options.meters, Texts{"air"});
     EXPECT_EQ(options.cv_weight, 0.6);
@@ -39,7 +39,7 @@ TEST(OptimisationStudy, TakesEveryKey) {
     EXPECT_EQ(options.n_particles, 12);
     EXPECT_FALSE(options.restart);
     EXPECT_EQ(options.seed, job.seed);
-    EXPECT_NE(plan_text(job, 1).find("300"), std::string::npos);
+    EXPECT_NE(plan::plan_text(job, 1).find("300"), std::string::npos);
 }
 
 TEST(OptimisationStudy, TakesNsga2AndItsKeys) {
@@ -47,9 +47,9 @@ TEST(OptimisationStudy, TakesNsga2AndItsKeys) {
     const Job job = read_job(write_job(folder,
                                        "method = \"nsga2\"\nerrors = \"signed\"\n"
                                        "n_population = 20\nn_generations = 7"));
-    const study::OptimisationOptions& options = job.studies[1].optimisation;
-    EXPECT_EQ(options.method, study::OptimisationMethod::nsga2);
-    EXPECT_EQ(options.errors, study::MeterError::signed_);
+    const calibration::OptimisationOptions& options = job.studies[1].optimisation;
+    EXPECT_EQ(options.method, calibration::OptimisationMethod::nsga2);
+    EXPECT_EQ(options.errors, calibration::MeterError::signed_);
     EXPECT_EQ(options.n_population, 20);
     EXPECT_EQ(options.n_generations, 7);
 }
@@ -62,7 +62,7 @@ TEST(OptimisationStudy, TakesTargetsInPlaceOfMeters) {
                                        "unit = \"MWh\""));
     ASSERT_EQ(job.studies[1].grid.targets.size(), 1U);
     EXPECT_NEAR(job.studies[1].grid.targets[0].measured.at(0), 5000, 1e-9);
-    EXPECT_NE(plan_text(job, 1).find("300"), std::string::npos);
+    EXPECT_NE(plan::plan_text(job, 1).find("300"), std::string::npos);
 }
 
 struct Bad {

@@ -1,6 +1,7 @@
 /// Priors of parameters and studies of kind "posterior": what the keys become.
-#include "job/plan.hpp"
 #include "job/small_office.hpp"
+#include "job/stages.hpp"
+#include "plan/plan.hpp"
 
 #include <cmath>
 
@@ -79,7 +80,7 @@ TEST(PosteriorStudy, HasTheDefaultsOfTheSchema) {
     const Job job = job_with(infiltration_range, "kind = \"posterior\"");
     ASSERT_EQ(job.studies.size(), 2U);
     EXPECT_EQ(job.studies[1].kind, StudyKind::posterior);
-    const study::PosteriorOptions& options = job.studies[1].posterior;
+    const posterior::PosteriorOptions& options = job.studies[1].posterior;
     EXPECT_EQ(options.chains.seed, 7U);
     EXPECT_EQ(options.chains.n_chains, 16);
     EXPECT_EQ(options.chains.draws_per_round, 100);
@@ -92,7 +93,7 @@ TEST(PosteriorStudy, HasTheDefaultsOfTheSchema) {
     EXPECT_TRUE(options.residuals.autocorrelated);
     EXPECT_FALSE(options.residuals.discrepancy);
     EXPECT_EQ(options.n_predictive, 200);
-    EXPECT_EQ(options.pooling, study::Pooling::none);
+    EXPECT_EQ(options.pooling, posterior::Pooling::none);
 }
 
 TEST(PosteriorStudy, TakesEveryKey) {
@@ -106,7 +107,7 @@ TEST(PosteriorStudy, TakesEveryKey) {
         "pooling = \"partial\"\nreading_weight = 0.125\nlevel_change = 0.1\n"
         "lasting_weeks = 4\n"
         "proportional = false");
-    const study::PosteriorOptions& options = job.studies[1].posterior;
+    const posterior::PosteriorOptions& options = job.studies[1].posterior;
     EXPECT_EQ(options.period, "training");
     EXPECT_EQ(options.chains.n_chains, 4);
     EXPECT_EQ(options.chains.sampler.n_warm_up, 50);
@@ -128,7 +129,7 @@ TEST(PosteriorStudy, TakesEveryKey) {
     EXPECT_EQ(options.lasting_weeks, 4);
     EXPECT_FALSE(options.residuals.proportional);
     EXPECT_EQ(options.meters, std::vector<std::string>{"air"});
-    EXPECT_EQ(options.pooling, study::Pooling::partial);
+    EXPECT_EQ(options.pooling, posterior::Pooling::partial);
 }
 
 TEST(PosteriorStudy, IsAStageForEachBuildingOrOneForAll) {
@@ -140,7 +141,7 @@ TEST(PosteriorStudy, IsAStageForEachBuildingOrOneForAll) {
         const auto plan = make_plan(job);
         ASSERT_EQ(plan.size(), 2U);
         EXPECT_EQ(plan[1]->name(), is_pooled ? "posterior" : "small_office/posterior");
-        const std::string text = plan_text(job, 2);
+        const std::string text = plan::plan_text(job, 2);
         EXPECT_NE(text.find("it ends when it has converged"), std::string::npos) << text;
     }
 }

@@ -1,9 +1,9 @@
 /// Meters as published, where they are at hand: what the checks find in them, printed as
 /// a table.
-#include "job/data_checks.hpp"
-#include "job/input_files.hpp"
+#include "input/checks.hpp"
+#include "input/input_files.hpp"
+#include "input/stamps.hpp"
 #include "job/small_office.hpp"
-#include "job/stamps.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -25,16 +25,16 @@ class Checked {
         building.name = file.stem().string();
         building.weather.site = site;
         csv_ = &files_.csv(file);
-        StampRules rules;
+        input::StampRules rules;
         rules.at_end = at_end;
-        rules.clock = Clock::standard;
+        rules.clock = input::Clock::standard;
         rules.site_offset_h = rules.file_offset_h = site.utc_offset_h;
-        stamps_ = stamps_in(*csv_, 0, rules);
+        stamps_ = input::stamps_in(*csv_, 0, rules);
     }
     void add(const std::string& column, Quantity quantity) {
-        RegularSeries series =
-            lay(*csv_, stamps_, numbers_in(*csv_, csv_->column(column)));
-        for (const Finding& found : check_series(series, quantity, {}))
+        input::RegularSeries series =
+            input::lay(*csv_, stamps_, input::numbers_in(*csv_, csv_->column(column)));
+        for (const input::Finding& found : input::check_series(series, quantity, {}))
             building.decisions.push_back({column, found.finding, found.action});
         building.meters.push_back(
             {column, quantity, physics::Interval::hourly, series.axis, series.values});
@@ -60,9 +60,9 @@ class Checked {
     study::Case building;
 
   private:
-    InputFiles files_;
-    const Csv* csv_;
-    Stamps stamps_;
+    input::InputFiles files_;
+    const input::Csv* csv_;
+    input::Stamps stamps_;
 };
 
 bool is_here(const std::filesystem::path& path) {
@@ -74,9 +74,9 @@ TEST(RealMeters, CambridgesGasHasItsZeroFillsMasked) {
     if (!is_here(file)) GTEST_SKIP() << file << " is not here";
     Checked gas(file, {52.2, 0.12, 0});
     gas.add_all(Quantity::gas);
-    check_clocks(gas.building);
+    input::check_clocks(gas.building);
     std::vector<study::Case> buildings{gas.building};
-    check_shared_meters(buildings);
+    input::check_shared_meters(buildings);
     gas.building = buildings[0];
     gas.print();
     EXPECT_GE(gas.count("", "masked"), 8);
@@ -90,7 +90,7 @@ TEST(RealMeters, CambridgesElectricityHasFillsAndZerosMasked) {
     for (const char* name : {"b0", "b13", "b20", "b24", "b29", "b35", "b47", "b61", "b74",
                              "b77", "b82", "b96"})
         power.add(name, Quantity::electricity);
-    check_clocks(power.building);
+    input::check_clocks(power.building);
     power.print();
     EXPECT_EQ(power.count("b74", "masked"), 2);
     EXPECT_EQ(power.count("b24", "masked"), 0);
@@ -105,7 +105,7 @@ TEST(RealMeters, TartusHeatStandsWhereItsPeopleMove) {
         Checked heat(file, {58.38, 26.72, 2});
         heat.add("heat_kW", Quantity::district);
         heat.building.profiles.emplace_back().schedule.summer_time = "eu";
-        check_clocks(heat.building);
+        input::check_clocks(heat.building);
         heat.print();
         EXPECT_EQ(heat.count("", "a step by"), 0) << name;
         if (std::string_view(name) == "b11491") {
@@ -124,12 +124,12 @@ TEST(RealMeters, ThreeOthersShowWhatIsKnownOfThem) {
     EXPECT_EQ(research.count("elec_kWh", "masked"), 2);  // dropouts are zeros there
     Checked office(data / "phoenix_office" / "office_abigail.csv.gz", {33.4, -112.1, -7});
     office.add("elec_kWh", Quantity::electricity);
-    check_clocks(office.building);
+    input::check_clocks(office.building);
     office.print();
     EXPECT_TRUE(office.building.decisions.empty());
     Checked home(data / "uk_home" / "gas.csv.gz", {52, 0, 0});
     home.add("gas_kWh", Quantity::gas);
-    check_clocks(home.building);
+    input::check_clocks(home.building);
     home.print();
     EXPECT_EQ(home.count("", "begin an hour earlier"), 1);
     EXPECT_EQ(home.count("", "masked"), 0);
@@ -143,7 +143,7 @@ TEST(MadeCases, HaveNothingToCorrect) {
     for (const auto& folder : std::filesystem::directory_iterator(cases)) {
         Checked made(folder.path() / "measured.csv", {45, 10, 1}, true);
         ++n_cases;
-        InputFiles files;
+        input::InputFiles files;
         for (const std::string& column :
              files.csv(folder.path() / "measured.csv").columns) {
             if (column == "T_air_C") made.add(column, Quantity::air_temperature);
@@ -152,7 +152,7 @@ TEST(MadeCases, HaveNothingToCorrect) {
             if (column == "elec_kWh") made.add(column, Quantity::electricity);
             if (column == "gas_kWh") made.add(column, Quantity::gas);
         }
-        check_clocks(made.building);
+        input::check_clocks(made.building);
         for (const auto& decision : made.building.decisions)
             EXPECT_NE(decision.finding.find(" over 24 h"), std::string::npos)
                 << folder.path() << " " << decision.series << ": " << decision.finding;

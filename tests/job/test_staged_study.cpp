@@ -1,6 +1,6 @@
 /// Studies of kind "stages": what the keys become, and what is refused.
-#include "job/plan.hpp"
 #include "job/small_office.hpp"
+#include "plan/plan.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,11 +34,12 @@ TEST(StagedStudy, TakesEveryKey) {
             "parameters = [\"infiltration\"]\naround = 0.1\nobjective = \"percent\"\n"
             "set = {walls = 1.1}\n"
             "[[study.validation]]\nperiod = \"held_out\"\nstage = \"envelope\"\n"));
-    const study::StagedOptions& options = job.studies.at(1).staged;
+    const calibration::StagedOptions& options = job.studies.at(1).staged;
     ASSERT_EQ(job.studies[1].kind, StudyKind::stages);
     ASSERT_EQ(options.stages.size(), 2U);
-    const study::CalibrationStage &first = options.stages[0], &second = options.stages[1];
-    EXPECT_EQ(first.from, study::initial_values);
+    const calibration::CalibrationStage &first = options.stages[0],
+                                        &second = options.stages[1];
+    EXPECT_EQ(first.from, calibration::initial_values);
     EXPECT_EQ(first.periods, Texts{"training"});
     EXPECT_EQ(first.parameters, Texts{"infiltration"});
     ASSERT_EQ(first.ranges.size(), 1U);
@@ -47,7 +48,7 @@ TEST(StagedStudy, TakesEveryKey) {
     EXPECT_EQ(first.fit.seed, 9U);
     EXPECT_EQ(first.fit.meters, Texts{"air"});
     EXPECT_EQ(first.fit.meter_weights, std::vector<double>{2});
-    EXPECT_EQ(first.fit.objective, study::Objective::rmsd);
+    EXPECT_EQ(first.fit.objective, calibration::Objective::rmsd);
     EXPECT_FALSE(first.fit.restart);
     EXPECT_EQ(second.from, "envelope");
     EXPECT_EQ(second.around, 0.1);
@@ -56,13 +57,13 @@ TEST(StagedStudy, TakesEveryKey) {
     EXPECT_EQ(second.set[0].value, 1.1);
     EXPECT_EQ(second.fit.evaluations, 300U);
     EXPECT_EQ(second.fit.seed, job.seed);
-    EXPECT_EQ(second.fit.objective, study::Objective::percent);
+    EXPECT_EQ(second.fit.objective, calibration::Objective::percent);
     ASSERT_EQ(options.validation.size(), 1U);
     EXPECT_EQ(options.validation[0].stage, "envelope");
     EXPECT_EQ(options.beside, Texts{"belief"});
     EXPECT_EQ(options.at_once_evaluations, 77U);
     EXPECT_EQ(options.accuracy, 0.2);
-    EXPECT_NE(plan_text(job, 1).find("427"), std::string::npos);
+    EXPECT_NE(plan::plan_text(job, 1).find("427"), std::string::npos);
 }
 
 struct Bad {

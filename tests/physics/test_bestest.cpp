@@ -1,6 +1,6 @@
 /// BESTEST: the hourly method against published results of a continuous 5R1C in the same
 /// set-up, and against the acceptance limits of ASHRAE 140.
-#include "job/epw.hpp"
+#include "input/epw.hpp"
 #include "physics/bestest_cases.hpp"
 #include "physics/simulate.hpp"
 #include "support/csv_table.hpp"
@@ -18,7 +18,7 @@
 namespace bemcal::physics {
 namespace {
 
-using job::TemperatureConvention;
+using input::TemperatureConvention;
 
 struct Result {
     double heating = 0, cooling = 0;  ///< of the year [MWh]
@@ -51,7 +51,7 @@ class Bestest : public testing::Test {
     }
 
     Results run_all(TemperatureConvention convention) const {
-        const Weather weather = job::read_epw(weather_, {convention, 2021}).weather;
+        const Weather weather = input::read_epw(weather_, {convention, 2021}).weather;
         Results results;
         for (const test::BestestCase& bestest : test::bestest_cases())
             results[bestest.name] = run(bestest, weather);

@@ -1,7 +1,7 @@
 /// Numbers that follow from others: published examples, and the same numbers by hand.
+#include "kernel/response.hpp"
 #include "physics/derived.hpp"
 #include "physics/parameters.hpp"
-#include "physics/response.hpp"
 #include "support/simple_building.hpp"
 
 #include <gtest/gtest.h>
@@ -147,8 +147,8 @@ TEST(Derived, KnowsWhatFollows) {
     EXPECT_TRUE(follows("construction.wall.layer.brick.conductivity"));
     EXPECT_FALSE(follows("construction.wall.layer.brick.density"));
     EXPECT_FALSE(follows("zone.room.heat_capacity"));
-    EXPECT_FALSE(has_derivatives(building));
-    EXPECT_TRUE(has_derivatives(test::simple_building()));
+    EXPECT_FALSE(kernel::has_derivatives(building));
+    EXPECT_TRUE(kernel::has_derivatives(test::simple_building()));
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 ///
 /// Modelica Buildings library, ThermalZones.ISO13790.Examples.FreeFloating: days 100 to
 /// 110, 20 degC at the start, no warm-up.
-#include "job/epw.hpp"
+#include "input/epw.hpp"
 #include "physics/bestest_cases.hpp"
 #include "physics/simulate.hpp"
 #include "support/csv_table.hpp"
@@ -80,7 +80,7 @@ TEST(FreeFloating, FollowsTheContinuousNetworkThroughTenDaysOfChicago) {
     if (test::is_absent(epw)) GTEST_SKIP() << epw;
     if (test::is_absent(reference)) GTEST_SKIP() << reference;
     const Weather weather =
-        job::read_epw(epw, {job::TemperatureConvention::hour_mean, 2021}).weather;
+        input::read_epw(epw, {input::TemperatureConvention::hour_mean, 2021}).weather;
     const Building building = chicago_room();
     const Seconds from =
         weather.axis.start + std::chrono::seconds(static_cast<long long>(start_s));

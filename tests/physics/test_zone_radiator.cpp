@@ -1,8 +1,8 @@
 /// A zone heated by a radiator: against a power that is imposed, against itself at
 /// shorter steps, and the same through the batch.
-#include "physics/batch.hpp"
-#include "physics/plain_answer.hpp"
-#include "physics/response.hpp"
+#include "kernel/batch.hpp"
+#include "kernel/plain_answer.hpp"
+#include "kernel/response.hpp"
 #include "support/simple_building.hpp"
 
 #include <algorithm>
@@ -118,15 +118,15 @@ TEST(ZoneRadiator, RunsPlainInTheBatch) {
     power.targets = resolve(building, "zone.room.radiator.nominal_power");
     power.least = 500;
     power.most = 3000;
-    const Batch batch(building, {power}, drive);
-    EXPECT_TRUE(runs_plain(building));
-    EXPECT_FALSE(has_derivatives(building));
+    const kernel::Batch batch(building, {power}, drive);
+    EXPECT_TRUE(kernel::runs_plain(building));
+    EXPECT_FALSE(kernel::has_derivatives(building));
     Matrix points(3, 1);
     points.values = {500, 1500, 3000};
-    Request request;
+    kernel::Request request;
     request.annual = {Quantity::heating, Quantity::air_temperature};
-    const std::vector<PointAnswer> answers = batch.evaluate(points, request);
-    EXPECT_EQ(answers[1].annual, plain_answer(building, drive, request).annual);
+    const std::vector<kernel::PointAnswer> answers = batch.evaluate(points, request);
+    EXPECT_EQ(answers[1].annual, kernel::plain_answer(building, drive, request).annual);
     EXPECT_LT(answers[0].annual[1] + 1, answers[1].annual[1]);
     EXPECT_LT(answers[1].annual[0], answers[2].annual[0]);
 }

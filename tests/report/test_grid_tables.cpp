@@ -1,7 +1,7 @@
+#include "calibration/grid.hpp"
+#include "calibration/optimisation.hpp"
 #include "report/tables.hpp"
 #include "study/analytic_simulator.hpp"
-#include "study/grid.hpp"
-#include "study/optimisation.hpp"
 
 #include <regex>
 #include <sstream>
@@ -30,10 +30,11 @@ store::ResultFile result_of(const std::unique_ptr<study::Stage>& stage) {
     return result;
 }
 
-const std::vector<study::GridTarget> targets{{"power", 27.2, 0}, {"heat", 232.8, 0}};
+const std::vector<calibration::GridTarget> targets{{"power", 27.2, 0},
+                                                   {"heat", 232.8, 0}};
 
-study::GridOptions two_stages() {
-    study::GridOptions options;
+calibration::GridOptions two_stages() {
+    calibration::GridOptions options;
     options.grids = {{{"lights", {3, 4, 5, 6}},
                       {"devices", {4, 5, 6, 7, 8}},
                       {"air", {1, 3, 5}},
@@ -44,7 +45,7 @@ study::GridOptions two_stages() {
 }
 
 std::string grid_text(double fails_above = 1e9) {
-    return tables_of(result_of(study::make_grid(
+    return tables_of(result_of(calibration::make_grid(
         "house/grid", std::make_shared<AnalyticSimulator>(fails_above), two_stages())));
 }
 
@@ -84,25 +85,25 @@ TEST(GridTables, CountFailedPointsAndAreNoWiderThanAHundredColumns) {
 }
 
 TEST(OptimisationTables, OfTargetsSayThemTheirErrorsAndTheBestPoint) {
-    study::OptimisationOptions options;
+    calibration::OptimisationOptions options;
     options.evaluations = 600;
     options.parameters = {"lights", "air"};
-    const study::TargetAim aim{std::make_shared<AnalyticSimulator>(), targets, {}};
+    const calibration::TargetAim aim{std::make_shared<AnalyticSimulator>(), targets, {}};
     const std::string text =
-        tables_of(result_of(study::make_optimisation("house/best", aim, options)));
+        tables_of(result_of(calibration::make_optimisation("house/best", aim, options)));
     EXPECT_TRUE(has(text, "house/best: best of 600 evaluations")) << text;
     EXPECT_TRUE(has(text, "\n +power +27\\.2 +kWh +[-+][0-9.]+")) << text;
     EXPECT_TRUE(has(text, "\n +lights +[0-9.]+ +-")) << text;
 }
 
 TEST(OptimisationTables, OfNsga2ShowTheFront) {
-    study::OptimisationOptions options;
-    options.method = study::OptimisationMethod::nsga2;
+    calibration::OptimisationOptions options;
+    options.method = calibration::OptimisationMethod::nsga2;
     options.n_population = 12;
     options.n_generations = 5;
-    const study::TargetAim aim{std::make_shared<AnalyticSimulator>(), targets, {}};
+    const calibration::TargetAim aim{std::make_shared<AnalyticSimulator>(), targets, {}};
     const std::string text =
-        tables_of(result_of(study::make_optimisation("house/front", aim, options)));
+        tables_of(result_of(calibration::make_optimisation("house/front", aim, options)));
     EXPECT_TRUE(has(text, "front of [0-9]+ points")) << text;
     EXPECT_TRUE(has(text, "power \\[%\\] +heat \\[%\\]")) << text;
 }

@@ -2,7 +2,7 @@
 # The kernels for AVX, AVX2 and AVX-512 have no weak symbols, and the check itself finds one elsewhere.
 set -eu
 root=$(dirname "$0")/../..
-objects=$BEMCAL_BUILD/CMakeFiles/bemcal_physics.dir/src/physics
+objects=$BEMCAL_BUILD/CMakeFiles/bemcal_kernel.dir/src/kernel
 if nm "$objects/kernel_v3.cpp.o" | grep -q asan; then
   echo "sanitizers add weak symbols of their own: skipped"
   exit 77

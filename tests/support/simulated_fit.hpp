@@ -1,10 +1,10 @@
 /// A fit to data that the model itself made, of unknowns drawn from their priors.
 #pragma once
 
+#include "posterior/posterior_density.hpp"
+#include "posterior/posterior_results.hpp"
 #include "sampling/normal.hpp"
 #include "study/points.hpp"
-#include "study/posterior_density.hpp"
-#include "study/posterior_results.hpp"
 #include "support/ranked_fit.hpp"
 
 #include <cmath>
@@ -28,37 +28,38 @@ inline study::Meter empty_meter(const study::Case& building, physics::Quantity q
 class FitOfSimulatedData {
   public:
     /// The case has meters without readings.
-    FitOfSimulatedData(study::Case described, study::PosteriorOptions options)
+    FitOfSimulatedData(study::Case described, posterior::PosteriorOptions options)
         : case_(std::move(described)), options_(std::move(options)) {
         for (const study::Meter& meter : case_.meters)
             choice_.names.push_back(meter.name);
         choice_.residuals = options_.residuals;
-        choice_.scales = study::nominal_scales(model());
+        choice_.scales = posterior::nominal_scales(model());
     }
 
     SimulatedFit run(std::uint64_t seed, int n_draws, int n_ranks) const {
         Stream random(seed, 1, 0);
-        const auto space = study::space_of(model());
+        const auto space = posterior::space_of(model());
         const std::vector<double> truth = space->draw_position(random);
-        auto parts = std::make_shared<study::PosteriorParts>();
+        auto parts = std::make_shared<posterior::PosteriorParts>();
         parts->buildings.push_back(with_data(*space, truth, random));
         parts->space = space;
-        parts->arrangement = study::make_arrangement(study::Pooling::none, space, {});
-        const auto density = study::make_posterior_density(parts);
+        parts->arrangement =
+            posterior::make_arrangement(posterior::Pooling::none, space, {});
+        const auto density = posterior::make_posterior_density(parts);
         const Matrix draws = draws_of(*density, options_.chains.sampler,
                                       {seed, options_.chains.n_chains, n_draws});
         return ranked(names_of(*space), truth, draws, n_ranks);
     }
 
   private:
-    std::unique_ptr<study::BuildingModel> with_data(const study::Space& space,
-                                                    const std::vector<double>& truth,
-                                                    Stream& random) const {
+    std::unique_ptr<posterior::BuildingModel> with_data(const study::Space& space,
+                                                        const std::vector<double>& truth,
+                                                        Stream& random) const {
         std::vector<double> values(space.size());
         space.read(truth, values);
         Matrix point(1, case_.parameters.size());
         std::copy_n(values.begin(), point.cols, point.values.begin());
-        const study::BuildingModel empty = model();
+        const posterior::BuildingModel empty = model();
         study::Case filled = case_;
         std::size_t first = point.cols;
         const auto predictions = empty.predict(point);
@@ -71,7 +72,8 @@ class FitOfSimulatedData {
                 std::span(values).subspan(first, meter.unknowns.size()), normals);
             first += meter.unknowns.size();
         }
-        return std::make_unique<study::BuildingModel>(filled, filled.periods[0], choice_);
+        return std::make_unique<posterior::BuildingModel>(filled, filled.periods[0],
+                                                          choice_);
     }
 
     static std::vector<std::string> names_of(const study::Space& space) {
@@ -81,13 +83,13 @@ class FitOfSimulatedData {
         return names;
     }
 
-    study::BuildingModel model() const {
-        return study::BuildingModel(case_, case_.periods[0], choice_);
+    posterior::BuildingModel model() const {
+        return posterior::BuildingModel(case_, case_.periods[0], choice_);
     }
 
     study::Case case_;
-    study::PosteriorOptions options_;
-    study::MeterChoice choice_;
+    posterior::PosteriorOptions options_;
+    posterior::MeterChoice choice_;
 };
 
 }  // namespace bemcal::test

@@ -1,0 +1,223 @@
+/// A round is a stage's grid; an item is a run of its points. What a round needs is the
+/// grid itself.
+#include "calibration/grid.hpp"
+
+#include "calibration/grid_results.hpp"
+#include "calibration/grid_rounds.hpp"
+#include "study/failures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace bemcal::calibration {
+namespace {
+
+std::size_t index_of(const std::vector<study::Output>& outputs, const std::string& name) {
+    const auto found = std::ranges::find(outputs, name, &study::Output::name);
+    if (found == outputs.end())
+        throw std::invalid_argument(
+            fmt::format("the simulator has no output \"{}\"", name));
+    return static_cast<std::size_t>(found - outputs.begin());
+}
+
+/// Where the points of a round begin, then each axis with its size before it.
+std::vector<double> pack(std::size_t first_point, const Grid& grid) {
+    std::vector<double> packed{static_cast<double>(first_point)};
+    for (const auto& axis : grid) {
+        packed.push_back(static_cast<double>(axis.size()));
+        packed.insert(packed.end(), axis.begin(), axis.end());
+    }
+    return packed;
+}
+
+Grid unpack(const std::vector<double>& packed) {
+    Grid grid;
+    for (auto at = packed.begin() + 1; at != packed.end();) {
+        const auto size = static_cast<std::ptrdiff_t>(*at++);
+        grid.emplace_back(at, at + size);
+        at += size;
+    }
+    return grid;
+}
+
+class GridStudy : public study::Stage {
+  public:
+    GridStudy(std::string name, std::shared_ptr<const study::Simulator> simulator,
+              const GridOptions& options)
+        : name_(std::move(name)),
+          simulator_(std::move(simulator)),
+          beginning_(simulator_->parameters(), options),
+          grid_(beginning_.first_grid()) {
+        for (const GridTarget& target : options.targets)
+            columns_.push_back(index_of(simulator_->outputs(), target.output));
+    }
+
+    std::string name() const override { return name_; }
+    int n_items() const override { return n_items_of(beginning_.first_grid()); }
+    /// Of the grids that are given.
+    long long n_simulations() const override {
+        std::size_t n = 0;
+        for (const NamedGrid& named : options().grids)
+            n += size_of(grid_of(simulator_->parameters(), named));
+        return static_cast<long long>(n);
+    }
+    std::size_t answer_bytes() const override {
+        return options().points_per_item * columns_.size() * sizeof(double);
+    }
+    study::ItemAnswer run(int item) const override;
+    std::optional<study::Round> next_round(
+        const std::vector<study::ItemAnswer>& answers) const override;
+    void begin_round(int first_item, const study::Round& round) override {
+        first_item_ = first_item;
+        first_point_ = static_cast<std::size_t>(round.needed.at(0));
+        grid_ = unpack(round.needed);
+    }
+    std::vector<study::Dataset> conclude(
+        const std::vector<study::ItemAnswer>& answers) const override;
+    bool failures_may_pass() const override { return simulator_->failures_may_pass(); }
+    std::string shortfall(const std::vector<study::ItemAnswer>& answers) const override;
+
+  private:
+    const GridOptions& options() const { return beginning_.options(); }
+    int n_items_of(const Grid& grid) const {
+        const std::size_t n = options().points_per_item;
+        return static_cast<int>((size_of(grid) + n - 1) / n);
+    }
+    GridRounds followed(const std::vector<study::ItemAnswer>& answers) const;
+    Matrix outputs_of(const std::vector<study::ItemAnswer>& answers,
+                      std::size_t first_item, std::size_t n_points) const;
+    std::vector<study::Failure> failures_of(const std::vector<study::ItemAnswer>& answers,
+                                            const GridRounds& rounds) const;
+
+    std::string name_;
+    std::shared_ptr<const study::Simulator> simulator_;
+    GridRounds beginning_;              ///< without a stage
+    std::vector<std::size_t> columns_;  ///< of the targets among the outputs
+    Grid grid_;                         ///< of the round
+    int first_item_ = 0;
+    std::size_t first_point_ = 0;
+};
+
+study::ItemAnswer GridStudy::run(int item) const {
+    const auto block = static_cast<std::size_t>(item - first_item_);
+    const std::size_t first = block * options().points_per_item;
+    const std::size_t n = std::min(options().points_per_item, size_of(grid_) - first);
+    Matrix outputs;
+    std::vector<std::string> failures;
+    simulator_->evaluate(points_of(grid_, first, n), outputs, failures);
+    study::ItemAnswer answer;
+    answer.values.reserve(n * columns_.size());
+    for (std::size_t r = 0; r < n; ++r) {
+        for (const std::size_t column : columns_)
+            answer.values.push_back(outputs(r, column));
+    }
+    answer.failures = study::failures_of_points(failures, first_point_ + first);
+    return answer;
+}
+
+/// The rows of a stage; NaN where an item failed.
+Matrix GridStudy::outputs_of(const std::vector<study::ItemAnswer>& answers,
+                             std::size_t first_item, std::size_t n_points) const {
+    Matrix outputs(n_points, columns_.size(), std::numeric_limits<double>::quiet_NaN());
+    const std::size_t step = options().points_per_item * columns_.size();
+    for (std::size_t at = 0, item = first_item; at < outputs.values.size();
+         at += step, ++item)
+        std::ranges::copy(answers.at(item).values,
+                          outputs.values.begin() + static_cast<std::ptrdiff_t>(at));
+    return outputs;
+}
+
+/// The stages that the answers are of.
+GridRounds GridStudy::followed(const std::vector<study::ItemAnswer>& answers) const {
+    GridRounds rounds = beginning_;
+    std::optional<Grid> grid = rounds.first_grid();
+    for (std::size_t item = 0; item < answers.size() && grid;) {
+        const auto n_items = static_cast<std::size_t>(n_items_of(*grid));
+        Matrix outputs = outputs_of(answers, item, size_of(*grid));
+        rounds.add(std::move(*grid), std::move(outputs));
+        item += n_items;
+        if (item < answers.size()) grid = rounds.next().grid;
+    }
+    return rounds;
+}
+
+std::optional<study::Round> GridStudy::next_round(
+    const std::vector<study::ItemAnswer>& answers) const {
+    const GridRounds rounds = followed(answers);
+    const auto next = rounds.next();
+    if (!next.grid) return std::nullopt;
+    return study::Round{n_items_of(*next.grid), pack(rounds.n_points(), *next.grid)};
+}
+
+/// A point's own, and of each item that failed as a whole its points.
+std::vector<study::Failure> GridStudy::failures_of(
+    const std::vector<study::ItemAnswer>& answers, const GridRounds& rounds) const {
+    std::vector<study::Failure> failures;
+    std::size_t item = 0;
+    for (const GridStage& stage : rounds.stages()) {
+        const std::size_t n = stage.outputs.rows, step = options().points_per_item;
+        for (std::size_t first = 0; first < n; first += step, ++item)
+            study::append_failures(answers.at(item),
+                                   {stage.first_point + first, std::min(step, n - first)},
+                                   failures);
+    }
+    return failures;
+}
+
+std::vector<study::Dataset> GridStudy::conclude(
+    const std::vector<study::ItemAnswer>& answers) const {
+    const GridRounds rounds = followed(answers);
+    std::vector<std::string> units;
+    units.reserve(columns_.size());
+    for (const std::size_t column : columns_)
+        units.push_back(simulator_->outputs()[column].unit);
+    return grid_datasets(name_, rounds, units, failures_of(answers, rounds));
+}
+
+std::string GridStudy::shortfall(const std::vector<study::ItemAnswer>& answers) const {
+    const GridRounds rounds = followed(answers);
+    const GridStage* best = rounds.best();
+    if (best == nullptr) return "no point was answered";
+    const double error = best->error(best->nearest());
+    if (options().target_error == 0 || error <= options().target_error) return {};
+    return fmt::format(
+        "the nearest of {} points is {:.3g} % off, more than target_error "
+        "= {:g} %: {}",
+        rounds.n_points(), error, options().target_error, rounds.next().reason);
+}
+
+}  // namespace
+
+Grid grid_of(const std::vector<physics::Parameter>& parameters, const NamedGrid& named) {
+    Grid grid;
+    grid.reserve(parameters.size());
+    for (const physics::Parameter& parameter : parameters)
+        grid.push_back({parameter.nominal});
+    for (const auto& [name, values] : named) {
+        const auto found = std::ranges::find(parameters, name, &physics::Parameter::name);
+        if (found == parameters.end())
+            throw std::invalid_argument(fmt::format("there is no parameter {}", name));
+        std::vector<double> axis = values;
+        std::ranges::sort(axis);
+        const bool is_good =
+            !axis.empty() && std::ranges::adjacent_find(axis) == axis.end() &&
+            std::ranges::all_of(axis, [](double x) { return std::isfinite(x); });
+        if (!is_good)
+            throw std::invalid_argument(fmt::format(
+                "the values of {} are none, or one stands there twice", name));
+        grid[static_cast<std::size_t>(found - parameters.begin())] = std::move(axis);
+    }
+    return grid;
+}
+
+std::unique_ptr<study::Stage> make_grid(std::string name,
+                                        std::shared_ptr<const study::Simulator> simulator,
+                                        const GridOptions& options) {
+    return std::make_unique<GridStudy>(std::move(name), std::move(simulator), options);
+}
+
+}  // namespace bemcal::calibration

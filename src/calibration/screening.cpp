@@ -1,0 +1,142 @@
+/// Items are runs of points. With keep_points an answer holds the row of every point,
+/// without it the item's ranking only, so that neither answers nor result grow with the
+/// sample.
+#include "calibration/screening.hpp"
+
+#include "calibration/screening_plan.hpp"
+#include "stats/sobol_sequence.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace bemcal::calibration {
+namespace {
+
+bool have_reading(const std::vector<kernel::Readings>& readings) {
+    return std::ranges::any_of(readings, [](const kernel::Readings& meter) {
+        return study::has_reading(meter.values);
+    });
+}
+
+class Screening : public study::Stage {
+  public:
+    Screening(std::string name, const study::Case& building,
+              const ScreeningOptions& options)
+        : plan_(std::move(name), building, options) {}
+
+    std::string name() const override { return plan_.name; }
+    int n_items() const override { return static_cast<int>(plan_.n_items()); }
+    long long n_simulations() const override {
+        return static_cast<long long>(plan_.n_points() * plan_.models.size());
+    }
+    std::size_t answer_bytes() const override {
+        const auto& options = plan_.options;
+        const std::size_t n_rows =
+            options.keep_points ? options.points_per_item : options.n_best;
+        return sizeof(double) * n_rows * plan_.layout.width();
+    }
+    study::ItemAnswer run(int item) const override;
+    std::vector<study::Dataset> conclude(
+        const std::vector<study::ItemAnswer>& answers) const override {
+        return conclude_screening(plan_, answers);
+    }
+
+  private:
+    void evaluate(std::size_t period, const Matrix& points, Matrix& rows,
+                  std::vector<std::string>& reasons) const;
+
+    ScreeningPlan plan_;
+};
+
+/// Fills the period's part of every row; adds the reasons of points that failed.
+void Screening::evaluate(std::size_t period, const Matrix& points, Matrix& rows,
+                         std::vector<std::string>& reasons) const {
+    const PeriodModel& model = *plan_.models[period];
+    const auto& readings = model.request.readings;
+    const auto answers = model.batch.evaluate(points, model.request);
+    std::vector<study::MeterFit> fits(readings.size());
+    for (std::size_t r = 0; r < answers.size(); ++r) {
+        const kernel::PointAnswer& answer = answers[r];
+        if (reasons[r].empty()) reasons[r] = answer.failure;
+        if (!answer.failure.empty()) continue;
+        for (std::size_t m = 0; m < readings.size(); ++m)
+            fits[m] =
+                study::fit_of(readings[m], answer.errors[m], answer.monthly_errors[m]);
+        write_fits(plan_.layout, period, readings, fits, rows.row(r));
+    }
+}
+
+study::ItemAnswer Screening::run(int item) const {
+    const auto index = static_cast<std::size_t>(item);
+    const std::size_t first = plan_.first_of(index);
+    const Matrix points = plan_.points(first, plan_.size_of(index));
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    Matrix rows(points.rows, plan_.layout.width(), nan);
+    std::vector<std::string> reasons(points.rows);
+    for (std::size_t period = 0; period < plan_.models.size(); ++period)
+        evaluate(period, points, rows, reasons);
+    study::ItemAnswer answer;
+    for (std::size_t r = 0; r < points.rows; ++r) {
+        if (reasons[r].empty()) continue;
+        answer.failures.push_back({static_cast<long long>(first + r), reasons[r]});
+        std::ranges::fill(rows.row(r), nan);
+    }
+    if (plan_.options.keep_points) {
+        answer.values = std::move(rows.values);
+        return answer;
+    }
+    Ranking ranking(plan_.layout, plan_.options.n_best);
+    ranking.add_rows(static_cast<long long>(first), rows.values);
+    answer.values = ranking.pack();
+    return answer;
+}
+
+}  // namespace
+
+PeriodModel::PeriodModel(const study::Case& building, const study::Period& period)
+    : drive(study::drive_of(building, period)),
+      batch(building.building, building.parameters, drive),
+      request{{}, {}, study::readings_of(building, period)} {}
+
+ScreeningPlan::ScreeningPlan(std::string stage, const study::Case& given,
+                             const ScreeningOptions& chosen)
+    : name(std::move(stage)),
+      building(given),
+      options(chosen),
+      layout{given.periods.size(), given.meters.size()} {
+    for (const study::Period& period : building.periods)
+        models.push_back(std::make_unique<PeriodModel>(building, period));
+    if (models.empty() || !have_reading(models[0]->request.readings))
+        throw std::invalid_argument("no meter has a reading in the first period");
+}
+
+std::size_t ScreeningPlan::n_items() const {
+    return (n_points() + options.points_per_item - 1) / options.points_per_item;
+}
+
+std::size_t ScreeningPlan::size_of(std::size_t item) const {
+    return std::min(options.points_per_item, n_points() - first_of(item));
+}
+
+Matrix ScreeningPlan::points(std::size_t first, std::size_t n) const {
+    const std::size_t n_nominal = first == 0 && n > 0 ? 1 : 0;
+    const int dimension = static_cast<int>(building.parameters.size());
+    Matrix sample = study::in_ranges(
+        stats::scrambled_sobol_points(first + n_nominal - 1, n - n_nominal, dimension,
+                                      options.seed),
+        building.parameters);
+    if (n_nominal == 0) return sample;
+    const std::vector<double> nominal = study::nominal_point(building.parameters);
+    sample.values.insert(sample.values.begin(), nominal.begin(), nominal.end());
+    sample.rows += 1;
+    return sample;
+}
+
+std::unique_ptr<study::Stage> make_screening(std::string name,
+                                             const study::Case& building,
+                                             const ScreeningOptions& options) {
+    return std::make_unique<Screening>(std::move(name), building, options);
+}
+
+}  // namespace bemcal::calibration

@@ -1,0 +1,146 @@
+#include "calibration/staged_goal.hpp"
+
+#include "calibration/meter_goal.hpp"
+#include "physics/interval_hours.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace bemcal::calibration {
+namespace {
+
+/// Sums over periods taken together.
+void add(const kernel::ErrorSums& some, kernel::ErrorSums& all) {
+    using Sums = kernel::ErrorSums;
+    for (double Sums::* part :
+         {&Sums::n, &Sums::error, &Sums::square, &Sums::simulated,
+          &Sums::simulated_square, &Sums::product, &Sums::n_relative, &Sums::relative})
+        all.*part += some.*part;
+}
+
+bool is_read(const std::vector<kernel::Request>& requests, std::size_t meter) {
+    return std::ranges::any_of(requests, [&](const kernel::Request& request) {
+        return study::has_reading(request.readings[meter].values);
+    });
+}
+
+/// Meters of that name, or all that are read.
+std::vector<std::size_t> chosen_meters(const study::Case& building,
+                                       const CalibrationStage& stage,
+                                       const std::vector<kernel::Request>& requests) {
+    const auto& names = stage.fit.meters;
+    std::vector<std::size_t> chosen;
+    for (std::size_t m = 0; m < building.meters.size(); ++m)
+        if (names.empty()
+                ? is_read(requests, m)
+                : std::ranges::find(names, building.meters[m].name) != names.end())
+            chosen.push_back(m);
+    if (chosen.empty() || (!names.empty() && chosen.size() != names.size()))
+        throw std::invalid_argument("the stage " + stage.name +
+                                    " has no such meters in " + building.name);
+    return chosen;
+}
+
+/// The requests for these meters only.
+std::vector<kernel::Request> cut(const std::vector<kernel::Request>& requests,
+                                 const std::vector<std::size_t>& meters) {
+    std::vector<kernel::Request> some(requests.size());
+    for (std::size_t p = 0; p < requests.size(); ++p)
+        for (const std::size_t m : meters)
+            some[p].readings.push_back(requests[p].readings[m]);
+    return some;
+}
+
+/// Of what the stage calibrates; the others have no part.
+std::vector<stats::Prior> counted_priors(const study::Case& building,
+                                         const CalibrationStage& stage) {
+    std::vector<stats::Prior> priors(building.parameters.size(),
+                                     {stats::PriorKind::fixed});
+    if (stage.independent_hours <= 0) return priors;
+    for (std::size_t k = 0; k < building.priors.size(); ++k)
+        if (building.priors[k].values.empty() &&
+            std::ranges::find(stage.parameters, building.parameters[k].name) !=
+                stage.parameters.end())
+            priors[k] = building.priors[k].prior;
+    return priors;
+}
+
+}  // namespace
+
+StageGoal::StageGoal(const study::Case& building, const PeriodModels& models,
+                     const CalibrationStage& stage)
+    : fit_(stage.fit), priors_(counted_priors(building, stage)) {
+    std::vector<kernel::Request> requests;
+    for (const std::string& name : stage.periods) {
+        batches_.push_back(&models.at(name)->batch);
+        requests.push_back(models.at(name)->request);
+    }
+    meters_ = chosen_meters(building, stage, requests);
+    requests_ = cut(requests, meters_);
+    for (const std::size_t m : meters_) {
+        const double hours = hours_of(building.meters[m].interval, building.step_s);
+        share_.push_back(stage.independent_hours > 0
+                             ? std::min(1.0, hours / stage.independent_hours)
+                             : 1);
+    }
+    for (std::size_t p = 0; p < stage.periods.size(); ++p)
+        for (std::size_t m = 0; m < meters_.size(); ++m)
+            if (!study::has_reading(requests_[p].readings[m].values))
+                throw std::invalid_argument("the meter " +
+                                            building.meters[meters_[m]].name +
+                                            " has no reading in " + stage.periods[p] +
+                                            ", a period of the stage " + stage.name);
+    if (!fit_.meter_weights.empty() && fit_.meter_weights.size() != meters_.size())
+        throw std::invalid_argument("the stage " + stage.name +
+                                    " needs a weight for each of its meters");
+}
+
+double StageGoal::objective_of(
+    const std::vector<const kernel::PointAnswer*>& answers) const {
+    double sum = 0;
+    for (std::size_t m = 0; m < meters_.size(); ++m) {
+        kernel::ErrorSums own, monthly;
+        for (const kernel::PointAnswer* answer : answers) {
+            add(answer->errors[m], own);
+            add(answer->monthly_errors[m], monthly);
+        }
+        const study::MeterFit fit = study::fit_of(requests_[0].readings[m], own, monthly);
+        const bool is_monthly = fit_.resolution == ObjectiveResolution::monthly;
+        const double weight = fit_.meter_weights.empty() ? 1 : fit_.meter_weights[m];
+        sum +=
+            weight * share_[m] * objective_term(is_monthly ? fit.monthly : fit.own, fit_);
+    }
+    return sum;
+}
+
+double StageGoal::minus_log_prior(std::span<const double> point) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < point.size(); ++k)
+        if (priors_[k].kind != stats::PriorKind::fixed)
+            sum -= priors_[k].log_density(point[k]);
+    return sum;
+}
+
+std::vector<double> StageGoal::evaluate(const Matrix& points,
+                                        std::vector<std::string>& failures) const {
+    std::vector<std::vector<kernel::PointAnswer>> answers;
+    answers.reserve(batches_.size());
+    for (std::size_t p = 0; p < batches_.size(); ++p)
+        answers.push_back(batches_[p]->evaluate(points, requests_[p]));
+    std::vector<double> values(points.rows, std::numeric_limits<double>::quiet_NaN());
+    failures.assign(points.rows, {});
+    for (std::size_t r = 0; r < points.rows; ++r) {
+        std::vector<const kernel::PointAnswer*> of_point;
+        of_point.reserve(answers.size());
+        for (const auto& period : answers) {
+            if (failures[r].empty()) failures[r] = period[r].failure;
+            of_point.push_back(&period[r]);
+        }
+        if (failures[r].empty())
+            values[r] = objective_of(of_point) + minus_log_prior(points.row(r));
+    }
+    return values;
+}
+
+}  // namespace bemcal::calibration

@@ -1,0 +1,253 @@
+/// Files are chained as read, then gaps are filled, irradiance completed, and the
+/// temperature turned into hourly means, so that a chain has no seams.
+#include "input/epw.hpp"
+
+#include "base/error.hpp"
+#include "input/epw_table.hpp"
+#include "input/input_files.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <fmt/format.h>
+
+namespace bemcal::input {
+namespace {
+
+using physics::Weather;
+
+constexpr int longest_gap = 3;  // hours that are interpolated
+
+struct Chain {
+    Weather weather;
+    std::vector<EpwTable> tables;
+    std::vector<std::string> decisions;
+
+    /// Where a step's row stands: the table, and its line there.
+    std::pair<const EpwTable*, int> origin(int step) const {
+        auto k = static_cast<std::size_t>(step);
+        auto table = tables.begin();
+        for (; k >= table->lines.size(); ++table) k -= table->lines.size();
+        return {&*table, table->lines[k]};
+    }
+    std::string place_of(int step, int field) const {
+        const auto [table, line] = origin(step);
+        return fmt::format("{}:{}:{}", table->name, line, field);
+    }
+};
+
+/// Consecutive steps.
+struct Run {
+    int begin, end;
+    int length() const { return end - begin; }
+};
+
+std::vector<Run> runs_of(const std::vector<int>& steps) {
+    std::vector<Run> runs;
+    for (int step : steps) {
+        if (runs.empty() || runs.back().end != step) runs.push_back({step, step});
+        ++runs.back().end;
+    }
+    return runs;
+}
+
+std::vector<int> missing_steps(const std::vector<double>& series) {
+    std::vector<int> steps;
+    for (std::size_t k = 0; k < series.size(); ++k)
+        if (std::isnan(series[k])) steps.push_back(static_cast<int>(k));
+    return steps;
+}
+
+/// Linear between the neighbours of the run; at an end of the series the one neighbour.
+void interpolate(std::vector<double>& series, const Run& run) {
+    const auto at = [&](int k) { return series[static_cast<std::size_t>(k)]; };
+    const bool has_before = run.begin > 0;
+    const bool has_after = run.end < static_cast<int>(series.size());
+    if (!has_before && !has_after) return;
+    const double before = has_before ? at(run.begin - 1) : at(run.end);
+    const double after = has_after ? at(run.end) : before;
+    for (int k = run.begin; k < run.end; ++k)
+        series[static_cast<std::size_t>(k)] =
+            before + (after - before) * (k - run.begin + 1) / (run.length() + 1);
+}
+
+[[noreturn]] void fail_gap(const Chain& chain, const Run& run, int field,
+                           const char* what) {
+    const auto [table, line] = chain.origin(run.begin);
+    fail_epw(
+        table->name, line, field,
+        fmt::format(
+            "{} missing for {} h from {} on: expected a value, or a gap of at most "
+            "{} h; fill it from another station",
+            what, run.length(),
+            physics::format_time(chain.weather.axis.begin_of(run.begin)), longest_gap));
+}
+
+void report_gaps(Chain& chain, const std::vector<Run>& gaps, int field,
+                 const char* what) {
+    if (gaps.empty()) return;
+    const int n =
+        std::accumulate(gaps.begin(), gaps.end(), 0,
+                        [](int sum, const Run& gap) { return sum + gap.length(); });
+    chain.decisions.push_back(fmt::format(
+        "{}: {}: {} h in {} gap(s) of at most {} h interpolated, "
+        "the first here",
+        chain.place_of(gaps.front().begin, field), what, n, gaps.size(), longest_gap));
+}
+
+void fill_temperature(Chain& chain) {
+    const std::vector<Run> gaps = runs_of(missing_steps(chain.weather.theta_e));
+    for (const Run& gap : gaps) {
+        if (gap.length() > longest_gap)
+            fail_gap(chain, gap, dry_bulb_field, "dry bulb temperature");
+        interpolate(chain.weather.theta_e, gap);
+    }
+    report_gaps(chain, gaps, dry_bulb_field, "dry bulb temperature");
+}
+
+constexpr std::vector<double> Weather::* irradiances[] = {
+    &Weather::global_horizontal, &Weather::direct_normal, &Weather::diffuse_horizontal};
+
+void fill_irradiance(Chain& chain) {
+    const std::vector<Run> gaps = runs_of(physics::unknown_irradiance(chain.weather));
+    for (const Run& gap : gaps) {
+        if (gap.length() > longest_gap)
+            fail_gap(chain, gap, global_field, "all irradiance");
+        for (auto series : irradiances) interpolate(chain.weather.*series, gap);
+    }
+    const std::vector<Run> left = runs_of(physics::unknown_irradiance(chain.weather));
+    if (!left.empty()) fail_gap(chain, left.front(), global_field, "all irradiance");
+    report_gaps(chain, gaps, global_field, "all irradiance");
+}
+
+/// Some files write 0 for parts that they do not have.
+void drop_empty_parts(Chain& chain) {
+    Weather& weather = chain.weather;
+    const auto any = [](const std::vector<double>& series) {
+        return std::any_of(series.begin(), series.end(), [](double v) { return v > 0; });
+    };
+    if (any(weather.direct_normal) || any(weather.diffuse_horizontal)) return;
+    if (!any(weather.global_horizontal)) {
+        if (!missing_steps(weather.global_horizontal).empty()) return;
+        chain.decisions.push_back(
+            fmt::format("{}: all irradiance is 0", chain.place_of(0, global_field)));
+        return;
+    }
+    for (auto series : {&Weather::direct_normal, &Weather::diffuse_horizontal})
+        (weather.*series)
+            .assign((weather.*series).size(), std::numeric_limits<double>::quiet_NaN());
+}
+
+void complete(Chain& chain) {
+    const Weather before = chain.weather;
+    physics::complete_irradiance(chain.weather);
+    for (const EpwColumn& column : epw_columns) {
+        if (std::find(std::begin(irradiances), std::end(irradiances), column.series) ==
+            std::end(irradiances))
+            continue;
+        const std::vector<double>&then = before.*column.series,
+              &now = chain.weather.*column.series;
+        int n = 0;
+        for (std::size_t k = 0; k < now.size(); ++k)
+            n += std::isnan(then[k]) && now[k] > 0;
+        if (n > 0)
+            chain.decisions.push_back(fmt::format(
+                "{}: {} derived for {} h", chain.tables.front().name, column.name, n));
+    }
+}
+
+void append(Chain& chain, EpwTable table) {
+    Weather& to = chain.weather;
+    const Weather& from = table.weather;
+    if (chain.tables.empty()) {
+        to = from;
+    } else {
+        for (const EpwColumn& column : epw_columns) {
+            const std::vector<double>& more = from.*column.series;
+            (to.*column.series)
+                .insert((to.*column.series).end(), more.begin(), more.end());
+        }
+        to.axis.n_steps += from.axis.n_steps;
+    }
+    chain.decisions.insert(chain.decisions.end(), table.decisions.begin(),
+                           table.decisions.end());
+    table.weather = Weather{};
+    chain.tables.push_back(std::move(table));
+}
+
+void check_follows(const Chain& chain, const EpwTable& table) {
+    const Weather &before = chain.weather, &after = table.weather;
+    if (after.axis.start != before.axis.end())
+        fail_epw(table.name, table.lines.front(), 1,
+                 fmt::format(
+                     "begins at {}, but the file before it ends at {}: give the files in "
+                     "the order of their years, without a gap",
+                     physics::format_time(after.axis.start),
+                     physics::format_time(before.axis.end())));
+    constexpr double same_place = 0.1;  // [deg]
+    if (std::abs(after.site.latitude - before.site.latitude) > same_place ||
+        std::abs(after.site.longitude - before.site.longitude) > same_place ||
+        after.site.utc_offset_h != before.site.utc_offset_h)
+        fail_epw(table.name, 1, 7,
+                 fmt::format(
+                     "another place or time zone than {}: a chain must be of one place",
+                     chain.tables.front().name));
+}
+
+void drop_empty_series(Weather& weather) {
+    for (const EpwColumn& column : epw_columns) {
+        std::vector<double>& series = weather.*column.series;
+        if (!column.needed && missing_steps(series).size() == series.size())
+            series.clear();
+    }
+}
+
+EpwFile finish(Chain chain, const EpwOptions& options) {
+    fill_temperature(chain);
+    drop_empty_parts(chain);
+    fill_irradiance(chain);
+    complete(chain);
+    if (options.temperature == TemperatureConvention::hour_mean)
+        chain.weather.theta_e = physics::hour_means(chain.weather.theta_e);
+    drop_empty_series(chain.weather);
+    return {std::move(chain.weather), chain.tables.front().place,
+            std::move(chain.decisions)};
+}
+
+}  // namespace
+
+EpwFile parse_epw(std::string_view text, const std::string& name,
+                  const EpwOptions& options) {
+    return parse_epw_chain({{name, text}}, options);
+}
+
+EpwFile parse_epw_chain(const std::vector<EpwText>& files, const EpwOptions& options) {
+    require(!files.empty(), "a chain of EPW files has at least one");
+    Chain chain;
+    int year = options.year;
+    for (const EpwText& file : files) {
+        EpwTable table = parse_epw_table(file.text, file.name, year);
+        if (!chain.tables.empty()) check_follows(chain, table);
+        append(chain, std::move(table));
+        if (year != 0) year = physics::calendar_step(chain.weather.axis.end()).year;
+    }
+    return finish(std::move(chain), options);
+}
+
+EpwFile read_epw_chain(const std::vector<std::filesystem::path>& files,
+                       const EpwOptions& options) {
+    InputFiles inputs;
+    std::vector<EpwText> texts;
+    texts.reserve(files.size());
+    for (const std::filesystem::path& file : files)
+        texts.push_back({file.string(), inputs.text(file)});
+    return parse_epw_chain(texts, options);
+}
+
+EpwFile read_epw(const std::filesystem::path& file, const EpwOptions& options) {
+    return read_epw_chain({file}, options);
+}
+
+}  // namespace bemcal::input

@@ -1,0 +1,58 @@
+/// EnergyPlus weather files (EPW): one year or a chain of years, read and completed.
+///
+/// EnergyPlus Auxiliary Programs, "EnergyPlus Weather File (EPW) Data Dictionary". Rows
+/// end at their hour and stand in local standard time; the summer time of the header is
+/// not applied. The ground's reflectance is not read (files often give 0 or 999):
+/// Site::albedo.
+#pragma once
+
+#include "physics/weather.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bemcal::input {
+
+/// A row's temperature is an instant's, at the end of its hour. Mean of both ends, or as
+/// read.
+enum class TemperatureConvention { hour_mean, as_read };
+
+struct EpwOptions {
+    TemperatureConvention temperature = TemperatureConvention::hour_mean;
+    int year = 0;  ///< of the first row; 0 = as the first row says (rows may come from
+                   ///< many years)
+};
+
+struct EpwFile {
+    physics::Weather weather;  ///< irradiance complete, temperature without gaps
+    std::string place;         ///< as in the header
+    /// What was filled, derived or ignored: one sentence each.
+    std::vector<std::string> decisions;
+};
+
+/// A file's content, unpacked, and its name for messages.
+struct EpwText {
+    std::string name;
+    std::string_view text;
+};
+
+/// One or more files that follow each other in time, of one place; each of whole years.
+/// Throws UserError (data) with file:row:column, what is wrong, why, and what to write
+/// instead.
+EpwFile parse_epw_chain(const std::vector<EpwText>& files,
+                        const EpwOptions& options = {});
+
+/// The same from files, gzipped or not. Throws UserError (no_input) where one cannot be
+/// opened.
+EpwFile read_epw(const std::filesystem::path& file, const EpwOptions& options = {});
+
+EpwFile read_epw_chain(const std::vector<std::filesystem::path>& files,
+                       const EpwOptions& options = {});
+
+/// The same for one text in memory.
+EpwFile parse_epw(std::string_view text, const std::string& name,
+                  const EpwOptions& options = {});
+
+}  // namespace bemcal::input

@@ -1,0 +1,133 @@
+#include "input/input_files.hpp"
+
+#include "base/error.hpp"
+#include "base/hash.hpp"
+
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+namespace bemcal::input {
+
+namespace {
+
+constexpr std::size_t most_unpacked = std::size_t{4} << 30;
+
+bool is_gzip(const std::string& bytes) {
+    return bytes.size() >= 2 && bytes[0] == '\x1f' && bytes[1] == '\x8b';
+}
+
+/// zlib's stream, ended when it goes.
+struct Inflater {
+    z_stream stream{};
+    Inflater() { ok = inflateInit2(&stream, 15 + 16) == Z_OK; }  // 16: a gzip header
+    ~Inflater() { inflateEnd(&stream); }
+    Inflater(const Inflater&) = delete;
+    Inflater& operator=(const Inflater&) = delete;
+    bool ok = false;
+};
+
+std::string hash_of(const std::string& bytes) {
+    Hasher hasher;
+    hasher.add(bytes.data(), bytes.size());
+    return hasher.hex();
+}
+
+[[noreturn]] void fail_gzip(const std::string& path, const char* what) {
+    throw UserError(
+        ExitCode::data,
+        fmt::format("{}: {}; unpack it with gunzip to see what is left", path, what));
+}
+
+}  // namespace
+
+std::string read_bytes(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored))
+        throw UserError(ExitCode::no_input,
+                        fmt::format("{}: is a folder; expected a file", path.string()));
+    std::ifstream in(path, std::ios::binary);
+    if (!in)
+        throw UserError(ExitCode::no_input,
+                        fmt::format("{}: cannot be opened ({})", path.string(),
+                                    std::strerror(errno)));
+    const std::uintmax_t size = std::filesystem::file_size(path, ignored);
+    std::string bytes(ignored ? 0 : size, '\0');
+    in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<std::size_t>(in.gcount()));
+    // What has no size, a pipe say, or has grown.
+    if (!in.bad()) bytes.append(std::istreambuf_iterator<char>(in), {});
+    if (in.bad())
+        throw UserError(ExitCode::io, fmt::format("{}: reading failed", path.string()));
+    if (bytes.empty())
+        throw UserError(ExitCode::data,
+                        fmt::format("{}: the file is empty", path.string()));
+    return bytes;
+}
+
+std::string file_hash(const std::filesystem::path& path) {
+    try {
+        return hash_of(read_bytes(path));
+    } catch (const UserError&) {
+        return {};  // a file that is missing has a state, too
+    }
+}
+
+std::string unpack_gzip(const std::string& bytes, const std::string& path) {
+    Inflater inflater;
+    z_stream& stream = inflater.stream;
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+    stream.avail_in = static_cast<uInt>(bytes.size());
+    std::string text;
+    std::vector<char> block(1 << 18);
+    int state = inflater.ok ? Z_OK : Z_MEM_ERROR;
+    while (state == Z_OK && text.size() < most_unpacked) {
+        stream.next_out = reinterpret_cast<Bytef*>(block.data());
+        stream.avail_out = static_cast<uInt>(block.size());
+        state = inflate(&stream, Z_NO_FLUSH);
+        text.append(block.data(), block.size() - stream.avail_out);
+        if (state == Z_STREAM_END &&
+            stream.avail_in > 0)  // members may follow each other
+            state = inflateReset(&stream);
+    }
+    if (state == Z_BUF_ERROR) fail_gzip(path, "the gzipped file is cut off");
+    if (state == Z_OK) fail_gzip(path, "the gzipped file holds more than 4 GB");
+    if (state != Z_STREAM_END) fail_gzip(path, "the gzipped file is damaged");
+    return text;
+}
+
+const std::string& InputFiles::text(const std::filesystem::path& path,
+                                    const std::string& named_at) {
+    const auto known = texts_.find(path.string());
+    if (known != texts_.end()) return known->second;
+    std::string bytes;
+    try {
+        bytes = reader_(path);
+    } catch (const UserError& error) {
+        note(path, "");
+        if (named_at.empty()) throw;
+        throw UserError(error.exit_code(), fmt::format("{}: {}", named_at, error.what()));
+    }
+    log_.push_back({path, hash_of(bytes)});
+    if (is_gzip(bytes)) bytes = unpack_gzip(bytes, path.string());
+    return texts_.emplace(path.string(), std::move(bytes)).first->second;
+}
+
+void InputFiles::note(const std::filesystem::path& path, const std::string& hash) {
+    log_.push_back({path, hash});
+}
+
+const Csv& InputFiles::csv(const std::filesystem::path& path,
+                           const std::string& named_at) {
+    std::unique_ptr<Csv>& table = tables_[path.string()];
+    if (!table)
+        table = std::make_unique<Csv>(parse_csv(text(path, named_at), path.string()));
+    return *table;
+}
+
+}  // namespace bemcal::input

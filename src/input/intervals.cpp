@@ -1,0 +1,107 @@
+#include "input/intervals.hpp"
+
+#include "base/error.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace bemcal::input {
+
+namespace {
+
+using physics::Interval;
+using physics::Seconds;
+using std::chrono::seconds;
+
+constexpr int day_s = 86400;
+
+/// An hourly axis from the interval with `first` to the end of that with `last`, all
+/// missing.
+RegularSeries empty_hours(Seconds first, Seconds last, Interval interval) {
+    const Seconds start = interval_begin(first, interval);
+    const Seconds end = next_interval(interval_begin(last, interval), interval);
+    RegularSeries hours;
+    hours.axis = {start, 3600, static_cast<int>((end - start).count() / 3600)};
+    hours.values.assign(static_cast<std::size_t>(hours.axis.n_steps),
+                        std::numeric_limits<double>::quiet_NaN());
+    return hours;
+}
+
+double& value_at(RegularSeries& series, Seconds time) {
+    return series.values[static_cast<std::size_t>(series.axis.step_of(time))];
+}
+
+}  // namespace
+
+Interval interval_of_rows(int step_s) {
+    if (step_s < 3600) return Interval::step;
+    if (step_s == 3600) return Interval::hourly;
+    if (step_s <= day_s) return Interval::daily;
+    return step_s <= 31 * day_s ? Interval::monthly : Interval::annual;
+}
+
+Seconds interval_begin(Seconds time, Interval interval) {
+    using namespace std::chrono;
+    if (interval == Interval::hourly) return floor<hours>(time);
+    const auto date = floor<days>(time);
+    if (interval == Interval::daily) return date;
+    const year_month_day ymd(date);
+    if (interval == Interval::monthly) return sys_days(ymd.year() / ymd.month() / 1);
+    return sys_days(ymd.year() / January / 1);
+}
+
+Seconds next_interval(Seconds begin, Interval interval) {
+    constexpr int longest_s[] = {0, 3600, day_s, 31 * day_s, 366 * day_s};
+    return interval_begin(begin + seconds(longest_s[static_cast<int>(interval)]),
+                          interval);
+}
+
+RegularSeries sum_intervals(const RegularSeries& fine, Interval interval, bool mean) {
+    RegularSeries hours =
+        empty_hours(fine.axis.start, fine.axis.end() - seconds(1), interval);
+    for (int k = 0; k < fine.axis.n_steps;) {
+        const Seconds begin = interval_begin(fine.axis.begin_of(k), interval);
+        const Seconds end = next_interval(begin, interval);
+        const int first = k;
+        double sum = 0;
+        for (; k < fine.axis.n_steps && fine.axis.begin_of(k) < end; ++k)
+            sum += fine.values[static_cast<std::size_t>(k)];
+        const bool whole =
+            fine.axis.begin_of(first) == begin && fine.axis.begin_of(k) == end;
+        if (whole) value_at(hours, begin) = mean ? sum / (k - first) : sum;
+    }
+    return hours;
+}
+
+RegularSeries calendar_rows(const Csv& csv, const Stamps& stamps,
+                            const std::vector<double>& values, Interval interval,
+                            bool stamps_at_end) {
+    constexpr seconds slack{36 * 3600};
+    const auto refuse = [&](std::size_t row, const char* what) {
+        throw UserError(
+            ExitCode::data,
+            fmt::format("{}:{}: {} {}; expected one row for each {} of the calendar",
+                        csv.file, csv.lines[row],
+                        physics::format_date(stamps.begins[row]), what,
+                        interval == Interval::monthly ? "month" : "year"));
+    };
+    RegularSeries hours =
+        empty_hours(stamps.begins.front(), stamps.begins.back(), interval);
+    Seconds last = Seconds::min();
+    for (std::size_t row = 0; row < values.size(); ++row) {
+        const Seconds begin = interval_begin(stamps.begins[row], interval);
+        const seconds off = stamps_at_end
+                                ? next_interval(begin, interval) - stamps.begins[row]
+                                : stamps.begins[row] - begin;
+        if (off > slack)
+            refuse(row, stamps_at_end ? "is not its end" : "is not its begin");
+        if (begin == last) refuse(row, "falls into the same as the row before");
+        last = begin;
+        value_at(hours, begin) = values[row];
+    }
+    return hours;
+}
+
+}  // namespace bemcal::input

@@ -1,0 +1,47 @@
+/// Time stamps of a CSV file: from whatever clock it follows to the begin of each
+/// interval in the site's local standard time.
+///
+/// A repeated or skipped hour at a change of summer time is recognised and named. Leaves
+/// out: clocks whose rule is neither the EU's nor the USA's.
+#pragma once
+
+#include "input/csv.hpp"
+#include "physics/calendar.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bemcal::input {
+
+enum class Clock { unstated, standard, eu, us };
+
+struct StampRules {
+    bool at_end = false;  ///< a stamp is the end of its interval
+    Clock clock = Clock::unstated;
+    double site_offset_h = 0;  ///< local standard time minus UTC at the site [h]
+    double file_offset_h = 0;  ///< the same of the file's clock (its standard time) [h]
+    std::string format;        ///< of strptime; empty = ISO 8601
+};
+
+/// A stamp as it stands there; an offset in it ("Z", "+01:00") is taken off, so that it
+/// is UTC.
+struct Stamp {
+    physics::Seconds time{};
+    bool is_utc = false;
+};
+/// Throws std::invalid_argument with a sentence that says what was expected.
+Stamp parse_stamp(std::string_view text, const std::string& format = "");
+
+struct Stamps {
+    std::vector<physics::Seconds> begins;  ///< [n_rows] increasing, local standard time
+    int step_s = 3600;                     ///< the commonest distance [s]
+};
+
+/// \param fallback_step_s  where there is one row only
+/// Throws UserError (data) with file:line:column: not a time, not in order, repeated, a
+/// clock change.
+Stamps stamps_in(const Csv& csv, std::size_t column, const StampRules& rules,
+                 int fallback_step_s = 3600);
+
+}  // namespace bemcal::input

@@ -1,0 +1,185 @@
+/// The step's linear forms, in the order of the kernel's columns.
+#include "kernel/affine.hpp"
+
+#include "kernel/regime.hpp"
+
+namespace bemcal::kernel {
+
+namespace {
+
+/// Consecutive columns of one lane.
+struct Columns {
+    double* next;
+    int lanes;
+    void add(double value) {
+        *next = value;
+        next += lanes;
+    }
+};
+
+/// Calls write(weight of a form per value of the driver) for every driver but an imposed
+/// power.
+template <class Write>
+void for_drivers(const Regime& regime, Write write) {
+    write([&](const physics::LinearForm& form) { return regime.per_theta_e(form); });
+    for (int profile : regime.plan.temperature_drivers)
+        write([&](const physics::LinearForm& form) {
+            return regime.per_driver(form, profile);
+        });
+    for (int profile : regime.plan.load_drivers) {
+        const double gain = per_load_driver(regime, profile);
+        write(
+            [&](const physics::LinearForm& form) { return gain * regime.per_int(form); });
+    }
+}
+
+void add_apertures(const Regime& regime, Columns& columns) {
+    for (int plane : regime.plan.planes)
+        columns.add(regime.network.aperture[static_cast<std::size_t>(plane)]);
+}
+
+/// In the order of StandardColumn.
+void write_standard_regime(const Regime& regime, Columns columns) {
+    const physics::LinearForm &mass = regime.map.theta_m_after,
+                              &air = regime.map.theta_air;
+    const physics::Control& control = regime.control;
+    const StandardScale scale(regime.map);
+    columns.add(mass[physics::Term::theta_m]);
+    columns.add(scale.asked_per_kelvin * air[physics::Term::theta_m]);
+    columns.add(scale.kelvin_per_watt * control.phi_H_max);
+    columns.add(scale.asked_per_kelvin * (control.theta_C_set - control.theta_H_set));
+    columns.add(-scale.kelvin_per_watt * control.phi_C_max);
+    columns.add(1 / scale.kelvin_per_watt);
+    columns.add(1 / scale.asked_per_kelvin);
+    columns.add(control.theta_H_set);
+    columns.add(regime.per_sol(mass));
+    columns.add(-scale.asked_per_kelvin * regime.per_sol(air));
+    for_drivers(regime, [&](auto weight) {
+        columns.add(weight(mass));
+        columns.add(-scale.asked_per_kelvin * weight(air));
+    });
+    add_apertures(regime, columns);
+}
+
+/// Everything of a row that its steps share.
+class StandardRows {
+  public:
+    explicit StandardRows(const Regime& regime)
+        : asked_(StandardScale(regime.map).asked_per_kelvin),
+          mass_(regime.fixed(regime.map.theta_m_after)),
+          mass_per_int_(regime.per_int(regime.map.theta_m_after)),
+          missing_(regime.control.theta_H_set - regime.fixed(regime.map.theta_air)),
+          air_per_int_(regime.per_int(regime.map.theta_air)) {}
+    void write(double phi_int, Columns columns) const {
+        columns.add(mass_ + mass_per_int_ * phi_int);
+        columns.add(asked_ * (missing_ - air_per_int_ * phi_int));
+    }
+
+  private:
+    double asked_, mass_, mass_per_int_, missing_, air_per_int_;
+};
+
+/// Calls use(form) for the free air temperature and each state after the step.
+template <class Use>
+void for_forms(const Regime& regime, Use use) {
+    use(regime.map.theta_air);
+    for (physics::Term state : regime.plan.states) use(form_of(regime.map, state));
+}
+
+/// In the order of GeneralColumn.
+void write_general_regime(const Regime& regime, Columns columns) {
+    const physics::Input& imposed = regime.zone.thermostat.imposed_power;
+    columns.add(regime.control.phi_H_max);
+    columns.add(regime.control.phi_C_max);
+    columns.add(heating_line(regime).gain);
+    columns.add(cooling_line(regime).gain);
+    columns.add(span_of(imposed) * regime.network.A_f);
+    const auto add_term = [&](physics::Term term) {
+        for_forms(regime,
+                  [&](const physics::LinearForm& form) { columns.add(form[term]); });
+    };
+    add_term(physics::Term::phi_h);
+    add_term(physics::Term::phi_c);
+    for (physics::Term state : regime.plan.states) add_term(state);
+    for_forms(regime, [&](const physics::LinearForm& form) {
+        columns.add(regime.per_sol(form));
+    });
+    for_drivers(regime, [&](auto weight) {
+        for_forms(regime,
+                  [&](const physics::LinearForm& form) { columns.add(weight(form)); });
+    });
+    if (regime.plan.imposed_driver)
+        for_forms(regime, [&](const physics::LinearForm&) { columns.add(0); });
+    add_apertures(regime, columns);
+    if (!regime.plan.vented) return;
+    columns.add(regime.zone.venting.opens_above);
+    columns.add(1 / regime.zone.venting.band);
+    add_term(physics::Term::phi_ia);
+}
+
+/// Power imposed whatever the driver says [W].
+double imposed_base(const Regime& regime, int step) {
+    const physics::Input& imposed = regime.zone.thermostat.imposed_power;
+    if (!regime.control.imposed) return 0;
+    return regime.network.A_f *
+           (regime.plan.imposed_driver ? imposed.low : regime.drive.at(imposed, step));
+}
+
+void write_general_row(const Regime& regime, int step, Columns columns) {
+    const double phi_int = tabled_gain(regime, step);
+    for_forms(regime, [&](const physics::LinearForm& form) {
+        columns.add(regime.fixed(form) + regime.per_int(form) * phi_int);
+    });
+    const double imposed = imposed_base(regime, step);
+    columns.add(heating_line(regime).asked + imposed);
+    columns.add(-cooling_line(regime).asked - imposed);
+    if (regime.plan.vented)
+        columns.add(physics::venting_conductance(regime.zone, regime.drive, step));
+}
+
+/// Calls write(first step of the row, its columns).
+template <class Write>
+void for_rows(const Regime& regime, const LaneTables& tables, Write write) {
+    const ZonePlan& plan = regime.plan;
+    for (int row : plan.rows_of_regime[static_cast<std::size_t>(regime.index)]) {
+        double* at =
+            tables.rows + static_cast<long>(row) * plan.row_columns() * tables.lanes;
+        write(plan.rows.first[static_cast<std::size_t>(row)], Columns{at, tables.lanes});
+    }
+}
+
+void write_regime(const Regime& regime, const LaneTables& tables) {
+    const ZonePlan& plan = regime.plan;
+    const Columns columns{tables.regimes + static_cast<long>(regime.index) *
+                                               plan.regime_columns() * tables.lanes,
+                          tables.lanes};
+    if (plan.is_standard()) {
+        const StandardRows rows(regime);
+        write_standard_regime(regime, columns);
+        for_rows(regime, tables, [&](int step, Columns row) {
+            rows.write(tabled_gain(regime, step), row);
+        });
+    } else {
+        write_general_regime(regime, columns);
+        for_rows(regime, tables,
+                 [&](int step, Columns row) { write_general_row(regime, step, row); });
+    }
+}
+
+}  // namespace
+
+void write_coefficients(const ZonePlan& plan, const physics::Building& building,
+                        const physics::Drive& drive, physics::Network& network,
+                        const LaneTables& tables) {
+    for (int index = 0; index < plan.regimes.size(); ++index)
+        write_regime(make_regime(plan, index, building, drive, network), tables);
+}
+
+void write_start(const ZonePlan& plan, double theta_start, double* state, int lanes) {
+    Columns columns{state, lanes};
+    if (plan.is_standard()) columns.add(theta_start);
+    for (physics::Term term : plan.states)
+        columns.add(term == physics::Term::phi_emitter ? 0 : theta_start);
+}
+
+}  // namespace bemcal::kernel

@@ -1,0 +1,26 @@
+/// Coefficients of one point for the fast kernel: each regime's affine map of a step
+/// (step_map.hpp), contracted with what drives the zone, and each row's constants.
+#pragma once
+
+#include "kernel/plan.hpp"
+
+namespace bemcal::kernel {
+
+/// Where a lane's coefficients go: the lane's first element of [columns x lanes] tables.
+struct LaneTables {
+    double* regimes;
+    double* rows;
+    int lanes;
+};
+
+/// Throws std::domain_error where the zone leaves the method (make_network, control_at).
+/// \param network  scratch, so that nothing is allocated
+void write_coefficients(const ZonePlan& plan, const physics::Building& building,
+                        const physics::Drive& drive, physics::Network& network,
+                        const LaneTables& tables);
+
+/// The lane's state before the warm-up, all temperatures alike.
+/// \param state  the lane's first element of [states x lanes]
+void write_start(const ZonePlan& plan, double theta_start, double* state, int lanes);
+
+}  // namespace bemcal::kernel

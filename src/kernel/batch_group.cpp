@@ -1,0 +1,214 @@
+/// A group of points: coefficients in, steps run, meters read.
+#include "kernel/batch_plan.hpp"
+#include "kernel/meter_rows.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace bemcal::kernel {
+
+namespace {
+
+std::size_t longest(const std::vector<Span>& chunks) {
+    int most = 1;
+    for (const Span& chunk : chunks) most = std::max(most, chunk.end - chunk.begin);
+    return static_cast<std::size_t>(most);
+}
+
+Batch::Group::Zone make_zone(const ZonePlan& plan, int lanes) {
+    const auto columns = [](const Partition& classes, int each) {
+        return static_cast<std::size_t>(classes.size()) * static_cast<std::size_t>(each);
+    };
+    return {plan.time(lanes),
+            LaneArray(columns(plan.regimes, plan.regime_columns()), lanes),
+            LaneArray(columns(plan.rows, plan.row_columns()), lanes),
+            LaneArray(plan.is_standard() ? 1 : plan.states.size(), lanes),
+            LaneArray(2, lanes)};
+}
+
+Batch::Group::Rows make_rows(std::size_t steps, int lanes) {
+    return {LaneArray(steps, lanes), LaneArray(steps, lanes),
+            LaneArray(steps, lanes)};
+}
+
+}  // namespace
+
+Show show_for(physics::Quantity quantity) {
+    return quantity == physics::Quantity::air_temperature ? Show::powers_and_air
+                                                          : Show::powers;
+}
+
+const double* shown_as_it_is(physics::Quantity quantity, const Batch::Plan& plan,
+                             const PowerRows& rows) {
+    if (quantity == physics::Quantity::air_temperature) return rows.air;
+    if (plan.meter(quantity).has_factor) return nullptr;
+    if (quantity == physics::Quantity::heating) return rows.heating;
+    return quantity == physics::Quantity::cooling ? rows.cooling : nullptr;
+}
+
+Batch::Group::Written::Written(const Batch::Plan& plan)
+    : buildings(static_cast<std::size_t>(plan.table.lanes), plan.nominal),
+      points(buildings.size(), plan.parameters.size()) {
+    std::ranges::fill(points.values, std::numeric_limits<double>::quiet_NaN());
+}
+
+Batch::Group::Group(const Batch::Plan& shared)
+    : Group(shared, std::make_shared<Written>(shared), std::nullopt) {}
+
+Batch::Group::Group(const Batch::Plan& shared, std::shared_ptr<Written> of_others,
+                    std::optional<physics::Quantity> meter)
+    : plan(shared),
+      written(std::move(of_others)),
+      buildings(written->buildings),
+      meter_at_once(meter) {
+    const int lanes = plan.table.lanes;
+    for (const ZonePlan& zone : plan.zones) zones.push_back(make_zone(zone, lanes));
+    floor_share_ = LaneArray(zones.size(), lanes);
+    most_steps_ = longest(plan.chunks);
+}
+
+/// Parameters before the first that changes are at their values already.
+void Batch::Group::write_building(std::span<const double> point, std::size_t lane) {
+    const std::span<double> before = written->points.row(lane);
+    const auto is_same = [](double one, double other) {
+        return one == other && std::signbit(one) == std::signbit(other);
+    };
+    const auto first = static_cast<std::size_t>(
+        std::ranges::mismatch(point, before, is_same).in1 - point.begin());
+    physics::apply(plan.nominal, std::span(plan.parameters).subspan(first),
+                   point.subspan(first), buildings[lane]);
+    std::ranges::copy(point, before.begin());
+}
+
+void Batch::Group::write_lane(std::span<const double> point, int lane) {
+    const int lanes = plan.table.lanes;
+    write_building(point, static_cast<std::size_t>(lane));
+    const physics::Building& building = buildings[static_cast<std::size_t>(lane)];
+    meter_is_made_.fill(false);
+    mixed_is_of_.reset();
+    for (std::size_t z = 0; z < zones.size(); ++z) {
+        Zone& zone = zones[z];
+        write_coefficients(plan.zones[z], building, plan.drive, network_,
+                           {zone.regimes.data() + lane, zone.rows.data() + lane, lanes});
+        write_start(plan.zones[z], plan.drive.theta_start, zone.state.data() + lane,
+                    lanes);
+        floor_share_.column(z)[lane] =
+            building.zones[z].floor_area / building.floor_area();
+    }
+}
+
+void Batch::Group::copy_lane(int from, int to) {
+    const auto source = static_cast<std::size_t>(from),
+               target = static_cast<std::size_t>(to);
+    buildings[target] = buildings[source];
+    std::ranges::copy(written->points.row(source), written->points.row(target).begin());
+    for (Zone& zone : zones)
+        for (LaneArray* array : {&zone.regimes, &zone.rows, &zone.state})
+            array->copy_lane(from, to);
+    for (LaneArray& rows : plain) rows.copy_lane(from, to);
+    floor_share_.copy_lane(from, to);
+}
+
+void Batch::Group::clear_lane(int lane) {
+    buildings[static_cast<std::size_t>(lane)] = plan.nominal;
+    std::ranges::fill(written->points.row(static_cast<std::size_t>(lane)),
+                      std::numeric_limits<double>::quiet_NaN());
+    for (Zone& zone : zones)
+        for (LaneArray* array : {&zone.regimes, &zone.rows, &zone.state})
+            array->clear_lane(lane);
+    for (LaneArray& rows : plain) rows.clear_lane(lane);
+}
+
+bool Batch::Group::is_finite(int lane) const {
+    double sum = 0;
+    for (std::size_t z = 0; z < zones.size(); ++z)
+        for (std::size_t state = 0; state < zones[z].state.columns(); ++state)
+            sum += zones[z].state.at(state, lane);
+    return std::isfinite(sum);
+}
+
+/// Sums alone need no rows, which are larger than all the rest.
+void Batch::Group::make_room(Show show) {
+    if (show == Show::sums || !of_zone_.heating.empty()) return;
+    of_zone_ = make_rows(most_steps_, plan.table.lanes);
+    if (zones.size() > 1) of_building_ = make_rows(most_steps_, plan.table.lanes);
+}
+
+PowerRows Batch::Group::run(int begin, int end, Show show) {
+    make_room(show);
+    const PowerRows of_zone = of_zone_.pointers();
+    const bool add = zones.size() > 1 && show != Show::sums;
+    if (add)
+        for (LaneArray* array :
+             {&of_building_.heating, &of_building_.cooling, &of_building_.air})
+            array->clear();
+    for (std::size_t z = 0; z < zones.size(); ++z) {
+        const int segment = plan.zones[z].segment_of[static_cast<std::size_t>(begin)];
+        plan.table.run(zones[z].time, zones[z].lanes(), segment, begin, end, show,
+                       of_zone);
+        if (add)
+            plan.table.add_zone(of_zone, floor_share_.column(z), end - begin,
+                                of_building_.pointers());
+    }
+    return add ? of_building_.pointers() : of_zone;
+}
+
+MeterLanes Batch::Group::meter(physics::Quantity quantity) {
+    const MeterPlan& meter = plan.meter(quantity);
+    const auto q = static_cast<std::size_t>(quantity);
+    const auto n_rows = static_cast<std::size_t>(meter.rows.size());
+    LaneArray& table = meters_[q];
+    if (table.empty()) table = LaneArray(3 * n_rows, plan.table.lanes);
+    for (std::size_t lane = 0; lane < buildings.size() && !meter_is_made_[q]; ++lane)
+        write_meter_rows(meter, buildings[lane], plan.drive, quantity,
+                         static_cast<int>(lane), table);
+    meter_is_made_[q] = true;
+    return {table.data(), meter.row_offset.data()};
+}
+
+void Batch::Group::write_mixed(physics::Quantity quantity) {
+    using C = MixedColumn;
+    const ZonePlan& zone = plan.zones[0];
+    const MeterPlan& meter_plan = plan.meter(quantity);
+    const MeterLanes form = meter(quantity);
+    const auto lanes = static_cast<std::size_t>(plan.table.lanes);
+    double* to = mixed_.data();
+    for (const int first : meter_plan.mixed.first) {
+        const auto step = static_cast<std::size_t>(first);
+        const double* row = zones[0].rows.data() + zone.row_offset[step];
+        const double* of_meter = form.rows + form.row_offset[step];
+        const double* watts = zones[0].regimes.data() +
+                              zone.regimes.class_of[step] * zones[0].time.regime_size +
+                              StandardColumn::watts * plan.table.lanes;
+        std::copy_n(row, 2 * lanes, to);
+        std::copy_n(of_meter, lanes, to + C::source * lanes);
+        for (std::size_t k = 0; k < lanes; ++k) {
+            to[C::per_heating * lanes + k] = of_meter[lanes + k] * watts[k];
+            to[C::per_cooling * lanes + k] = of_meter[2 * lanes + k] * watts[k];
+        }
+        to += C::count * lanes;
+    }
+}
+
+ZoneLanes Batch::Group::mixed(physics::Quantity quantity) {
+    if (mixed_is_of_ != quantity) {
+        const auto n_rows = static_cast<std::size_t>(plan.meter(quantity).mixed.size());
+        if (mixed_.empty() || mixed_.columns() != n_rows * MixedColumn::count)
+            mixed_ = LaneArray(n_rows * MixedColumn::count, plan.table.lanes);
+        write_mixed(quantity);
+        mixed_is_of_ = quantity;
+    }
+    ZoneLanes zone = zones[0].lanes();
+    zone.rows = mixed_.data();
+    return zone;
+}
+
+const double* Batch::Group::show(physics::Quantity quantity, const PowerRows& rows,
+                                 int begin, int end) {
+    if (const double* power = shown_as_it_is(quantity, plan, rows)) return power;
+    if (shown_.empty()) shown_ = LaneArray(most_steps_, plan.table.lanes);
+    plan.table.meter(meter(quantity), rows, begin, end, shown_.data());
+    return shown_.data();
+}
+
+}  // namespace bemcal::kernel

@@ -1,0 +1,116 @@
+/// The inside of a batch: what its points share, and a group of them under way.
+#pragma once
+
+#include "base/lane_array.hpp"
+#include "kernel/affine.hpp"
+#include "kernel/batch.hpp"
+
+#include <array>
+#include <optional>
+
+namespace bemcal::kernel {
+
+constexpr std::size_t n_quantities = 6, n_intervals = 5;
+
+struct Batch::Plan {
+    const physics::Building& nominal;
+    std::vector<physics::Parameter> parameters;
+    const physics::Drive& drive;
+    const Table& table;
+    bool plain = false;                ///< runs_plain
+    std::vector<Span> months, chunks;  ///< of the period, in steps of the drive
+    std::vector<ZonePlan> zones;       ///< empty where plain
+    std::array<MeterPlan, n_quantities> meters;
+    std::array<std::vector<int>, n_intervals> bounds;  ///< in steps of the period
+
+    int n_months() const { return static_cast<int>(months.size()); }
+    /// A meter can be read while the powers are in registers.
+    bool is_metered_in_one_pass(physics::Quantity quantity) const {
+        return quantity != physics::Quantity::air_temperature && zones.size() == 1 &&
+               zones[0].is_standard();
+    }
+    const MeterPlan& meter(physics::Quantity quantity) const {
+        return meters[static_cast<std::size_t>(quantity)];
+    }
+};
+
+struct Batch::Group {
+    struct Zone {
+        ZoneTime time;
+        LaneArray regimes, rows, state, sums;
+        ZoneLanes lanes() {
+            return {regimes.data(), rows.data(), state.data(), sums.data()};
+        }
+    };
+    struct Rows {
+        LaneArray heating, cooling, air;
+        PowerRows pointers() { return {heating.data(), cooling.data(), air.data()}; }
+    };
+
+    /// The points of the lanes as buildings; groups may write theirs one after another.
+    struct Written {
+        explicit Written(const Batch::Plan& plan);
+        std::vector<physics::Building> buildings;  ///< [lanes]
+        Matrix points;  ///< [lanes x parameters] that they are at
+    };
+
+    explicit Group(const Batch::Plan& shared);
+    /// One that writes into buildings of others, and reads this meter at once.
+    Group(const Batch::Plan& shared, std::shared_ptr<Written> buildings,
+          std::optional<physics::Quantity> meter);
+    /// One lane's coefficients and start. Throws std::domain_error where the point is
+    /// impossible.
+    void write_lane(std::span<const double> point, int lane);
+    void copy_lane(int from, int to);
+    bool is_finite(int lane) const;  ///< all states are numbers
+    void clear_lane(int lane);  ///< coefficients that stay finite, for a lane that failed
+    /// Steps [begin, end) of all zones; no more than a chunk if something is shown.
+    /// Returns the building's rows.
+    PowerRows run(int begin, int end, Show show);
+    /// Steps that a run may show.
+    int most_steps() const { return static_cast<int>(most_steps_); }
+    MeterLanes meter(physics::Quantity quantity);
+    /// The only zone, a standard one, with the meter's form in its rows.
+    ZoneLanes mixed(physics::Quantity quantity);
+    /// W or degC of a chunk's steps [steps x lanes], after run() with `show` for that
+    /// quantity.
+    const double* show(physics::Quantity quantity, const PowerRows& rows, int begin,
+                       int end);
+
+    const Batch::Plan& plan;
+    std::shared_ptr<Written> written;
+    std::vector<physics::Building>&
+        buildings;  ///< [lanes] points written into the nominal
+    std::optional<physics::Quantity> meter_at_once;
+    std::vector<Zone> zones;
+    std::array<LaneArray, n_quantities>
+        plain;  ///< where the plan is, over the period
+
+  private:
+    void make_room(Show show);
+    void write_building(std::span<const double> point, std::size_t lane);
+    void write_mixed(physics::Quantity quantity);
+
+    physics::Network network_;     ///< scratch
+    LaneArray floor_share_;  ///< [zones x lanes]
+    std::size_t most_steps_ = 1;
+    Rows of_zone_, of_building_;                        ///< of a chunk
+    LaneArray shown_;                             ///< a quantity over a chunk
+    std::array<LaneArray, n_quantities> meters_;  ///< coefficients,
+    std::array<bool, n_quantities> meter_is_made_{};    ///< written when first needed
+    LaneArray mixed_;                             ///< rows of MixedLanes,
+    std::optional<physics::Quantity> mixed_is_of_;
+};
+
+/// What a run has to show for a quantity.
+Show show_for(physics::Quantity quantity);
+
+/// The rows that a quantity is; nullptr where a meter makes it.
+const double* shown_as_it_is(physics::Quantity quantity, const Batch::Plan& plan,
+                             const PowerRows& rows);
+
+/// Why a lane went wrong: the plain version says where.
+std::string why_not_finite(const physics::Building& building,
+                           const physics::Drive& drive);
+
+}  // namespace bemcal::kernel

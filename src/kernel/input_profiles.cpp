@@ -1,0 +1,44 @@
+/// Profiles in the order in which they are met, each once.
+#include "kernel/input_profiles.hpp"
+
+#include "kernel/linear_input.hpp"
+
+namespace bemcal::kernel {
+
+namespace {
+
+void add_profile(std::vector<int>& profiles, int profile) {
+    if (profile >= 0 && !contains(profiles, profile)) profiles.push_back(profile);
+}
+
+}  // namespace
+
+void add_profiles(std::vector<int>& profiles, const physics::Input& input) {
+    add_profile(profiles, input.profile);
+    for (const physics::Change& change : input.changes) {
+        if (change.profile < 0) break;
+        add_profile(profiles, change.profile);
+    }
+}
+
+void LinearProfiles::add(const physics::Input& input) {
+    const bool linear = is_linear(input);
+    add_profile(linear ? alone : tabled, input.profile);
+    for (const physics::Change& change : input.changes) {
+        if (change.profile < 0) break;
+        add_profile(change.kind == physics::ChangeKind::shift ? alone : tabled,
+                    change.profile);
+    }
+}
+
+std::vector<int> LinearProfiles::drivers() const {
+    std::vector<int> profiles = alone;
+    std::erase_if(profiles, [&](int profile) { return contains(tabled, profile); });
+    return profiles;
+}
+
+bool is_active(const physics::Input& input) {
+    return input.value != 0 || input.low != 0 || input.is_changed();
+}
+
+}  // namespace bemcal::kernel

@@ -1,0 +1,25 @@
+/// What a batch answers, made from the plain simulation: for buildings that are not for
+/// the kernel, and as the reference that the fast version is tested against.
+#pragma once
+
+#include "kernel/batch.hpp"
+
+namespace bemcal::kernel {
+
+/// The answer for one building. Throws std::domain_error as simulate() does.
+PointAnswer plain_answer(const physics::Building& building, const physics::Drive& drive,
+                         const Request& request);
+
+/// Adds one pair to the sums; NaN readings are left out.
+void compare_one(double simulated, double measured, ErrorSums& sums);
+
+/// Whether errors are summed by month, too.
+bool is_finer_than_month(physics::Interval interval);
+
+/// Index of the calendar month, from 0, of every step of the period.
+std::vector<int> month_of_steps(const physics::TimeAxis& period);
+
+/// The steps of the drive that are asked for.
+physics::TimeAxis period_of(const physics::Drive& drive);
+
+}  // namespace bemcal::kernel

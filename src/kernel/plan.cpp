@@ -1,0 +1,86 @@
+/// Sizes of a zone's tables; months and chunks of the period.
+#include "kernel/plan.hpp"
+
+#include <algorithm>
+
+namespace bemcal::kernel {
+
+namespace {
+
+constexpr int chunk_steps = 48;  ///< rows of 16 lanes of three quantities fill 18 KiB
+
+}  // namespace
+
+int ZonePlan::vented_state() const {
+    if (!vented) return -1;
+    return static_cast<int>(
+        std::find(states.begin(), states.end(), physics::Term::theta_air) -
+        states.begin());
+}
+
+int ZonePlan::n_drivers() const {
+    return 1 + static_cast<int>(temperature_drivers.size() + load_drivers.size()) +
+           (imposed_driver ? 1 : 0);
+}
+
+int ZonePlan::regime_columns() const {
+    const int n = static_cast<int>(states.size()),
+              n_planes = static_cast<int>(planes.size());
+    if (is_standard()) return StandardColumn::drivers + 2 * n_drivers() + n_planes;
+    return GeneralColumn::forms + (3 + n + n_drivers()) * (1 + n) + n_planes +
+           (vented ? VentingColumn::forms + 1 + n : 0);
+}
+
+int ZonePlan::of_regime_columns() const {
+    return regime_columns() + (is_standard() ? static_cast<int>(planes.size()) : 0);
+}
+
+int ZonePlan::row_columns() const {
+    if (is_standard()) return standard_row_columns;
+    return general_row_columns(static_cast<int>(states.size())) + (vented ? 1 : 0);
+}
+
+ZoneTime ZonePlan::time(int lanes) const {
+    return {static_cast<int>(states.size()),
+            imposed_driver ? 1 : 0,
+            vented_state(),
+            n_drivers(),
+            static_cast<int>(planes.size()),
+            regime_columns() * lanes,
+            of_regime_columns() * lanes,
+            drivers.data(),
+            row_offset.data(),
+            segments.data()};
+}
+
+std::vector<int> offsets_of(const Partition& rows, int doubles_per_row) {
+    std::vector<int> offsets(rows.class_of.size());
+    for (std::size_t step = 0; step < offsets.size(); ++step)
+        offsets[step] = rows.class_of[step] * doubles_per_row;
+    return offsets;
+}
+
+std::vector<Span> plan_months(const physics::Drive& drive) {
+    physics::TimeAxis period = drive.axis;
+    period.start = drive.axis.begin_of(drive.n_warm_up);
+    period.n_steps = drive.n_steps() - drive.n_warm_up;
+    const std::vector<int> bounds =
+        physics::interval_bounds(period, physics::Interval::monthly);
+    std::vector<Span> months;
+    months.reserve(bounds.size());
+    for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
+        months.push_back({drive.n_warm_up + bounds[k], drive.n_warm_up + bounds[k + 1],
+                          static_cast<int>(k)});
+    return months;
+}
+
+std::vector<Span> cut_chunks(const std::vector<Span>& months) {
+    std::vector<Span> chunks;
+    for (const Span& month : months)
+        for (int begin = month.begin; begin < month.end; begin += chunk_steps)
+            chunks.push_back(
+                {begin, std::min(begin + chunk_steps, month.end), month.month});
+    return chunks;
+}
+
+}  // namespace bemcal::kernel

@@ -1,0 +1,104 @@
+/// A regime's network, map and control; the gains and the thermostat's lines.
+#include "kernel/regime.hpp"
+
+namespace bemcal::kernel {
+
+std::size_t n_temperatures(const ZonePlan& plan, const physics::Building& building) {
+    return building.boundaries.size() + (plan.shifted ? 3 : 0);
+}
+
+const physics::Input& temperature(const ZonePlan& plan, const physics::Building& building,
+                                  std::size_t k) {
+    const std::size_t n = building.boundaries.size();
+    if (k < n) return building.boundaries[k].temperature;
+    const physics::OutdoorShift& shift = building.zones[plan.zone].outdoor_shift;
+    return k == n ? shift.supply : k == n + 1 ? shift.opaque : shift.windows;
+}
+
+Entrance entrance_of(const physics::Building& building, std::size_t k) {
+    const std::size_t n = building.boundaries.size();
+    if (k < n) return {k + 1, true, true, false};
+    return {0, k == n + 1, k == n, k == n + 2};
+}
+
+double Regime::per_driver(const physics::LinearForm& form, int profile) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < n_temperatures(plan, building); ++k) {
+        const physics::Input& theta = temperature(plan, building, k);
+        if (follows(theta, profile))
+            sum +=
+                along(theta, profile) * per_temperature(form, entrance_of(building, k));
+    }
+    return sum;
+}
+
+double Regime::fixed(const physics::LinearForm& form) const {
+    double sum = -per_sol(form) * network.phi_sky;
+    for (std::size_t k = 0; k < n_temperatures(plan, building); ++k)
+        sum += per_temperature(form, entrance_of(building, k)) *
+               tabled(temperature(plan, building, k), plan.temperature_drivers, drive,
+                      step());
+    return sum;
+}
+
+/// phi_int per value of a profile that is a driver [W].
+double per_load_driver(const Regime& regime, int profile) {
+    double sum = 0;
+    for (const physics::Load& load : regime.zone.loads)
+        if (follows(load.density, profile))
+            sum += regime.network.A_f * along(load.density, profile) * load.heat_fraction;
+    return sum;
+}
+
+/// phi_int at a step, without the part that drivers bring [W].
+double tabled_gain(const Regime& regime, int step) {
+    double sum = 0;
+    for (const physics::Load& load : regime.zone.loads)
+        sum += regime.network.A_f * load.heat_fraction *
+               tabled(load.density, regime.plan.load_drivers, regime.drive, step);
+    return sum;
+}
+
+namespace {
+
+Line line_of(double theta_set, double slope, double band, double limit) {
+    if (limit <= 0) return {0, 0};
+    const double gain = 1 / (slope + band / limit);
+    return {theta_set * gain, gain};
+}
+
+}  // namespace
+
+Line heating_line(const Regime& regime) {
+    if (regime.control.imposed) return {0, 0};
+    return line_of(regime.control.theta_H_set + 0.5 * regime.network.band,
+                   regime.map.theta_air[physics::Term::phi_h], regime.network.band,
+                   regime.control.phi_H_max);
+}
+
+Line cooling_line(const Regime& regime) {
+    if (regime.control.imposed) return {0, 0};
+    return line_of(regime.control.theta_C_set - 0.5 * regime.network.band,
+                   -regime.map.theta_air[physics::Term::phi_c], regime.network.band,
+                   regime.control.phi_C_max);
+}
+
+Regime make_regime(const ZonePlan& plan, int index, const physics::Building& building,
+                   const physics::Drive& drive, physics::Network& network) {
+    const physics::Zone& zone = building.zones[plan.zone];
+    const int step = plan.regimes.first[static_cast<std::size_t>(index)];
+    physics::make_network(building, zone, drive, step, network);
+    const double dt = drive.axis.step_s;
+    return {plan,
+            index,
+            building,
+            zone,
+            drive,
+            network,
+            physics::radiant_split(network),
+            plan.is_standard() ? physics::standard_step_map(network, dt)
+                               : physics::make_step_map(network, dt),
+            physics::control_at(zone, drive, step)};
+}
+
+}  // namespace bemcal::kernel

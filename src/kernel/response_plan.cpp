@@ -1,0 +1,213 @@
+/// Channels laid on the steps, the stretches of the way, the numbers that parameters
+/// write to, and the memory of a run.
+#include "kernel/response_plan.hpp"
+
+#include "kernel/request_plan.hpp"
+
+#include <map>
+
+namespace bemcal::kernel {
+
+namespace {
+
+ChannelPlan plan_channel(const Channel& channel, const Batch::Plan& batch) {
+    const physics::Drive& drive = batch.drive;
+    const std::vector<int>& bounds =
+        batch.bounds[static_cast<std::size_t>(channel.interval)];
+    ChannelPlan plan;
+    plan.quantity = channel.quantity;
+    plan.interval.assign(static_cast<std::size_t>(drive.n_warm_up), -1);
+    plan.interval.reserve(static_cast<std::size_t>(drive.n_steps()));
+    for (std::size_t k = 0; k + 1 < bounds.size(); ++k) {
+        const int n = bounds[k + 1] - bounds[k];
+        plan.interval.insert(plan.interval.end(), static_cast<std::size_t>(n),
+                             static_cast<int>(k));
+        plan.factor.push_back(channel.quantity == physics::Quantity::air_temperature
+                                  ? 1.0 / n
+                                  : kWh_per_W(drive));
+    }
+    return plan;
+}
+
+std::vector<Span> plan_stretches(const Batch::Plan& batch) {
+    std::vector<Span> stretches = cut_chunks({{0, batch.drive.n_warm_up, 0}});
+    stretches.insert(stretches.end(), batch.chunks.begin(), batch.chunks.end());
+    return stretches;
+}
+
+double per_value(double nominal, physics::Effect effect) {
+    return effect == physics::Effect::factor ? nominal : 1;
+}
+
+/// Every number that a parameter writes to, once: of two parameters the last one holds.
+std::vector<Written> plan_written(const Batch::Plan& batch) {
+    physics::Building building = batch.nominal;
+    std::map<const double*, std::size_t> known;
+    std::vector<Written> written;
+    for (std::size_t p = 0; p < batch.parameters.size(); ++p)
+        for (const physics::Target& target : batch.parameters[p].targets) {
+            const double& number = physics::number_at(building, target);
+            const Written entry{
+                p, target, per_value(number, batch.parameters[p].effect) * target.weight};
+            const auto [place, is_new] = known.try_emplace(&number, written.size());
+            if (is_new)
+                written.push_back(entry);
+            else
+                written[place->second] = entry;
+        }
+    return written;
+}
+
+/// As many parts as the building has, without words.
+physics::Building parts_of(const physics::Building& building) {
+    physics::Building parts;
+    parts.constructions.resize(building.constructions.size());
+    parts.glazings.resize(building.glazings.size());
+    parts.boundaries.resize(building.boundaries.size());
+    parts.zones.resize(building.zones.size());
+    for (std::size_t z = 0; z < parts.zones.size(); ++z) {
+        parts.zones[z].surfaces.resize(building.zones[z].surfaces.size());
+        parts.zones[z].windows.resize(building.zones[z].windows.size());
+        parts.zones[z].flows.resize(building.zones[z].flows.size());
+        parts.zones[z].loads.resize(building.zones[z].loads.size());
+    }
+    return parts;
+}
+
+std::size_t count_in(const physics::Zone& zone, physics::Part part) {
+    switch (part) {
+        case physics::Part::surface:
+            return zone.surfaces.size();
+        case physics::Part::window:
+            return zone.windows.size();
+        case physics::Part::flow:
+            return zone.flows.size();
+        case physics::Part::load:
+            return zone.loads.size();
+        default:
+            return part == physics::Part::zone ? 1 : 0;
+    }
+}
+
+/// How many parts of a kind stand in the building itself, or have such parts.
+std::size_t count_in(const physics::Building& building, physics::Part part) {
+    switch (part) {
+        case physics::Part::construction:
+            return building.constructions.size();
+        case physics::Part::glazing:
+            return building.glazings.size();
+        case physics::Part::boundary:
+            return building.boundaries.size();
+        case physics::Part::plant:
+            return 1;
+        case physics::Part::meter:
+            return building.meter_factor.size();
+        default:
+            return building.zones.size();
+    }
+}
+
+bool is_of_zone(physics::Part part) {
+    return part != physics::Part::construction && part != physics::Part::glazing &&
+           part != physics::Part::boundary && part != physics::Part::plant &&
+           part != physics::Part::meter;
+}
+
+/// The building's parts with all of their numbers 0; amounts of changes are 0 as they
+/// are.
+physics::Building zeros_like(const physics::Building& building) {
+    physics::Building zeros = parts_of(building);
+    for (std::size_t field = 0; field < physics::fields().size(); ++field) {
+        const physics::Part part = physics::fields()[field].part;
+        for (std::size_t k = 0; k < count_in(zeros, part); ++k) {
+            const std::size_t n = is_of_zone(part) ? count_in(zeros.zones[k], part) : 1;
+            for (std::size_t inner = 0; inner < n; ++inner)
+                for (physics::Slot slot : {physics::Slot::value, physics::Slot::low})
+                    physics::number_at(
+                        zeros, {part, static_cast<int>(k), static_cast<int>(inner),
+                                static_cast<int>(field), slot}) = 0;
+        }
+    }
+    return zeros;
+}
+
+bool is_metered(physics::Quantity quantity) {
+    return quantity != physics::Quantity::air_temperature;
+}
+
+LaneArray like(const Partition& classes, int columns, int lanes) {
+    return {static_cast<std::size_t>(classes.size() * columns), lanes};
+}
+
+Batch::Group::Rows make_rows(std::size_t steps, int lanes) {
+    return {LaneArray(steps, lanes), LaneArray(steps, lanes),
+            LaneArray(steps, lanes)};
+}
+
+int tape_columns(const ZonePlan& zone) {
+    return zone.is_standard()
+               ? static_cast<int>(StandardTape::count)
+               : general_tape_columns(static_cast<int>(zone.states.size()));
+}
+
+Response::Run::OfZone make_zone(const Response::Plan& plan, const ZonePlan& zone,
+                                std::size_t n_steps) {
+    const int lanes = plan.lanes();
+    const std::size_t n_states = zone.is_standard() ? 1 : zone.states.size();
+    return {
+        LaneArray(plan.stretches.size() * n_states, lanes),
+        LaneArray(n_states, lanes),
+        LaneArray(n_steps * static_cast<std::size_t>(tape_columns(zone)), lanes),
+        make_rows(n_steps, lanes),
+        like(zone.regimes, zone.of_regime_columns(), lanes),
+        like(zone.rows, zone.row_columns(), lanes),
+        LaneArray(n_states, lanes),
+        LaneArray(n_steps, lanes)};
+}
+
+void add_channel(const Channel& channel, Response::Plan& plan) {
+    const bool air = channel.quantity == physics::Quantity::air_temperature;
+    bool& is_seen = air ? plan.shows_air : plan.shows_powers;
+    plan.of_channels.push_back(plan_channel(channel, plan.shared));
+    plan.of_channels.back().is_first = !is_seen;
+    is_seen = true;
+}
+
+}  // namespace
+
+Response::Plan::Plan(const Batch& of_batch, std::vector<Channel> wanted)
+    : batch(of_batch),
+      shared(batch.plan()),
+      channels(std::move(wanted)),
+      stretches(plan_stretches(shared)),
+      written(plan_written(shared)),
+      zeros(zeros_like(shared.nominal)) {
+    for (const Channel& channel : channels) add_channel(channel, *this);
+    for (const Written& number : written)
+        if (number.target.part == physics::Part::plant ||
+            number.target.part == physics::Part::meter)
+            pulls_powers = true;
+}
+
+Response::Run::Run(const Plan& plan)
+    : group(plan.batch.make_group()), of_building(plan.zeros) {
+    const int lanes = plan.lanes();
+    const auto n_steps = static_cast<std::size_t>(group->most_steps());
+    for (const ChannelPlan& channel : plan.of_channels) {
+        const std::size_t n = channel.factor.size();
+        channels.push_back({LaneArray(n, lanes), LaneArray(n, lanes)});
+        if (!is_metered(channel.quantity)) continue;
+        const Partition& forms = plan.shared.meter(channel.quantity).rows;
+        meter(channel.quantity) = {like(forms, 3, lanes), like(forms, 3, lanes)};
+    }
+    for (const ZonePlan& zone : plan.shared.zones)
+        zones.push_back(make_zone(plan, zone, n_steps));
+    shown = LaneArray(n_steps, lanes);
+    zeros = LaneArray(n_steps, lanes);
+    rows = make_rows(n_steps, lanes);
+    of_rows = make_rows(n_steps, lanes);
+    floor_share = LaneArray(zones.size(), lanes);
+    of_floor_share = LaneArray(zones.size(), lanes);
+}
+
+}  // namespace bemcal::kernel

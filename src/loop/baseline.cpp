@@ -1,0 +1,235 @@
+#include "loop/baseline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string_view>
+
+namespace bemcal::loop {
+namespace {
+
+constexpr int noise_rounds = 2;
+
+/// Noise to start from: a fifth of what the readings vary.
+std::vector<ChannelNoise> first_noise(const LoopData& data) {
+    std::vector<double> about_mean = data.targets.measured;
+    for (std::size_t c = 0; c < data.targets.n_channels(); ++c) {
+        double sum = 0, n = 0;
+        for (std::size_t k = data.targets.first[c]; k < data.targets.first[c + 1]; ++k)
+            if (!std::isnan(about_mean[k])) sum += about_mean[k], ++n;
+        for (std::size_t k = data.targets.first[c]; k < data.targets.first[c + 1]; ++k)
+            about_mean[k] =
+                std::isnan(about_mean[k]) ? 0 : 0.2 * (about_mean[k] - sum / n);
+    }
+    std::vector<ChannelNoise> noise = noise_of(data, about_mean);
+    for (ChannelNoise& channel : noise) channel.kappa = 24;
+    return noise;
+}
+
+/// Where a model starts that has one more refinement than another.
+std::vector<double> start_of(const Place& place, const Standing& from) {
+    std::vector<std::string> names;
+    names.reserve(place.unknowns.size() + place.always.size());
+    for (const study::FitUnknown& unknown : place.unknowns) names.push_back(unknown.name);
+    for (const Refinement::Always& always : place.always)
+        names.push_back(always.effect.name);
+    std::vector<double> start(names.size(), 0.0);
+    for (std::size_t k = 0; k < names.size(); ++k)
+        for (std::size_t j = 0; j < from.built.first_effect(); ++j)
+            if (from.built.unknowns[j].name == names[k]) start[k] = from.fit.at.x[j];
+    return start;
+}
+
+/// A model's fit with the noise held.
+Standing fitted(const LoopData& data, const Place& place, const LoopModel& model,
+                std::vector<double> start, const std::vector<ChannelNoise>& noise) {
+    Standing standing{model, build(place, model.effects), {}, noise, {}, {}, 0};
+    refit(data, standing, std::move(start), {10, 5e-4});
+    return standing;
+}
+
+/// The same, scored by that noise.
+Standing scored(const LoopData& data, const Place& place, const LoopModel& model,
+                std::vector<double> start, const std::vector<ChannelNoise>& noise) {
+    Standing standing = fitted(data, place, model, std::move(start), noise);
+    standing.score = std::numeric_limits<double>::infinity();
+    if (standing.fit.failed) return standing;
+    score_unseen(data, standing);
+    return standing;
+}
+
+bool are_of_one_kind(std::size_t one, std::size_t other) {
+    const std::string_view kind = refinements()[one].kind;
+    return !kind.empty() && kind == refinements()[other].kind;
+}
+
+/// The refinement that lowers the score most; none: none does.
+struct Better {
+    Standing standing;
+    Place place;
+};
+
+/// By how much each refinement lowered the score when it was last tried. [refinements]
+using Promises = std::vector<double>;
+
+/// The most promising first.
+std::vector<std::size_t> in_order_of(const Promises& promises) {
+    std::vector<std::size_t> order(promises.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(
+        order, [&](std::size_t a, std::size_t b) { return promises[a] > promises[b]; });
+    return order;
+}
+
+/// What one has brought, another seldom brings again: those that promised far less than
+/// the best now does are not tried unless nothing else helps (the lazy form of a greedy
+/// search: Minoux 1978).
+std::optional<Better> best_refinement(const LoopData& data, const Baseline& baseline,
+                                      Promises& promises,
+                                      std::vector<TriedStructure>& tried) {
+    constexpr double least = 6;  ///< of deviance: what a refinement must bring
+    constexpr double far = 2;    ///< of what was promised
+    std::optional<Better> best;
+    double most = least;
+    const auto& now = baseline.chosen.model.structure;
+    for (const std::size_t k : in_order_of(promises)) {
+        if (best && most > far * promises[k]) break;
+        if (std::ranges::any_of(now, [&](std::size_t there) {
+                return there == k || are_of_one_kind(there, k);
+            }))
+            continue;
+        LoopModel model = baseline.chosen.model;
+        model.structure.push_back(k);
+        try {
+            Place place = make_place(data, model.structure, data.drive);
+            Standing standing =
+                scored(data, place, model, start_of(place, baseline.chosen),
+                       baseline.chosen.noise);
+            promises[k] = baseline.chosen.score - standing.score;
+            tried.push_back({name_of(model.structure), baseline.gained - promises[k]});
+            if (promises[k] <= most) continue;
+            most = promises[k];
+            best = Better{std::move(standing), std::move(place)};
+        } catch (const std::invalid_argument&) {
+            // It cannot enter this building: no cooling, no wind in the weather.
+            promises[k] = -std::numeric_limits<double>::infinity();
+        }
+    }
+    return best;
+}
+
+double prior_pull(const Standing& standing) {
+    double sum = 0;
+    for (std::size_t k = 0; k < standing.built.unknowns.size(); ++k)
+        if (standing.built.unknowns[k].has_prior)
+            sum += standing.fit.at.x[k] * standing.fit.at.x[k];
+    return sum;
+}
+
+}  // namespace
+
+void refit(const LoopData& data, Standing& standing, std::vector<double> start,
+           const study::FitOptions& options) {
+    standing.fit = study::fit(
+        *standing.built.fit_model, standing.built.unknowns, data.targets.measured,
+        weights_of(data.targets, standing.noise), std::move(start), options);
+    if (!standing.fit.failed)
+        standing.residuals =
+            study::residuals_of(data.targets.measured, standing.fit.at.predicted);
+}
+
+void score_unseen(const LoopData& data, Standing& standing) {
+    standing.left_out =
+        left_out_of(data, standing.built, standing.fit, standing.noise, data.blocks);
+    standing.score = deviance(data.targets, standing.noise, standing.left_out);
+}
+
+void settle(const LoopData& data, Standing& standing) {
+    refit(data, standing, standing.fit.at.x, {8, 3e-4});
+    standing.noise = noise_of(data, standing.residuals);
+    score_unseen(data, standing);
+}
+
+double evidence(const LoopData& data, const Standing& without, const Standing& with) {
+    return deviance(data.targets, without.noise, without.residuals) -
+           deviance(data.targets, without.noise, with.residuals) + prior_pull(without) -
+           prior_pull(with);
+}
+
+std::vector<double> left_out_of(const LoopData& data, const BuiltModel& built,
+                                const study::Fit& all,
+                                const std::vector<ChannelNoise>& noise,
+                                std::span<const int> blocks) {
+    std::vector<double> left(data.targets.size());
+    const auto weights = weights_of(data.targets, noise);
+    for (const int half : {0, 1}) {
+        auto of_half = weights;
+        for (std::size_t k = 0; k < of_half.size(); ++k)
+            if (blocks[k] % 2 == half) of_half[k] = 0;
+        const study::Fit fitted =
+            study::fit(*built.fit_model, built.unknowns, data.targets.measured, of_half,
+                       all.at.x, {3, 1e-3});
+        const auto residuals =
+            study::residuals_of(data.targets.measured, fitted.at.predicted);
+        for (std::size_t k = 0; k < left.size(); ++k)
+            if (blocks[k] % 2 == half) left[k] = residuals[k];
+    }
+    return left;
+}
+
+Standing calibrate(const LoopData& data, const Place& place, const LoopModel& model,
+                   std::vector<double> start) {
+    std::vector<ChannelNoise> noise = first_noise(data);
+    Standing standing;
+    for (int round = 0; round < noise_rounds; ++round) {
+        standing = fitted(data, place, model, std::move(start), noise);
+        if (standing.fit.failed) return standing;
+        start = standing.fit.at.x;
+        noise = noise_of(data, standing.residuals);
+    }
+    standing.noise = noise;
+    score_unseen(data, standing);
+    return standing;
+}
+
+namespace {
+
+/// In prior standard deviations from the prior's mean.
+std::vector<double> first_start(const LoopData& data, const Place& place) {
+    std::vector<double> start;
+    start.reserve(place.unknowns.size());
+    for (const study::FitUnknown& unknown : place.unknowns) {
+        const auto given = data.options.start.find(unknown.name);
+        start.push_back(given == data.options.start.end()
+                            ? 0
+                            : (std::clamp(given->second, unknown.least, unknown.most) -
+                               unknown.centre) /
+                                  unknown.scale);
+    }
+    return start;
+}
+
+}  // namespace
+
+Baseline make_baseline(const LoopData& data) {
+    Baseline baseline;
+    baseline.place = make_place(data, {}, data.drive);
+    baseline.plain =
+        calibrate(data, baseline.place, {}, first_start(data, baseline.place));
+    baseline.chosen = baseline.plain;
+    baseline.tried = {{"standard", 0}};
+    Promises promises(refinements().size(), std::numeric_limits<double>::infinity());
+    while (data.options.try_structures && !baseline.chosen.fit.failed) {
+        auto better = best_refinement(data, baseline, promises, baseline.tried);
+        if (!better) break;
+        baseline.gained += better->standing.score - baseline.chosen.score;
+        baseline.place = std::move(better->place);
+        baseline.chosen = calibrate(data, baseline.place, better->standing.model,
+                                    better->standing.fit.at.x);
+    }
+    return baseline;
+}
+
+}  // namespace bemcal::loop

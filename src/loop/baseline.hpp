@@ -1,0 +1,64 @@
+/// The baseline of the loop: the plain building calibrated, then with the structure that
+/// predicts best what was left out.
+#pragma once
+
+#include "loop/model.hpp"
+
+namespace bemcal::loop {
+
+/// A model with its fit to the training period.
+struct Standing {
+    LoopModel model;
+    BuiltModel built;
+    study::Fit fit;
+    std::vector<ChannelNoise> noise;  ///< of its own residuals
+    std::vector<double> residuals;    ///< [targets]
+    std::vector<double> left_out;     ///< [targets] residuals of blocks it had not seen
+    double score = 0;                 ///< deviance of left_out, by the baseline's noise
+
+    /// Of one of model.effects, in its unit.
+    double coefficient(std::size_t effect) const {
+        const std::size_t k = built.first_effect() + effect;
+        return built.unknowns[k].value(fit.at.x[k]);
+    }
+};
+
+/// Fits the model that is built, by its noise, from a start; residuals where it went
+/// well.
+void refit(const LoopData& data, Standing& standing, std::vector<double> start,
+           const study::FitOptions& options);
+
+/// Fills left_out and score, by the standing's own noise.
+void score_unseen(const LoopData& data, Standing& standing);
+
+/// Takes a fit on to its end, then its noise and its score.
+void settle(const LoopData& data, Standing& standing);
+
+/// Fall of the deviance, by the noise of the first, and of what the prior adds.
+double evidence(const LoopData& data, const Standing& without, const Standing& with);
+
+/// Fits until the noise that weighs the channels is that of the residuals.
+Standing calibrate(const LoopData& data, const Place& place, const LoopModel& model,
+                   std::vector<double> start);
+
+/// Residuals of every other block under a fit to the others, and the other way round.
+std::vector<double> left_out_of(const LoopData& data, const BuiltModel& built,
+                                const study::Fit& fit,
+                                const std::vector<ChannelNoise>& noise,
+                                std::span<const int> blocks);
+
+struct TriedStructure {
+    std::string name;
+    double score;  ///< over the standard's; each against the last one chosen by one noise
+};
+
+struct Baseline {
+    Standing plain, chosen;
+    Place place;  ///< of the chosen structure
+    std::vector<TriedStructure> tried;
+    double gained = 0;  ///< change of the score from the standard's to the chosen one's
+};
+/// One refinement joins after the other, the best first, as long as the score falls.
+Baseline make_baseline(const LoopData& data);
+
+}  // namespace bemcal::loop

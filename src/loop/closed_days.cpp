@@ -1,0 +1,149 @@
+#include "loop/closed_days.hpp"
+
+#include "effects/catalogue.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace bemcal::loop {
+namespace {
+
+constexpr int apart = 3;  ///< days between those that are closed at a time
+constexpr double least_share = 0.5, most_share = 1.7;  ///< of a Sunday, to be one
+constexpr double standard_deviations = 5;              ///< of the other days' shares
+
+int day_of(physics::Seconds time) {
+    return static_cast<int>(
+        std::chrono::floor<std::chrono::days>(time).time_since_epoch().count());
+}
+
+/// Sums of a day: of its signature with the residual, and with itself.
+struct DaySums {
+    double with_residual = 0, with_itself = 0;
+};
+
+bool is_by_the_day(const kernel::Channel& channel) {
+    return channel.interval != physics::Interval::monthly &&
+           channel.interval != physics::Interval::annual;
+}
+
+/// Adds the sums of those days of the period whose number leaves `pass`.
+void add_days(const LoopData& data, const Place& place, const Standing& standing,
+              int pass, std::map<int, DaySums>& sums) {
+    const int first = day_of(data.training().from), last = day_of(data.training().to);
+    std::vector<effects::Days> days;
+    for (int day = first + pass; day < last; day += apart)
+        days.push_back({day, day, false});
+    std::vector<effects::Effect> all = standing.model.effects;
+    all.push_back(effects::closed_days(std::move(days)));
+    const BuiltModel built = build(place, all);
+    Matrix point(1, built.unknowns.size());
+    for (std::size_t k = 0; k + 1 < point.cols; ++k)
+        point(0, k) = standing.built.unknowns[k].value(standing.fit.at.x[k]);
+    point(0, point.cols - 1) = 1;
+    const Matrix predicted = built.fit_model->predict(point);
+    for (std::size_t c = 0; c < data.targets.n_channels(); ++c) {
+        const ChannelNoise& noise = standing.noise[c];
+        if (noise.share < least_share || !is_by_the_day(data.targets.channels[c]))
+            continue;
+        for (std::size_t k = data.targets.first[c]; k < data.targets.first[c + 1]; ++k) {
+            const int day = day_of(data.begins[k]);
+            if ((day - first) % apart != pass || std::isnan(data.targets.measured[k]))
+                continue;
+            const double moved =
+                (predicted(0, k) - standing.fit.at.predicted[k]) / noise.sigma;
+            DaySums& of_day = sums[day];
+            of_day.with_residual += moved * standing.residuals[k] / noise.sigma;
+            of_day.with_itself += moved * moved;
+        }
+    }
+}
+
+/// Each day's share of a Sunday, of those days that would show it.
+std::map<int, double> shares_of(const std::map<int, DaySums>& sums) {
+    std::vector<double> sizes;
+    sizes.reserve(sums.size());
+    for (const auto& [day, of_day] : sums) sizes.push_back(of_day.with_itself);
+    if (sizes.empty()) return {};
+    std::ranges::nth_element(sizes, sizes.begin() + static_cast<long>(sizes.size() / 2));
+    const double typical = sizes[sizes.size() / 2];
+    std::map<int, double> shares;
+    for (const auto& [day, of_day] : sums)
+        if (of_day.with_itself > 0.1 * typical && of_day.with_itself > 0)
+            shares[day] = of_day.with_residual / of_day.with_itself;
+    return shares;
+}
+
+double median_of(std::vector<double> values) {
+    std::ranges::nth_element(values,
+                             values.begin() + static_cast<long>(values.size() / 2));
+    return values[values.size() / 2];
+}
+
+/// How the shares of ordinary days spread, by the median of their distances.
+double spread_of(const std::map<int, double>& shares, double middle) {
+    std::vector<double> distances;
+    distances.reserve(shares.size());
+    for (const auto& [day, share] : shares) distances.push_back(std::abs(share - middle));
+    return 1.4826 * median_of(distances);
+}
+
+bool is_weekend(int day) {
+    return (day + 3) % 7 >= 5;  // 1 January 1970 was a Thursday
+}
+
+/// Whether only a weekend lies between two days.
+bool is_next_working_day(int day, int next) {
+    for (int between = day + 1; between < next; ++between)
+        if (!is_weekend(between)) return false;
+    return true;
+}
+
+/// Days that were closed, with the weekends between them; a longer run takes in the
+/// weekends at its ends, whose dates are working days in another year.
+std::vector<effects::Days> runs_of(const std::vector<int>& days) {
+    constexpr int longer = 3;
+    std::vector<effects::Days> runs;
+    for (const int day : days) {
+        if (is_weekend(day)) continue;
+        if (runs.empty() || !is_next_working_day(runs.back().last, day))
+            runs.push_back({day, day, true});
+        runs.back().last = day;
+    }
+    for (effects::Days& run : runs) {
+        if (run.last - run.first + 1 < longer) continue;
+        while (is_weekend(run.first - 1)) --run.first;
+        while (is_weekend(run.last + 1)) ++run.last;
+    }
+    return runs;
+}
+
+}  // namespace
+
+std::optional<effects::Effect> closed_days(const LoopData& data, const Place& place,
+                                           const Standing& standing) {
+    std::map<int, DaySums> sums;
+    try {
+        for (int pass = 0; pass < apart; ++pass)
+            add_days(data, place, standing, pass, sums);
+    } catch (const std::exception&) {
+        return std::nullopt;  // nothing is scheduled
+    }
+    const std::map<int, double> shares = shares_of(sums);
+    if (shares.size() < 20) return std::nullopt;
+    std::vector<double> values;
+    values.reserve(shares.size());
+    for (const auto& [day, share] : shares) values.push_back(share);
+    const double middle = median_of(values), spread = spread_of(shares, middle);
+    std::vector<int> closed;
+    for (const auto& [day, share] : shares)
+        if (share - middle > standard_deviations * spread && share > least_share &&
+            share < most_share)
+            closed.push_back(day);
+    const auto runs = runs_of(closed);
+    if (runs.empty()) return std::nullopt;
+    return effects::closed_days(runs);
+}
+
+}  // namespace bemcal::loop

@@ -1,0 +1,63 @@
+#include "loop/intervals.hpp"
+
+#include "stats/least_squares.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bemcal::loop {
+namespace {
+
+/// What the hour's model makes of an effect that another model of a building made: root
+/// mean square error of the coefficients that bench/bench_loop.py can compare, beyond
+/// what else their intervals hold [-].
+constexpr double of_model = 0.08;
+
+double days_of(const study::Period& period) {
+    return static_cast<double>((period.to - period.from).count()) / 86400;
+}
+
+}  // namespace
+
+std::vector<double> deviations_of(const LoopData& data, const Standing& standing,
+                                  double misfit) {
+    auto weights = weights_of(data.targets, standing.noise);
+    for (double& weight : weights) weight /= misfit;
+    const auto equations =
+        stats::normal_equations(standing.fit.at.derivatives, standing.residuals, weights);
+    auto diagonal = study::prior_diagonal(standing.built.unknowns);
+    for (double& entry : diagonal) entry += 1e-6;
+    // A set-point where nothing heats any more could be anything: no more is said than
+    // that it is plausible.
+    for (std::size_t k = 0; k < standing.model.effects.size(); ++k) {
+        const effects::Effect& effect = standing.model.effects[k];
+        const std::size_t at = standing.built.first_effect() + k;
+        diagonal[at] +=
+            std::pow(standing.built.unknowns[at].scale /
+                         std::max(std::abs(effect.least), std::abs(effect.most)),
+                     2);
+    }
+    const std::vector<char> none(diagonal.size(), 0);
+    const Matrix covariance = stats::inverse(equations.matrix, diagonal, none);
+    std::vector<double> sd = stats::jackknife_deviations(
+        standing.fit.at.derivatives, standing.residuals, weights,
+        data.blocks_of(days_of(data.training()) / 12), diagonal, none);
+    for (std::size_t k = 0; k < diagonal.size(); ++k)
+        sd[k] = std::max(sd[k], std::sqrt(std::max(0.0, covariance(k, k)))) *
+                standing.built.unknowns[k].scale;
+    return sd;
+}
+
+double deviation_of(const Found& found, double of_noise, double coefficient) {
+    return std::hypot(std::hypot(of_noise, of_model * coefficient), found.of_shape,
+                      found.of_missing);
+}
+
+Fate fate_of(double certainty, double gain, double threshold) {
+    constexpr double nearly_nothing = 3.5;
+    constexpr double far_above = 6;
+    if (certainty >= nearly_nothing) return Fate::stays;
+    return gain > far_above * threshold ? Fate::is_doubtful : Fate::leaves;
+}
+
+}  // namespace bemcal::loop

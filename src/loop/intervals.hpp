@@ -1,0 +1,32 @@
+/// How far the unknowns of a model in the loop may be from the truth.
+#pragma once
+
+#include "loop/results.hpp"
+
+#include <vector>
+
+namespace bemcal::loop {
+
+/// Standard deviations of a model's unknowns, in their units [unknowns]: what noise
+/// leaves them, errors counted `misfit` times; more where twelfths of the period say
+/// otherwise (delete-a-block jackknife).
+std::vector<double> deviations_of(const LoopData& data, const Standing& standing,
+                                  double misfit);
+
+/// The standard deviation of an effect's coefficient, in its unit: of noise, of what was
+/// found about its shape and about what is missing, and of the model itself.
+double deviation_of(const Found& found, double of_noise, double coefficient);
+
+/// What becomes of an effect that was found.
+enum class Fate {
+    stays,
+    is_doubtful,  ///< it is there, but its coefficient could be nearly anything
+    leaves,
+};
+
+/// By how many of its deviations the coefficient is from 0, and by its evidence beside
+/// what noise shows: a set-point of a season with hardly any load has no certain
+/// coefficient, and may be there for all that.
+Fate fate_of(double certainty, double gain, double threshold);
+
+}  // namespace bemcal::loop

@@ -1,0 +1,61 @@
+/// The model without effects: a series must not depend on what follows it.
+#include "loop/loads.hpp"
+
+#include "physics/simulate.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace bemcal::loop {
+namespace {
+
+physics::Building calibrated_building(const BuiltModel& built, const Standing& standing) {
+    std::vector<double> values(built.unknowns.size());
+    for (std::size_t k = 0; k < values.size(); ++k)
+        values[k] = built.unknowns[k].within(standing.fit.at.x[k]);
+    physics::Building building = built.placed->building;
+    physics::apply(built.placed->building, built.parameters, values, building);
+    return building;
+}
+
+/// Sums over zones. The warm-up, of which no trajectory tells, repeats the first steps.
+std::vector<double> on_all_steps(const physics::Trajectory& trajectory,
+                                 std::vector<double> physics::ZoneTrajectory::* power,
+                                 const physics::Drive& drive) {
+    const auto n = static_cast<std::size_t>(drive.n_steps()),
+               before = static_cast<std::size_t>(drive.n_warm_up);
+    std::vector<double> sums(n, 0.0);
+    for (const physics::ZoneTrajectory& zone : trajectory.zones)
+        for (std::size_t k = 0; k < n; ++k)
+            sums[k] += (zone.*power)[k < before ? k % (n - before) : k - before];
+    return sums;
+}
+
+}  // namespace
+
+void know_loads(Place& place, const Standing& calibrated) {
+    const BuiltModel built = build(place, {});
+    effects::ModelSeries& series = place.surroundings->model;
+    try {
+        const auto trajectory = physics::simulate(calibrated_building(built, calibrated),
+                                                  built.placed->drive);
+        series.heating = on_all_steps(trajectory, &physics::ZoneTrajectory::heating,
+                                      built.placed->drive);
+        series.cooling = on_all_steps(trajectory, &physics::ZoneTrajectory::cooling,
+                                      built.placed->drive);
+    } catch (const std::domain_error&) {
+        series = {};
+        return;
+    }
+    series.most_heating = *std::ranges::max_element(series.heating);
+    series.most_cooling = *std::ranges::max_element(series.cooling);
+}
+
+void know_loads(Place& place, const Standing& calibrated,
+                const effects::ModelSeries& in_training) {
+    know_loads(place, calibrated);
+    place.surroundings->model.most_heating = in_training.most_heating;
+    place.surroundings->model.most_cooling = in_training.most_cooling;
+}
+
+}  // namespace bemcal::loop

@@ -1,0 +1,131 @@
+/// A building in the loop: its training data, a model of it (structure and effects), and
+/// how well that model stands.
+#pragma once
+
+#include "effects/placement.hpp"
+#include "loop/options.hpp"
+#include "study/case.hpp"
+#include "study/fit_model.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bemcal::loop {
+
+/// How far a channel's readings stray from a model, and how long errors last.
+struct ChannelNoise {
+    double sigma = 1;  ///< root mean square of the residual [channel's unit]
+    double kappa = 1;  ///< variance of sums over a week, per that of independent errors
+    double share = 1;  ///< of a meter that matters; less where little energy flows
+    double least = 0;  ///< sigma of a model as good as models are [channel's unit]
+};
+
+/// What does not change while the loop searches.
+struct LoopData {
+    LoopData(const study::Case& given, const LoopOptions& chosen);
+
+    study::Case building;  ///< its planes are those of every refinement
+    LoopOptions options;
+    std::vector<std::size_t> meters;       ///< channels: indices into building.meters
+    study::Targets targets;                ///< of the training period
+    std::vector<physics::Seconds> begins;  ///< [targets.size()] of the readings
+    std::shared_ptr<const physics::Drive> drive;  ///< of the training period
+    std::vector<int> blocks;  ///< [targets.size()] of options.block_days
+
+    const study::Period& training() const;
+    /// With the planes of every refinement.
+    std::shared_ptr<const physics::Drive> drive_over(const study::Period& period) const;
+    std::vector<int> quantities() const;  ///< [channels] as effects name meters
+    /// Whether a meter is read by the month.
+    bool reads_months() const;
+    bool reads_months_only() const;
+    /// Of blocks of so many days; of calendar months where a meter is read by the month,
+    /// so that no reading is in two.
+    std::vector<int> blocks_of(double days) const;
+};
+
+/// The meters' readings of a period, those missing that show the state that the building
+/// had before where nothing is known of that: of two days, in periods of twenty or more.
+std::vector<kernel::Readings> training_readings(const study::Case& building,
+                                                const study::Period& period);
+
+/// A refinement of the zone that is chosen before any effect is sought.
+struct Refinement {
+    const char* name;
+    struct Number {
+        const char* name;
+        const char* path;  ///< of physics::resolve
+        double mean, sd, least, most;
+    };
+    std::vector<Number> numbers;
+    /// What every building has in some measure: an effect with a prior.
+    struct Always {
+        effects::Effect effect;
+        double mean, sd, least, most;
+    };
+    std::vector<Always> effects{};
+    /// Changes the building as described; whether there was anything to change.
+    bool (*change)(physics::Building&) = nullptr;
+    const char* kind = "";  ///< of one kind a structure has one
+};
+const std::vector<Refinement>& refinements();
+/// "surfaces + sky"; "standard" without any.
+std::string name_of(const std::vector<std::size_t>& structure);
+
+/// A model: which refinements, which effects.
+struct LoopModel {
+    std::vector<std::size_t> structure;  ///< of refinements()
+    std::vector<effects::Effect> effects;
+};
+
+/// A model that has been built: ready to be simulated over a period.
+struct BuiltModel {
+    physics::Building building;  ///< with structure, without effects
+    std::shared_ptr<const physics::Drive> drive;
+    std::shared_ptr<const effects::Placed> placed;
+    std::vector<study::FitUnknown> unknowns;  ///< parameters, refinements, effects found
+    std::vector<physics::Parameter> parameters;
+    std::shared_ptr<const study::FitModel> fit_model;
+    std::size_t n_effects = 0;
+
+    std::size_t first_effect() const { return unknowns.size() - n_effects; }
+};
+
+/// Series that the training period's effects follow, for a structure.
+struct Place {
+    physics::Building building;                          ///< with the structure's numbers
+    std::shared_ptr<const physics::Building> described;  ///< what the surroundings show
+    std::shared_ptr<const physics::Drive> drive;
+    std::shared_ptr<effects::Surroundings> surroundings;
+    std::vector<physics::Parameter> parameters;
+    std::vector<study::FitUnknown> unknowns;
+    std::vector<Refinement::Always> always;  ///< of the structure
+    std::vector<kernel::Channel> channels;
+};
+
+/// The building with the structure over a period, ready for effects. Throws
+/// std::invalid_argument where a refinement has nothing to refine.
+Place make_place(const LoopData& data, const std::vector<std::size_t>& structure,
+                 std::shared_ptr<const physics::Drive> drive);
+
+/// Throws std::invalid_argument where an effect cannot enter.
+BuiltModel build(const Place& place, const std::vector<effects::Effect>& effects);
+
+/// [targets.size()] weights by channel; 0 where nothing is measured.
+std::vector<double> weights_of(const study::Targets& targets,
+                               const std::vector<ChannelNoise>& noise);
+std::vector<ChannelNoise> noise_of(const LoopData& data,
+                                   std::span<const double> residuals);
+
+/// Mean squares of a channel's residuals that are measured. [channels]
+std::vector<double> mean_squares(const study::Targets& targets,
+                                 std::span<const double> residuals);
+
+/// -2 log likelihood with each channel's variance at its best value, errors counted as
+/// often as they are independent: sum over channels of share n / kappa log(mean square +
+/// least^2).
+double deviance(const study::Targets& targets, const std::vector<ChannelNoise>& noise,
+                std::span<const double> residuals);
+
+}  // namespace bemcal::loop

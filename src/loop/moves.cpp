@@ -1,0 +1,379 @@
+/// Every move is a refit from where the model stands.
+#include "loop/moves.hpp"
+
+#include "loop/gates.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+namespace bemcal::loop {
+namespace {
+
+constexpr double clearly = 6;  ///< of evidence
+
+/// How far a threshold or a date is moved first.
+double first_move(const effects::Effect& effect) {
+    using effects::Driver;
+    if (effect.hook == effects::Hook::venting) return 1.5;  // opens above [degC]
+    switch (effect.driver) {
+        case Driver::day_of_year:
+            return 14;
+        case Driver::elapsed:
+            return 0.04;
+        case Driver::hour:
+        case Driver::shifted_hours:
+            return 1;
+        case Driver::sun_on_facade:
+        case Driver::bright:
+        case Driver::sun_horizontal:
+            return 50;
+        case Driver::theta_e:
+        case Driver::temperature_to_base:
+        case Driver::constant_temperature:
+            return 2;
+        default:
+            return 0;
+    }
+}
+
+constexpr double two_weeks = 0.04;  ///< [a]
+
+/// Where a shape begins at the earliest: readings before a date tell what changes on it.
+double earliest(const effects::Effect& effect) {
+    return effect.driver == effects::Driver::elapsed ? two_weeks : -1e9;
+}
+
+/// The effect with one of its thresholds, dates or hours moved.
+std::vector<effects::Effect> moved_shapes(const effects::Effect& effect, double part) {
+    std::vector<effects::Effect> moved;
+    const auto add = [&](auto change) {
+        moved.push_back(effect);
+        change(moved.back());
+    };
+    const double move = first_move(effect) * part;
+    for (const double sign : {1.0, -1.0}) {
+        if (move > 0)
+            add([&](effects::Effect& e) {
+                e.shape.at = std::max(e.shape.at + sign * move, earliest(e));
+            });
+        if (move > 0 && effect.shape.form == effects::Form::within)
+            add([&](effects::Effect& e) { e.shape.until += sign * move; });
+        const double hours = std::max(1.0, std::round(2 * part));
+        if (effect.hours.from > 0 || effect.hours.until < 24) {
+            add([&](effects::Effect& e) {
+                e.hours.from = std::max(0.0, e.hours.from + sign * hours);
+            });
+            add([&](effects::Effect& e) {
+                e.hours.until = std::min(24.0, e.hours.until + sign * hours);
+            });
+        }
+    }
+    return moved;
+}
+
+/// The model with an effect in place of another; fit.failed where that cannot be.
+struct InPlace {
+    std::size_t index;
+    effects::Effect effect;
+    std::vector<double> start;
+    study::FitOptions options;
+};
+Standing with_in_place(const LoopData& data, const Place& place, const Standing& standing,
+                       const InPlace& change) {
+    Standing tried = standing;
+    tried.model.effects[change.index] = change.effect;
+    try {
+        tried.built = build(place, tried.model.effects);
+    } catch (const std::exception&) {
+        tried.fit.failed = true;
+        return tried;
+    }
+    refit(data, tried, change.start, change.options);
+    return tried;
+}
+
+/// Takes the moves that help; says whether any did.
+bool move_shape(const LoopData& data, const Place& place, Standing& standing,
+                std::size_t index, double part) {
+    bool helped = false;
+    for (const auto& effect : moved_shapes(standing.model.effects[index], part)) {
+        Standing tried = with_in_place(data, place, standing,
+                                       {index, effect, standing.fit.at.x, {2, 1e-3}});
+        if (tried.fit.failed || tried.fit.objective >= standing.fit.objective - 0.5)
+            continue;
+        standing = std::move(tried);
+        helped = true;
+    }
+    return helped;
+}
+
+}  // namespace
+
+bool is_dated(const effects::Effect& effect) {
+    return effect.driver == effects::Driver::day_of_year ||
+           effect.driver == effects::Driver::elapsed;
+}
+
+bool is_at_an_end(const LoopData& data, const effects::Effect& effect) {
+    const study::Period& training = data.training();
+    const std::chrono::duration<double, std::chrono::years::period> years =
+        training.to - training.from;
+    const double at = effect.shape.at;
+    return effect.driver == effects::Driver::elapsed &&
+           effect.shape.form == effects::Form::over &&
+           (at <= two_weeks || at >= years.count() - two_weeks);
+}
+
+Standing with_best_shape(const LoopData& data, const Place& place, Standing standing,
+                         std::size_t index) {
+    constexpr int most_moves = 5;     ///< of one length
+    constexpr double day = 1.0 / 14;  ///< of a date's first move
+    refit(data, standing, standing.fit.at.x,
+          {2, 1e-3});  // the objective by its own noise
+    for (const double part : {1.0, 0.5, 0.25, 2 * day, day}) {
+        if (part < 0.25 && !is_dated(standing.model.effects[index])) break;
+        for (int k = 0; k < most_moves && move_shape(data, place, standing, index, part);
+             ++k) {
+        }
+    }
+    return standing;
+}
+
+Standing refine_shape(const LoopData& data, const Place& place, Standing standing,
+                      std::size_t index) {
+    Standing refined = with_best_shape(data, place, std::move(standing), index);
+    settle(data, refined);
+    return refined;
+}
+
+double deviation_over_shapes(const LoopData& data, const Place& place,
+                             const Standing& standing, std::size_t effect,
+                             double misfit) {
+    Standing own = standing;
+    refit(data, own, own.fit.at.x, {2, 1e-3});  // the objective by its own noise
+    double likely = 1, square = 0;
+    for (const double part : {1.0, 0.5})
+        for (const auto& moved : moved_shapes(standing.model.effects[effect], part)) {
+            const Standing tried =
+                with_in_place(data, place, own, {effect, moved, own.fit.at.x, {2, 1e-3}});
+            if (tried.fit.failed) continue;
+            const double worse = std::max(0.0, tried.fit.objective - own.fit.objective);
+            const double weight = std::exp(-0.5 * worse / misfit);
+            const double change = tried.coefficient(effect) - own.coefficient(effect);
+            likely += weight;
+            square += weight * change * change;
+        }
+    return std::sqrt(square / likely);
+}
+
+int swap(const LoopData& data, const Place& place, Standing& standing, std::size_t effect,
+         const std::vector<effects::Effect>& rivals) {
+    int best = -1;
+    double most = clearly;
+    Standing chosen;
+    const std::size_t unknown = standing.built.first_effect() + effect;
+    const bool has_name = standing.model.effects[effect].number != 0;
+    for (std::size_t k = 0; k < rivals.size(); ++k) {
+        if (has_name && rivals[k].number == 0) continue;  // says less
+        std::vector<double> start = standing.fit.at.x;
+        start[unknown] = rivals[k].most > 0 ? 0.5 : -0.5;
+        Standing tried = with_in_place(data, place, standing,
+                                       {effect, rivals[k], std::move(start), {6, 1e-3}});
+        if (tried.fit.failed || tried.fit.bound[unknown] != 0 ||
+            !is_plausible(rivals[k], tried.coefficient(effect)))
+            continue;
+        const double gain = evidence(data, standing, tried);
+        if (gain <= most) continue;
+        most = gain, best = static_cast<int>(k);
+        chosen = std::move(tried);
+    }
+    if (best < 0) return best;
+    settle(data, chosen);
+    standing = std::move(chosen);
+    return best;
+}
+
+namespace {
+
+/// Where one of two halves leaves that were split, the other stands for both again.
+void join_halves(const effects::Effect& gone, std::vector<effects::Effect>& all) {
+    using effects::Hook;
+    for (effects::Effect& half : all) {
+        const bool is_plant = half.hook == Hook::plant_operation &&
+                              gone.name == half.name + of_use,
+                   is_use = gone.hook == Hook::plant_operation &&
+                            half.name == gone.name + of_use;
+        if (!is_plant && !is_use) continue;
+        half.hook = Hook::operation;
+        if (is_use) half.name = gone.name;
+    }
+}
+
+}  // namespace
+
+bool split(const LoopData& data, const Place& place, Standing& standing,
+           std::size_t effect, double least) {
+    const effects::Effect whole = standing.model.effects[effect];
+    if (whole.hook != effects::Hook::operation ||
+        whole.driver != effects::Driver::another_day)
+        return false;
+    Standing tried = standing;
+    effects::Effect& plant = tried.model.effects[effect];
+    plant.hook = effects::Hook::plant_operation;
+    effects::Effect use = whole;
+    use.hook = effects::Hook::occupation;
+    use.name += of_use;
+    tried.model.effects.push_back(use);
+    try {
+        tried.built = build(place, tried.model.effects);
+    } catch (const std::exception&) {
+        return false;
+    }
+    std::vector<double> start = standing.fit.at.x;
+    start.push_back(start[standing.built.first_effect() + effect]);
+    refit(data, tried, std::move(start), {8, 1e-3});
+    if (tried.fit.failed || evidence(data, standing, tried) < std::max(least, clearly))
+        return false;
+    constexpr double apart = 0.2;  ///< of the coefficients: else one name says it all
+    const std::size_t last = tried.model.effects.size() - 1;
+    if (std::abs(tried.coefficient(effect) - tried.coefficient(last)) < apart)
+        return false;
+    tried = refine_shape(data, place, std::move(tried), effect);
+    standing = refine_shape(data, place, std::move(tried), standing.model.effects.size());
+    return true;
+}
+
+namespace {
+
+/// The model without one of its effects, from where it stands.
+Standing without_effect(const LoopData& data, const Place& place,
+                        const Standing& standing, std::size_t effect) {
+    Standing without;
+    without.model = standing.model;
+    auto& left = without.model.effects;
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(effect));
+    join_halves(standing.model.effects[effect], left);
+    without.noise = standing.noise;
+    without.built = build(place, without.model.effects);
+    std::vector<double> start = standing.fit.at.x;
+    start.erase(start.begin() +
+                static_cast<std::ptrdiff_t>(standing.built.first_effect() + effect));
+    refit(data, without, std::move(start), {5, 1e-3});
+    return without;
+}
+
+}  // namespace
+
+std::optional<Gone> take_out(const LoopData& data, const Place& place, Standing& standing,
+                             std::size_t effect) {
+    Standing without = without_effect(data, place, standing, effect);
+    if (without.fit.failed) return std::nullopt;
+    Gone gone{effect, standing.model.effects[effect].name};
+    settle(data, without);
+    standing = std::move(without);
+    return gone;
+}
+
+std::vector<Gone> prune(const LoopData& data, const Place& place, Standing& standing,
+                        double least) {
+    std::vector<Gone> gone;
+    while (!standing.model.effects.empty()) {
+        double lowest = least;
+        std::size_t weakest = 0;
+        Standing best;
+        for (std::size_t k = 0; k < standing.model.effects.size(); ++k) {
+            Standing without = without_effect(data, place, standing, k);
+            if (without.fit.failed) continue;
+            const double carried = evidence(data, without, standing);
+            if (carried > lowest) continue;
+            lowest = carried, weakest = k;
+            best = std::move(without);
+        }
+        if (!best.built.fit_model) break;
+        gone.push_back({weakest, standing.model.effects[weakest].name});
+        settle(data, best);
+        standing = std::move(best);
+    }
+    return gone;
+}
+
+std::vector<Gone> prune_implausible(const LoopData& data, const Place& place,
+                                    Standing& standing) {
+    std::vector<Gone> gone;
+    for (std::size_t k = 0; k < standing.model.effects.size();) {
+        const effects::Effect& effect = standing.model.effects[k];
+        if (is_plausible(effect, standing.coefficient(k)) &&
+            !is_at_an_end(data, effect)) {
+            ++k;
+            continue;
+        }
+        const auto left = take_out(data, place, standing, k);
+        if (!left) return gone;
+        gone.push_back(*left);
+        k = 0;
+    }
+    return gone;
+}
+
+namespace {
+
+/// By how much the error of each meter that counts has grown, as a ratio of mean squares;
+/// 1 for the others. Errors below what a model may have are none.
+std::vector<double> growth_of(const LoopData& data, const Standing& before,
+                              const Standing& after) {
+    constexpr double counts =
+        0.1;  ///< share: where next to nothing flows, nothing can be kept
+    const auto old = mean_squares(data.targets, before.residuals),
+               now = mean_squares(data.targets, after.residuals);
+    std::vector<double> growth;
+    growth.reserve(old.size());
+    for (std::size_t c = 0; c < old.size(); ++c) {
+        const ChannelNoise& noise = before.noise[c];
+        const double met = std::pow(std::hypot(noise.least, 1e-3 * noise.sigma), 2);
+        growth.push_back(noise.share < counts ? 1 : (now[c] + met) / (old[c] + met));
+    }
+    return growth;
+}
+
+/// Whether the effects are still what was found.
+bool are_the_same(const Standing& found, const Standing& now) {
+    constexpr double moved = 0.1;  ///< of a coefficient
+    for (std::size_t k = 0; k < found.model.effects.size(); ++k) {
+        const double was = found.coefficient(k), is = now.coefficient(k);
+        if (std::abs(is - was) > moved * std::abs(was) ||
+            now.fit.bound[now.built.first_effect() + k] != 0)
+            return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+bool spare_meters(const LoopData& data, const Standing& before, Standing& standing) {
+    constexpr int most_rounds = 8;
+    constexpr double worse = 1.004;  ///< mean square: 0.2 % of the error
+    std::vector<double> growth = growth_of(data, before, standing);
+    double least = std::ranges::max(growth);
+    Standing tried = standing, best = standing;
+    bool is_better = false;
+    for (int round = 0; round < most_rounds && std::ranges::max(growth) > worse;
+         ++round) {
+        for (std::size_t c = 0; c < growth.size(); ++c)
+            if (growth[c] > worse)
+                tried.noise[c].sigma /= std::min(1.5, std::pow(growth[c], 4));
+        refit(data, tried, tried.fit.at.x, {6, 3e-4});
+        if (tried.fit.failed || !are_the_same(standing, tried)) break;
+        growth = growth_of(data, before, tried);
+        if (std::ranges::max(growth) >= least) continue;
+        least = std::ranges::max(growth);
+        best = tried;
+        is_better = true;
+    }
+    best.noise = standing.noise;  // what is known of errors has not changed
+    standing = std::move(best);
+    return is_better;
+}
+
+}  // namespace bemcal::loop

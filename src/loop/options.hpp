@@ -1,0 +1,31 @@
+/// What a job says of a search for effects that its description lacks.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace bemcal::loop {
+
+struct LoopOptions {
+    std::string period;                   ///< for training; empty = the case's first
+    std::vector<std::string> parameters;  ///< that are calibrated; empty = all
+    std::vector<std::string> meters;      ///< empty = all with readings in the period
+    int most_effects = 6;                 ///< that are accepted; then the search ends
+    bool try_structures = true;  ///< whether the baseline's structure is chosen first
+    double block_days = 14;      ///< of the training period's interleaved blocks [d]
+    double least_gain = 2;       ///< fall of the held-out error in training blocks, as
+                                 ///< a mean over channels [%]
+    double most_loss = 1;        ///< rise of it that every channel may show [%]
+    double alpha = 0.01;         ///< level of what noise alone shows among those refitted
+    std::uint64_t seed = 0;
+    /// Values of parameters where the first fit starts; those left out start at their
+    /// prior's mean.
+    std::map<std::string, double> start{};
+    std::vector<std::string> exclude;  ///< names of effects that are not tried
+    bool generic = true;               ///< whether the grammar's effects are tried, too
+    std::vector<std::string> columns;  ///< names of the case's columns that may drive one
+};
+
+}  // namespace bemcal::loop

@@ -1,0 +1,46 @@
+/// What the loop found, and the datasets that say so.
+#pragma once
+
+#include "loop/portrait.hpp"
+#include "loop/power.hpp"
+#include "study/stage.hpp"
+
+namespace bemcal::loop {
+
+/// A line of the search's log: a candidate that was judged, or why the search ended.
+struct LoggedStep {
+    std::string effect, verdict;
+    double gain = 0, threshold = 0, score = 0;
+    std::vector<double> error;  ///< [channels]
+};
+
+/// An effect that was accepted, with what cannot be told apart from it.
+struct Found {
+    std::string equivalents;  ///< names of its class, joined by "; "
+    std::string doubt;        ///< why its name may be the nearest one only; "" = adequate
+    double gain = 0;
+    std::vector<effects::Effect> rivals{};  ///< what may stand in its place
+    // What its coefficient owes, as root mean squares in its unit:
+    double of_shape = 0;    ///< to the shape that it has (deviation_over_shapes)
+    double of_missing = 0;  ///< to what may still be missing; 0 after `most_effects`
+};
+
+struct LoopResult {
+    Baseline baseline;
+    Standing last;             ///< with effects
+    std::vector<Found> found;  ///< [last.model.effects]
+    std::vector<LoggedStep> log;
+    PowerTable power;
+    Localisation before, after;
+    std::vector<Unexplained> unexplained;
+    std::vector<std::pair<std::string, double>> candidates;  ///< of the last step
+    /// Evidence of the best candidate that did not pass over what noise alone would show,
+    /// at least 1: how much more than noise what the model cannot say moves its unknowns.
+    double misfit = 1;
+    int hours_late = 0;  ///< of the meters' clocks, which predictions follow
+};
+
+std::vector<study::Dataset> datasets_of(const std::string& stage, const LoopData& data,
+                                        const LoopResult& result);
+
+}  // namespace bemcal::loop

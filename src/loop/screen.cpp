@@ -1,0 +1,228 @@
+/// Candidates on the tangent: one simulation of four amplitudes each.
+#include "base/random.hpp"
+#include "loop/search.hpp"
+#include "stats/distributions.hpp"
+#include "stats/least_squares.hpp"
+#include "stats/quantile.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace bemcal::loop {
+namespace {
+
+constexpr std::array amplitudes = {1.0, -1.0, 0.25, -0.25};  ///< of the typical size
+
+/// What does not change from candidate to candidate.
+struct Tangent {
+    Tangent(const LoopData& data, const Standing& standing,
+            const std::vector<char>& bound)
+        : weights(weights_of(data.targets, standing.noise)),
+          equations(stats::normal_equations(standing.fit.at.derivatives,
+                                            standing.residuals, weights)),
+          diagonal(study::prior_diagonal(standing.built.unknowns)) {
+        for (double& entry : diagonal) entry += 1e-6;
+        inverse = stats::inverse(equations.matrix, diagonal, bound);
+    }
+
+    std::vector<double> times_inverse(std::span<const double> vector) const {
+        std::vector<double> product(vector.size(), 0.0);
+        for (std::size_t i = 0; i < product.size(); ++i)
+            for (std::size_t j = 0; j < product.size(); ++j)
+                product[i] += inverse(i, j) * vector[j];
+        return product;
+    }
+
+    std::vector<double> weights;
+    stats::NormalEquations equations;
+    std::vector<double> diagonal;
+    Matrix inverse;
+};
+
+double dot(std::span<const double> a, std::span<const double> b) {
+    double sum = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) sum += a[k] * b[k];
+    return sum;
+}
+
+/// A secant of a candidate: what one unit of its coefficient does to the predictions.
+struct Secant {
+    std::vector<double> per_unit;
+    stats::Bordered sums;
+    std::vector<double> followed;  ///< by how much the other unknowns follow it
+    double U = 0, I = 0;
+
+    double coefficient() const { return I > 0 ? U / I : 0; }
+    double own_share() const { return I / sums.with_itself; }
+    double gain_at(double c) const { return 2 * c * U - c * c * I; }
+};
+
+Secant secant_of(const Standing& standing, const Tangent& tangent,
+                 std::span<const double> predicted, double amplitude) {
+    Secant secant;
+    secant.per_unit.resize(predicted.size());
+    for (std::size_t k = 0; k < predicted.size(); ++k)
+        secant.per_unit[k] = (predicted[k] - standing.fit.at.predicted[k]) / amplitude;
+    secant.sums = stats::bordered(standing.fit.at.derivatives, secant.per_unit,
+                                  standing.residuals, tangent.weights);
+    secant.followed = tangent.times_inverse(secant.sums.with_others);
+    secant.U = secant.sums.with_residual;
+    secant.I = secant.sums.with_itself - dot(secant.sums.with_others, secant.followed);
+    return secant;
+}
+
+/// The largest coefficient that a fit may take: twice what is plausible.
+double furthest(const effects::Effect& effect) {
+    return 2 * std::max(std::abs(effect.least), std::abs(effect.most));
+}
+
+/// The coefficient near the amplitude: a secant holds where it was taken.
+double within(double coefficient, double amplitude, double most) {
+    if (coefficient * amplitude <= 0) return 0;
+    const double most_size = std::min(std::abs(amplitude) * 2.5, most),
+                 least_size = std::min(std::abs(amplitude) * 0.02, most_size);
+    return std::copysign(std::clamp(std::abs(coefficient), least_size, most_size),
+                         amplitude);
+}
+
+/// The part of the signature that the other unknowns cannot follow.
+std::vector<double> own_part(const Standing& standing, const Secant& secant) {
+    std::vector<double> own = secant.per_unit;
+    const Matrix& J = standing.fit.at.derivatives;
+    for (std::size_t j = 0; j < J.rows; ++j) {
+        const auto row = J.row(j);
+        for (std::size_t k = 0; k < own.size(); ++k)
+            own[k] -= secant.followed[j] * row[k];
+    }
+    return own;
+}
+
+std::vector<double> scores_by_block(const LoopData& data, const Standing& standing,
+                                    const Tangent& tangent, std::span<const double> own) {
+    std::vector<double> scores(
+        static_cast<std::size_t>(1 + *std::ranges::max_element(data.blocks)), 0.0);
+    for (std::size_t k = 0; k < own.size(); ++k)
+        scores[static_cast<std::size_t>(data.blocks[k])] +=
+            own[k] * tangent.weights[k] * standing.residuals[k];
+    return scores;
+}
+
+Matrix points_of(const Standing& standing, const effects::Effect& effect,
+                 const BuiltModel& built) {
+    Matrix points(amplitudes.size(), built.unknowns.size());
+    for (std::size_t a = 0; a < amplitudes.size(); ++a) {
+        for (std::size_t k = 0; k + 1 < built.unknowns.size(); ++k)
+            points(a, k) = standing.built.unknowns[k].value(standing.fit.at.x[k]);
+        const physics::Parameter& last = built.parameters.back();
+        points(a, built.unknowns.size() - 1) =
+            std::clamp(amplitudes[a] * effect.typical, last.least, last.most);
+    }
+    return points;
+}
+
+Screened judged(const LoopData& data, const Standing& standing, const Tangent& tangent,
+                const effects::Effect& effect, const Secant& secant, double amplitude,
+                Keep keep) {
+    Screened screened{effect, 0, 0, secant.I, {}, {}, {}, 0};
+    screened.coefficient = within(secant.coefficient(), amplitude, furthest(effect));
+    screened.gain = secant.gain_at(screened.coefficient);
+    std::vector<double> own = own_part(standing, secant);
+    screened.by_block = scores_by_block(data, standing, tangent, own);
+    if (keep != Keep::gains) {
+        screened.bias = secant.followed;
+        for (double& bias : screened.bias) bias *= effect.typical;
+        screened.signature = std::move(own);
+    }
+    return screened;
+}
+
+bool is_plausible_sign(const effects::Effect& effect, double amplitude) {
+    return (amplitude > 0 && effect.most > 0) || (amplitude < 0 && effect.least < 0);
+}
+
+/// The best of the amplitudes; gain 0 where none moves the meters.
+Screened screen_one(const LoopData& data, const Place& place, const Standing& standing,
+                    const Tangent& tangent, const effects::Effect& effect, Keep keep) {
+    std::vector<effects::Effect> all = standing.model.effects;
+    all.push_back(effect);
+    const BuiltModel built = build(place, all);
+    const Matrix points = points_of(standing, effect, built);
+    const Matrix predicted = built.fit_model->predict(points);
+    double best_gain = -1;
+    std::size_t best = 0;
+    Secant best_secant;
+    for (std::size_t a = 0; a < amplitudes.size(); ++a) {
+        const double amplitude = points(a, built.unknowns.size() - 1);
+        if (!is_plausible_sign(effect, amplitude) || std::isnan(predicted(a, 0)))
+            continue;
+        if (keep == Keep::of_typical && a > 0) break;
+        Secant secant = secant_of(standing, tangent, predicted.row(a), amplitude);
+        if (!(secant.I > 1e-12 * secant.sums.with_itself)) continue;
+        const double gain =
+            secant.gain_at(within(secant.coefficient(), amplitude, furthest(effect)));
+        if (gain <= best_gain) continue;
+        best_gain = gain, best = a;
+        best_secant = std::move(secant);
+    }
+    if (best_gain < 0) throw std::domain_error("the effect moves no meter");
+    Screened screened = judged(data, standing, tangent, effect, best_secant,
+                               points(best, built.unknowns.size() - 1), keep);
+    screened.visibility = best_secant.own_share();
+    constexpr std::size_t small = 2;  ///< of the amplitudes
+    if (keep == Keep::of_typical && !std::isnan(predicted(small, 0))) {
+        const Secant secant = secant_of(standing, tangent, predicted.row(small),
+                                        points(small, points.cols - 1));
+        if (secant.sums.with_itself > 0) screened.visibility = secant.own_share();
+    }
+    return screened;
+}
+
+}  // namespace
+
+std::vector<Screened> screen(const LoopData& data, const Place& place,
+                             const Standing& standing,
+                             const std::vector<effects::Effect>& candidates, Keep keep) {
+    std::vector<char> bound = standing.fit.bound;
+    if (keep == Keep::of_typical) bound.assign(bound.size(), 0);
+    const Tangent tangent(data, standing, bound);
+    std::vector<Screened> screened;
+    screened.reserve(candidates.size());
+    for (const effects::Effect& effect : candidates) {
+        try {
+            screened.push_back(screen_one(data, place, standing, tangent, effect, keep));
+        } catch (const std::exception&) {
+            continue;  // It cannot enter this building, or moves nothing: no candidate.
+        }
+    }
+    return screened;
+}
+
+double null_gain(const std::vector<Screened>& screened, double alpha,
+                 std::uint64_t seed) {
+    constexpr int n_draws = 400;
+    std::vector<double> largest;
+    for (int draw = 0; draw < n_draws; ++draw) {
+        Stream random(seed, 0, static_cast<std::uint64_t>(draw));
+        std::vector<double> sign;
+        double most = 0;
+        for (const Screened& candidate : screened) {
+            while (sign.size() < candidate.by_block.size())
+                sign.push_back(random.uniform() < 0.5 ? -1 : 1);
+            double sum = 0;
+            for (std::size_t b = 0; b < candidate.by_block.size(); ++b)
+                sum += sign[b] * candidate.by_block[b];
+            if (candidate.information > 0)
+                most = std::max(most, sum * sum / candidate.information);
+        }
+        largest.push_back(most);
+    }
+    std::ranges::sort(largest);
+    // A few blocks have few patterns of signs: no less than what normal noise would show.
+    const auto n = static_cast<double>(std::max<std::size_t>(screened.size(), 1));
+    const double z = stats::normal_quantile(1 - 0.5 * alpha / n);
+    return std::max(stats::quantile_of_sorted(largest, 1 - alpha), z * z);
+}
+
+}  // namespace bemcal::loop

@@ -1,0 +1,304 @@
+#include "loop/search.hpp"
+
+#include "effects/catalogue.hpp"
+#include "loop/closed_days.hpp"
+#include "loop/consistency.hpp"
+#include "loop/gates.hpp"
+#include "loop/moves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+namespace bemcal::loop {
+namespace {
+
+constexpr std::size_t most_refitted = 36, most_of_a_kind = 3;
+constexpr double generic_penalty = 4.6;  ///< -2 log 0.1: the grammar's prior weight
+
+bool is_among(const std::vector<std::string>& names, const effects::Effect& effect) {
+    return std::ranges::find(names, effect.name) != names.end();
+}
+
+std::vector<effects::Effect> candidates_of(const LoopData& data, const Place& place,
+                                           const Standing& standing,
+                                           const std::vector<std::string>& barred) {
+    const auto meters = data.quantities();
+    auto all = effects::named_candidates(*place.surroundings, meters);
+    if (data.options.generic) {
+        const auto generic = effects::generic_candidates(*place.surroundings, meters);
+        all.insert(all.end(), generic.begin(), generic.end());
+    }
+    if (auto days = closed_days(data, place, standing)) all.push_back(*days);
+    std::erase_if(all, [&](const effects::Effect& effect) {
+        return is_among(data.options.exclude, effect) || is_among(barred, effect) ||
+               std::ranges::any_of(standing.model.effects, [&](const auto& there) {
+                   return effects::are_equal(effect, there);
+               });
+    });
+    return all;
+}
+
+/// The best by gain, a few of each name only.
+std::vector<const Screened*> shortlist(const std::vector<Screened>& screened) {
+    std::vector<const Screened*> sorted;
+    sorted.reserve(screened.size());
+    for (const Screened& candidate : screened) sorted.push_back(&candidate);
+    std::ranges::stable_sort(
+        sorted, [](const Screened* a, const Screened* b) { return a->gain > b->gain; });
+    std::map<std::pair<int, std::string>, std::size_t> of_kind;
+    std::vector<const Screened*> list;
+    for (const Screened* candidate : sorted) {
+        const auto& effect = candidate->effect;
+        const std::pair key{
+            effect.number != 0 ? effect.number : -1 - static_cast<int>(effect.hook),
+            effect.number != 0 ? effect.name : ""};
+        if (list.size() >= most_refitted || candidate->gain <= 0) break;
+        if (++of_kind[key] <= most_of_a_kind) list.push_back(candidate);
+    }
+    return list;
+}
+
+/// A model with one more effect, from where the other stands. The tangent may lead to
+/// where nothing can be simulated (air flows below 0): then less of it.
+Standing with_effect(const LoopData& data, const Place& place, const Standing& from,
+                     const Screened& screened) {
+    Standing next;
+    next.model = from.model;
+    next.model.effects.push_back(screened.effect);
+    next.noise = from.noise;
+    next.built = build(place, next.model.effects);
+    for (const double part : {1.0, 0.7, 0.4}) {
+        std::vector<double> start = from.fit.at.x;
+        start.push_back(part * screened.coefficient / next.built.unknowns.back().scale);
+        refit(data, next, std::move(start), {4, 1e-3});
+        if (!next.fit.failed) break;
+    }
+    return next;
+}
+
+/// What freedom costs: the logarithm of how far the data narrow the coefficient; of runs
+/// of days that were picked among all of a year, the choice of each.
+double occam(const Screened& screened) {
+    static const double of_a_run = 2 * std::log(365.0);
+    const double typical = screened.effect.typical;
+    return std::log1p(screened.information * typical * typical) +
+           of_a_run * static_cast<double>(screened.effect.days.size()) +
+           (screened.effect.number == 0 ? generic_penalty : 0);
+}
+
+/// Residuals of unseen blocks of the model before, found once for all candidates.
+class Unseen {
+  public:
+    Unseen(const LoopData& data, const Standing& before) : data_(data), before_(before) {}
+
+    /// The blocks over which an effect is tested: shorter where it acts on few days.
+    struct Blocks {
+        std::vector<int> of_readings;
+        std::vector<double> left;  ///< residuals
+    };
+    const Blocks& blocks_for(const effects::Effect& effect) {
+        constexpr double days = 2;
+        if (effect.gate != effects::Gate::on_days) return filled(long_, data_.blocks);
+        return filled(short_, data_.blocks_of(days));
+    }
+
+  private:
+    const Blocks& filled(Blocks& blocks, std::vector<int> of_readings) {
+        if (!blocks.left.empty()) return blocks;
+        blocks.left =
+            left_out_of(data_, before_.built, before_.fit, before_.noise, of_readings);
+        blocks.of_readings = std::move(of_readings);
+        return blocks;
+    }
+
+    const LoopData& data_;
+    const Standing& before_;
+    Blocks long_, short_;
+};
+
+/// The blocks' losses and predictions under both models, weighted.
+std::vector<BlockChange> changes_of(std::span<const double> weights,
+                                    std::span<const int> blocks,
+                                    std::span<const double> old_left,
+                                    std::span<const double> left) {
+    std::map<int, BlockChange> changes;
+    for (std::size_t k = 0; k < left.size(); ++k) {
+        if (weights[k] <= 0) continue;
+        BlockChange& change = changes[blocks[k]];
+        const double moved = old_left[k] - left[k];
+        change.fall += weights[k] * (old_left[k] * old_left[k] - left[k] * left[k]);
+        change.moved += weights[k] * moved * moved;
+    }
+    std::vector<BlockChange> list;
+    list.reserve(changes.size());
+    for (const auto& [block, change] : changes) list.push_back(change);
+    return list;
+}
+
+/// Left-out errors before and after, and what they say.
+void judge_left_out(const LoopData& data, const Standing& before, Unseen& unseen,
+                    Refitted& candidate) {
+    const auto& [blocks, old_left] = unseen.blocks_for(candidate.effect);
+    candidate.left_out = left_out_of(data, candidate.standing.built,
+                                     candidate.standing.fit, before.noise, blocks);
+    candidate.score = deviance(data.targets, before.noise, old_left) -
+                      deviance(data.targets, before.noise, candidate.left_out);
+    candidate.consistency = consistency_of(changes_of(
+        weights_of(data.targets, before.noise), blocks, old_left, candidate.left_out));
+    const auto old_squares = mean_squares(data.targets, old_left),
+               squares = mean_squares(data.targets, candidate.left_out);
+    for (std::size_t c = 0; c < squares.size(); ++c) {
+        const bool nothing_to_change = squares[c] == old_squares[c];  // 0 and 0
+        candidate.error.push_back(
+            nothing_to_change ? 0 : std::sqrt(squares[c] / old_squares[c]) - 1);
+    }
+}
+
+/// Dozens of candidates stand beside each other; only one is fitted on, from its start.
+void drop_derivatives(Standing& standing) {
+    standing.fit.at.derivatives = {};
+}
+
+void sort_by_gain(std::vector<Refitted>& ranking, std::size_t first_so_many) {
+    std::stable_sort(
+        ranking.begin(), ranking.begin() + static_cast<std::ptrdiff_t>(first_so_many),
+        [](const Refitted& a, const Refitted& b) { return a.gain > b.gain; });
+}
+
+std::vector<Refitted> refit_all(const LoopData& data, const Place& place,
+                                const Standing& standing,
+                                const std::vector<const Screened*>& list) {
+    std::vector<Refitted> ranking;
+    for (const Screened* screened : list) {
+        try {
+            Refitted candidate{screened->effect,
+                               with_effect(data, place, standing, *screened)};
+            if (candidate.standing.fit.failed) continue;
+            candidate.gain =
+                evidence(data, standing, candidate.standing) - occam(*screened);
+            drop_derivatives(candidate.standing);
+            ranking.push_back(std::move(candidate));
+        } catch (const std::exception&) {
+            continue;  // It cannot enter together with the others: no candidate.
+        }
+    }
+    sort_by_gain(ranking, ranking.size());
+    return ranking;
+}
+
+constexpr std::size_t most_judged = 14;
+
+/// Takes a quick refit to its end.
+void finish(const LoopData& data, const Standing& before, Refitted& candidate) {
+    Standing& standing = candidate.standing;
+    const double was = evidence(data, before, standing);
+    refit(data, standing, standing.fit.at.x, {10, 2e-4});
+    candidate.gain += evidence(data, before, standing) - was;
+    drop_derivatives(standing);
+}
+
+/// Whether other dates may make a candidate the best.
+bool may_lead_by_dates(const Refitted& candidate, double best_gain) {
+    constexpr double share = 0.3, enough = 100;
+    return candidate.effect.number != 0 && is_dated(candidate.effect) &&
+           candidate.gain > std::max(share * best_gain, enough);
+}
+
+/// Moves the dates of what may lead by others, once for each name: the catalogue has a
+/// few dates only, where runs of days are picked to the day.
+void move_dates(const LoopData& data, const Place& place, const Standing& before,
+                std::vector<Refitted>& ranking, std::size_t n_judged) {
+    constexpr std::size_t most = 3;
+    static const double of_dates = 2 * 2 * std::log(28.0);  ///< two, of four weeks' days
+    std::vector<std::string> done;
+    const double best_gain = ranking.empty() ? 0 : ranking[0].gain;
+    for (std::size_t k = 0; k < n_judged && done.size() < most; ++k) {
+        Refitted& candidate = ranking[k];
+        if (!may_lead_by_dates(candidate, best_gain) ||
+            std::ranges::find(done, candidate.effect.name) != done.end())
+            continue;
+        done.push_back(candidate.effect.name);
+        const std::size_t newest = before.model.effects.size();
+        Standing moved = with_best_shape(data, place, candidate.standing, newest);
+        const double more = evidence(data, candidate.standing, moved) - of_dates;
+        if (more <= 0) continue;
+        candidate.gain += more;
+        candidate.effect = moved.model.effects[newest];
+        candidate.standing = std::move(moved);
+        drop_derivatives(candidate.standing);
+    }
+    sort_by_gain(ranking, n_judged);
+}
+
+/// What the search would gain from noise: from what the best candidate leaves, for what
+/// is there to be found is no noise.
+double threshold_of(const LoopData& data, const Place& place, const Standing& standing,
+                    const Step& step) {
+    if (step.ranking.empty()) return 0;
+    std::vector<effects::Effect> effects;
+    effects.reserve(step.ranking.size());
+    for (const Refitted& candidate : step.ranking) effects.push_back(candidate.effect);
+    Standing rest = standing;
+    rest.residuals = step.ranking[0].standing.residuals;
+    return null_gain(screen(data, place, rest, effects, Keep::gains), data.options.alpha,
+                     data.options.seed);
+}
+
+/// The first that passes; one of the grammar only where nothing with a name comes near.
+/// None where what does not pass explains clearly more: then it is the model's misfit
+/// that they all take a part of.
+int choice_of(std::vector<Refitted>& ranking) {
+    constexpr double near = 0.6;  ///< of the gain
+    constexpr double clearly = 1.25;
+    int first = -1;
+    for (std::size_t k = 0; k < ranking.size(); ++k) {
+        if (!ranking[k].objection.empty()) continue;
+        if (first < 0 && ranking[0].gain > clearly * ranking[k].gain) {
+            ranking[k].objection = "others that do not pass explain more";
+            continue;
+        }
+        if (first < 0) first = static_cast<int>(k);
+        const double best = ranking[static_cast<std::size_t>(first)].gain;
+        if (ranking[k].effect.number != 0 && ranking[k].gain > near * best)
+            return static_cast<int>(k);
+    }
+    return first;
+}
+
+}  // namespace
+
+Step search(const LoopData& data, const Place& place, const Standing& standing,
+            const std::vector<std::string>& barred) {
+    Step step;
+    const auto screened = screen(
+        data, place, standing, candidates_of(data, place, standing, barred), Keep::gains);
+    step.ranking = refit_all(data, place, standing, shortlist(screened));
+    const std::size_t n_judged = std::min(most_judged, step.ranking.size());
+    for (std::size_t k = 0; k < n_judged; ++k) finish(data, standing, step.ranking[k]);
+    sort_by_gain(step.ranking, n_judged);
+    move_dates(data, place, standing, step.ranking, n_judged);
+    step.threshold = threshold_of(data, place, standing, step);
+    Unseen unseen(data, standing);
+    LastQuarter last_quarter(data, standing);
+    for (std::size_t k = 0; k < step.ranking.size(); ++k) {
+        Refitted& candidate = step.ranking[k];
+        if (k >= n_judged) {
+            candidate.objection = "not judged";
+            continue;
+        }
+        candidate.coefficient =
+            candidate.standing.coefficient(candidate.standing.model.effects.size() - 1);
+        if (candidate.gain > of_a_rival * step.threshold)
+            judge_left_out(data, standing, unseen, candidate);
+        candidate.objection =
+            objection_to(data, standing, candidate, step.threshold, last_quarter);
+    }
+    step.chosen = choice_of(step.ranking);
+    if (step.chosen >= 0)
+        settle(data, step.ranking[static_cast<std::size_t>(step.chosen)].standing);
+    return step;
+}
+
+}  // namespace bemcal::loop

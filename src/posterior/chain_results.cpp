@@ -1,0 +1,158 @@
+#include "posterior/chain_results.hpp"
+
+#include "stats/quantile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace bemcal::posterior {
+namespace {
+
+constexpr std::size_t n_prior_draws = 1000;
+constexpr std::uint32_t prior_stream = 0x70726972;  // of the job's random numbers
+
+double quantile(std::vector<double> values, double p) {
+    std::ranges::sort(values);
+    return stats::quantile_of_sorted(values, p);
+}
+
+std::vector<double> column_of(const Matrix& matrix, std::size_t column) {
+    std::vector<double> values(matrix.rows);
+    for (std::size_t r = 0; r < matrix.rows; ++r) values[r] = matrix(r, column);
+    return values;
+}
+
+void add_draws(const Posterior& posterior, const std::vector<Matrix>& unknowns,
+               const ChainDraws& draws, study::DatasetBuilder& datasets) {
+    for (std::size_t u = 0; u < unknowns.size(); ++u)
+        datasets.array("posterior/" + posterior.unknowns()[u].name, {"chain", "draw"},
+                       {draws.n_chains, draws.n_draws}, unknowns[u].values,
+                       posterior.unknowns()[u].unit);
+    for (std::size_t s = 0; s < sampling::n_statistics; ++s)
+        datasets.array(std::string("sample_stats/") +
+                           sampling::name_of(static_cast<sampling::Statistic>(s)),
+                       {"chain", "draw"}, {draws.n_chains, draws.n_draws},
+                       column_of(draws.statistics, s));
+    datasets.array("sample_stats/lp", {"chain", "draw"}, {draws.n_chains, draws.n_draws},
+                   log_densities(draws).values);
+}
+
+void add_prior(const Posterior& posterior, const Matrix& prior,
+               study::DatasetBuilder& datasets) {
+    for (std::size_t u = 0; u < posterior.unknowns().size(); ++u)
+        datasets.array("prior/" + posterior.unknowns()[u].name, {"chain", "draw"},
+                       {1, prior.rows}, column_of(prior, u),
+                       posterior.unknowns()[u].unit);
+}
+
+void add_names(const Posterior& posterior, study::DatasetBuilder& datasets) {
+    std::vector<std::string> names, units;
+    for (const Unknown& unknown : posterior.unknowns()) {
+        names.push_back(unknown.name);
+        units.push_back(unknown.unit);
+    }
+    names.emplace_back("log_density");
+    units.emplace_back("-");
+    datasets.texts("unknown", "unknown", std::move(names));
+    datasets.texts("unknown_unit", "unknown", std::move(units));
+}
+
+struct Column {
+    const char* leaf;
+    double stats::Convergence::* value;
+};
+constexpr Column columns[] = {{"posterior_mean", &stats::Convergence::mean},
+                              {"posterior_sd", &stats::Convergence::sd},
+                              {"gelman_rubin", &stats::Convergence::gelman_rubin},
+                              {"rhat_split", &stats::Convergence::rhat_split},
+                              {"rhat_rank", &stats::Convergence::rhat_rank},
+                              {"ess_bulk", &stats::Convergence::ess_bulk},
+                              {"ess_tail", &stats::Convergence::ess_tail},
+                              {"mcse_mean", &stats::Convergence::mcse_mean}};
+
+void add_convergence(const ConvergenceTable& table, study::DatasetBuilder& datasets) {
+    for (const Column& column : columns) {
+        std::vector<double> values;
+        values.reserve(table.rows.size());
+        for (const auto& row : table.rows) values.push_back(row.*column.value);
+        datasets.vector(column.leaf, "unknown", std::move(values));
+    }
+}
+
+struct Level {
+    const char* leaf;
+    double p;
+};
+constexpr Level levels[] = {
+    {"posterior_q05", 0.05}, {"posterior_q50", 0.5}, {"posterior_q95", 0.95}};
+
+void add_quantiles(const std::vector<Matrix>& unknowns, const ChainDraws& draws,
+                   study::DatasetBuilder& datasets) {
+    for (const Level& level : levels) {
+        std::vector<double> values;
+        values.reserve(unknowns.size() + 1);
+        for (const Matrix& unknown : unknowns)
+            values.push_back(quantile(unknown.values, level.p));
+        values.push_back(quantile(log_densities(draws).values, level.p));
+        datasets.vector(level.leaf, "unknown", std::move(values));
+    }
+}
+
+std::string chains_that_failed(const ChainDraws& draws) {
+    if (draws.failures.empty()) return {};
+    return fmt::format("; chains that did not start: {} ({})", draws.failures.size(),
+                       draws.failures[0]);
+}
+
+}  // namespace
+
+Matrix draw_prior(const Posterior& posterior, std::size_t n, Stream& random) {
+    const auto density = posterior.make_density();
+    Matrix draws(n, posterior.unknowns().size());
+    for (std::size_t r = 0; r < n; ++r)
+        posterior.read(density->draw_start(random), draws.row(r));
+    return draws;
+}
+
+std::string shortfall_of(const ConvergenceTable& table, const ChainOptions& options,
+                         const ChainDraws& draws) {
+    if (draws.n_chains == 0)
+        return fmt::format("not converged: no chain started{}",
+                           chains_that_failed(draws));
+    if (table.meets(options)) {
+        const std::string failed = chains_that_failed(draws);
+        return failed.empty() ? failed : "converged" + failed;
+    }
+    return fmt::format(
+        "not converged: after {} draws of each of {} chains (the budget) "
+        "rank R-hat is up to {:.3f}, to be at most {}; the effective "
+        "draws are at least {:.0f}, to be at least {}{}",
+        draws.n_draws, draws.n_chains, table.worst_rhat(), options.target_rhat,
+        table.least_ess(), options.target_ess, chains_that_failed(draws));
+}
+
+std::vector<study::Dataset> chain_datasets(const std::string& stage,
+                                           const Posterior& posterior,
+                                           const ChainOptions& options,
+                                           const ChainDraws& draws) {
+    study::DatasetBuilder datasets(stage);
+    add_names(posterior, datasets);
+    const std::vector<Matrix> unknowns = draws_of_unknowns(posterior, draws);
+    const ConvergenceTable table = convergence_table(posterior, draws);
+    const std::string shortfall = shortfall_of(table, options, draws);
+    datasets.text("convergence", shortfall.empty() ? "converged" : shortfall);
+    datasets.scalar("target_rhat", options.target_rhat);
+    datasets.scalar("target_ess", options.target_ess);
+    if (draws.n_draws == 0) return datasets.take();
+    add_convergence(table, datasets);
+    add_quantiles(unknowns, draws, datasets);
+    add_draws(posterior, unknowns, draws, datasets);
+    Stream random(options.seed, prior_stream, 0);
+    add_prior(posterior, draw_prior(posterior, n_prior_draws, random), datasets);
+    posterior.conclude(draws, datasets);
+    return datasets.take();
+}
+
+}  // namespace bemcal::posterior

@@ -1,0 +1,120 @@
+#include "posterior/chain_stage.hpp"
+
+#include "posterior/chain_draws.hpp"
+#include "posterior/chain_results.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace bemcal::posterior {
+namespace {
+
+class ChainStage : public study::Stage {
+  public:
+    ChainStage(std::string name, std::shared_ptr<const Posterior> posterior,
+               const ChainOptions& options)
+        : name_(std::move(name)),
+          posterior_(std::move(posterior)),
+          options_(options),
+          layout_{options.n_chains, options.chains_per_item,
+                  posterior_->make_density()->dimension()} {}
+
+    std::string name() const override { return name_; }
+    int n_items() const override { return layout_.n_groups(); }
+    long long n_simulations() const override { return 0; }
+    std::size_t answer_bytes() const override {
+        return sizeof(double) * static_cast<std::size_t>(options_.chains_per_item) *
+               static_cast<std::size_t>(options_.draws_per_round) *
+               (layout_.dimension + sampling::n_statistics);
+    }
+    study::ItemAnswer run(int item) const override;
+    std::optional<study::Round> next_round(
+        const std::vector<study::ItemAnswer>& answers) const override;
+    void begin_round(int, const study::Round& round) override {
+        states_ = unpack_states(round.needed);
+    }
+    std::vector<study::Dataset> conclude(
+        const std::vector<study::ItemAnswer>& answers) const override {
+        const ChainDraws draws = draws_of(answers);
+        return chain_datasets(name_, *posterior_, options_, draws);
+    }
+    std::string shortfall(const std::vector<study::ItemAnswer>& answers) const override {
+        const ChainDraws draws = draws_of(answers);
+        return shortfall_of(convergence_table(*posterior_, draws), options_, draws);
+    }
+
+  private:
+    ChainDraws draws_of(const std::vector<study::ItemAnswer>& answers) const {
+        return gather_draws(layout_, options_.first_chain, answers);
+    }
+    std::vector<sampling::ChainTask> tasks_of(int item) const;
+
+    std::string name_;
+    std::shared_ptr<const Posterior> posterior_;
+    ChainOptions options_;
+    ChainLayout layout_;
+    std::vector<std::vector<double>> states_;  ///< [chains] that this round starts from
+};
+
+/// The chains of an item that are still alive.
+std::vector<sampling::ChainTask> ChainStage::tasks_of(int item) const {
+    std::vector<sampling::ChainTask> tasks;
+    const int round = layout_.round_of(item);
+    for (int k = 0; k < layout_.n_chains_of(item); ++k) {
+        const int chain = layout_.first_chain_of(item) + k;
+        sampling::ChainTask task{options_.seed,
+                                 static_cast<std::uint32_t>(options_.first_chain + chain),
+                                 static_cast<std::uint32_t>(round),
+                                 {}};
+        if (round > 0) task.state = states_.at(static_cast<std::size_t>(chain));
+        if (round == 0 || !task.state.empty()) tasks.push_back(std::move(task));
+    }
+    return tasks;
+}
+
+study::ItemAnswer ChainStage::run(int item) const {
+    const auto density = posterior_->make_density();
+    const auto tasks = tasks_of(item);
+    const auto parts =
+        sampling::run_chains(*density, options_.sampler, tasks, options_.draws_per_round);
+    study::ItemAnswer answer;
+    std::vector<sampling::ChainPart> all(
+        static_cast<std::size_t>(layout_.n_chains_of(item)));
+    const auto first =
+        static_cast<std::uint32_t>(options_.first_chain + layout_.first_chain_of(item));
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        if (parts[k].failure.empty())
+            all[tasks[k].chain - first] = parts[k];
+        else
+            answer.failures.push_back(
+                {static_cast<long long>(tasks[k].chain),
+                 fmt::format("chain {}: {}", tasks[k].chain, parts[k].failure)});
+    }
+    answer.values = pack_parts(all);
+    return answer;
+}
+
+std::optional<study::Round> ChainStage::next_round(
+    const std::vector<study::ItemAnswer>& answers) const {
+    const ChainDraws draws = draws_of(answers);
+    if (draws.n_chains == 0) return std::nullopt;
+    const auto n_draws = static_cast<int>(draws.n_draws);
+    if (n_draws > 0 && (n_draws >= options_.most_draws ||
+                        convergence_table(*posterior_, draws).meets(options_)))
+        return std::nullopt;
+    auto states = last_states(layout_, answers);
+    if (n_draws == 0)
+        sampling::share_metric(*posterior_->make_density(), options_.sampler, states);
+    return study::Round{layout_.n_groups(), pack_states(states)};
+}
+
+}  // namespace
+
+std::unique_ptr<study::Stage> make_chain_stage(std::string name,
+                                               std::shared_ptr<const Posterior> posterior,
+                                               const ChainOptions& options) {
+    return std::make_unique<ChainStage>(std::move(name), std::move(posterior), options);
+}
+
+}  // namespace bemcal::posterior

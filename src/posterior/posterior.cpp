@@ -1,0 +1,154 @@
+#include "posterior/posterior.hpp"
+
+#include "posterior/chain_stage.hpp"
+#include "posterior/posterior_density.hpp"
+#include "posterior/posterior_results.hpp"
+#include "posterior/validation_results.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace bemcal::posterior {
+namespace {
+
+/// Buildings of one posterior measure their noise by what their descriptions predict,
+/// which is known of unseen ones too.
+std::unique_ptr<BuildingModel> model_of(const study::Case& building,
+                                        const study::Period& period, MeterChoice choice,
+                                        const PosteriorOptions& options) {
+    auto model = std::make_unique<BuildingModel>(building, period, choice);
+    if (options.pooling == Pooling::none) return model;
+    choice.scales = nominal_scales(*model);
+    return std::make_unique<BuildingModel>(building, period, choice);
+}
+
+bool is_unseen(const study::Case& building, const PosteriorOptions& options) {
+    return std::ranges::find(options.unseen, building.name) != options.unseen.end();
+}
+
+void check_alike(const BuildingModel& first, const BuildingModel& other) {
+    const auto fail = [&](const std::string& what) {
+        throw std::invalid_argument(
+            fmt::format("{} and {} have other {}; a pooled posterior needs the same in "
+                        "every building",
+                        first.building().name, other.building().name, what));
+    };
+    const auto name = [](const auto& thing) { return thing.name; };
+    if (!std::ranges::equal(first.building().parameters, other.building().parameters, {},
+                            name, name))
+        fail("parameters");
+    if (!std::ranges::equal(first.meters(), other.meters(), {}, name, name))
+        fail("meters");
+}
+
+std::shared_ptr<PosteriorParts> parts_of(const std::vector<study::Case>& buildings,
+                                         const PosteriorOptions& options) {
+    auto parts = std::make_shared<PosteriorParts>();
+    std::vector<std::string> names;
+    for (const study::Case& building : buildings) {
+        if (is_unseen(building, options)) continue;
+        const study::Period& period = training_period(building, options);
+        parts->buildings.push_back(model_of(
+            building, period, training_choice(building, period, options), options));
+        names.push_back(building.name);
+        if (parts->buildings.back()->meters().empty())
+            throw std::invalid_argument(fmt::format("{}: no meter has a reading in {}",
+                                                    building.name, period.name));
+        check_alike(*parts->buildings[0], *parts->buildings.back());
+    }
+    if (parts->buildings.empty())
+        throw std::invalid_argument(
+            "all buildings are unseen: none is left to learn from");
+    parts->space = space_of(*parts->buildings[0]);
+    parts->arrangement = make_arrangement(options.pooling, parts->space, names);
+    parts->reading_weight = options.reading_weight;
+    return parts;
+}
+
+class DirectPosterior : public Posterior {
+  public:
+    DirectPosterior(const std::vector<study::Case>& buildings,
+                    const PosteriorOptions& options)
+        : parts_(parts_of(buildings, options)), options_(options) {
+        for (const study::Case& building : buildings)
+            if (is_unseen(building, options)) unseen_.push_back(building);
+        reported_ = parts_->arrangement->reported();
+        for (const study::Coordinate& coordinate : reported_)
+            unknowns_.push_back({coordinate.name, coordinate.unit});
+    }
+
+    std::unique_ptr<sampling::Density> make_density() const override {
+        return make_posterior_density(parts_);
+    }
+    const std::vector<Unknown>& unknowns() const override { return unknowns_; }
+    void read(std::span<const double> position, std::span<double> values) const override {
+        parts_->arrangement->read(position, values);
+    }
+    void conclude(const ChainDraws& draws,
+                  study::DatasetBuilder& datasets) const override {
+        Matrix values(draws.positions.rows, unknowns_.size());
+        for (std::size_t r = 0; r < values.rows; ++r)
+            read(draws.positions.row(r), values.row(r));
+        add_moves(moves_of(reported_, values), datasets);
+        add_predictions({*parts_, unseen_, options_}, draws, datasets);
+    }
+
+  private:
+    std::shared_ptr<const PosteriorParts> parts_;
+    PosteriorOptions options_;
+    std::vector<study::Case> unseen_;
+    std::vector<study::Coordinate> reported_;
+    std::vector<Unknown> unknowns_;
+};
+
+/// Parameters that are not named stay nominal.
+study::Case with_others_fixed(study::Case building,
+                              const std::vector<std::string>& names) {
+    if (names.empty()) return building;
+    if (building.priors.empty())
+        for (const physics::Parameter& parameter : building.parameters) {
+            study::ParameterPrior uniform;
+            uniform.prior.least = parameter.least;
+            uniform.prior.most = parameter.most;
+            building.priors.push_back(uniform);
+        }
+    for (std::size_t k = 0; k < building.parameters.size(); ++k) {
+        const physics::Parameter& parameter = building.parameters[k];
+        if (std::ranges::find(names, parameter.name) != names.end()) continue;
+        building.priors[k] = {};
+        building.priors[k].prior.kind = stats::PriorKind::fixed;
+        building.priors[k].prior.a = parameter.nominal;
+    }
+    return building;
+}
+
+void check_differentiable(const std::vector<study::Case>& buildings,
+                          const PosteriorOptions& options) {
+    if (options.chains.sampler.method != sampling::Method::nuts) return;
+    for (const study::Case& building : buildings)
+        if (!kernel::has_derivatives(building.building))
+            throw std::invalid_argument(
+                building.name +
+                " has coupled zones, a radiator or linked numbers, which have no "
+                "derivatives; choose sampler = \"random_walk\" or \"gibbs\"");
+}
+
+}  // namespace
+
+std::unique_ptr<study::Stage> make_posterior(std::string name,
+                                             const std::vector<study::Case>& buildings,
+                                             const PosteriorOptions& options) {
+    check_differentiable(buildings, options);
+    std::vector<study::Case> calibrated;
+    calibrated.reserve(buildings.size());
+    for (const study::Case& building : buildings)
+        calibrated.push_back(with_others_fixed(building, options.parameters));
+    return make_chain_stage(std::move(name),
+                            std::make_shared<DirectPosterior>(calibrated, options),
+                            options.chains);
+}
+
+}  // namespace bemcal::posterior

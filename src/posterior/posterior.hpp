@@ -1,0 +1,24 @@
+/// Calibration by MCMC of the simulator itself: one building, or several that share what
+/// they are made of (pooled or hierarchical), and predictions of what was held out and of
+/// buildings never seen.
+#pragma once
+
+#include "posterior/posterior_options.hpp"
+#include "study/case.hpp"
+#include "study/stage.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bemcal::posterior {
+
+/// Several buildings must have the same parameters and meters. Those named in
+/// options.unseen are predicted only. Throws std::invalid_argument where a meter is
+/// unknown, where no meter has a reading in the training period, or where a building's
+/// zones are coupled and the sampler wants derivatives.
+std::unique_ptr<study::Stage> make_posterior(std::string name,
+                                             const std::vector<study::Case>& buildings,
+                                             const PosteriorOptions& options);
+
+}  // namespace bemcal::posterior

@@ -1,0 +1,94 @@
+#include "retrofit/scenario.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace bemcal::retrofit {
+namespace {
+
+using physics::Target;
+
+bool is_same(const Target& a, const Target& b) {
+    return a.part == b.part && a.index == b.index && a.inner == b.inner &&
+           a.field == b.field && a.slot == b.slot && a.change == b.change;
+}
+
+}  // namespace
+
+double changed(double number, const ScenarioChange& change) {
+    switch (change.by) {
+        case ChangeBy::value:
+            return change.amount;
+        case ChangeBy::factor:
+            return number * change.amount;
+        case ChangeBy::offset:
+            return number + change.amount;
+        case ChangeBy::resistance:
+            return number / (1 + number * change.amount);
+    }
+    return number;
+}
+
+ScenarioNumbers::ScenarioNumbers(const study::Case& building,
+                                 const std::vector<Scenario>& scenarios)
+    : building_(building.building), parameters_(building.parameters) {
+    for (const physics::Parameter& parameter : parameters_)
+        for (const Target& target : parameter.targets) add(target);
+    for (const Scenario& scenario : scenarios)
+        for (const ScenarioChange& change : scenario.changes)
+            for (const Target& target : change.targets) add(target);
+}
+
+void ScenarioNumbers::add(const Target& target) {
+    if (number_of(target) < numbers_.size()) return;
+    physics::Parameter number;
+    number.name = physics::field_of(target).key;
+    number.targets = {target};
+    number.nominal = physics::number_at(building_, target);
+    numbers_.push_back(std::move(number));
+}
+
+std::size_t ScenarioNumbers::number_of(const Target& target) const {
+    const auto found = std::ranges::find_if(
+        numbers_, [&](const auto& number) { return is_same(number.targets[0], target); });
+    return static_cast<std::size_t>(found - numbers_.begin());
+}
+
+std::vector<double> ScenarioNumbers::before(std::span<const double> point) const {
+    physics::Building building = building_;
+    physics::apply(building_, parameters_, point, building);
+    std::vector<double> values;
+    values.reserve(numbers_.size());
+    for (const physics::Parameter& number : numbers_)
+        values.push_back(physics::number_at(building, number.targets[0]));
+    return values;
+}
+
+std::vector<double> ScenarioNumbers::after(std::vector<double> numbers,
+                                           const Scenario& scenario) const {
+    for (const ScenarioChange& change : scenario.changes)
+        for (const Target& target : change.targets) {
+            double& number = numbers[number_of(target)];
+            number = changed(number, change);
+        }
+    return numbers;
+}
+
+std::string ScenarioNumbers::complaint(std::span<const double> numbers) const {
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+        const auto& field = physics::field_of(numbers_[k].targets[0]);
+        if (numbers[k] >= field.least && numbers[k] <= field.most) continue;
+        return fmt::format("{} would be {:g}; expected {:g} to {:g} {}", field.key,
+                           numbers[k], field.least, field.most, field.unit);
+    }
+    return {};
+}
+
+physics::Building with_plant(physics::Building building, const Scenario& scenario) {
+    if (scenario.heating_carrier)
+        building.plant.heating_carrier = *scenario.heating_carrier;
+    return building;
+}
+
+}  // namespace bemcal::retrofit

@@ -1,0 +1,68 @@
+/// The job file's schema: ONE declared table, from which reading, checking, defaults,
+/// error messages and `describe job` all come.
+///
+/// The numbers of a building (U-values, set-points, ...) are rows of physics::fields();
+/// they join the table here. Sections are named as in the file: "zone.window" is
+/// [[zone.window]].
+#pragma once
+
+#include "physics/parameters.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bemcal::schema {
+
+enum class Type {
+    number,  ///< within [least, most]
+    integer,
+    flag,  ///< true or false
+    text,
+    choice,   ///< one of the words in `unit`, separated by |
+    date,     ///< 2021-03-05, in quotes or not
+    numbers,  ///< a list
+    texts,    ///< a list, or one alone
+    day,      ///< a number, or 24 of them, hour by hour
+    input,    ///< a number, {value, low, schedule} or {series, value}
+    table,    ///< a section of its own
+    tables,   ///< [[...]], a list of them
+};
+
+struct Key {
+    const char* section;
+    const char* key;
+    Type type;
+    const char* unit;      ///< of numbers; the words of a choice; "" = none
+    const char* fallback;  ///< as it would be written; nullptr = required; "" = left out
+    double least, most;    ///< range of numbers
+    const char* sentence;
+};
+
+struct SectionInfo {
+    const char* name;
+    const char* heading;   ///< as in the file
+    const char* includes;  ///< another section whose keys it has too, or ""
+    const char* sentence;
+};
+
+std::span<const SectionInfo> sections();
+std::span<const Key> key_table();
+/// Its rows of studies and output.
+std::span<const Key> study_keys();
+
+/// Every key of a section: its own rows, the included section's, and the building's
+/// fields.
+std::vector<Key> keys_of(std::string_view section);
+/// The row of a key, or nullptr.
+const Key* find_key(std::string_view section, std::string_view key);
+
+std::vector<std::string> choices_of(const Key& key);
+/// "0 to 20 1/h", "a whole number from 1 on", "one of epw, csv", "a text", ...
+std::string expectation(const Key& key);
+
+/// The section of a part of a building: "zone.window" for a window.
+const char* section_of(physics::Part part);
+
+}  // namespace bemcal::schema

@@ -1,0 +1,262 @@
+#include "schema/section.hpp"
+
+#include "base/error.hpp"
+#include "input/suggest.hpp"
+
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace bemcal::schema {
+
+namespace {
+
+[[noreturn]] void fail_config(const std::string& message) {
+    throw UserError(ExitCode::config, message);
+}
+
+double parsed_default(const Key& row) {
+    const std::string_view text = row.fallback;
+    if (text == "inf") return physics::unlimited;
+    double value = std::nan("");
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+std::string path_below(std::string_view section, std::string_view key) {
+    if (section == "job" || section == "building") return std::string(key);
+    return key.empty() ? std::string(section) : fmt::format("{}.{}", section, key);
+}
+
+/// What the key means, at the end of a message.
+std::string more_on(const Key& row) {
+    std::string_view sentence = row.sentence;
+    if (sentence.ends_with('.')) sentence.remove_suffix(1);
+    return sentence.empty() ? "" : fmt::format(" ({})", sentence);
+}
+
+}  // namespace
+
+Section::Section(const Node& node, const char* schema, const std::string& file,
+                 std::string shown)
+    : node_(&node),
+      schema_(schema),
+      file_(&file),
+      shown_(shown.empty() ? std::string(schema) : std::move(shown)) {
+    if (node.kind != Node::Kind::table)
+        fail_config(fmt::format("{}:{}: {} = {}: expected a section with keys", file,
+                                node.line, schema, written(node)));
+    node.section = schema;
+    node.used = true;
+    check_known();
+}
+
+std::string Section::path_of(std::string_view key) const {
+    return path_below(shown_, key);
+}
+
+void Section::check_known() const {
+    std::vector<std::string> known;
+    for (const Key& key : keys_of(schema_)) known.emplace_back(key.key);
+    if (known.empty() || std::string_view(schema_) == "periods")
+        return;  // any name will do
+    for (const Entry& entry : node_->entries) {
+        if (find_key(schema_, entry.key) != nullptr) continue;
+        fail_config(fmt::format("{}:{}: {}: unknown key{}", *file_, entry.line,
+                                path_of(entry.key), input::suggestion(entry.key, known)));
+    }
+}
+
+const Entry* Section::find(std::string_view key) const {
+    for (const Entry& entry : node_->entries)
+        if (entry.key == key) return &entry;
+    return nullptr;
+}
+
+bool Section::has(std::string_view key) const {
+    return find(key) != nullptr;
+}
+
+const Key& Section::row(std::string_view key) const {
+    const Key* row = find_key(schema_, key);
+    if (row == nullptr) throw std::logic_error(fmt::format("no row {}.{}", schema_, key));
+    return *row;
+}
+
+std::string Section::place(std::string_view key) const {
+    const Entry* entry = key.empty() ? nullptr : find(key);
+    return fmt::format("{}:{}", *file_,
+                       std::max(entry != nullptr ? entry->line : node_->line, 1));
+}
+
+std::filesystem::path Section::path(const std::string& name) const {
+    return std::filesystem::path(*file_).parent_path() / name;
+}
+
+void Section::fail(std::string_view key, const std::string& message) const {
+    fail_config(fmt::format("{}: {}: {}", place(key), path_of(key), message));
+}
+
+void Section::fail_value(std::string_view key, const std::string& message) const {
+    const Entry* entry = find(key);
+    if (entry == nullptr) fail(key, message);
+    fail_config(fmt::format("{}: {} = {}: {}", place(key), path_of(key),
+                            written(entry->node), message));
+}
+
+const Node& Section::node(std::string_view key) const {
+    const Entry* entry = find(key);
+    if (entry == nullptr)
+        fail(key, fmt::format("is missing; expected {}{}", expectation(row(key)),
+                              more_on(row(key))));
+    entry->node.used = true;
+    return entry->node;
+}
+
+double Section::number(std::string_view key) const {
+    const Key& wanted = row(key);
+    if (!has(key) && wanted.fallback != nullptr) return parsed_default(wanted);
+    return checked_number(node(key), wanted, where(key));
+}
+
+long long Section::integer(std::string_view key) const {
+    return static_cast<long long>(number(key));
+}
+
+bool Section::flag(std::string_view key) const {
+    if (!has(key)) return std::string_view(row(key).fallback) == "true";
+    const Node& value = node(key);
+    if (value.kind != Node::Kind::flag) fail_value(key, "expected true or false");
+    return value.number != 0;
+}
+
+std::string Section::text(std::string_view key) const {
+    const Key& wanted = row(key);
+    if (!has(key) && wanted.fallback != nullptr) return wanted.fallback;
+    const Node& value = node(key);
+    const bool is_date = wanted.type == Type::date && value.kind == Node::Kind::date;
+    if (value.kind != Node::Kind::text && !is_date)
+        fail_value(key, fmt::format("expected {}", expectation(wanted)));
+    if (value.text.empty()) fail_value(key, "is empty");
+    return value.text;
+}
+
+std::string Section::choice(std::string_view key) const {
+    const std::string word = text(key);
+    if (!word.empty()) choice_index(key);
+    return word;
+}
+
+int Section::choice_index(std::string_view key) const {
+    const std::vector<std::string> words = choices_of(row(key));
+    const std::string word = text(key);
+    for (std::size_t i = 0; i < words.size(); ++i)
+        if (words[i] == word) return static_cast<int>(i);
+    fail_value(key, fmt::format("expected {}{}", expectation(row(key)),
+                                input::nearest(word, words).empty()
+                                    ? ""
+                                    : input::suggestion(word, words)));
+}
+
+std::vector<double> Section::numbers(std::string_view key) const {
+    std::vector<double> values;
+    if (!has(key) && row(key).fallback != nullptr) return values;
+    const Node& list = node(key);
+    if (list.kind != Node::Kind::array)
+        fail_value(key, fmt::format("expected {}", expectation(row(key))));
+    for (const Entry& entry : list.entries)
+        values.push_back(checked_number(entry.node, row(key), where(key)));
+    return values;
+}
+
+std::vector<std::string> Section::texts(std::string_view key) const {
+    std::vector<std::string> values;
+    const Key* wanted =
+        find_key(schema_, key);  // none for a period of the user's own name
+    if (!has(key) && wanted != nullptr && wanted->fallback != nullptr) return values;
+    const Node& list = node(key);
+    const auto take = [&](const Node& item) {
+        if (item.kind != Node::Kind::text && item.kind != Node::Kind::date)
+            fail_value(key,
+                       fmt::format("expected a list of texts, not {}", written(item)));
+        values.push_back(item.text);
+    };
+    if (list.kind != Node::Kind::array) {
+        take(list);
+    } else {
+        for (const Entry& entry : list.entries) take(entry.node);
+    }
+    return values;
+}
+
+Section Section::table(std::string_view key, const char* schema) const {
+    return {node(key), schema, *file_, path_of(key)};
+}
+
+std::vector<Section> Section::tables(std::string_view key, const char* schema) const {
+    std::vector<Section> list;
+    if (!has(key) && row(key).fallback != nullptr) return list;
+    const Node& value = node(key);
+    if (value.kind == Node::Kind::table)
+        fail(key,
+             fmt::format("expected a list of sections; write [[{}]] with two brackets",
+                         path_of(key)));
+    if (value.kind != Node::Kind::array)
+        fail_value(key, fmt::format("expected {}", expectation(row(key))));
+    for (const Entry& entry : value.entries)
+        list.emplace_back(entry.node, schema, *file_);
+    return list;
+}
+
+double checked_number(const Node& value, const Key& row, const std::string& where) {
+    const auto wrong = [&](const std::string& why) {
+        fail_config(fmt::format("{} = {}: {}", where, written(value), why));
+    };
+    if (value.kind != Node::Kind::number)
+        wrong(fmt::format("expected {}", expectation(row)));
+    if (row.type == Type::integer && !value.is_integer)
+        wrong(fmt::format("expected {}", expectation(row)));
+    if (std::isnan(value.number)) wrong(fmt::format("expected {}", expectation(row)));
+    if (value.number < row.least || value.number > row.most)
+        wrong(fmt::format("expected {}{}", expectation(row), more_on(row)));
+    return value.number;
+}
+
+std::string plain(double number) {
+    const bool whole = std::abs(number) < 1e15 && number == std::floor(number);
+    return whole ? fmt::format("{:.0f}", number) : fmt::format("{:g}", number);
+}
+
+std::string written(const Node& node) {
+    switch (node.kind) {
+        case Node::Kind::table:
+            return "{...}";
+        case Node::Kind::array:
+            return "[...]";
+        case Node::Kind::flag:
+            return node.number != 0 ? "true" : "false";
+        case Node::Kind::number:
+            return fmt::format("{}", node.number);
+        case Node::Kind::date:
+            return node.text;
+        case Node::Kind::text:
+            break;
+    }
+    return node.text.size() > 60 ? fmt::format("\"{}...\"", node.text.substr(0, 57))
+                                 : fmt::format("\"{}\"", node.text);
+}
+
+void check_all_used(const Node& root, const std::string& file) {
+    for (const Entry& entry : root.entries) {
+        if (!entry.node.used && root.section != nullptr)
+            fail_config(
+                fmt::format("{}:{}: {}: has no effect here, because of the values of "
+                            "other keys or because "
+                            "nothing refers to it; remove it",
+                            file, entry.line, path_below(root.section, entry.key)));
+        check_all_used(entry.node, file);
+    }
+}
+
+}  // namespace bemcal::schema

@@ -1,0 +1,93 @@
+/// A section of a job file, read through the schema: typed values, defaults, and errors
+/// that name file, line and key.
+///
+/// An unknown key is an error when its section is opened. Every look-up marks the key as
+/// used; `check_all_used` then finds those that nobody asked for (pbrt's rule: a key
+/// without effect is an error, not a silence).
+#pragma once
+
+#include "schema/document.hpp"
+#include "schema/schema.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace bemcal::schema {
+
+class Section {
+  public:
+    /// \param node  a table; another kind is an error. Both it and `file` must outlive
+    /// this.
+    /// \param shown  what messages call the section; the schema's name where it is empty
+    Section(const Node& node, const char* schema, const std::string& file,
+            std::string shown = "");
+
+    bool has(std::string_view key) const;
+    double number(std::string_view key) const;
+    long long integer(std::string_view key) const;
+    bool flag(std::string_view key) const;
+    std::string text(std::string_view key) const;
+    std::string choice(std::string_view key) const;
+    std::vector<double> numbers(std::string_view key) const;
+    std::vector<std::string> texts(std::string_view key) const;
+    Section table(std::string_view key, const char* schema) const;
+    std::vector<Section> tables(std::string_view key, const char* schema) const;
+    /// The value as written, marked as used; a missing one is an error.
+    const Node& node(std::string_view key) const;
+
+    /// The choice as an enumerator; the words stand in the order of the enumeration.
+    template <class Enum>
+    Enum choice_as(std::string_view key) const {
+        return static_cast<Enum>(choice_index(key));
+    }
+    /// The value if it is there.
+    template <class Value>
+    void number_if(std::string_view key, Value& value) const {
+        if (has(key)) value = static_cast<Value>(number(key));
+    }
+
+    /// Throws UserError (config): "file:line: section.key: message".
+    [[noreturn]] void fail(std::string_view key, const std::string& message) const;
+    /// The same with the value: "file:line: section.key = value: message".
+    [[noreturn]] void fail_value(std::string_view key, const std::string& message) const;
+    /// "file:line: section.key".
+    std::string where(std::string_view key) const {
+        return place(key) + ": " + path_of(key);
+    }
+    /// "file:line" of a key, or of the section where it is not there.
+    std::string place(std::string_view key = "") const;
+
+    const std::string& file() const { return *file_; }
+    /// "zone.surface.area": how messages call a key.
+    std::string path_of(std::string_view key) const;
+    /// A file that the section names: beside its own file, unless the path is absolute.
+    std::filesystem::path path(const std::string& name) const;
+    const Node& root() const { return *node_; }
+    const char* schema() const { return schema_; }
+
+  private:
+    const Entry* find(std::string_view key) const;
+    const Key& row(std::string_view key) const;
+    int choice_index(std::string_view key) const;
+    void check_known() const;
+
+    const Node* node_;
+    const char* schema_;
+    const std::string* file_;
+    std::string shown_;
+};
+
+/// A number as the schema's row wants it; throws UserError that begins with `where`.
+double checked_number(const Node& node, const Key& row, const std::string& where);
+
+/// "20", "10000000", "0.05": a number in a message.
+std::string plain(double number);
+
+/// As a user would write it, shortened: for messages.
+std::string written(const Node& node);
+
+/// Throws UserError for the first key that was never asked for.
+void check_all_used(const Node& root, const std::string& file);
+
+}  // namespace bemcal::schema

@@ -1,0 +1,441 @@
+/// The table itself: of the job and its buildings; studies are in schema_studies.cpp. A
+/// new option is one row here and one line in the reader of its section.
+#include "schema/schema.hpp"
+
+#include <iterator>
+#include <limits>
+
+namespace bemcal::schema {
+
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr const char* required = nullptr;
+
+constexpr SectionInfo section_table[] = {
+    {"job", "(top of the job file)", "building",
+     "The job; one building's sections may stand here, or be shared by all in "
+     "`buildings`."},
+    {"building", "(top of a building's file)", "",
+     "A building; sections that its file leaves out are taken from the job file."},
+    {"site", "[site]", "", "Where the building stands, and its clock."},
+    {"weather", "[weather]", "source",
+     "Hourly weather, from EPW files or from a CSV file."},
+    {"weather.columns", "[weather.columns]", "",
+     "Columns of a CSV weather file; each a name, or a table as [weather.columns.NAME]."},
+    {"column", "[weather.columns.NAME]", "",
+     "One column, where its name alone does not say all."},
+    {"source", "(any section that reads a CSV file)", "",
+     "How the time stamps and cells of a CSV file are to be read."},
+    {"schedule", "[[schedule]]", "week",
+     "A number for each hour of the week and the year."},
+    {"schedule.period", "[[schedule.period]]", "week",
+     "Days of the year on which other values hold; the last period with the day wins."},
+    {"week", "(a schedule or its period)", "", "Values by day; the more exact key wins."},
+    {"series", "[[series]]", "source", "A measured or computed input, from a CSV file."},
+    {"construction", "[[construction]]", "", "An opaque construction."},
+    {"construction.layer", "[[construction.layer]]", "",
+     "A layer of one material; the first is outside."},
+    {"glazing", "[[glazing]]", "", "A window type."},
+    {"boundary", "[[boundary]]", "",
+     "A temperature behind a surface or of supplied air."},
+    {"zone", "[[zone]]", "", "A zone: a 5R1C network."},
+    {"zone.surface", "[[zone.surface]]", "", "An opaque element of the zone."},
+    {"zone.window", "[[zone.window]]", "", "A window of the zone."},
+    {"zone.flow", "[[zone.flow]]", "",
+     "Infiltration, ventilation: air that enters the zone."},
+    {"zone.load", "[[zone.load]]", "",
+     "People, lights, equipment, hot water, fans, a base load: anything that draws power "
+     "by "
+     "the clock."},
+    {"zone.coupling", "[[zone.coupling]]", "",
+     "Heat and air exchanged with another zone."},
+    {"zone.radiator", "[zone.radiator]", "",
+     "Heating of the zone by a radiator, in place of set-points."},
+    {"plant", "[plant]", "", "What turns heat and cold into the meters' energy."},
+    {"meter", "[[meter]]", "source", "A measured series that the model is held against."},
+    {"meter.scale", "[[meter.scale]]", "",
+     "A correction of the readings from a date on."},
+    {"parameter", "[[parameter]]", "", "An uncertain number of the building."},
+    {"link", "[[link]]", "",
+     "Numbers of the building that follow from others: a polynomial of them, or the row "
+     "of "
+     "a table; links are followed in the order of the file."},
+    {"link.term", "[[link.term]]", "", "A term of a polynomial."},
+    {"link.row", "[[link.row]]", "", "A row of a table."},
+    {"prior", "prior = {...} (of a [[parameter]])", "",
+     "What is believed of the parameter before the data, cut to min and max; for kind = "
+     "\"posterior\"."},
+    {"periods", "[periods]", "",
+     "The first one is for training, the others for judging."},
+    {"run", "[run]", "", "How a simulation runs."},
+    {"study", "[[study]]", "", "What is to be done with every building, in this order."},
+    {"study.fixed", "[study.fixed]", "",
+     "office_hour_sensitivity: inputs held at a value, one for each case; the names are "
+     "those "
+     "of the model (describe parameters). kennedy_ohagan: a number for each."},
+    {"study.prior", "[study.prior]", "",
+     "kennedy_ohagan: of calibrated inputs, NAME = {kind = \"normal\", mean = 0.5, sd = "
+     "0.2, normalised = true}; fixed, uniform, normal and beta, the others normalised "
+     "only."},
+    {"scenario", "[[scenario]]", "",
+     "A retrofit, for a study of kind \"retrofit\"; the same for all buildings."},
+    {"scenario.change", "[[scenario.change]]", "",
+     "A number of the building that it changes; value, factor, offset or insulation says "
+     "how."},
+    {"study.grid", "[study.grid]", "",
+     "grid: values of parameters, NAME = [1, 3, 5]; every combination is simulated, and "
+     "parameters that are not named stay nominal."},
+    {"study.stage", "[[study.stage]]", "",
+     "grid: the same for the second stage, and the third, in place of a refinement."},
+    {"study.target", "[[study.target]]", "",
+     "grid: a number that the building is held against; default: the electricity and the "
+     "gas of the period."},
+    {"study.calibration_stage", "[[study.stage]]", "",
+     "stages: one of them, in their order."},
+    {"study.ranges", "ranges = {NAME = [0.1, 1.5]}", "",
+     "stages: ranges of this stage, within the parameters' own."},
+    {"study.set", "set = {NAME = 0.5}", "",
+     "stages: parameters that have this value in this stage and those that start from "
+     "it."},
+    {"study.validation", "[[study.validation]]", "",
+     "stages: a period that judges what they found."},
+    {"output", "[output]", "", "What is kept."},
+    {"stock", "[stock]", "",
+     "Many buildings in place of one, a line of a table each; a screening, posterior or "
+     "loop is done with every one of them. Sections that a building leaves out are the "
+     "job's."},
+    {"simulator", "[simulator]", "",
+     "A program that is studied in place of a building: it runs once for each point, in "
+     "a "
+     "folder of its own."},
+    {"simulator.template", "[[simulator.template]]", "",
+     "An input file of the program with @NAME@ where a parameter's value belongs."},
+    {"simulator.parameter", "[[simulator.parameter]]", "",
+     "A number that is varied: @NAME@ in a template or in the command."},
+    {"simulator.output", "[[simulator.output]]", "",
+     "A number that the program has written."},
+    {"input", "{value, low, schedule}", "",
+     "A number that changes with time: low + (value - low) x schedule, or value x "
+     "series."},
+};
+
+constexpr Key table[] = {
+    // job
+    {"job", "seed", Type::integer, "", "0", 0, 9007199254740991,
+     "Of all random numbers."},
+    {"job", "buildings", Type::texts, "", "", 0, 0,
+     "Files with a building each; without them the job file is the building."},
+    {"job", "study", Type::tables, "", "", 0, 0, "[[study]]"},
+    {"job", "output", Type::table, "", "", 0, 0, "[output]"},
+    {"job", "scenario", Type::tables, "", "", 0, 0, "[[scenario]]"},
+    {"job", "simulator", Type::table, "", "", 0, 0, "[simulator]"},
+    {"job", "stock", Type::table, "", "", 0, 0, "[stock]"},
+    // stock
+    {"stock", "table", Type::text, "", "", 0, 0,
+     "CSV file with a building a line: its name and, as columns, its own file, the "
+     "places "
+     "of the template, or floor_area, floors, weather, gas, electricity, ..."},
+    {"stock", "folder", Type::text, "", "", 0, 0,
+     "In place of a table: each *.toml in it is a building."},
+    {"stock", "template", Type::text, "", "", 0, 0,
+     "Description of a building, with @column@ where the table's cell belongs; without "
+     "one, and without a column `file`, the columns themselves describe it."},
+    {"stock", "recent_days", Type::number, "d", "28", 0, 3660,
+     "Of buildings that their columns describe: the last days with readings are kept "
+     "from "
+     "the calibration and show how well it predicts."},
+    {"stock", "window_days", Type::number, "d", "365", 1, 36600,
+     "Of the same: so many days before these are calibrated on."},
+    {"stock", "budget", Type::number, "", "0", 0, 1e15,
+     "Simulations of a night, kept by order of priority; 0 = no limit."},
+    {"stock", "hours", Type::number, "h", "0", 0, 1000,
+     "After so long no further building is begun in this night; 0 = no limit."},
+    {"stock", "drift_value", Type::number, "-", "0.2", 0, 1,
+     "A parameter drifts if it has moved by more than this share of its range, and out "
+     "of "
+     "its interval of the night before."},
+    {"stock", "drift_error", Type::number, "-", "1.5", 0, 1000,
+     "The error drifts if the RMSE of the recent days is above that of the calibration, "
+     "times this."},
+    {"stock", "keep_results", Type::flag, "", "false", 0, 0,
+     "Store the whole result of every building, not its lines of the summary only."},
+    // building
+    {"building", "name", Type::text, "", "", 0, 0, "Default: the file's name."},
+    {"building", "holidays", Type::texts, "", "", 0, 0,
+     "Days that schedules take as holidays: \"12-24/01-02\" every year, \"2021-05-03\" "
+     "once."},
+    {"building", "site", Type::table, "", "", 0, 0, "[site]"},
+    {"building", "weather", Type::table, "", required, 0, 0, "[weather]"},
+    {"building", "schedule", Type::tables, "", "", 0, 0, "[[schedule]]"},
+    {"building", "series", Type::tables, "", "", 0, 0, "[[series]]"},
+    {"building", "construction", Type::tables, "", "", 0, 0, "[[construction]]"},
+    {"building", "glazing", Type::tables, "", "", 0, 0, "[[glazing]]"},
+    {"building", "boundary", Type::tables, "", "", 0, 0, "[[boundary]]"},
+    {"building", "zone", Type::tables, "", required, 0, 0, "[[zone]]"},
+    {"building", "plant", Type::table, "", "", 0, 0, "[plant]"},
+    {"building", "meter", Type::tables, "", "", 0, 0, "[[meter]]"},
+    {"building", "parameter", Type::tables, "", "", 0, 0, "[[parameter]]"},
+    {"building", "link", Type::tables, "", "", 0, 0, "[[link]]"},
+    {"building", "periods", Type::table, "", required, 0, 0, "[periods]"},
+    {"building", "run", Type::table, "", "", 0, 0, "[run]"},
+    // site
+    {"site", "latitude", Type::number, "deg", "", -90, 90,
+     "North positive; default: the EPW file's."},
+    {"site", "longitude", Type::number, "deg", "", -180, 180,
+     "East positive; default: the EPW file's."},
+    {"site", "utc_offset", Type::number, "h", "", -12, 14,
+     "Local standard time minus UTC; default: the EPW file's."},
+    {"site", "elevation", Type::number, "m", "", -430, 9000,
+     "Default: the EPW file's, else 0."},
+    {"site", "albedo", Type::number, "-", "0.2", 0, 1, "Ground reflectance."},
+    // weather
+    {"weather", "files", Type::texts, "", required, 0, 0,
+     "One after the other in time; may be gzipped."},
+    {"weather", "format", Type::choice, "epw|csv", "epw", 0, 0, "Of the files."},
+    {"weather", "temperature", Type::choice, "hour_mean|as_read", "", 0, 0,
+     "hour_mean: mean of the readings at both ends of an hour (default for EPW); "
+     "as_read: "
+     "the value stands for its hour (default for CSV)."},
+    {"weather", "year", Type::integer, "", "", 1900, 2100,
+     "Of the first EPW file, for typical years whose months are of several."},
+    {"weather", "sky", Type::choice, "perez|isotropic|hay_davies", "perez", 0, 0,
+     "Light of the sky on planes: Perez 1990, uniform, Hay and Davies 1980."},
+    {"weather", "columns", Type::table, "", "", 0, 0, "[weather.columns], CSV only."},
+    {"weather", "fill_gaps", Type::integer, "h", "0", 0, 48,
+     "Gaps up to this length are filled by a straight line."},
+    {"weather.columns", "outdoor_temperature", Type::text, "degC", required, -90, 60,
+     "Dry bulb."},
+    {"weather.columns", "global_horizontal", Type::text, "W/m2", "", -50, 2000,
+     "Irradiance."},
+    {"weather.columns", "direct_normal", Type::text, "W/m2", "", -50, 2000,
+     "Irradiance."},
+    {"weather.columns", "diffuse_horizontal", Type::text, "W/m2", "", -50, 2000,
+     "Irradiance."},
+    {"weather.columns", "wind_speed", Type::text, "m/s", "", 0, 120, ""},
+    {"weather.columns", "relative_humidity", Type::text, "%", "", 0, 120, ""},
+    {"weather.columns", "cloud_cover", Type::text, "-", "", 0, 1, "0 to 1."},
+    {"weather.columns", "infrared", Type::text, "W/m2", "", 0, 1000,
+     "Horizontal, from the sky."},
+    {"column", "column", Type::text, "", required, 0, 0,
+     "Its name in the file's first line."},
+    {"column", "factor", Type::number, "-", "1", -1e9, 1e9,
+     "To the unit that is expected: value x factor + offset."},
+    {"column", "offset", Type::number, "", "0", -1e9, 1e9, ""},
+    {"column", "stamp", Type::choice, "start|end", "", 0, 0,
+     "Where it differs from the file's."},
+    // source
+    {"source", "time", Type::text, "", "", 0, 0,
+     "Column of the time stamps; default: the first one."},
+    {"source", "stamp", Type::choice, "start|end", "start", 0, 0,
+     "Whether a stamp is the start or the end of its interval."},
+    {"source", "clock", Type::choice, "standard|eu|us", "", 0, 0,
+     "eu, us: the stamps follow the wall clock, with that summer time. Left out: "
+     "standard, "
+     "and a clock change in the data is an error."},
+    {"source", "utc_offset", Type::number, "h", "", -12, 14,
+     "Of the file's clock (0 = UTC) where it is not the site's."},
+    {"source", "time_format", Type::text, "", "", 0, 0,
+     "As of strptime, \"%d/%m/%Y %H:%M\"; default: 2021-03-05 14:00[:00][Z or +01:00]."},
+    {"source", "decimal", Type::choice, ".|,", ".", 0, 0, "Decimal mark."},
+    {"source", "gaps", Type::choice, "error|missing", "error", 0, 0,
+     "What absent rows are; empty cells are missing readings in any case."},
+    // schedules
+    {"schedule", "name", Type::text, "", required, 0, 0, ""},
+    {"schedule", "holidays", Type::texts, "", "", 0, 0,
+     "Default: the building's holidays."},
+    {"schedule", "summer_time", Type::choice, "none|eu|us", "none", 0, 0,
+     "eu, us: its hours follow the wall clock."},
+    {"schedule", "register", Type::text, "", "", 0, 0,
+     "CSV file with a date in its first column and a number for that day: the hours' "
+     "values "
+     "are multiplied by it, and by 0 on days that it leaves out."},
+    {"schedule", "register_column", Type::text, "", "persons", 0, 0,
+     "Of the day's number."},
+    {"schedule", "period", Type::tables, "", "", 0, 0, "[[schedule.period]]"},
+    {"schedule.period", "dates", Type::text, "", required, 0, 0,
+     "\"06-10/09-10\" every year, \"2021-07-01/2021-08-31\" once."},
+    {"week", "every_day", Type::day, "", "", -1e6, 1e6, ""},
+    {"week", "weekdays", Type::day, "", "", -1e6, 1e6, "Monday to Friday."},
+    {"week", "weekend", Type::day, "", "", -1e6, 1e6, "Saturday and Sunday."},
+    {"week", "monday", Type::day, "", "", -1e6, 1e6, ""},
+    {"week", "tuesday", Type::day, "", "", -1e6, 1e6, ""},
+    {"week", "wednesday", Type::day, "", "", -1e6, 1e6, ""},
+    {"week", "thursday", Type::day, "", "", -1e6, 1e6, ""},
+    {"week", "friday", Type::day, "", "", -1e6, 1e6, ""},
+    {"week", "saturday", Type::day, "", "", -1e6, 1e6, ""},
+    {"week", "sunday", Type::day, "", "", -1e6, 1e6, ""},
+    {"schedule", "holiday", Type::day, "", "", -1e6, 1e6, "Default: the Sunday."},
+    {"series", "name", Type::text, "", required, 0, 0, ""},
+    {"series", "file", Type::text, "", required, 0, 0, "CSV, may be gzipped."},
+    {"series", "column", Type::text, "", required, 0, 0, ""},
+    {"series", "unit", Type::text, "", "", 0, 0,
+     "Of its values, for reports of effects that follow it: \"mm/h\"."},
+    {"series", "factor", Type::number, "-", "1", -1e9, 1e9, "value x factor + offset."},
+    {"series", "offset", Type::number, "", "0", -1e9, 1e9, ""},
+    {"series", "fill_gaps", Type::integer, "h", "0", 0, 48,
+     "Gaps up to this length are filled by a straight line."},
+    // input
+    {"input", "value", Type::number, "", "", -1e9, inf,
+     "Where the schedule is 1; of a series, the factor on it (default 1)."},
+    {"input", "low", Type::number, "", "0", -1e9, inf, "Where the schedule is 0."},
+    {"input", "schedule", Type::text, "", "", 0, 0, "Name of a [[schedule]]."},
+    {"input", "series", Type::text, "", "", 0, 0, "Name of a [[series]]."},
+    // building parts; their numbers are in physics/parameters
+    {"construction", "name", Type::text, "", required, 0, 0, ""},
+    {"construction", "layer", Type::tables, "", "", 0, 0,
+     "[[construction.layer]], in place of u_value"},
+    {"construction.layer", "name", Type::text, "", "", 0, 0,
+     "Default: layer_1, layer_2, ..."},
+    {"glazing", "name", Type::text, "", required, 0, 0, ""},
+    {"glazing", "angle_modifier", Type::numbers, "", "", -1e3, 1e3,
+     "Polynomial in the angle of incidence [rad] of the beam, constant first."},
+    {"boundary", "name", Type::text, "", required, 0, 0, ""},
+    {"zone", "name", Type::text, "", required, 0, 0, ""},
+    {"zone", "class", Type::choice, "very light|light|medium|heavy|very heavy|layers",
+     "medium", 0, 0,
+     "ISO 13790 Table 12: sets heat_capacity and mass_area_ratio where they are left "
+     "out; "
+     "layers: they follow from the layers of the zone's surfaces."},
+    {"zone", "surface", Type::tables, "", "", 0, 0, "[[zone.surface]]"},
+    {"zone", "window", Type::tables, "", "", 0, 0, "[[zone.window]]"},
+    {"zone", "flow", Type::tables, "", "", 0, 0, "[[zone.flow]]"},
+    {"zone", "load", Type::tables, "", "", 0, 0, "[[zone.load]]"},
+    {"zone", "coupling", Type::tables, "", "", 0, 0, "[[zone.coupling]]"},
+    {"zone", "radiator", Type::table, "", "", 0, 0, "[zone.radiator]"},
+    {"zone.radiator", "elements", Type::integer, "", "3", 1, 50,
+     "In the direction of the water, each at one temperature."},
+    {"zone.surface", "name", Type::text, "", "", 0, 0,
+     "Default: surface_1, surface_2, ..."},
+    {"zone.surface", "construction", Type::text, "", required, 0, 0,
+     "Name of a [[construction]]."},
+    {"zone.surface", "boundary", Type::text, "", "outdoors", 0, 0,
+     "What lies behind it: outdoors or the name of a [[boundary]]."},
+    {"zone.surface", "azimuth", Type::number, "deg", "", -360, 360,
+     "Of the outward normal, clockwise from north; needed where the sun shines on it."},
+    {"zone.surface", "tilt", Type::number, "deg", "90", 0, 180,
+     "0 = facing up (a roof), 90 = a wall."},
+    {"zone.surface", "in_sun", Type::flag, "", "", 0, 0,
+     "Sun and sky act on it; default: true outdoors."},
+    {"zone.window", "name", Type::text, "", "", 0, 0, "Default: window_1, window_2, ..."},
+    {"zone.window", "glazing", Type::text, "", required, 0, 0, "Name of a [[glazing]]."},
+    {"zone.window", "azimuth", Type::number, "deg", "", -360, 360,
+     "Of the outward normal, clockwise from north; needed unless tilt is 0."},
+    {"zone.window", "tilt", Type::number, "deg", "90", 0, 180, "0 = facing up."},
+    {"zone.flow", "name", Type::text, "", required, 0, 0,
+     "infiltration, ventilation, ..."},
+    {"zone.flow", "supply", Type::text, "", "outdoors", 0, 0,
+     "Where the air comes from: outdoors or the name of a [[boundary]]."},
+    {"zone.load", "name", Type::text, "", required, 0, 0, "people, lights, ..."},
+    {"zone.load", "carrier", Type::choice, "none|electricity|gas|district", "none", 0, 0,
+     "The meter that sees it."},
+    {"zone.coupling", "zone", Type::text, "", required, 0, 0, "Name of the other zone."},
+    {"plant", "heating_carrier", Type::choice, "none|electricity|gas|district", "gas", 0,
+     0, "The meter that heating is on."},
+    {"plant", "cooling_carrier", Type::choice, "none|electricity|gas|district",
+     "electricity", 0, 0, "The meter that cooling is on."},
+    // meters
+    {"meter", "name", Type::text, "", required, 0, 0, ""},
+    {"meter", "quantity", Type::choice,
+     "air_temperature|heating|cooling|electricity|gas|district", required, 0, 0,
+     "What of the model it is held against."},
+    {"meter", "interval", Type::choice, "step|hourly|daily|monthly|annual", "hourly", 0,
+     0, "Of a reading; finer readings are summed (temperatures averaged)."},
+    {"meter", "file", Type::texts, "", "", 0, 0,
+     "CSV, may be gzipped; several, [\"2021.csv\", \"2022.csv\"], follow one another in "
+     "time. Left out: it has no readings and is predicted only."},
+    {"meter", "column", Type::text, "", "", 0, 0, "Needed with a file."},
+    {"meter", "unit", Type::text, "", required, 0, 0,
+     "kWh, Wh, MWh, MJ, GJ, J, kW, W, m3 (of gas), ft3, 100 ft3, kBtu, therm; degC, K, "
+     "degF."},
+    {"meter", "factor", Type::number, "-", "1", 1e-9, 1e9,
+     "On the readings, with the unit's."},
+    {"meter", "mask", Type::texts, "", "", 0, 0,
+     "Times left out: \"2013-04-02/2013-04-05\" (whole days) or "
+     "\"2013-04-02 03:00/2013-04-02 09:00\"."},
+    {"meter", "zeros", Type::choice, "check|keep|missing", "check", 0, 0,
+     "Zeros. check: missing where the meter is well above 0 at the same hours of the "
+     "days "
+     "around; keep: none is; missing: every run longer than zero_run is."},
+    {"meter", "zero_run", Type::integer, "h", "24", 1, 10000, "Longer runs are stated."},
+    {"meter", "constant", Type::choice, "check|keep|missing", "check", 0, 0,
+     "The same value (not 0) again and again. check: missing where it stays longer than "
+     "chance allows; keep: never; missing: every run longer than constant_run is."},
+    {"meter", "constant_run", Type::integer, "h", "24", 2, 10000,
+     "Longer runs are stated."},
+    {"meter", "steps", Type::choice, "check|keep", "check", 0, 0,
+     "Steps by the ratio of two units. check: corrected where they are certain; keep: "
+     "stated only."},
+    {"meter", "scale", Type::tables, "", "", 0, 0, "[[meter.scale]]"},
+    {"meter.scale", "from", Type::date, "", required, 0, 0, "First day or time."},
+    {"meter.scale", "to", Type::date, "", "", 0, 0, "Last day; default: the end."},
+    {"meter.scale", "factor", Type::number, "-", required, 1e-9, 1e9, "On the readings."},
+    // parameters
+    {"parameter", "name", Type::text, "", required, 0, 0, ""},
+    {"parameter", "target", Type::texts, "", required, 0, 0,
+     "What it sets: \"construction.wall.u_value\", "
+     "\"zone.*.flow.infiltration.air_change\", "
+     "\"zone.office.heating_set_point.low\"; several are set together."},
+    {"parameter", "min", Type::number, "", "", -1e9, 1e9, "Needed without values."},
+    {"parameter", "max", Type::number, "", "", -1e9, 1e9, "Needed without values."},
+    {"parameter", "values", Type::numbers, "", "", -1e9, 1e9,
+     "In place of min and max: it takes one of these; a posterior holds them all alike, "
+     "other studies take the range."},
+    {"parameter", "prior", Type::table, "", "", 0, 0,
+     "{kind = \"normal\", mean = 0.4, sd = 0.1}; default: uniform from min to max."},
+    {"parameter", "mode", Type::choice, "replace|factor|offset", "replace", 0, 0,
+     "It replaces the number, multiplies it, or is added to it."},
+    {"link", "target", Type::texts, "", required, 0, 0,
+     "What it sets, as of a [[parameter]]; no parameter may set it."},
+    {"link", "of", Type::texts, "", required, 0, 0,
+     "What it follows: the path of one number, or several."},
+    {"link", "term", Type::tables, "", "", 0, 0,
+     "[[link.term]]: the targets are the sum of the terms."},
+    {"link", "row", Type::tables, "", "", 0, 0,
+     "[[link.row]]: the targets are those of the row whose key is nearest."},
+    {"link.term", "factor", Type::number, "", required, -1e9, 1e9, ""},
+    {"link.term", "exponents", Type::numbers, "", "", 0, 20,
+     "Whole, one for each of `of`: factor x1^e1 x2^e2 ...; default: the factor alone."},
+    {"link.row", "key", Type::number, "", required, -1e9, 1e9, "Of the number in `of`."},
+    {"link.row", "values", Type::numbers, "", required, -1e9, 1e9,
+     "One for each path in `target`."},
+    {"prior", "kind", Type::choice, "fixed|uniform|normal|lognormal|beta|gamma", required,
+     0, 0, "Of the distribution."},
+    {"prior", "value", Type::number, "", "", -1e9, 1e9, "fixed: it stays there."},
+    {"prior", "mean", Type::number, "", "", -1e9, 1e9, "normal."},
+    {"prior", "sd", Type::number, "", "", 0, 1e9, "normal: standard deviation."},
+    {"prior", "median", Type::number, "", "", 0, 1e9, "lognormal."},
+    {"prior", "sd_log", Type::number, "", "", 0, 1e3,
+     "lognormal: standard deviation of the logarithm."},
+    {"prior", "alpha", Type::number, "", "", 0, 1e9,
+     "beta: first exponent; a beta is of (x - min) / (max - min)."},
+    {"prior", "beta", Type::number, "", "", 0, 1e9, "beta: second exponent."},
+    {"prior", "shape", Type::number, "", "", 0, 1e9, "gamma."},
+    {"prior", "rate", Type::number, "", "", 0, 1e9, "gamma: inverse of the scale."},
+    {"prior", "normalised", Type::flag, "", "false", 0, 0,
+     "normal, lognormal, gamma: true where the numbers are of (x - min) / (max - min)."},
+    // periods, run
+    {"periods", "training", Type::texts, "", required, 0, 0,
+     "[first day, last day], both included."},
+    {"periods", "held_out", Type::texts, "", "", 0, 0,
+     "[first day, last day]; any other name may be used for further periods."},
+    {"run", "step", Type::integer, "s", "3600", 60, 3600, "Divides 3600."},
+    {"run", "warm_up_days", Type::number, "d", "42", 0, 366,
+     "Simulated before a period, to forget the start."},
+};
+
+}  // namespace
+
+std::span<const SectionInfo> sections() {
+    return section_table;
+}
+std::span<const Key> key_table() {
+    static const std::vector<Key> all = [] {
+        std::vector<Key> keys(std::begin(table), std::end(table));
+        keys.insert(keys.end(), study_keys().begin(), study_keys().end());
+        return keys;
+    }();
+    return all;
+}
+
+}  // namespace bemcal::schema

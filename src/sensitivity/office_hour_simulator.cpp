@@ -1,0 +1,83 @@
+/// Paper 1's single hour, some of its inputs fixed.
+#include "sensitivity/simulators.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace bemcal::sensitivity {
+namespace {
+
+using Fixed = std::vector<std::pair<std::string, double>>;
+
+std::size_t number_of(const std::string& name) {
+    const auto inputs = physics::office_hour_inputs();
+    std::string known;
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+        if (inputs[k].name == name) return k;
+        known += std::string(k == 0 ? "" : ", ") + inputs[k].name;
+    }
+    throw std::invalid_argument("no input of the office hour is called " + name +
+                                "; they are " + known);
+}
+
+class OfficeHourSimulator : public study::Simulator {
+  public:
+    OfficeHourSimulator(const Fixed& fixed,
+                        const physics::OfficeHourAssumptions& assumptions)
+        : assumptions_(assumptions) {
+        const auto inputs = physics::office_hour_inputs();
+        inputs_.resize(inputs.size());
+        std::vector<bool> is_fixed(inputs.size());
+        for (const auto& [name, value] : fixed) {
+            inputs_[number_of(name)] = value;
+            is_fixed[number_of(name)] = true;
+        }
+        for (std::size_t k = 0; k < inputs.size(); ++k)
+            if (!is_fixed[k]) vary(k, inputs[k]);
+    }
+
+    const std::vector<physics::Parameter>& parameters() const override {
+        return parameters_;
+    }
+    const std::vector<study::Output>& outputs() const override { return outputs_; }
+
+    void evaluate(const Matrix& points, Matrix& answers,
+                  std::vector<std::string>& failures) const override {
+        answers = Matrix(points.rows, 1);
+        failures.assign(points.rows, {});
+        std::vector<double> inputs = inputs_;
+        for (std::size_t r = 0; r < points.rows; ++r) {
+            for (std::size_t k = 0; k < varied_.size(); ++k)
+                inputs[varied_[k]] = points(r, k);
+            answers(r, 0) = physics::office_hour_energy(inputs, assumptions_);
+            if (std::isnan(answers(r, 0))) failures[r] = "the box is impossible";
+        }
+    }
+
+  private:
+    void vary(std::size_t number, const physics::OfficeHourInput& input) {
+        varied_.push_back(number);
+        physics::Parameter parameter;
+        parameter.name = input.name;
+        parameter.unit = input.unit;
+        parameter.least = input.least;
+        parameter.most = input.most;
+        parameter.nominal = (input.least + input.most) / 2;
+        parameters_.push_back(std::move(parameter));
+    }
+
+    physics::OfficeHourAssumptions assumptions_;
+    std::vector<double> inputs_;       ///< fixed values in their places
+    std::vector<std::size_t> varied_;  ///< number of the input that each parameter is
+    std::vector<physics::Parameter> parameters_;
+    std::vector<study::Output> outputs_{{"energy", "kWh"}};
+};
+
+}  // namespace
+
+std::shared_ptr<const study::Simulator> make_office_hour_simulator(
+    const Fixed& fixed, const physics::OfficeHourAssumptions& assumptions) {
+    return std::make_shared<OfficeHourSimulator>(fixed, assumptions);
+}
+
+}  // namespace bemcal::sensitivity

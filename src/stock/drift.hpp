@@ -1,0 +1,20 @@
+/// Rules of drift, from one night to the next.
+#pragma once
+
+#include "job/stock.hpp"
+#include "stock/record.hpp"
+
+namespace bemcal::stock {
+
+/// Adds to record.drift the parameters that have moved by more than the options' share of
+/// their range and out of their interval of the night before. Sets how far each moved.
+void find_drift(const job::StockOptions& options, const StockRecord& before,
+                StockRecord& record);
+
+/// Adds the meters whose RMSE of the last period is above the options' factor times that
+/// of the first; with one period only, that of the night before.
+/// \param before  or nullptr
+void find_error_drift(const job::StockOptions& options, const StockRecord* before,
+                      StockRecord& record);
+
+}  // namespace bemcal::stock

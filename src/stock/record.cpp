@@ -1,0 +1,333 @@
+/// One list of fields serves all four ways.
+#include "stock/record.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <map>
+
+namespace bemcal::stock {
+
+namespace {
+
+/// Calls `see` with every field of a row, under the dataset's name.
+template <class Row, class See>
+void visit_building(Row& row, See&& see) {
+    see("stock_building", row.name);
+    see("stock_status", row.status);
+    see("stock_cause", row.cause);
+    see("stock_reason", row.reason);
+    see("stock_drift", row.drift);
+    see("stock_line_hash", row.line_hash);
+    see("stock_job_hash", row.job_hash);
+    see("stock_age", row.age);
+    see("stock_simulations", row.simulations);
+    see("stock_daily_start", row.daily_start);
+}
+template <class Row, class See>
+void visit_file(Row& row, See&& see) {
+    see("stock_file", row.path);
+    see("stock_file_hash", row.hash);
+}
+template <class Row, class See>
+void visit_fit(Row& row, See&& see) {
+    see("stock_fit_meter", row.meter);
+    see("stock_fit_unit", row.unit);
+    see("stock_fit_period", row.period);
+    see("stock_fit_measured", row.measured);
+    see("stock_fit_n", row.n);
+    see("stock_fit_before", row.before);
+    see("stock_fit_cv_rmse", row.cv_rmse);
+    see("stock_fit_nmbe", row.nmbe);
+}
+template <class Row, class See>
+void visit_value(Row& row, See&& see) {
+    see("stock_value_parameter", row.name);
+    see("stock_value_unit", row.unit);
+    see("stock_value_least", row.least);
+    see("stock_value_most", row.most);
+    see("stock_value", row.value);
+    see("stock_value_low", row.low);
+    see("stock_value_high", row.high);
+    see("stock_value_moved", row.moved);
+}
+template <class Row, class See>
+void visit_finding(Row& row, See&& see) {
+    see("stock_finding_series", row.series);
+    see("stock_finding", row.finding);
+    see("stock_finding_action", row.action);
+}
+
+/// Calls `table` with the dimension, rows and fields of each list of a record.
+template <class Record, class Table>
+void visit_lists(Record& record, Table&& table) {
+    table("stock_files", record.files,
+          [](auto& row, auto&& see) { visit_file(row, see); });
+    table("stock_fits", record.fits, [](auto& row, auto&& see) { visit_fit(row, see); });
+    table("stock_values", record.values,
+          [](auto& row, auto&& see) { visit_value(row, see); });
+    table("stock_findings", record.findings,
+          [](auto& row, auto&& see) { visit_finding(row, see); });
+}
+
+class Packer {
+  public:
+    void operator()(const char*, double value) { put(&value, sizeof value); }
+    void operator()(const char*, const std::string& text) {
+        count(text.size());
+        put(text.data(), text.size());
+    }
+    void operator()(const std::vector<float>& values) {
+        count(values.size());
+        put(values.data(), values.size() * sizeof(float));
+    }
+    void count(std::size_t n) {
+        const auto value = static_cast<std::uint32_t>(n);
+        put(&value, sizeof value);
+    }
+    std::vector<double> packed() const {
+        std::vector<double> numbers(1 + in_numbers(bytes_.size()));
+        numbers[0] = static_cast<double>(bytes_.size());
+        if (!bytes_.empty()) std::memcpy(&numbers[1], bytes_.data(), bytes_.size());
+        return numbers;
+    }
+    static std::size_t in_numbers(std::size_t n_bytes) {
+        return (n_bytes + sizeof(double) - 1) / sizeof(double);
+    }
+
+  private:
+    void put(const void* data, std::size_t n) {
+        bytes_.append(static_cast<const char*>(data), n);
+    }
+    std::string bytes_;
+};
+
+class Unpacker {
+  public:
+    explicit Unpacker(std::span<const double> packed) {
+        require(!packed.empty(), "a packed record is cut short");
+        left_ = static_cast<std::size_t>(packed[0]);
+        used_ = 1 + Packer::in_numbers(left_);
+        require(used_ <= packed.size(), "a packed record is cut short");
+        at_ = reinterpret_cast<const char*>(packed.data() + 1);
+    }
+    void operator()(const char*, double& value) { take(&value, sizeof value); }
+    void operator()(const char*, std::string& text) {
+        text.resize(count(1));
+        take(text.data(), text.size());
+    }
+    void operator()(std::vector<float>& values) {
+        values.resize(count(sizeof(float)));
+        take(values.data(), values.size() * sizeof(float));
+    }
+    /// Of things of at least that size, checked against what is left.
+    std::size_t count(std::size_t size) {
+        std::uint32_t n = 0;
+        take(&n, sizeof n);
+        require(n <= left_ / size, "a packed record is cut short");
+        return n;
+    }
+    std::size_t used() const { return used_; }
+
+  private:
+    void take(void* to, std::size_t n) {
+        require(n <= left_, "a packed record is cut short");
+        if (n > 0) std::memcpy(to, at_, n);
+        at_ += n;
+        left_ -= n;
+    }
+
+    const char* at_ = nullptr;
+    std::size_t left_ = 0, used_ = 0;
+};
+
+/// Columns of one dimension, row by row; every row has the same fields in one order.
+class Columns {
+  public:
+    explicit Columns(std::string dim) : dim_(std::move(dim)) {}
+    void begin_row() { at_ = 0; }
+    void operator()(const char* leaf, double value) {
+        next(leaf).values.push_back(value);
+    }
+    void operator()(const char* leaf, const std::string& text) {
+        next(leaf).texts.push_back(text);
+    }
+    void take(std::vector<study::Dataset>& datasets) {
+        for (study::Dataset& column : columns_) {
+            column.shape = {std::max(column.values.size(), column.texts.size())};
+            datasets.push_back(std::move(column));
+        }
+    }
+
+  private:
+    study::Dataset& next(const char* leaf) {
+        if (at_ == columns_.size())
+            columns_.push_back({std::string("stock/") + leaf, {dim_}, {}, {}, {}});
+        return columns_[at_++];
+    }
+    std::string dim_;
+    std::vector<study::Dataset> columns_;
+    std::size_t at_ = 0;
+};
+
+using Index = std::map<std::string, const study::Dataset*>;
+
+/// Finds the stored column of every field; nullptr where there is none.
+class Finder {
+  public:
+    explicit Finder(const Index& index) : index_(index) {}
+    template <class Value>
+    void operator()(const char* leaf, Value&) {
+        const auto found = index_.find(std::string("stock/") + leaf);
+        columns.push_back(found == index_.end() ? nullptr : found->second);
+    }
+    std::vector<const study::Dataset*> columns;
+
+  private:
+    const Index& index_;
+};
+
+/// Fields of one row of stored columns; what is not there stays as it is.
+class Row {
+  public:
+    Row(const Finder& found, std::size_t row) : columns_(found.columns), row_(row) {}
+    void operator()(const char*, double& value) {
+        const study::Dataset* column = columns_[at_++];
+        if (column != nullptr && row_ < column->values.size())
+            value = column->values[row_];
+    }
+    void operator()(const char*, std::string& text) {
+        const study::Dataset* column = columns_[at_++];
+        if (column != nullptr && row_ < column->texts.size()) text = column->texts[row_];
+    }
+
+  private:
+    const std::vector<const study::Dataset*>& columns_;
+    std::size_t row_, at_ = 0;
+};
+
+constexpr const char* of_building = "_of";  ///< leaf: the building's index of each row
+
+/// Two datasets: how long each building's series is, and all of them one after the other.
+class DailyColumns {
+  public:
+    void add(const std::vector<float>& daily, std::size_t n_buildings) {
+        // All are about as long as the first.
+        if (counts_.empty()) counts_.reserve(n_buildings);
+        if (all_.empty()) all_.reserve(daily.size() * n_buildings);
+        counts_.push_back(static_cast<double>(daily.size()));
+        all_.insert(all_.end(), daily.begin(), daily.end());
+    }
+    void take(std::vector<study::Dataset>& datasets) {
+        const std::size_t n = counts_.size(), n_days = all_.size();
+        datasets.push_back(
+            {"stock/stock_daily_n", {"stock_building"}, {n}, std::move(counts_), {}});
+        if (n_days > 0)
+            datasets.push_back(
+                {"stock/stock_daily", {"stock_days"}, {n_days}, std::move(all_), {}});
+    }
+
+  private:
+    std::vector<double> counts_, all_;
+};
+
+void read_daily(const Index& index, std::vector<StockRecord>& records) {
+    const auto counts = index.find("stock/stock_daily_n");
+    const auto all = index.find("stock/stock_daily");
+    if (counts == index.end() || all == index.end()) return;
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < records.size(); ++k) {
+        const auto n = static_cast<std::size_t>(counts->second->values[k]);
+        if (at + n > all->second->values.size()) return;
+        const auto first = all->second->values.begin() + static_cast<std::ptrdiff_t>(at);
+        records[k].daily.assign(first, first + static_cast<std::ptrdiff_t>(n));
+        at += n;
+    }
+}
+
+}  // namespace
+
+std::vector<double> pack(const StockRecord& record) {
+    Packer packer;
+    visit_building(record, packer);
+    visit_lists(record, [&](const char*, const auto& rows, auto&& visit) {
+        packer.count(rows.size());
+        for (const auto& row : rows) visit(row, packer);
+    });
+    packer(record.daily);
+    return packer.packed();
+}
+
+StockRecord unpack_record(std::span<const double> packed, std::size_t& used) {
+    StockRecord record;
+    Unpacker unpacker(packed);
+    visit_building(record, unpacker);
+    visit_lists(record, [&](const char*, auto& rows, auto&& visit) {
+        rows.resize(unpacker.count(1));
+        for (auto& row : rows) visit(row, unpacker);
+    });
+    unpacker(record.daily);
+    used = unpacker.used();
+    return record;
+}
+
+std::vector<study::Dataset> datasets_of(
+    std::size_t n_records, const std::function<StockRecord(std::size_t)>& record_of) {
+    Columns buildings("stock_building");
+    std::map<std::string, Columns> lists;
+    DailyColumns daily;
+    for (std::size_t k = 0; k < n_records; ++k) {
+        const StockRecord record = record_of(k);
+        buildings.begin_row();
+        visit_building(record, buildings);
+        visit_lists(record, [&](const char* dim, const auto& rows, auto&& visit) {
+            Columns& columns = lists.try_emplace(dim, dim).first->second;
+            for (const auto& row : rows) {
+                columns.begin_row();
+                columns((std::string(dim) + of_building).c_str(), static_cast<double>(k));
+                visit(row, columns);
+            }
+        });
+        daily.add(record.daily, n_records);
+    }
+    std::vector<study::Dataset> datasets;
+    buildings.take(datasets);
+    for (auto& [dim, columns] : lists) columns.take(datasets);
+    daily.take(datasets);
+    return datasets;
+}
+
+std::vector<StockRecord> records_in(const std::vector<study::Dataset>& datasets) {
+    Index index;
+    for (const study::Dataset& dataset : datasets)
+        if (dataset.path.starts_with("stock/")) index[dataset.path] = &dataset;
+    const auto names = index.find("stock/stock_building");
+    if (names == index.end()) return {};
+    std::vector<StockRecord> records(names->second->texts.size());
+    StockRecord none;
+    Finder of_record(index);
+    visit_building(none, of_record);
+    for (std::size_t k = 0; k < records.size(); ++k)
+        visit_building(records[k], Row(of_record, k));
+    visit_lists(none, [&](const char* dim, auto& shape, auto&& visit) {
+        const auto owners = index.find("stock/" + std::string(dim) + of_building);
+        if (owners == index.end()) return;
+        Finder of_list(index);
+        visit(shape.emplace_back(), of_list);
+        for (std::size_t k = 0; k < owners->second->values.size(); ++k) {
+            const auto owner = static_cast<std::size_t>(owners->second->values[k]);
+            if (owner >= records.size()) continue;
+            visit_lists(records[owner], [&](const char* other, auto& rows, auto&&) {
+                if constexpr (std::is_same_v<decltype(rows), decltype(shape)>)
+                    if (std::string_view(other) == dim)
+                        visit(rows.emplace_back(), Row(of_list, k));
+            });
+        }
+    });
+    read_daily(index, records);
+    return records;
+}
+
+}  // namespace bemcal::stock

@@ -1,0 +1,69 @@
+/// What a night knows of each building of a stock: whether and why it was worked on, its
+/// files, errors, values and findings. It is an item's answer, a part of the result, and
+/// what the next night starts from.
+#pragma once
+
+#include "job/job.hpp"
+#include "study/stage.hpp"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace bemcal::stock {
+
+struct StockRecord {
+    std::string name;
+    std::string status;  ///< calibrated, unchanged, postponed, failed
+    std::string
+        cause;  ///< why it was due: new, line, job, data: FILE; empty = it was not
+    std::string reason;  ///< why it failed
+    std::string drift;   ///< what drifts; empty = nothing
+    std::string line_hash, job_hash;
+    double age = 0;  ///< nights since it was calibrated
+    double simulations = 0;
+    double daily_start = 0;  ///< of `daily` [d since 1970]
+
+    struct File {
+        std::string path, hash;  ///< no hash: it could not be read
+    };
+    std::vector<File> files;
+
+    struct Fit {
+        std::string meter, unit, period;
+        double measured = 0;  ///< sum of its n readings
+        double n = 0;
+        double before = 0, cv_rmse = 0, nmbe = 0;  ///< before: CV(RMSE) as it started
+        double rmse() const { return n > 0 ? cv_rmse * measured / n : 0; }
+    };
+    std::vector<Fit> fits;
+
+    struct Value {
+        std::string name, unit;
+        double least = 0, most = 0, value = 0, low = 0, high = 0;
+        double moved = 0;  ///< since the night before, of the range
+    };
+    std::vector<Value> values;
+
+    std::vector<study::DataDecision> findings;
+    /// Daily sums of the first energy meter of the last days, to find meters that are
+    /// one.
+    std::vector<float> daily;
+
+    bool is_failed() const { return status == "failed"; }
+};
+
+/// As an item's numbers: how many bytes, then 8 of them in a number.
+std::vector<double> pack(const StockRecord& record);
+/// \param used  so many numbers were its own
+StockRecord unpack_record(std::span<const double> packed, std::size_t& used);
+
+/// Datasets stock/*, from the records in the order of the stock; each is asked for once,
+/// so that no two need to be there at a time.
+std::vector<study::Dataset> datasets_of(
+    std::size_t n_records, const std::function<StockRecord(std::size_t)>& record);
+/// And back; empty where they hold no stock.
+std::vector<StockRecord> records_in(const std::vector<study::Dataset>& datasets);
+
+}  // namespace bemcal::stock

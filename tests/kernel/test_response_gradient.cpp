@@ -1,0 +1,19 @@
+/// The derivative of a response for every number of sixty random buildings.
+#include "kernel/response_derivative.hpp"
+
+namespace bemcal::physics {
+
+namespace {
+
+class ResponseOfEveryNumber : public testing::TestWithParam<unsigned> {};
+
+}  // namespace
+
+TEST_P(ResponseOfEveryNumber, DerivativeIsThatOfCentralDifferences) {
+    const test::RandomCase made = test::random_case(GetParam());
+    if (made.building.zones[0].couplings.empty()) test::expect_derivative(made);
+}
+
+INSTANTIATE_TEST_SUITE_P(RandomBuildings, ResponseOfEveryNumber, testing::Range(1U, 61U));
+
+}  // namespace bemcal::physics

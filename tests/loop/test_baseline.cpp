@@ -1,0 +1,65 @@
+#include "loop/baseline.hpp"
+#include "loop/windy_case.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+using namespace bemcal;
+using namespace bemcal::loop;
+using namespace bemcal::study;
+
+namespace {
+
+struct WithBaseline {
+    WithBaseline() {
+        Case made = test::windy_case();
+        test::measure(made, test::named("wind infiltration"), 0.08, 3);
+        data = std::make_unique<LoopData>(made, LoopOptions{});
+        baseline = make_baseline(*data);
+    }
+    std::unique_ptr<LoopData> data;
+    Baseline baseline;
+};
+
+const WithBaseline& windy() {
+    static const WithBaseline one;
+    return one;
+}
+
+}  // namespace
+
+// Not all are tried in each round, but all that are left are in the last.
+TEST(LoopBaseline, NoRefinementThatIsLeftWouldHelp) {
+    const Baseline& baseline = windy().baseline;
+    const auto& chosen = baseline.chosen.model.structure;
+    ASSERT_FALSE(chosen.empty());
+    std::size_t n_left = 0;
+    for (std::size_t k = 0; k < refinements().size(); ++k) {
+        auto more = chosen;
+        more.push_back(k);
+        const auto tried =
+            std::ranges::find(baseline.tried, name_of(more), &TriedStructure::name);
+        if (tried == baseline.tried.end()) continue;
+        EXPECT_GT(tried->score, baseline.gained - 6) << tried->name;
+        ++n_left;
+    }
+    EXPECT_GE(n_left + chosen.size() + 4, refinements().size());  // some cannot enter
+}
+
+TEST(LoopBaseline, EachRefinementThatWasChosenLoweredTheScore) {
+    const Baseline& baseline = windy().baseline;
+    double before = 0;
+    std::vector<std::size_t> structure;
+    for (const std::size_t refinement : baseline.chosen.model.structure) {
+        structure.push_back(refinement);
+        const auto tried =
+            std::ranges::find(baseline.tried, name_of(structure), &TriedStructure::name);
+        ASSERT_NE(tried, baseline.tried.end()) << name_of(structure);
+        EXPECT_LT(tried->score, before - 6) << tried->name;
+        before = tried->score;
+    }
+}

@@ -1,0 +1,237 @@
+#include "retrofit/retrofit.hpp"
+#include "study/find.hpp"
+#include "study/small_case.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace bemcal::study {
+namespace {
+
+using physics::Quantity;
+
+retrofit::ScenarioChange change(const Case& building, const char* path,
+                                retrofit::ChangeBy by, double amount) {
+    return {physics::resolve(building.building, path), by, amount};
+}
+
+/// A room without sun, gains and sky in a constant cold, always heated: its heating
+/// follows from its conductances alone.
+Case steady_case() {
+    Case made = test::small_case();
+    for (double& theta : made.weather.theta_e) theta = 2;
+    for (auto* sun : {&made.weather.direct_normal, &made.weather.diffuse_horizontal,
+                      &made.weather.global_horizontal})
+        std::ranges::fill(*sun, 0.0);
+    physics::Zone& zone = made.building.zones[0];
+    zone.loads.clear();
+    zone.sky_temperature_difference = 0;
+    zone.thermostat.heating_set_point = {20, 0, -1};
+    made.building.plant.heating_efficiency = {0.8, 0, -1};
+    made.parameters = {
+        test::parameter(made.building, "zone.office.flow.air.air_change", 0.3, 1.5, 0.8),
+        test::parameter(made.building, "construction.wall.u_value", 0.2, 1.5, 0.6)};
+    made.priors.clear();
+    return made;
+}
+
+/// Steady heating of the 5R1C network [W]: H_tr,is in series with H_w + H_op, beside
+/// H_ve (ISO 13790, Annex C; H_tr,em and H_tr,ms in series are H_op).
+double steady_heating(const Case& building, double u_value, double air_change) {
+    const physics::Zone& zone = building.building.zones[0];
+    const double h_opaque = u_value * zone.surfaces[0].area;
+    const double h_windows =
+        building.building.glazings[0].u_value.value * zone.windows[0].area;
+    const double h_is = zone.surface_film * zone.surface_area_ratio * zone.floor_area;
+    const double h_air = 1200 * zone.volume * air_change / 3600;
+    return (1 / (1 / h_is + 1 / (h_opaque + h_windows)) + h_air) * (20 - 2);
+}
+
+/// A posterior's draws under the stage "house/fit", as its datasets have them.
+std::vector<Dataset> draws(std::vector<double> air_change, std::vector<double> u_value) {
+    const std::size_t n = air_change.size();
+    const std::string group = "house/fit/posterior/";
+    return {{group + "zone.office.flow.air.air_change",
+             {"chain", "draw"},
+             {1, n},
+             std::move(air_change),
+             {}},
+            {group + "construction.wall.u_value",
+             {"chain", "draw"},
+             {1, n},
+             std::move(u_value),
+             {}}};
+}
+
+std::vector<Dataset> results_of(const Case& building,
+                                const retrofit::RetrofitOptions& options,
+                                const std::vector<Dataset>& concluded) {
+    const auto stage =
+        retrofit::make_retrofit("retrofit", building, building.periods[0], options);
+    stage->see(concluded);
+    std::vector<ItemAnswer> answers;
+    for (int k = 0; k < stage->n_items(); ++k) answers.push_back(stage->run(k));
+    while (const auto round = stage->next_round(answers)) {
+        const auto first = static_cast<int>(answers.size());
+        stage->begin_round(first, *round);
+        for (int k = 0; k < round->n_items; ++k) answers.push_back(stage->run(first + k));
+    }
+    EXPECT_EQ(stage->shortfall(answers), "");
+    return stage->conclude(answers);
+}
+
+retrofit::RetrofitOptions options_of(std::vector<retrofit::Scenario> scenarios) {
+    retrofit::RetrofitOptions options;
+    options.scenarios = std::move(scenarios);
+    options.of = "house/fit";
+    return options;
+}
+
+constexpr std::size_t n_outputs = 7;
+enum Column { heating, cooling, electricity, gas, district, too_cold, too_warm };
+
+TEST(Retrofit, SavesWhatTheConductancesSay) {
+    const Case house = steady_case();
+    const retrofit::Scenario scenario{"insulated and tight",
+                                      {change(house, "construction.wall.u_value",
+                                              retrofit::ChangeBy::resistance, 0.1 / 0.04),
+                                       change(house, "zone.office.flow.air.air_change",
+                                              retrofit::ChangeBy::factor, 0.5)},
+                                      {}};
+    const std::vector<double> air{0.4, 0.8, 1.2}, u{0.5, 0.7, 1.0};
+    const auto results = results_of(house, options_of({scenario}), draws(air, u));
+    const auto &before = test::find(results, "before").values,
+               &after = test::find(results, "after").values;
+    const double hours =
+        static_cast<double>((house.periods[0].to - house.periods[0].from).count()) /
+        3.6e6;
+    for (std::size_t r = 0; r < air.size(); ++r) {
+        const double was = steady_heating(house, u[r], air[r]) * hours;
+        const double is =
+            steady_heating(house, 1 / (1 / u[r] + 0.1 / 0.04), air[r] / 2) * hours;
+        EXPECT_NEAR(before[r * n_outputs + heating], was, 1e-4 * was);
+        EXPECT_NEAR(after[r * n_outputs + heating], is, 1e-4 * is);
+        EXPECT_NEAR(before[r * n_outputs + gas], was / 0.8, 1e-4 * was);
+    }
+    const auto& saving = test::find(results, "saving_quantile").values;
+    EXPECT_NEAR(saving[n_outputs + heating],
+                before[n_outputs + heating] - after[n_outputs + heating], 1e-9);
+}
+
+TEST(Retrofit, AScenarioWithoutChangesSavesExactlyNothing) {
+    Case office = test::small_case();
+    office.priors.clear();
+    std::vector<Dataset> found{
+        {"house/fit/parameter", {"parameter"}, {3}, {}, {}},
+        {"house/fit/best_parameters", {"rank", "parameter"}, {70, 3}, {}, {}}};
+    for (const auto& parameter : office.parameters)
+        found[0].texts.push_back(parameter.name);
+    for (int r = 0; r < 70; ++r)
+        for (const auto& parameter : office.parameters)
+            found[1].values.push_back(parameter.least +
+                                      (parameter.most - parameter.least) * r / 70.0);
+    const auto results = results_of(office, options_of({{"nothing", {}, {}}}), found);
+    const auto &before = test::find(results, "before").values,
+               &after = test::find(results, "after").values;
+    ASSERT_EQ(before.size(), 70 * n_outputs);
+    for (std::size_t k = 0; k < before.size(); ++k) EXPECT_EQ(before[k], after[k]);
+    EXPECT_GT(before[electricity], 0);
+    for (const double saved : test::find(results, "saving_quantile").values)
+        EXPECT_EQ(saved, 0);
+    for (const double saved : test::find(results, "saving_share_quantile").values)
+        EXPECT_EQ(saved, 0);
+}
+
+TEST(Retrofit, AHeatPumpMovesHeatingToAnotherMeter) {
+    const Case house = steady_case();
+    retrofit::Scenario pump{
+        "heat pump",
+        {change(house, "plant.heating_efficiency", retrofit::ChangeBy::value, 3)},
+        physics::Carrier::electricity};
+    const auto results = results_of(house, options_of({pump}), draws({0.5}, {0.6}));
+    const auto& after = test::find(results, "after").values;
+    EXPECT_EQ(after[gas], 0);
+    EXPECT_NEAR(after[electricity], after[heating] / 3, 1e-9 * after[heating]);
+}
+
+TEST(Retrofit, CountsOccupiedHoursOutsideTheLimits) {
+    Case house = steady_case();
+    const retrofit::Scenario colder{
+        "colder",
+        {change(house, "zone.office.heating_set_point", retrofit::ChangeBy::offset, -2)},
+        {}};
+    retrofit::RetrofitOptions options = options_of({colder});
+    options.too_cold = 19;
+    const double hours =
+        static_cast<double>((house.periods[0].to - house.periods[0].from).count()) / 3600;
+    auto results = results_of(house, options, draws({0.5}, {0.6}));
+    EXPECT_EQ(test::find(results, "before").values[too_cold], 0);
+    EXPECT_EQ(test::find(results, "after").values[too_cold], hours);
+    options.too_cold = 18;  // held but for rounding
+    options.too_warm = 17;
+    results = results_of(house, options, draws({0.5}, {0.6}));
+    EXPECT_EQ(test::find(results, "after").values[too_cold], 0);
+    EXPECT_EQ(test::find(results, "after").values[too_warm], hours);
+    options.occupied_profile = 0;  // ten hours of weekdays
+    results = results_of(house, options, draws({0.5}, {0.6}));
+    const double occupied = test::find(results, "after").values[too_warm];
+    EXPECT_GT(occupied, 0.2 * hours);
+    EXPECT_LT(occupied, 0.45 * hours);
+}
+
+TEST(Retrofit, APointBeyondTheMethodFailsWithItsReason) {
+    const Case house = steady_case();
+    const retrofit::Scenario scenario{
+        "tripled",
+        {change(house, "construction.wall.u_value", retrofit::ChangeBy::factor, 10)},
+        {}};
+    const auto results =
+        results_of(house, options_of({scenario}), draws({0.5, 0.5}, {0.6, 1.2}));
+    EXPECT_EQ(test::find(results, "n_failed").values[0], 1);
+    EXPECT_EQ(test::find(results, "failed_reason").texts[0],
+              "tripled: u_value would be 12; expected 0 to 10 W/(m2 K)");
+    EXPECT_TRUE(std::isnan(test::find(results, "before").values[n_outputs]));
+}
+
+TEST(Retrofit, WithoutPointsItSaysSo) {
+    const Case house = steady_case();
+    const auto stage = retrofit::make_retrofit("retrofit", house, house.periods[0],
+                                               options_of({{"nothing", {}, {}}}));
+    stage->see({});
+    const std::vector<ItemAnswer> answers{stage->run(0)};
+    EXPECT_FALSE(stage->next_round(answers));
+    EXPECT_EQ(stage->shortfall(answers),
+              "house/fit found no points to apply the scenarios to");
+    EXPECT_NO_THROW(stage->conclude(answers));
+}
+
+TEST(FoundPoints, OfAPartlyPooledPosteriorAreTheBuildingsOwn) {
+    Case house = steady_case();
+    house.name = "a";
+    auto datasets = draws({0.5, 0.6}, {0.7, 0.8});
+    datasets.push_back({"house/fit/posterior/construction.wall.u_value_a",
+                        {"chain", "draw"},
+                        {1, 2},
+                        {0.9, 1.0},
+                        {}});
+    const Matrix points = retrofit::found_points(datasets, "house/fit", house);
+    EXPECT_EQ(points.values, (std::vector<double>{0.5, 0.9, 0.6, 1.0}));
+}
+
+TEST(FoundPoints, OfAGridAreTheNeighboursInItsLastStage) {
+    const Case house = steady_case();
+    const std::string u_value = "construction.wall.u_value";
+    const std::vector<Dataset> datasets{
+        {"grid/parameter", {"parameter"}, {1}, {}, {u_value}},
+        {"grid/stage_1/grid_points", {"grid_point", "parameter"}, {2, 1}, {1, 2}, {}},
+        {"grid/stage_1/neighbour", {"neighbour"}, {1}, {0}, {}},
+        {"grid/stage_2/grid_points", {"grid_point", "parameter"}, {3, 1}, {3, 4, 5}, {}},
+        {"grid/stage_2/neighbour", {"neighbour"}, {2}, {2, 0}, {}}};
+    const Matrix points = retrofit::found_points(datasets, "grid", house);
+    EXPECT_EQ(points.values, (std::vector<double>{0.8, 5, 0.8, 3}));
+}
+
+}  // namespace
+}  // namespace bemcal::study

@@ -1,0 +1,137 @@
+/// Nights of a stock whose study is a posterior or a loop: what the first finds, and that
+/// the next one does what has changed, from there.
+#include "job/small_office.hpp"
+#include "job/stock.hpp"
+#include "stock/record.hpp"
+#include "stock/stage.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace bemcal::job {
+namespace {
+
+constexpr const char* posterior_study =
+    "kind = \"posterior\"\nn_chains = 2\nwarm_up = 20\ndraws_per_round = 20\n"
+    "most_draws = 20\nn_predictive = 10\nautocorrelated = false\n";
+constexpr const char* loop_study =
+    "kind = \"loop\"\nmost_effects = 1\ntry_structures = false\n";
+
+/// Two small offices with a meter of their own each, and one whose file is missing.
+class Stock3 {
+  public:
+    explicit Stock3(const std::string& study) {
+        std::string text = small_office_text();
+        text = text.substr(0, text.find("[[study]]"));
+        text = replaced(text, "name = \"small_office\"\nseed = 7\n", "");
+        for (int meter = 0; meter < 2; ++meter)
+            text = replaced(text, "file = \"measured.csv\"", "file = \"@meter@\"");
+        folder_.write("weather.csv", small_weather());
+        folder_.write("one.csv", small_readings());
+        folder_.write("two.csv", small_readings());
+        folder_.write("building.toml", text);
+        folder_.write("stock.csv",
+                      "name,meter\none,one.csv\ntwo,two.csv\nthree,three.csv\n");
+        folder_.write("job.toml",
+                      "seed = 3\n[stock]\ntable = \"stock.csv\"\ntemplate = "
+                      "\"building.toml\"\n[[study]]\n" +
+                          study);
+    }
+
+    /// Of the second building, the last day is missing from now on.
+    void change_second() const { folder_.write("two.csv", small_readings(24 * 58)); }
+    void add_third() const { folder_.write("three.csv", small_readings()); }
+    Job job() const { return read_job(folder_ / "job.toml"); }
+
+  private:
+    Folder folder_;
+};
+
+/// Of all rounds, by item.
+std::vector<study::ItemAnswer> answers_of(study::Stage& stage) {
+    std::vector<study::ItemAnswer> answers;
+    for (int first = 0, count = stage.n_items(); count > 0;) {
+        for (int item = first; item < first + count; ++item)
+            answers.push_back(stage.run(item));
+        const auto round = stage.next_round(answers);
+        first += count;
+        count = round ? round->n_items : 0;
+        if (round) stage.begin_round(first, *round);
+    }
+    return answers;
+}
+
+std::vector<stock::StockRecord> night(const Stock3& stock,
+                                      std::vector<stock::StockRecord> before) {
+    const Job job = stock.job();
+    const auto stage = stock::make_stock_stage(job, {"1", std::move(before)});
+    const auto answers = answers_of(*stage);
+    return stock::records_in(stage->conclude(answers));
+}
+
+void expect_sound(const stock::StockRecord& record) {
+    EXPECT_EQ(record.status, "calibrated") << record.reason;
+    ASSERT_EQ(record.values.size(), 3U);
+    for (const stock::StockRecord::Value& value : record.values) {
+        EXPECT_LT(value.low, value.value) << value.name;
+        EXPECT_GT(value.high, value.value) << value.name;
+    }
+    ASSERT_FALSE(record.fits.empty());
+    for (const stock::StockRecord::Fit& fit : record.fits)
+        EXPECT_TRUE(fit.n > 0 && std::isfinite(fit.before) && std::isfinite(fit.cv_rmse))
+            << fit.meter << " in " << fit.period;
+}
+
+/// Of two nights.
+void expect_only_changes_done(const Stock3& stock) {
+    const auto first = night(stock, {});
+    ASSERT_EQ(first.size(), 3U);
+    for (std::size_t k = 0; k < 2; ++k) expect_sound(first[k]);
+    EXPECT_EQ(first[0].cause, "new");
+    EXPECT_EQ(first[2].status, "failed");
+    EXPECT_NE(first[2].reason.find("three.csv"), std::string::npos) << first[2].reason;
+
+    stock.change_second();
+    const auto second = night(stock, first);
+    ASSERT_EQ(second.size(), 3U);
+    EXPECT_EQ(second[0].status, "unchanged");
+    EXPECT_EQ(second[0].values[0].value, first[0].values[0].value);
+    EXPECT_EQ(second[1].cause, "data: two.csv");
+    expect_sound(second[1]);
+    EXPECT_LT(second[1].fits.back().n, first[1].fits.back().n);
+    EXPECT_EQ(second[2].status, "failed");
+    EXPECT_EQ(second[2].cause, "");
+}
+
+TEST(StockNight, OfPosteriorsDoesWhatHasChanged) {
+    expect_only_changes_done(Stock3(posterior_study));
+}
+
+TEST(StockNight, OfLoopsDoesWhatHasChanged) {
+    expect_only_changes_done(Stock3(loop_study));
+}
+
+TEST(StockNight, FindsAnAnswerOutdatedWhoseFileHasChangedOrCome) {
+    const Stock3 stock("kind = \"screening\"\nn_points = 4\n");
+    const Job job = stock.job();
+    const auto answers = answers_of(*stock::make_stock_stage(job, {"1", {}}));
+    ASSERT_EQ(answers.size(), 4U);  // the look at all, then a building each
+    const auto outdated = [&] {
+        const Job now = stock.job();
+        const auto stage = stock::make_stock_stage(now, {"1", {}});
+        std::string all;
+        for (int item = 0; item < 4; ++item)
+            all += stage->outdated(item, answers[static_cast<std::size_t>(item)]) + ";";
+        return all;
+    };
+    EXPECT_EQ(outdated(), ";;;;");
+    stock.change_second();
+    EXPECT_EQ(outdated(), ";;two: two.csv has changed since;;");
+    stock.add_third();
+    EXPECT_EQ(outdated(),
+              ";;two: two.csv has changed since;three: three.csv has changed since;");
+}
+
+}  // namespace
+}  // namespace bemcal::job
