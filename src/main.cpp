@@ -1,4 +1,6 @@
 /// The command line: one command for each thing a user does; rank 0 speaks for all ranks.
+/// Source: exit codes of BSD's sysexits; CLI11 parses. Without a command it is `run`.
+/// How a job runs is left to `run_job`, what it costs to `plan`, tables to the report.
 #include "base/error.hpp"
 #include "effects/catalogue.hpp"
 #include "external/process.hpp"

@@ -1,4 +1,7 @@
-/// Quotients in reverse: the plant's efficiencies, and every load on the carrier.
+/// From adjoints of a meter's form to those of the plant, the loads and the meter's
+/// factor.
+/// Follows from meters.cpp: its quotients and products in reverse. It does not check
+/// values again; what meter_form rejects never gets here.
 #include "adjoint/meters_adjoint.hpp"
 
 #include "adjoint/network_adjoint.hpp"

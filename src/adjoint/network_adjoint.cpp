@@ -1,4 +1,7 @@
-/// Each sum and product of network.cpp in reverse.
+/// From adjoints of a zone's network and control to those of the building's numbers.
+/// Follows from network.cpp: each sum and product in reverse; an input's adjoint goes to
+/// its value, low and changes. Planes' tilts and boundaries' temperatures are not reached
+/// here: the first are no parameters, the second belong to regime_adjoint.
 #include "adjoint/network_adjoint.hpp"
 
 #include <cmath>

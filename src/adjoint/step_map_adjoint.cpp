@@ -1,5 +1,7 @@
-/// The lines of the elimination in reverse: of a = b c follow of_b += of_a c and
-/// of_c += of_a b.
+/// From adjoints of a step's map to those of the network: the elimination's lines in
+/// reverse (of a = b c follow of_b += of_a c and of_c += of_a b).
+/// Follows from step_map.cpp. Only the forms after the step and the air are taken back:
+/// means of mass and surface, and delivered heat, have no adjoints.
 #include "adjoint/step_map_adjoint.hpp"
 
 #include "physics/step_parts.hpp"

@@ -1,4 +1,7 @@
-/// XXH3 (Y. Collet) by way of the xxHash header; the only file that includes it.
+/// Content hashes and checksums by XXH3. All NaN count as the same number; other doubles
+/// count by their bits.
+/// Source: XXH3 (Y. Collet), from the xxHash header, which this file alone includes.
+/// It finds accidents, not forgery: XXH3 is not cryptographic.
 #include "base/hash.hpp"
 
 #include <cmath>

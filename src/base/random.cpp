@@ -1,4 +1,7 @@
-/// Philox-4x32-10 after Salmon et al. 2011, section 3.3, and its use as a stream.
+/// Counter-based random numbers: Philox-4x32-10 and its use as a stream.
+/// Source: Salmon et al. 2011, section 3.3; whole numbers by Lemire 2019, algorithm 5.
+/// A stream ends after 2^34 numbers. Distributions other than the uniform one are left to
+/// their users.
 #include "base/random.hpp"
 
 #include "base/error.hpp"

@@ -1,3 +1,7 @@
+/// Writes the nominal and the best point side by side: metrics and series of every meter
+/// in every period, quantities by step, the outdoor temperature.
+/// Follows from a plain simulation of both (`look_closely`).
+/// Which point is best is decided before; how sure it is, is not said.
 #include "calibration/candidates.hpp"
 
 #include "study/fit.hpp"

@@ -1,5 +1,8 @@
-/// A round is a stage's grid; an item is a run of its points. What a round needs is the
-/// grid itself.
+/// Runs a grid as a stage of the plan: a round is a stage's grid, an item a run of its
+/// points. What a round needs is the grid itself; it follows from the answers alone.
+/// Source: paper 3 (Basurra and Jankovic).
+/// Which values survive, and the next grid, is decided in `grid_rounds`. A failed point
+/// is NaN.
 #include "calibration/grid.hpp"
 
 #include "calibration/grid_results.hpp"

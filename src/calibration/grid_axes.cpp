@@ -1,3 +1,8 @@
+/// Lists the points of a full factorial, the last parameter running fastest, and refines
+/// an axis by midpoints between a kept value and its neighbours.
+/// Source: paper 3, eq. 2-3, with plus signs where minus is printed.
+/// Leaves out axes of one value, and midpoints outside the range. At an end the missing
+/// neighbour is mirrored.
 #include "calibration/grid_axes.hpp"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+/// Writes a grid's datasets: a group for each stage (points, errors, both selections,
+/// what survives, indices), and what the stages add up to.
+/// Follows from `GridRounds`.
+/// Nothing is judged here: roles and the reason of the end are those of `grid_rounds`.
 #include "calibration/grid_results.hpp"
 
 #include <algorithm>

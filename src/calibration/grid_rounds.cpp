@@ -1,3 +1,8 @@
+/// Judges a stage of a grid and makes the next: errors in per cent, the k nearest plainly
+/// and with density avoidance, values that survive, midpoints as the budget allows.
+/// Source: paper 3 (Basurra and Jankovic). Whether one value is determined or insensitive
+/// is our addition, by the total-order index (Saltelli et al. 2010, eq. 4).
+/// For the index, failed points lie at the others' mean. Points are run by `grid`.
 #include "calibration/grid_rounds.hpp"
 
 #include "stats/factorial_indices.hpp"

@@ -1,3 +1,8 @@
+/// Computes what an optimisation minimises of meters over a period: a weighted sum of
+/// paper 2's error, RMSD or minus log likelihood; for NSGA-II the error of each meter.
+/// Source: paper 2, eq. 1-4, with CV(RMSD) in per cent as printed, or as a fraction.
+/// Errors count as independent. Single numbers are in `target_goal`, several periods in
+/// `staged_goal`.
 #include "calibration/meter_goal.hpp"
 
 #include "calibration/candidates.hpp"

@@ -1,5 +1,8 @@
-/// The stage: a round is what the optimiser asks for, its items are runs of points. All
-/// that follows is from the answers: rank 0 tells them to an optimiser made anew.
+/// Runs an optimisation as a stage: a round is what the optimiser asks for, an item a run
+/// of points. All follows from the answers, which rank 0 tells to an optimiser made anew.
+/// Source: paper 2's swarm and pattern search; NSGA-II, as paper 3 compares with it.
+/// Methods are in `make_method` and `make_nsga2`, objectives in `meter_goal` and
+/// `target_goal`.
 #include "calibration/optimisation.hpp"
 
 #include "calibration/meter_goal.hpp"

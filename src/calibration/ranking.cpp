@@ -1,3 +1,7 @@
+/// Keeps a row of numbers for each screened point, the best of all, and how many meet
+/// Guideline 14. Merged in any grouping the result is the same; ties go by index.
+/// Source: ASHRAE Guideline 14 for the verdicts, by `fit`.
+/// Failed points are left out. Which rows are stored is decided in `screening`.
 #include "calibration/ranking.hpp"
 
 #include <algorithm>

@@ -1,6 +1,8 @@
-/// Items are runs of points. With keep_points an answer holds the row of every point,
-/// without it the item's ranking only, so that neither answers nor result grow with the
-/// sample.
+/// Runs a screening as a stage: an item is a run of points of a scrambled Sobol sample.
+/// With keep_points an answer holds every row, without it a ranking that does not grow.
+/// Source: Joe and Kuo 2008 for the sequence.
+/// The score is of the first period only. Rows are defined in `ranking`, datasets made in
+/// `screening_conclude`.
 #include "calibration/screening.hpp"
 
 #include "calibration/screening_plan.hpp"

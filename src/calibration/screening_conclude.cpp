@@ -1,5 +1,7 @@
-/// From the items' answers to the datasets of a screening: counts, the best points,
+/// Turns the items' answers into the datasets of a screening: counts, the best points,
 /// nominal against best, and with keep_points every point.
+/// Follows from the layout of a row in `ranking`.
+/// Only nominal and best are simulated again (`candidates`). Points have no weights.
 #include "calibration/candidates.hpp"
 #include "calibration/screening_plan.hpp"
 #include "study/datasets.hpp"

@@ -1,5 +1,8 @@
-/// The stage of the plan: a round is what the optimiser of the stage at work asks for. As
-/// in optimisation.cpp all that follows is from the answers, on rank 0.
+/// Runs a calibration in stages as one stage of the plan: a round is what the optimiser
+/// at work asks for; all follows from the answers, on rank 0, as in `optimisation`.
+/// Source: paper 2; all parameters at once are one stage more.
+/// Leaves out the order of stages (`staged_path`), objectives (`staged_goal`) and
+/// judgement (`staged_results`).
 #include "calibration/staged.hpp"
 
 #include "calibration/staged_results.hpp"

@@ -1,3 +1,7 @@
+/// Computes the objective of one stage: the error sums of its periods taken together,
+/// meters by weight; of a likelihood also priors, and errors near in time as one.
+/// Source: paper 2, eq. 1-4, by `objective_term`.
+/// NSGA-II, and priors on discrete parameters, are left out.
 #include "calibration/staged_goal.hpp"
 
 #include "calibration/meter_goal.hpp"

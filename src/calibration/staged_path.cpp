@@ -1,3 +1,7 @@
+/// Leads a calibration from stage to stage: values carried over or held, ranges, an
+/// optimiser, its best point. Made anew and told the same, it is where it was.
+/// Source: paper 2, with branches that give a season values of its own.
+/// It simulates nothing (`staged_goal` does), and never goes back to a stage.
 #include "calibration/staged_path.hpp"
 
 #include "optimise/methods.hpp"

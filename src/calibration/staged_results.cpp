@@ -1,3 +1,7 @@
+/// Judges stages: errors of several versions over periods taken together, shares within
+/// 0.5 and the sensor's accuracy, the errors' distribution, deviations of estimates.
+/// Source: paper 2, Table 6 and its validation; deviations by `estimate_spread`.
+/// Deviations take ranges as flat priors; curvature and discrete parameters are left out.
 #include "calibration/staged_results.hpp"
 
 #include "stats/estimate_spread.hpp"

@@ -1,3 +1,8 @@
+/// Computes how far a point is from single numbers: the distance of errors in per cent,
+/// as a grid measures it; for NSGA-II the error of each, signed or not.
+/// Source: paper 3's plane of errors, and its comparison with NSGA-II.
+/// Readings by time are in `meter_goal`. Where a point is slow, the best is not run
+/// again.
 #include "calibration/target_goal.hpp"
 
 #include "study/points.hpp"

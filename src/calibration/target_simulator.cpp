@@ -1,3 +1,8 @@
+/// Answers points with single numbers of a building over a period (totals, months,
+/// highest hours), and takes the same numbers from its meters.
+/// Follows from what bills and meters show, as in paper 3.
+/// Totals and months of a meter need all of its readings; a highest hour needs readings
+/// by the hour or finer, but not all.
 #include "calibration/target_simulator.hpp"
 
 #include "study/step_series.hpp"

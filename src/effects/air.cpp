@@ -1,4 +1,8 @@
-/// Each series is a formula mapped over the weather's hours.
+/// Moist air, sky and ground by the hour: each series is a formula mapped over the
+/// weather.
+/// Source: ISO 2533 (pressure); WMO Guide 2008, 4.B (Magnus); Clark and Allen 1978 with
+/// Walton's clouds (sky). The ground is a lagged mean with an assumed 60 days.
+/// Missing values stay missing; frost (saturation over ice) is left out.
 #include "effects/air.hpp"
 
 #include <algorithm>

@@ -1,5 +1,8 @@
-/// Candidates are written down from tables, then those that a building cannot take are
-/// left out.
+/// All effects that a loop may try: the catalogue's with every shape, facade and meter,
+/// then the grammar's hook x driver x shape x gate. What a building cannot take is left
+/// out.
+/// The grammar's table is our own, of what makes physical sense; its ranges are
+/// judgement. Whether an effect is there is not decided here, nor are days found.
 #include "effects/placement.hpp"
 #include "effects/variants.hpp"
 

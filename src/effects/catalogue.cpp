@@ -1,4 +1,7 @@
-/// The rows of the groups in one list, by number, and what is looked up there.
+/// The rows of the groups in one list, by number, and what is looked up there: a row by
+/// name, shapes of thresholds, windows, seasons and dates.
+/// Plain bookkeeping; the rows are judgement (envelope_rows, use_rows, plant_rows). Dates
+/// of steps are tried by months, up to the 23rd: finer ones are left to the search.
 #include "effects/catalogue.hpp"
 
 #include "effects/rows.hpp"

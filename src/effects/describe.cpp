@@ -1,4 +1,7 @@
-/// The catalogue and the grammar as text.
+/// The catalogue and the grammar as text, for `describe effects`: where an effect enters,
+/// what it follows, what it leaves in residuals, what tells it apart.
+/// Made from the catalogue's rows. The grammar's summary is written by hand and has to be
+/// kept like the table in candidates; of many shapes only some are printed.
 #include "effects/catalogue.hpp"
 
 #include <fmt/format.h>

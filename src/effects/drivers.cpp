@@ -1,4 +1,8 @@
-/// One function for each driver that is not a series already.
+/// The series that effects follow, and the gates that let them through: one function for
+/// each driver that is not a series already.
+/// Plain definitions, our own: base 20 degC, day 7 to 19 h, occupied above a tenth of the
+/// largest density, heating below and cooling above 12 and 16 degC as a week's mean.
+/// People are known by the load's name; moist air and sky are left to air.
 #include "effects/drivers.hpp"
 
 #include <algorithm>

@@ -1,4 +1,7 @@
-/// Weather, air, walls and windows.
+/// Rows of the catalogue for weather, air, walls and windows: where each enters, what it
+/// follows, its plausible range, and what it looks like.
+/// Ranges and shapes are judgement, without a source. Drivers are computed in drivers,
+/// sites found in hooks; use and plant have rows of their own.
 #include "effects/rows.hpp"
 
 namespace bemcal::effects {

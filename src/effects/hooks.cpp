@@ -1,5 +1,7 @@
-/// Inputs are found by their address among the fields of their part (physics::fields), so
-/// that no name of a field is repeated here.
+/// Where hooks lie in a building: the inputs that each changes. They are found by their
+/// address among the fields of their part, so that no name of a field is repeated here.
+/// Plain bookkeeping. Infiltration and fans are told by name and schedule: a flow without
+/// a schedule counts as infiltration. Hooks that add a part are left to placement.
 #include "effects/hooks.hpp"
 
 #include "effects/drivers.hpp"

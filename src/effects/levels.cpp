@@ -1,4 +1,7 @@
-/// One pass finds the bins' means, a second one writes them.
+/// A profile with few values in place of many: equally wide bins, each replaced by its
+/// mean; one pass finds the means, a second one writes them.
+/// Plain statistics without a source. Zeros stay zeros. Bins are not placed where they
+/// would cost the least error, nor is that error told.
 #include "effects/levels.hpp"
 
 #include <algorithm>

@@ -1,4 +1,7 @@
-/// Hooks, drivers, forms and gates in words: one table each, in the order of the enums.
+/// Hooks, drivers, forms and gates in words and units, one table each in the order of the
+/// enums; and whether two effects are the same.
+/// Plain tables without a source: a new enumerator needs its row at the same place.
+/// Sentences are left to sentence.cpp.
 #include "effects/effect.hpp"
 
 #include <algorithm>

@@ -1,5 +1,8 @@
-/// An effect becomes a profile, changes of the inputs that its hook names (hooks.hpp) or
-/// a part that is added, and one parameter whose targets are all of them.
+/// Puts effects into a building: each becomes a profile, changes of the inputs that its
+/// hook names or a part that is added, and one parameter whose targets are all of them.
+/// Follows from physics::Change. Ranges are twice what is plausible, cut where physics
+/// ends. Left out: fitting; a neighbour and a second mass take no gate; an added mass is
+/// twice the first.
 #include "effects/placement.hpp"
 
 #include "effects/drivers.hpp"

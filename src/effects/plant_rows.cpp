@@ -1,4 +1,8 @@
-/// Plant, meters and clocks.
+/// Rows of the catalogue for plant, meters and clocks: where each enters, what it
+/// follows, its plausible range, and what it looks like.
+/// Ranges and shapes are judgement, without a source. Rows on data (clocks, fills) change
+/// no building: the checks of readings find them. Envelope and use have rows of their
+/// own.
 #include "effects/rows.hpp"
 
 namespace bemcal::effects {

@@ -1,4 +1,7 @@
-/// coefficient x shape(driver) x gate: all but the coefficient.
+/// The profile of an effect: shape(driver) x gate at every step, which a coefficient
+/// multiplies. A lag is a running mean with exponential weights.
+/// Plain definitions, our own. A lag starts from the mean of its first time constant.
+/// Levels are left to levels, drivers and gates to drivers.
 #include "effects/drivers.hpp"
 #include "effects/surroundings.hpp"
 

@@ -1,4 +1,7 @@
-/// Effects in words, from the names of their parts.
+/// An effect in words: driver, shape, gate and place, from the names of its parts; and
+/// the unit of its coefficient.
+/// Plain text without a source. Dates of a year are those of 2021, no leap year. What an
+/// effect means is left to the catalogue's sentences.
 #include "effects/effect.hpp"
 #include "physics/calendar.hpp"
 

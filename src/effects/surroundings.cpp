@@ -1,4 +1,7 @@
-/// The weather's hours are laid on the drive's steps by the clock.
+/// What effects follow: weather's hours laid on the drive's steps by the clock. Gaps hold
+/// the value before them; before the weather begins its first day repeats.
+/// Plain bookkeeping without a source. A series of which more than a tenth is missing
+/// stays empty. Columns and the model's own series are left to the caller.
 #include "effects/surroundings.hpp"
 
 #include "effects/air.hpp"

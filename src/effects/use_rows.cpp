@@ -1,4 +1,7 @@
-/// People, schedules and set-points.
+/// Rows of the catalogue for people, schedules and set-points: where each enters, what it
+/// follows, its plausible range, and what it looks like.
+/// Ranges and shapes are judgement, without a source. Holidays take days that a caller
+/// finds. Envelope and plant have rows of their own.
 #include "effects/rows.hpp"
 
 namespace bemcal::effects {

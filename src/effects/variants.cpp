@@ -1,4 +1,7 @@
+/// An effect on every facade, meter, weekday or rule of summer time that it may have.
 /// Facades are planes with windows, once for each direction that they face.
+/// Plain enumeration without a source. Facades of a building with fewer than two are not
+/// split. Days that are found, and data, have no variants here.
 #include "effects/variants.hpp"
 
 #include "effects/drivers.hpp"

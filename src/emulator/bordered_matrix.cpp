@@ -1,3 +1,6 @@
+/// The memory of a bordered elimination, filled up with the identity to whole blocks.
+/// Plain bookkeeping; the arithmetic is elimination's. There is no pivoting: a matrix
+/// that is not positive definite is reported, and mended by the caller.
 #include "emulator/bordered_matrix.hpp"
 
 namespace bemcal::emulator {

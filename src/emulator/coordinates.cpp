@@ -1,3 +1,8 @@
+/// From the real line to a likelihood's arguments (logit, log, rate = -4 log rho), with
+/// priors and Jacobians, and starts drawn from the priors.
+/// Source: Kennedy and O'Hagan's parameters as Chong and Menberg 2018 have them (rho =
+/// exp(-rate / 4)). Which arguments there are is model's; a prior's density is
+/// PriorDensity's.
 #include "emulator/coordinates.hpp"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+/// Squared-exponential correlations of a point with many, four at a time by AVX and FMA,
+/// with an exponential of its own.
+/// Source: paper 1, eq. 9-10; Taylor's series after reduction by ln 2. Other correlations
+/// are left out; below exp(-708) nothing gets smaller.
 #include "emulator/correlation.hpp"
 
 #include <immintrin.h>

@@ -1,3 +1,7 @@
+/// The likelihood with every pair of rows, runs first, then measurements: covariance,
+/// mean's coefficients and data eliminated together.
+/// Source: paper 1, eq. 11-12 (Kennedy and O'Hagan 2001), misprints mended. Its cost
+/// grows with the cube of the rows; full grids have kronecker.
 #include "emulator/dense.hpp"
 
 #include <algorithm>

@@ -1,4 +1,7 @@
-/// The true process at other points, given runs and measurements.
+/// The true process at other points, given runs and measurements: a conditional normal,
+/// with the mean's coefficients at their values.
+/// Source: textbook conditioning of a Gaussian process, covariances by paper 1, eq. 9-11.
+/// The spread of coefficients that are integrated out is left to the caller.
 #include "emulator/dense.hpp"
 #include "emulator/process.hpp"
 

@@ -1,5 +1,7 @@
 /// The gradient of the dense form: d value / d K = (alpha alpha' - K^-1) / 2, plus what
 /// the integrated coefficients add, times the derivatives of eq. 9-10.
+/// Source: textbook; paper 1, eq. 9-12. The way to the real line is density's; jitter
+/// counts as part of K.
 #include "emulator/dense.hpp"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+/// The posterior of a Kennedy-O'Hagan calibration as samplers see it: prior and
+/// likelihood on the real line, with gradients, names and physical values.
+/// Source: paper 1, eq. 13. It takes the Kronecker form where the runs are a grid, else
+/// the dense one. Whole-number inputs are left out.
 #include "emulator/density.hpp"
 
 #include "kernel/batch.hpp"

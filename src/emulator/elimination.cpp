@@ -1,3 +1,7 @@
+/// Cholesky elimination of a bordered symmetric matrix in blocks, by AVX and FMA:
+/// determinant, Schur complement, and if wanted inverse and solutions.
+/// Source: the symmetric Gauss-Jordan form of Cholesky, textbook. Without pivoting and in
+/// one thread; it stops at a pivot that is rounding error.
 #include "emulator/elimination.hpp"
 
 #include <immintrin.h>

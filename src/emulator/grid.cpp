@@ -1,3 +1,7 @@
+/// Whether runs are a full grid: every design at the same points, in any order, and all
+/// measurements among these.
+/// Plain search without a source. Inputs within 1e-8 of their range are the same. A grid
+/// with a hole is none; then the dense form is used.
 #include "emulator/grid.hpp"
 
 #include <algorithm>

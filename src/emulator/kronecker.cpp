@@ -1,3 +1,8 @@
+/// The likelihood where runs are a full grid: that of the runs times that of the
+/// measurements given the runs, by three small eliminations (designs, grid points,
+/// measurements).
+/// Source: paper 1, eq. 12; the Kronecker product of covariances, textbook. It is exact.
+/// Runs that are no grid need the dense form.
 #include "emulator/kronecker.hpp"
 
 #include <algorithm>

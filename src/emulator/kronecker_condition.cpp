@@ -1,4 +1,7 @@
-/// The true process at other points: first given the runs, then given the measurements.
+/// The true process at other points: first given the runs at theta, then given the
+/// measurements; a conditional normal with the mean's coefficients at their values.
+/// Source: textbook conditioning, with the Kronecker form of paper 1, eq. 11-12. Points
+/// may lie off the grid; the joint covariance of many is slow.
 #include "emulator/kronecker.hpp"
 #include "emulator/process.hpp"
 

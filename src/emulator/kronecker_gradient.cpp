@@ -1,4 +1,6 @@
 /// The gradient of the Kronecker form, backwards through its three eliminations.
+/// Follows from kronecker.cpp, differentiated by hand; dense_gradient is what it is
+/// tested against. The way to the real line is density's; no second derivatives.
 #include "emulator/kronecker.hpp"
 
 #include <algorithm>

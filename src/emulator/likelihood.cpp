@@ -1,3 +1,8 @@
+/// Evaluates a likelihood or a conditional, with a growing addition to the diagonal where
+/// a covariance is not positive definite in doubles, and counts how often that was
+/// needed.
+/// Usual practice (jitter), without a source. With the last of four steps failed the
+/// density is 0 there. The forms themselves are dense and kronecker.
 #include "emulator/likelihood.hpp"
 
 #include <limits>

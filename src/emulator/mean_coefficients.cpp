@@ -1,3 +1,7 @@
+/// Generalised least squares of the means' coefficients with a flat prior: their mean,
+/// inverse precision, and what integrating them out adds to the log likelihood.
+/// Source: Rasmussen and Williams 2006, eq. 2.42-2.45. Given coefficients count as
+/// certain; normal priors are left out.
 #include "emulator/mean_coefficients.hpp"
 
 #include <algorithm>

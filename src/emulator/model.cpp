@@ -1,3 +1,7 @@
+/// The choices of a Kennedy-O'Hagan model: default priors, where its arguments stand, and
+/// the bases of its means.
+/// Source: Kennedy and O'Hagan 2001; Chong and Menberg 2018 (bc-stan); paper 1, Table 7,
+/// its two precisions under the right symbols. Means beyond linear in x are left out.
 #include "emulator/model.hpp"
 
 #include <algorithm>

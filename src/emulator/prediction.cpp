@@ -1,3 +1,8 @@
+/// The true process and new measurements at points x, from draws of the posterior: a
+/// joint normal for each draw, and a draw of it.
+/// Source: Kennedy and O'Hagan 2001, by conditioning. The joint covariance is made for
+/// every draw, so it is for some hundred points. Which draws are taken is the caller's
+/// choice.
 #include "emulator/prediction.hpp"
 
 #include "sampling/normal.hpp"

@@ -1,3 +1,7 @@
+/// The true process rho eta + delta before any data: means and correlations at points,
+/// and the conditional that an elimination leaves.
+/// Source: paper 1, eq. 3-4 and 9-10. One pair of points at a time; many are
+/// correlation's.
 #include "emulator/process.hpp"
 
 #include <cmath>

@@ -1,3 +1,7 @@
+/// What a calibration learns from, checked and without units: outputs by the runs' mean
+/// and standard deviation, inputs from 0 to 1.
+/// Source: paper 1, eq. 1-2; the scaling is usual practice. Missing values and repeated
+/// runs are refused; nothing is mended or thinned here.
 #include "emulator/runs.hpp"
 
 #include <algorithm>

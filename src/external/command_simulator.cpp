@@ -1,3 +1,7 @@
+/// A point by another program: a folder, filled templates, links, the command, and the
+/// numbers read from what it wrote. Whatever goes wrong is the point's reason.
+/// Plain handling of files, without a source. Points are not cached and not tried again
+/// here; processes are process's, numbers output_rule's.
 #include "external/command_simulator.hpp"
 
 #include "base/hash.hpp"

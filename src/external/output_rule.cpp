@@ -1,3 +1,7 @@
+/// Numbers from what a program has written: a column found by its name, or a POSIX
+/// regular expression line by line; then one of them, or their sum or mean.
+/// Source: POSIX regcomp (`grep -E`). Left out: times, units, binary files, decimal
+/// commas, matches over several lines.
 #include "external/output_rule.hpp"
 
 #include <algorithm>

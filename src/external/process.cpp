@@ -1,3 +1,7 @@
+/// Runs a program in a process group of its own, within a time limit: SIGTERM, then
+/// SIGKILL to the whole group; without our open files and MPI's variables.
+/// Source: POSIX (posix_spawn, waitid). A program that leaves its group escapes. Memory
+/// and processor time are not limited; Linux only.
 #include "external/process.hpp"
 
 #include <algorithm>

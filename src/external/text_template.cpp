@@ -1,3 +1,7 @@
+/// A text with places like @infiltration@, filled with numbers in the fewest digits that
+/// give them back.
+/// Plain text without a source. Left out: formats, expressions, a way to write a place as
+/// it is; a name between two @ that is no parameter is an error.
 #include "external/text_template.hpp"
 
 #include "base/error.hpp"

@@ -1,3 +1,8 @@
+/// Checks one meter's readings for zeros that mean missing, constant fills and steps of
+/// the unit. Certain ones are masked, or scaled to the longest stretch's unit; others
+/// stated.
+/// Follows from `missing_zeros`, `constant_fills`, `scale_steps`, and a table of ratios.
+/// Clocks are left to `check_clocks`, shared meters to `check_shared_meters`.
 #include "input/checks.hpp"
 
 #include "input/data_runs.hpp"

@@ -1,4 +1,8 @@
-/// The clocks of meters and weather: findings in words.
+/// States whether a meter's days move with summer time as schedules do, how far they lag
+/// loads or another meter, and how far sunshine lies from the sun.
+/// Follows from `summer_shift`, `lag_of` and `noon_offset`.
+/// Corrects nothing, and leaves out readings coarser than an hour. A clock that all
+/// meters share is found by the loop (`late_clock_in_place_of`).
 #include "input/checks.hpp"
 #include "input/data_clock.hpp"
 #include "physics/sun.hpp"

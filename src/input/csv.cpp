@@ -1,3 +1,6 @@
+/// Splits a CSV text into lines and cells that point into it; reads numbers on request.
+/// Source: RFC 4180, without line breaks in quotes and without doubled quotes.
+/// Times are read by `stamps`; gaps are found by `series`.
 #include "input/csv.hpp"
 
 #include "base/error.hpp"

@@ -1,3 +1,7 @@
+/// Clocks from the shape of days: the lag between two mean weekdays is where their edges
+/// correlate best; and sunshine against the sun on the clearest days.
+/// Our own rules, without a source; thresholds are in data_clock.hpp. Left out: schedules
+/// that follow the season, drifting clocks; what is done about it is the caller's.
 #include "input/data_clock.hpp"
 
 #include <algorithm>

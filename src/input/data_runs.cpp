@@ -1,3 +1,7 @@
+/// Stretches of one value: fills that last longer than chance allows where values repeat,
+/// and zeros where all days around are well above 0.
+/// Our own rules, without a source. Each series is seen alone. Left out: one value put
+/// into many gaps, coarse meters; masking is the caller's.
 #include "input/data_runs.hpp"
 
 #include "stats/quantile.hpp"

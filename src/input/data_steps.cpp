@@ -1,3 +1,7 @@
+/// Steps in a meter's scale: days where the week's level changes, four weeks on either
+/// side compared by hour and kind of day, then proofs by scatter, years or rounding.
+/// Our own rules, without a source. Left out: factors below 2, drifts, series that are 0
+/// most of the time, temperatures. Whether to mend is the caller's.
 #include "input/data_steps.hpp"
 
 #include "input/data_runs.hpp"

@@ -1,5 +1,8 @@
-/// Files are chained as read, then gaps are filled, irradiance completed, and the
-/// temperature turned into hourly means, so that a chain has no seams.
+/// Makes one weather of one EPW file or a chain of them. Files are chained as read; then
+/// gaps are filled, irradiance is completed, and the temperature becomes hourly means, so
+/// that a chain has no seams.
+/// Source: EnergyPlus Auxiliary Programs, EPW Data Dictionary.
+/// Gaps over 3 h are an error. Fields are parsed by `epw_table`.
 #include "input/epw.hpp"
 
 #include "base/error.hpp"

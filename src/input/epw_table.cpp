@@ -1,5 +1,8 @@
-/// Line by line, field by field. Any bytes may come in; each field is checked before it
-/// is used.
+/// Reads one EPW file line by line: the place, the dates in sequence, eight columns. Any
+/// bytes may come in; each field is checked before it is used.
+/// Source: EnergyPlus Auxiliary Programs, EPW Data Dictionary.
+/// Leaves out other header lines, sub-hourly files and several data periods. Gaps stay
+/// NaN, for `epw` to fill, but a missing 29 February repeats the 28th.
 #include "input/epw_table.hpp"
 
 #include "base/error.hpp"

@@ -1,3 +1,7 @@
+/// Reads each file of a job once: bytes, content hash, gzip unpacked, CSV parsed. Texts
+/// stay for as long as the job is read.
+/// Source: gzip, RFC 1952, by zlib.
+/// Leaves out other compressions, files that unpack to over 4 GB, and what contents mean.
 #include "input/input_files.hpp"
 
 #include "base/error.hpp"

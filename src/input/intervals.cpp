@@ -1,3 +1,7 @@
+/// Puts readings on the intervals of a meter: finer ones are summed (temperatures
+/// averaged), monthly and annual rows laid out by calendar, each at its first hour.
+/// Follows from the calendar; a row may be 36 h off its month's or year's begin.
+/// Coarse readings are not split. An interval that is cut or has a gap is missing.
 #include "input/intervals.hpp"
 
 #include "base/error.hpp"

@@ -1,3 +1,7 @@
+/// Lays rows of a CSV file on an even axis, absent ones as gaps; joins files in time;
+/// fills short gaps by straight lines.
+/// Follows from the commonest distance of the stamps (`stamps`).
+/// A row off that grid is an error. Nothing is resampled; gaps at the ends stay.
 #include "input/series.hpp"
 
 #include "base/error.hpp"

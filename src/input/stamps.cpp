@@ -1,3 +1,8 @@
+/// Turns time stamps of a CSV file into begins of intervals in local standard time. A
+/// clock change that the job does not explain is an error that says what to set.
+/// Source: ISO 8601, or a form of strptime; summer time of the EU or the USA.
+/// Leaves out other rules of summer time; drops fractions of a second. Uneven steps are
+/// found by `series`.
 #include "input/stamps.hpp"
 
 #include "base/error.hpp"

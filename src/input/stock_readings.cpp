@@ -1,3 +1,8 @@
+/// Looks at a column before it is read as a meter: first and last day, hours, total, and
+/// a step that readings are whole multiples of.
+/// Follows from rounded pulses: the step is sought by least squares around the usual
+/// distance of frequent values, and taken where it is no round number.
+/// Leaves out gaps and clocks, and steps below 20 of the finest ones.
 #include "input/stock_readings.hpp"
 
 #include "physics/calendar.hpp"

@@ -1,3 +1,7 @@
+/// Finds the nearest of some words to one that is not among them, for messages.
+/// Source: optimal string alignment, Levenshtein's distance with swaps of neighbours as
+/// one change. Near is about a third of the letters.
+/// Leaves out words of over 200 letters, and what words mean.
 #include "input/suggest.hpp"
 
 #include "base/matrix.hpp"

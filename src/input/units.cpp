@@ -1,3 +1,8 @@
+/// Lists the units that meters are published in, and what brings each to kWh, kW or degC.
+/// Source: Great Britain's Gas (Calculation of Thermal Energy) Regulations for the volume
+/// correction of gas; Btu of the international table.
+/// Gas of another heating value needs the meter's factor. Oil, steam and water are left
+/// out.
 #include "input/units.hpp"
 
 namespace bemcal::input {

@@ -1,4 +1,8 @@
-/// What the method cannot simulate is found before the first simulation.
+/// Refuses before the first simulation what the method cannot simulate: heating above
+/// cooling set-points, a gap in a series, conductances that make no network.
+/// Source: ISO 13790, eq. 63 (H_tr,op below H_tr,ms), by `make_network`.
+/// Set-points are checked hour by hour, conductances at a period's first step only.
+/// Weather and the ranges of parameters are left to their readers.
 #include "job/readers.hpp"
 #include "physics/network.hpp"
 

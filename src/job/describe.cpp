@@ -1,4 +1,7 @@
-/// The schema and the building's numbers as text: the two references of a job file.
+/// Writes the two references of a job file: every key with default, range and sentence,
+/// and every number that a parameter may name.
+/// Follows from the schema's rows and `fields()` alone, so text and readers agree.
+/// Results and effects are described elsewhere (`describe_results`, `effects::describe`).
 #include "job/job.hpp"
 #include "schema/schema.hpp"
 

@@ -1,3 +1,8 @@
+/// Makes a grid's targets: what a building's meters show of each output, or the numbers
+/// that the job gives; of another program the job's only. Words the grid for `check`.
+/// Follows from paper 3's bills: electricity and gas of the period by default, errors in
+/// per cent, so no target may be 0.
+/// Keys are read by `read_grid`; the grid is run by `grid`.
 #include "job/grid_spec.hpp"
 
 #include "input/suggest.hpp"

@@ -1,4 +1,8 @@
-/// From files to a Job: every section through its reader, then every key accounted for.
+/// Reads a job file into a Job: each section by its reader, in an order in which it finds
+/// what it needs; then studies against buildings; then every key accounted for.
+/// Follows from pbrt's rule that a key without effect is an error.
+/// The sections' keys are the readers' (`read_*`). Lines of a stock are read where they
+/// are worked on.
 #include "job/job.hpp"
 
 #include "base/error.hpp"

@@ -1,5 +1,8 @@
-/// Constructions, glazings, boundaries, zones and plant. Their numbers come from
-/// physics::fields(), so that a number of a building is declared once.
+/// Reads constructions, glazings, boundaries, zones and plant. Numbers come from
+/// `fields()`, so that a number of a building is declared once.
+/// Source: ISO 13790, Table 12, for the classes of heat capacity.
+/// Links are in `read_links`, uncertain numbers in `read_parameters`; `check_building`
+/// asks whether the method can simulate it.
 #include "input/suggest.hpp"
 #include "job/readers.hpp"
 

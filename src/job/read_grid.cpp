@@ -1,4 +1,7 @@
-/// The keys of a [[study]] of kind "grid", and what it needs of the buildings.
+/// Reads a [[study]] of kind "grid": values of each parameter, stages by hand, the rule
+/// of the k nearest, targets. Checks them against the buildings or the [simulator].
+/// Source: paper 3 (Basurra and Jankovic), whose own grids were edited by hand.
+/// What meters show is in `grid_spec`, refinement in `grid_rounds`.
 #include "input/units.hpp"
 #include "job/readers.hpp"
 

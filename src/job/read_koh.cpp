@@ -1,4 +1,7 @@
-/// The keys of a [[study]] of kind "kennedy_ohagan", and the data it learns from.
+/// Reads a [[study]] of kind "kennedy_ohagan" and its data: measurements, runs of a
+/// simulator, priors, model, chains. Missing cells and repeated runs are errors.
+/// Source: Kennedy and O'Hagan 2001; hyperpriors of paper 1, Table 7, or of bc-stan.
+/// The posterior is in `koh_posterior`; runs of a command are made in `koh_runs`.
 #include "base/error.hpp"
 #include "input/suggest.hpp"
 #include "job/readers.hpp"

@@ -1,5 +1,8 @@
-/// [[link]]: numbers of the building that follow from others. Each kind of link is a list
-/// of sections: the terms of a polynomial, or the rows of a table.
+/// Reads [[link]]: numbers of the building that follow from others, by the terms of a
+/// polynomial or the rows of a table, within their ranges.
+/// Follows from paper 2: conductivity from density (eq. 5-6), types of glazing.
+/// A link may not set what an earlier one follows, so there are no cycles. Factors of
+/// meters, and numbers that follow from layers, cannot be linked.
 #include "job/readers.hpp"
 #include "physics/derived.hpp"
 

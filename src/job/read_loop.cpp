@@ -1,5 +1,8 @@
-/// The keys of a [[study]] of kind "loop", what it needs of the buildings, and what it
-/// will do.
+/// Reads a [[study]] of kind "loop", checks its names against each building and the
+/// catalogue of effects, and says in a sentence what it will do.
+/// Follows from the schema's rows for studies.
+/// Buildings without derivatives (coupled zones, a radiator, links) are refused. The
+/// search is in `loop`.
 #include "effects/catalogue.hpp"
 #include "job/readers.hpp"
 #include "kernel/response.hpp"

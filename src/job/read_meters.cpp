@@ -1,5 +1,8 @@
-/// [[meter]]: readings on an even axis, corrected as the job says, converted, and
-/// checked.
+/// Reads [[meter]]: rows of its files on an even axis, corrected by the job's scales and
+/// mask, checked, converted to kWh or degC, and brought to the meter's interval.
+/// Follows from `series`, `check_series`, `units` and `intervals`, in this order.
+/// Readings over an hour apart are not checked, and of months only one file is read.
+/// Stamps are read by `stamps`.
 #include "base/error.hpp"
 #include "input/checks.hpp"
 #include "input/intervals.hpp"

@@ -1,4 +1,7 @@
-/// The keys of a [[study]] of kind "optimisation", and what it needs of the buildings.
+/// Reads a [[study]] of kind "optimisation": method, objective, budget, meters or
+/// targets; checks them against each building.
+/// Source: paper 2 for the objective's weights; NSGA-II as paper 3 compares with it.
+/// Targets are read by `read_grid`; objectives are in `meter_goal` and `target_goal`.
 #include "job/readers.hpp"
 
 #include <algorithm>

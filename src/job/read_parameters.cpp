@@ -1,4 +1,8 @@
-/// [[parameter]]: uncertain numbers of the building, their ranges, and what they enter.
+/// Reads [[parameter]]: uncertain numbers of the building, their ranges, and the numbers
+/// that they replace, multiply or shift.
+/// Follows from `fields()`: both ends of a range must keep every number within its
+/// limits, linked ones too.
+/// What links do between the two ends is not looked at. Priors are in `read_prior`.
 #include "job/readers.hpp"
 #include "physics/derived.hpp"
 

@@ -1,4 +1,7 @@
-/// [periods], and dates as meters write them.
+/// Reads [periods], and ranges of dates as meters write them: first and last day, both
+/// included, or times. Training comes first.
+/// Source: ISO 8601 dates, by `parse_time`.
+/// Whether data cover a period is left to `read_weather` and `read_meters`.
 #include "job/readers.hpp"
 #include "job/result_names.hpp"
 

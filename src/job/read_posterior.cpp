@@ -1,4 +1,8 @@
-/// The keys of a [[study]] of kind "posterior", and what it needs of the buildings.
+/// Reads a [[study]] of kind "posterior", and the keys of chains of every study that has
+/// them. Its checks of names, parameters and meters serve other studies too.
+/// Source: Vehtari et al. 2021 for the targets, rank R-hat and effective draws.
+/// Priors are in `read_prior`. Whether buildings can be pooled is checked by
+/// `make_posterior`.
 #include "input/suggest.hpp"
 #include "job/readers.hpp"
 

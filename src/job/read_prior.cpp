@@ -1,4 +1,8 @@
-/// prior = {...} and values = [...] of a [[parameter]]: what is believed of it.
+/// Reads what is believed of a parameter: prior = {...}, or values = [...], each as
+/// likely as another. Without either it is uniform in its range.
+/// Source: paper 1, step 2, for priors on the scale from 0 to 1; kinds are those of
+/// `stats::Prior`, cut to the range.
+/// Leaves out correlated priors, and priors on discrete values.
 #include "job/readers.hpp"
 
 #include <algorithm>

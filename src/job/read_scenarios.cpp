@@ -1,4 +1,8 @@
-/// [[scenario]] and the [[study]] of kind "retrofit" that applies them.
+/// Reads [[scenario]], what a retrofit changes of a building, and the [[study]] of kind
+/// "retrofit": whose points it takes, occupied hours, limits of comfort.
+/// Follows from targets as of parameters; insulation is thickness over conductivity.
+/// Numbers set by links or layers are refused. Ranges are checked as described here, and
+/// for each point in `scenario`. Costs are left out.
 #include "job/readers.hpp"
 #include "physics/derived.hpp"
 

@@ -1,4 +1,8 @@
-/// [[schedule]], [[series]] and the holidays.
+/// Reads [[schedule]], [[series]] and the holidays into profiles: hours of a week,
+/// periods of a year, a register of days, a CSV column. The more exact key of a day wins.
+/// Follows from the schema; the register is paper 2's class register.
+/// Schedules are evaluated by `values_of`. Gaps in a period are found by
+/// `check_building`.
 #include "base/error.hpp"
 #include "job/readers.hpp"
 #include "job/timed_csv.hpp"

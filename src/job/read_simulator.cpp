@@ -1,4 +1,8 @@
-/// [simulator]: another program that is studied in place of a building.
+/// Reads [simulator], another program in place of a building: command, templates, files,
+/// parameters, rules for outputs. Each parameter must have a place in a template or the
+/// command.
+/// Follows from paper 3's tool, which runs EnergyPlus once per point.
+/// It is run by `command_simulator`. Whether outputs appear only a run shows.
 #include "external/process.hpp"
 #include "input/suggest.hpp"
 #include "job/readers.hpp"

@@ -1,4 +1,8 @@
-/// The keys of a [[study]] of kind "stages", and what it needs of the buildings.
+/// Reads a [[study]] of kind "stages": each stage's periods, parameters, ranges, held
+/// values and fit; validation periods; studies to compare with. Checks names and ranges.
+/// Source: paper 2.
+/// NSGA-II is refused, as a stage has one objective. Rules among stages are checked by
+/// `make_staged`.
 #include "job/readers.hpp"
 #include "job/result_names.hpp"
 

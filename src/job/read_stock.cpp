@@ -1,4 +1,7 @@
-/// [stock]: the table or folder, and from a line to a job of one building.
+/// Reads [stock], a table or folder, and makes of a line a job of one building: from its
+/// own file, the template with @column@ filled in, or its columns (`stock_description`).
+/// Follows from the readers of any job; its seed comes from the stock's and its name.
+/// A line that cannot be used keeps its complaint. Data are read by the worker alone.
 #include "base/error.hpp"
 #include "base/hash.hpp"
 #include "job/readers.hpp"

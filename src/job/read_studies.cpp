@@ -1,4 +1,8 @@
-/// [[study]]: what is to be done with every building.
+/// Reads [[study]]: kind and name, then the keys of that kind by its reader.
+/// Sensitivities and screenings are read here.
+/// Source: paper 1, step 1, for inputs of its single hour that are fixed case by case.
+/// What a study needs of buildings is in `check_studies_of`, a retrofit in
+/// `read_scenarios`.
 #include "input/suggest.hpp"
 #include "job/readers.hpp"
 #include "job/result_names.hpp"

@@ -1,4 +1,8 @@
-/// [site] and [weather]: EPW files or CSV columns, completed and cut to the periods.
+/// Reads [site] and [weather]: EPW files or CSV columns as hourly means, cut to periods
+/// and warm-up, short gaps filled, irradiance completed. A stock reads each weather once.
+/// Source: EPW Data Dictionary, by `epw`; irradiance by `complete_irradiance`.
+/// A longer gap within a period is an error; before it the warm-up only gets shorter.
+/// Clocks are checked by `check_weather_clock`.
 #include "base/error.hpp"
 #include "input/checks.hpp"
 #include "input/epw.hpp"

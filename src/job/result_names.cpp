@@ -1,3 +1,7 @@
+/// Refuses names that cannot be groups of a result: with a slash, or of something that
+/// stands there already, for each kind of thing.
+/// Follows from the layout of results, to which a test holds the lists.
+/// Nothing is renamed: a refused name is the user's to change.
 #include "job/result_names.hpp"
 
 #include <algorithm>

@@ -1,4 +1,8 @@
-/// The stages that a job's studies make: one for each building, or one for all of them.
+/// Makes the stages that a job's studies ask for: one for each building, or one for all
+/// of them; a mistake that only shows here becomes one of the job file.
+/// Follows from the studies' kinds, in the order of the file.
+/// A stock is one stage of its own (`make_stock_stage`). What stages cost is in
+/// `plan_cost`.
 #include "job/stages.hpp"
 
 #include "base/error.hpp"

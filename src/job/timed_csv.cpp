@@ -1,3 +1,8 @@
+/// Opens a CSV file as a section says it is to be read (clock, stamp, format, decimal
+/// mark, gaps), and gives columns as even series or hourly means.
+/// Follows from `csv`, `stamps` and `series`, one after the other.
+/// Units and ranges are left to the readers. Rows over an hour apart have no hourly
+/// means: an error.
 #include "job/timed_csv.hpp"
 
 #include "base/error.hpp"

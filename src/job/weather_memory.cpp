@@ -1,3 +1,8 @@
+/// Keeps the weathers of a stock: each is read once, its irradiance on planes computed
+/// once, under a key of file contents and sections. Threads that want the same wait for
+/// it.
+/// Follows from content hashes; a path is hashed once in a run.
+/// Beyond 64 weathers all are dropped. A file that changes during the run is not noticed.
 #include "job/weather_memory.hpp"
 
 #include "base/error.hpp"

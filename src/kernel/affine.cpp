@@ -1,4 +1,8 @@
-/// The step's linear forms, in the order of the kernel's columns.
+/// Writes the kernel's coefficients of a zone: what each linear form of the step weighs
+/// per state, power, driver and plane, and the constants of each row.
+/// Follows from the forms of step_map; the order is that of kernel::StandardColumn and
+/// GeneralColumn. The elimination is left to step_map, what a regime is to regime, meters
+/// to meters.
 #include "kernel/affine.hpp"
 
 #include "kernel/regime.hpp"

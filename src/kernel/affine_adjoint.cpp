@@ -1,5 +1,8 @@
-/// The columns in the order in which affine.cpp writes them, each handed on to the forms,
-/// gains and set-points that it was made of.
+/// Takes the adjoints of the kernel's coefficients, in the order in which affine.cpp
+/// writes them, and adds each to the forms, gains and set-points that it was made of.
+/// Follows from affine.cpp, line by line in reverse (product rule). An unlimited plant
+/// has no adjoint. The forms are taken further back by step_map_adjoint and
+/// network_adjoint.
 #include "kernel/affine_adjoint.hpp"
 
 #include "adjoint/step_map_adjoint.hpp"

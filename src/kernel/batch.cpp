@@ -1,4 +1,8 @@
-/// The plan of a batch, and groups of points prepared and advanced.
+/// Makes the plan that all points of a batch share, and prepares groups of points: each
+/// lane's coefficients, or the whole run where the building runs plain.
+/// Follows from plan_zone and plan_meter; there is no model of its own here. A point that
+/// is impossible gives its reason and leaves its lane finite. Steps are left to
+/// batch_advance, totals and errors to evaluate.
 #include "kernel/batch.hpp"
 
 #include "kernel/batch_plan.hpp"

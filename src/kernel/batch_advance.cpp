@@ -1,5 +1,8 @@
-/// Groups taken through the period step by step: the rows of a quantity, or sums of a
-/// Sobol design that need no rows.
+/// Takes prepared groups through the period: rows of a quantity, or the sums of a Sobol
+/// design that need no rows. One pass of the kernel where the meter can be read in it,
+/// else rows shown chunk by chunk.
+/// Source of the sums: Saltelli et al. 2010 (kernel_differences). Totals by month and
+/// errors against readings are left to reduction.
 #include "kernel/batch_plan.hpp"
 
 namespace bemcal::kernel {

@@ -1,4 +1,8 @@
-/// A group of points: coefficients in, steps run, meters read.
+/// A group of points under way: numbers into buildings and coefficients, steps of all
+/// zones run and added up, meters read from the powers.
+/// Follows from affine, meter_rows and the kernel's table. Numbers before the first that
+/// changed are not written again. What the points share is in batch_plan, buildings that
+/// run plain are run in batch.cpp.
 #include "kernel/batch_plan.hpp"
 #include "kernel/meter_rows.hpp"
 

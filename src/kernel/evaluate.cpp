@@ -1,4 +1,8 @@
-/// Points answered group by group; what went wrong becomes the point's reason.
+/// Answers points group by group: prepared, warmed up, run and reduced. What went wrong
+/// becomes the point's reason; where a result is not finite, the plain version is run to
+/// say why.
+/// Follows from Batch's parts. What is reduced, and how, is left to reduction; buildings
+/// that the kernel cannot run are answered by plain_answer.
 #include "kernel/plain_answer.hpp"
 #include "kernel/reduction.hpp"
 

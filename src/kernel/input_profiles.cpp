@@ -1,4 +1,7 @@
-/// Profiles in the order in which they are met, each once.
+/// Collects the profiles that inputs follow, each once, in the order in which they are
+/// met. A profile may be a driver only where it enters linearly wherever it is met.
+/// Follows from how Input's value is made (building). What becomes a regime, row or
+/// driver is decided in zone_plan and meter_plan.
 #include "kernel/input_profiles.hpp"
 
 #include "kernel/linear_input.hpp"

@@ -1,10 +1,8 @@
-/// The way back through the time loops: reverse-mode differentiation of kernel_body.inl
-/// by hand, stretch by stretch. Included by kernel_reduce.inl, over the same vector type.
-///
-/// A stretch is run once more from its kept state, with a tape that fits the first-level
-/// cache, then walked backwards: first the chain from step to step (the adjoint of the
-/// mass and of the power asked), then the sums over steps that make the adjoints of the
-/// coefficients. A clamp passes its adjoint to the side that was taken.
+/// The way back through kernel_body's loops: reverse-mode differentiation by hand. A
+/// stretch is run again from its kept state with a tape that fits the first-level cache,
+/// then walked backwards: first the chain of mass and power asked, then the sums over
+/// steps. A clamp passes its adjoint to the side taken. Included by kernel_reduce.inl.
+/// Refinements are in kernel_adjoint_general; parameters are reached in affine_adjoint.
 
 inline void add_to(double* columns, int index, V value) {
     double* at = columns + index * lanes;

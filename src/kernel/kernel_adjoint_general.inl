@@ -1,4 +1,8 @@
-/// The way back through a zone with refinements. Included by kernel_adjoint.inl.
+/// The way back through a zone with refinements, step by step from a kept tape: forms,
+/// clamped powers, sun, and openings that follow the room.
+/// Follows from kernel_general, differentiated in reverse by hand; a clamp passes its
+/// adjoint to the side taken. Included by kernel_adjoint.inl, which has the standard
+/// hour.
 
 /// Keeps the tape, and writes what is to be shown.
 struct GeneralKept {

@@ -1,11 +1,8 @@
-/// The time loops, written once over a vector type V of `lanes` doubles (load, store,
-/// broadcast, add, sub, mul, fma, fnma, min, max): the instruction sets differ in V only,
-/// so they give the same bits. Included inside an anonymous namespace.
-///
-/// A thermostat asks for the power that is missing to its set-point, linear in the mass
-/// temperature (C.13 solved once), and gets what the plant can give: two clamps. Hooks
-/// are a compile-time list of further terms of a step; the plain model has none and pays
-/// for none.
+/// The time loops, written once over a vector V of `lanes` doubles, so that all
+/// instruction sets give the same bits. A thermostat asks for the power missing to its
+/// set-point, linear in the mass temperature, and gets what the plant can: two clamps.
+/// Source: ISO 13790, (C.13) solved once (affine). Refinements are left to
+/// kernel_general, meters to kernel_reduce. Included in an unnamed namespace.
 
 inline V column(const double* columns, int index) {
     return load(columns + index * lanes);

@@ -1,6 +1,7 @@
-/// Sums over the base points of a Sobol design, step by step and lane by lane: what the
-/// indices of every step are made of (Saltelli et al. 2010, Comput. Phys. Commun. 181:
-/// sums of b (y - a) and (y - a)^2). Included by kernel_reduce.inl.
+/// Sums over the base points of a Sobol design, step by step and lane by lane: of b (y -
+/// a), y - a and (y - a)^2, of which the indices of every step are made.
+/// Source: Saltelli et al. 2010, Comput. Phys. Commun. 181. The indices themselves are
+/// left to the callers of Batch. Included by kernel_reduce.inl.
 
 /// Adds one step. \param sums  [3 x lanes]
 [[gnu::always_inline]] inline void add_difference(V y, V a, V b, double* sums) {

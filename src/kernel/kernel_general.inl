@@ -1,5 +1,8 @@
-/// The time loop of a zone with refinements, openings that follow the room among them.
-/// Included by kernel_body.inl.
+/// The time loop of a zone with refinements: forms of the air and up to four states,
+/// powers as clamped lines of the free air temperature, openings that follow the room.
+/// Follows from step_map's forms and structure's thermostat. The standard hour has a
+/// faster loop in kernel_body, which includes this file; radiators and coupled zones have
+/// none.
 
 /// A zone with refinements: form 0 is the free air temperature, the others the states.
 template <int n>

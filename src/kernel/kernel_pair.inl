@@ -1,6 +1,8 @@
 /// Two registers side by side as one vector: two independent chains of arithmetic hide
-/// each other's latency. Included inside an anonymous namespace, after the operations on
-/// `Register` (of `width` doubles) have been declared.
+/// each other's latency.
+/// Usual practice, without a source. It knows only what Register can do, one operation
+/// each. Included in an unnamed namespace after the operations on Register (of `width`
+/// doubles).
 
 constexpr int lanes = 2 * width;
 

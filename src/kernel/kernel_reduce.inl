@@ -1,5 +1,7 @@
-/// What is made of the powers: meters, sums and errors against readings. Over the same
-/// vector type as kernel_body.inl, which it brings along.
+/// What is made of the powers: meters, sums, and errors against readings, from rows that
+/// were written or while the powers are in registers. Fills the table of functions.
+/// Follows from meter_form (meters) and ErrorSums (batch). It brings kernel_body along,
+/// over the same vector type. By month, and from sums to answers, is left to reduction.
 #include "kernel/kernel_body.inl"
 
 void add_zone(const PowerRows& zone, const double* floor_share, int n_steps,

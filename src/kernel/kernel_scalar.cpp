@@ -1,5 +1,7 @@
 /// The time loops one point at a time, with plain branches: the same bits as the vectors,
-/// and what they are measured against. Needs FMA, as all kernels do.
+/// and what they are measured against.
+/// Follows from kernel_reduce with V = double. Like all kernels it needs FMA; min and max
+/// return what AVX returns of equals and NaN.
 #include "kernel/kernel.hpp"
 
 namespace bemcal::kernel {

@@ -1,5 +1,7 @@
-/// Between what is shown and what is read: readings summed over their intervals, and what
-/// their sensitivities mean for the powers and the air. Included by kernel_adjoint.inl.
+/// Between what is shown and what is read: steps summed over their intervals, and
+/// readings' sensitivities spread to the adjoints of powers, meter rows and air.
+/// Follows from meter_form and the sums over intervals, in reverse. Included by
+/// kernel_adjoint.inl, which takes the adjoints back through time.
 
 void collect(const IntervalTime& time, const double* shown, int begin, int end,
              double* readings) {

@@ -1,4 +1,6 @@
 /// The time loops for x86-64-v3: AVX2 and FMA, 2 x 4 lanes.
+/// Source: Intel's intrinsics; the loops are kernel_reduce's. Left out: whether the
+/// processor can run it, which instruction_set tells.
 #include "kernel/kernel.hpp"
 
 #include <immintrin.h>

@@ -1,4 +1,7 @@
-/// The time loops for x86-64-v4: AVX-512, 2 x 8 lanes.
+/// The time loops for x86-64-v4: AVX-512, 2 x 8 lanes; columns that every step needs stay
+/// in its 32 registers.
+/// Source: Intel's intrinsics; the loops are kernel_reduce's. Left out: whether the
+/// processor can run it, which instruction_set tells.
 #include "kernel/kernel.hpp"
 
 #include <immintrin.h>

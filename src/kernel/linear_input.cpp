@@ -1,5 +1,7 @@
-/// What drivers bring is taken out of a copy of the input; the rest is the drive's to
-/// evaluate.
+/// Inputs that enter linearly, split into what drivers bring per value and the rest, and
+/// the way back through both: drivers are taken out of a copy, which the drive evaluates.
+/// Follows from how Input's value is made (building). Inputs with a factor or a change of
+/// schedule are not linear; input_profiles tells which profiles may be drivers.
 #include "kernel/linear_input.hpp"
 
 #include "adjoint/network_adjoint.hpp"

@@ -1,4 +1,7 @@
-/// Which inputs a meter's form follows.
+/// Which profiles a meter's form follows, and so the steps in which it is the same: those
+/// of the plant on its carrier, of the loads on it, of the meter's factor.
+/// Follows from meter_form (meters). Values are left to meter_rows; the steps of a zone
+/// are sorted in zone_plan.
 #include "kernel/input_profiles.hpp"
 #include "kernel/plan.hpp"
 

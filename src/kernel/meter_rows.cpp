@@ -1,4 +1,7 @@
-/// Blocks of steps on the stack. What meter_form would reject it is left to reject.
+/// A meter's form at many steps, in blocks on the stack: one load or efficiency after
+/// another, not one step after another.
+/// Follows from meter_form, to the bit. What meter_form would reject is left to it, so
+/// that the message is its own.
 #include "kernel/meter_rows.hpp"
 
 #include <array>

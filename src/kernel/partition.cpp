@@ -1,5 +1,8 @@
-/// Keys of the steps are numbered by a hash table of their own kind: there are up to
-/// half a million, and runs of equal ones are the rule.
+/// Sorts steps into classes in which profiles are constant. Keys are numbered by a hash
+/// table of its own kind: there are up to half a million, and runs of equal ones are the
+/// rule.
+/// Plain bookkeeping without a source. Only equal bits are one class (0 and -0 too):
+/// nearly equal values are not merged.
 #include "kernel/partition.hpp"
 
 #include <bit>

@@ -1,4 +1,7 @@
-/// predict() and aggregate(), compared with the readings interval by interval.
+/// A batch's answer made plainly: simulate, predict, aggregate, and compare with the
+/// readings interval by interval and month by month.
+/// Follows from meters' functions and the definition of ErrorSums. It is slow on purpose,
+/// as the reference for reduction. From sums to metrics is left to metrics.
 #include "kernel/plain_answer.hpp"
 
 #include <cmath>

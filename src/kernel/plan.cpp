@@ -1,4 +1,7 @@
-/// Sizes of a zone's tables; months and chunks of the period.
+/// Sizes and offsets of a zone's tables; months of the period, and chunks of steps whose
+/// rows fit the first-level cache.
+/// Follows from the columns in kernel.hpp. Which inputs make regimes and rows is left to
+/// zone_plan and meter_plan.
 #include "kernel/plan.hpp"
 
 #include <algorithm>

@@ -1,5 +1,8 @@
-/// Where the powers alone are wanted the kernel's own sums are enough; what else is asked
-/// for is shown chunk by chunk and reduced while it is in the first-level cache.
+/// A group's sums over the period. Where powers alone are wanted the kernel's own sums
+/// are enough; all else is shown chunk by chunk and reduced while in the first-level
+/// cache.
+/// Follows from ErrorSums: simulated^2 = e^2 + 2 e measured + measured^2. What has to be
+/// shown is request_plan's; the reference is plain_answer.
 #include "kernel/reduction.hpp"
 
 #include "kernel/plain_answer.hpp"

@@ -1,4 +1,7 @@
-/// A regime's network, map and control; the gains and the thermostat's lines.
+/// What a regime's coefficients follow from: its network, map and control, gains and
+/// temperatures with and without drivers, the thermostat's lines.
+/// Follows from network, step_map and structure. One network holds for the whole regime,
+/// that of its first step. The kernel's columns are left to affine.
 #include "kernel/regime.hpp"
 
 namespace bemcal::kernel {

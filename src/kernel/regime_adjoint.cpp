@@ -1,4 +1,7 @@
-/// regime.hpp's and regime.cpp's sums and products in reverse.
+/// From adjoints of a regime's forms and gains to those of the building: regime's sums
+/// and products in reverse.
+/// Follows from regime.hpp and regime.cpp by the product rule. The thermostat's lines are
+/// taken back in affine_adjoint, networks in network_adjoint.
 #include "kernel/regime_adjoint.hpp"
 
 namespace bemcal::kernel {

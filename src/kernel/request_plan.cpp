@@ -1,4 +1,8 @@
-/// Readings laid on the drive's steps, and what has to be shown for a request.
+/// Lays readings on the drive's steps, and finds what has to be shown for a request:
+/// nothing, powers, or the air too. Totals come from the kernel's sums where shares are
+/// constant.
+/// Follows from Request (batch) and the calendar's intervals. Sums are left to reduction;
+/// a reading is needed for each interval, NaN where it is missing.
 #include "kernel/request_plan.hpp"
 
 #include "base/error.hpp"

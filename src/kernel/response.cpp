@@ -1,5 +1,7 @@
-/// The forward run: stretch by stretch, with the states before each kept for the way
-/// back.
+/// The forward run of a response: stretch by stretch, with the states before each kept
+/// for the way back, and readings summed over their intervals.
+/// Follows from Batch and the kernel's table; there is no model of its own here. The way
+/// back is in response_back, the layout of a run in response_plan.
 #include "kernel/response.hpp"
 
 #include "kernel/meter_rows.hpp"

@@ -1,5 +1,8 @@
-/// The way back: the stretches from the last to the first, then each lane's coefficients
-/// to its parameters.
+/// The way back of a response: stretches from the last to the first, each run again with
+/// a tape, then each lane's coefficients to its parameters.
+/// Follows from response.cpp in reverse; kept states and reruns save memory
+/// (checkpointing). Not for buildings that run plain or have numbers that follow from
+/// others.
 #include "adjoint/meters_adjoint.hpp"
 #include "kernel/response_plan.hpp"
 

@@ -1,5 +1,7 @@
-/// Channels laid on the steps, the stretches of the way, the numbers that parameters
-/// write to, and the memory of a run.
+/// Lays channels on the steps, cuts warm-up and period into stretches, lists the numbers
+/// that parameters write to, and reserves the memory of a run.
+/// Plain bookkeeping without a source. Of two parameters that write to one number the
+/// last one counts. Layers, radiators and couplings have no adjoints.
 #include "kernel/response_plan.hpp"
 
 #include "kernel/request_plan.hpp"

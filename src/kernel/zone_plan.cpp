@@ -1,4 +1,7 @@
 /// Which inputs of a zone make regimes, rows and drivers, and where segments are cut.
+/// Loads with more distinct values than fit a table of 512 rows become drivers.
+/// Follows from what network and regime read. What a parameter may turn on is on for all
+/// points. Not for coupled zones and radiators; values are left to affine.
 #include "kernel/input_profiles.hpp"
 #include "kernel/linear_input.hpp"
 #include "kernel/plan.hpp"

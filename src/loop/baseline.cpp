@@ -1,3 +1,8 @@
+/// Calibrates the plain building, then adds refinements of its structure, the best first,
+/// as long as unseen blocks are foretold better. Fits and scores of the loop are here.
+/// Source: Minoux 1978 for the lazy greedy search.
+/// A chosen refinement stays; two that help only together are not found. They are listed
+/// in `refinements`.
 #include "loop/baseline.hpp"
 
 #include <algorithm>

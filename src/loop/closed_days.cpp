@@ -1,3 +1,8 @@
+/// Finds working days on which a building was closed: each day's residual as a share of
+/// what closing it would do, every third day simulated at a time; days far from the
+/// others' shares are closed.
+/// Follows from least squares of a single day and the median of distances (times 1.4826).
+/// Leaves out half days, extra working days, and meters read by the month.
 #include "loop/closed_days.hpp"
 
 #include "effects/catalogue.hpp"

@@ -1,3 +1,7 @@
+/// Says whether a model is better than another in more unseen blocks than by chance: the
+/// larger of a standardised sum and of signed ranks, over blocks where they differ.
+/// Source: Wilcoxon 1945 (Biometrics Bulletin 1) for the ranks.
+/// Leaves out dependence between blocks, ties, and a correction for taking the larger.
 #include "loop/consistency.hpp"
 
 #include <algorithm>

@@ -1,4 +1,8 @@
-/// The gates in the order in which they are cheap.
+/// Judges whether a candidate may join the model, the cheap gates first: evidence,
+/// coefficient, errors of unseen blocks, the last quarter of training.
+/// Follows from the job's limits, and from how much energy use changes in a year anyhow
+/// (`bench_level_change`, 232 buildings).
+/// Evidence comes from `search`. Other periods than training decide nothing.
 #include "loop/gates.hpp"
 
 #include "loop/moves.hpp"

@@ -1,3 +1,8 @@
+/// Says how far the unknowns of a model may be off: by the normal equations or a
+/// jackknife over twelfths of training, whichever is more; a coefficient also by shape,
+/// by what may be missing, and by 8 % for the model itself.
+/// Source: weighted least squares; delete-a-block jackknife.
+/// Intervals are symmetric: curvature is left out.
 #include "loop/intervals.hpp"
 
 #include "stats/least_squares.hpp"

@@ -1,3 +1,8 @@
+/// Asks whether a clock of all meters that is late by whole hours explains more than late
+/// schedules; tries the hours beside it, and summer time with each.
+/// Follows from the weather's answer, late with a clock only; in the standard's model.
+/// Leaves out clocks of single meters (`check_clocks`), parts of an hour, and meters that
+/// are not read by the hour.
 #include "loop/late_clock.hpp"
 
 #include "effects/catalogue.hpp"

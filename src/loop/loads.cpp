@@ -1,4 +1,7 @@
-/// The model without effects: a series must not depend on what follows it.
+/// Gives effects of part load what they follow: heating and cooling of the calibrated
+/// model over a period, scaled by the largest in training.
+/// Follows from a simulation without effects: no series may depend on what follows it.
+/// How effects change the load is left out. The warm-up repeats the first steps.
 #include "loop/loads.hpp"
 
 #include "physics/simulate.hpp"

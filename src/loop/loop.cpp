@@ -1,4 +1,8 @@
-/// Baseline, then one effect after the other until nothing passes; an item per building.
+/// Searches each building for effects that its description lacks: one after the other
+/// joins until nothing passes; then those leave that do not stand out.
+/// Source: Efron 2004 (JASA 99), the empirical null, for what stands out.
+/// A step is left to `search`, its gates to `objection_to`. Periods other than training
+/// are only reported.
 #include "loop/loop.hpp"
 
 #include "effects/catalogue.hpp"

@@ -1,3 +1,8 @@
+/// Makes what the loop fits: training readings, refinements of a zone with priors, a
+/// building with structure and effects, noise and deviance of each meter.
+/// Source: ISO 13790's 5R1C; ASHRAE Handbook, Fundamentals, for glass by angle.
+/// Refinements are chosen by `make_baseline`. Errors of different meters count as
+/// independent.
 #include "loop/model.hpp"
 
 #include "physics/interval_hours.hpp"

@@ -1,4 +1,8 @@
-/// Every move is a refit from where the model stands.
+/// Moves a model that stands, each time by a refit from there: thresholds, dates and
+/// hours of an effect, a rival in its place, plant apart from use, effects out, more
+/// weight for a meter.
+/// Follows from a search one number at a time with moves that shrink; evidence decides.
+/// Two effects are never moved together. New ones are found by `search`.
 #include "loop/moves.hpp"
 
 #include "loop/gates.hpp"

@@ -1,3 +1,7 @@
+/// Shows what a model leaves: how each hook's score fluctuates along each driver, an
+/// effect's alarm, the share of a residual that hour and month foretell in other blocks.
+/// Source: Zeileis and Hornik 2007 (generalised M-fluctuation).
+/// Days count as independent. Causes are left to `search`.
 #include "loop/portrait.hpp"
 
 #include "loop/search.hpp"

@@ -1,3 +1,7 @@
+/// Says before the search what the data could show of each effect at its typical size:
+/// how well it is seen, what looks like it, which parameter it would bias.
+/// Follows from the tangent of the calibrated model (`screen`), all else free.
+/// Leaves out two effects at once, and shapes after the first that moves a meter.
 #include "loop/power.hpp"
 
 #include "effects/catalogue.hpp"

@@ -1,3 +1,8 @@
+/// Writes what the loop found: parameters, structures, steps, effects with 90 %
+/// intervals, power, decisions, and what plain, before and after predict for every hour
+/// of every period.
+/// Follows from `LoopResult`; intervals reach 1.645 times `deviation_of` to each side.
+/// The page is made by the report's script. The noise floor is not known here: it is NaN.
 #include "loop/results.hpp"
 
 #include "effects/catalogue.hpp"

@@ -1,5 +1,8 @@
-/// Paired losses by block; a few blocks decide little, so classes of weak effects are
-/// large.
+/// Says which candidates cannot be told from the chosen one: their losses in unseen
+/// blocks, pair by pair, are larger by no more than chance shows in one of twenty.
+/// Source: Hansen, Lunde and Nason 2011 (model confidence set), with pairs.
+/// Leaves out candidates with clearly less evidence. A few blocks decide little, so
+/// classes of weak effects are large.
 #include "loop/rivals.hpp"
 
 #include "effects/catalogue.hpp"

@@ -1,4 +1,8 @@
-/// Candidates on the tangent: one simulation of four amplitudes each.
+/// Screens candidates on the tangent of the model that stands: one simulation of four
+/// amplitudes each, the best secant, gain and coefficient with all else refitted.
+/// Source: Chernozhukov, Chetverikov and Kato 2013 (multiplier bootstrap of the largest
+/// statistic) for what noise alone shows.
+/// Curvature is left out; `search` refits in full.
 #include "base/random.hpp"
 #include "loop/search.hpp"
 #include "stats/distributions.hpp"

@@ -1,3 +1,8 @@
+/// Takes one step of the search: all candidates screened, the best 36 refitted, 14
+/// judged, the first taken that passes.
+/// Follows from evidence (fall of the deviance less an Occam factor) against noise.
+/// Screening is left to `screen`, gates to `objection_to`. Two effects are never tried at
+/// once.
 #include "loop/search.hpp"
 
 #include "effects/catalogue.hpp"

@@ -1,3 +1,7 @@
+/// Order among points with several objectives: fronts, crowding distances, and the area
+/// that two objectives dominate.
+/// Source: Deb et al. 2002, section III. Every pair is compared; the area is for two
+/// objectives only. Constraints are left out.
 #include "optimise/fronts.hpp"
 
 #include <algorithm>

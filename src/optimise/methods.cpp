@@ -1,3 +1,7 @@
+/// The methods for one objective: a swarm, then a pattern search, then kicks until the
+/// budget is spent, in which a variable or a few are drawn anew and the others adapt.
+/// Source: GenOpt's GPSPSOCCHJ (Wetter 2010; paper 2); kicks: iterated local search,
+/// Lourenco et al. 2003. Left out: new and larger swarms; several objectives are nsga2's.
 #include "optimise/methods.hpp"
 
 #include <utility>

@@ -1,3 +1,7 @@
+/// NSGA-II: tournaments, children, and the best of parents and children by front and
+/// crowding, generation by generation.
+/// Source: Deb, Pratap, Agarwal and Meyarivan 2002. The start point is one of the first.
+/// Constraints are left out; crossover and mutation are in variation, fronts in fronts.
 #include "optimise/nsga2.hpp"
 
 #include "optimise/fronts.hpp"

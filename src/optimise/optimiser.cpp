@@ -1,3 +1,7 @@
+/// An optimiser as its users see it: it starts a method, hands out the points that it
+/// waits for, and goes on when told their values.
+/// Plain bookkeeping without a source. It simulates nothing and stores nothing: it is
+/// resumed by being told the same values again.
 #include "optimise/optimiser.hpp"
 
 namespace bemcal::optimise {

@@ -1,3 +1,7 @@
+/// Hooke and Jeeves' search in batches: all variables up and down at once, then sums of
+/// the best moves, then a move as far again; steps halve where nothing is better.
+/// Source: Hooke and Jeeves 1961; Wetter's GPS (GenOpt manual 3.1, 5.2); batches are our
+/// own. It finds the valley it starts in; a pattern leaves discrete variables.
 #include "optimise/pattern_search.hpp"
 
 #include <algorithm>

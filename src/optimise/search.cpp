@@ -1,3 +1,7 @@
+/// Where a method waits for the values of its points: known ones are answered at once,
+/// the rest is the batch; the budget and the target end it.
+/// Plain bookkeeping without a source. A method is never resumed after its end. Points
+/// are known by equal coordinates, and all of them are kept.
 #include "optimise/search.hpp"
 
 #include "base/error.hpp"

@@ -1,3 +1,7 @@
+/// What is varied: shares of ranges and places in tables, their start, draws, mesh and
+/// values.
+/// Plain bookkeeping without a source. Ranges are linear: no logarithmic scale;
+/// constraints among variables are left out.
 #include "optimise/space.hpp"
 
 #include <algorithm>

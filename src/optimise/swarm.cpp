@@ -1,3 +1,8 @@
+/// A particle swarm with constriction on a mesh, in which each particle follows the best
+/// of its neighbours on a ring; it ends after `patience` generations without a better
+/// point.
+/// Source: Clerc and Kennedy 2002; Wetter's PSOCC on a mesh (GenOpt manual 3.1, 5.4).
+/// Discrete variables are rounded, not coded in bits. One objective only.
 #include "optimise/swarm.hpp"
 
 #include <algorithm>

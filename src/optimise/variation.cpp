@@ -1,3 +1,7 @@
+/// The random operators of NSGA-II on bounded variables: simulated binary crossover and
+/// polynomial mutation; of tables, a swap and any value.
+/// Source: Deb and Agrawal 1995, as in Deb's code nsga2-gnuplot 1.1.6. The paper's binary
+/// coding is left out.
 #include "optimise/variation.hpp"
 
 #include <algorithm>

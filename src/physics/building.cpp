@@ -1,4 +1,7 @@
-/// The list of distinct planes, which surfaces and windows share.
+/// The list of distinct planes: a plane that is there already is shared, so that its
+/// irradiance is computed once.
+/// Plain bookkeeping without a source. Only planes that are exactly equal are shared; the
+/// search is linear.
 #include "physics/building.hpp"
 
 #include <algorithm>

@@ -1,4 +1,8 @@
-/// Calendar arithmetic on std::chrono, and the few notations of dates that users write.
+/// Calendar arithmetic on std::chrono, the notations of dates that users write, and the
+/// rules of summer time.
+/// Source: the Gregorian calendar; the rules are those of the EU since 1996 and the US
+/// since 2007, applied to all years. Left out: other rules, changes of a zone's offset,
+/// leap seconds.
 #include "physics/calendar.hpp"
 
 #include <algorithm>

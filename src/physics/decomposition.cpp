@@ -1,4 +1,8 @@
-/// Statistical models for weather whose irradiance was not measured in full.
+/// Irradiance from less than its parts: diffuse from global, global of a clear sky, and
+/// of a cloudy one.
+/// Source: Erbs, Klein and Duffie 1982, eq. 1; Ineichen and Perez 2002; Kasten and
+/// Czeplak 1980. The Linke turbidity is always 3. Which of them a weather file needs is
+/// left to weather.cpp.
 #include "physics/decomposition.hpp"
 
 #include <algorithm>

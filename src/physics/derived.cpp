@@ -1,3 +1,8 @@
+/// Numbers that follow from others: links (a polynomial, or a table's nearest row),
+/// U-values from layers, capacity and mass area from a zone's surfaces.
+/// Source: ISO 6946 (layers in series); ISO 13786, effective thickness for a day; ISO
+/// 13790, 12.2.2 and 12.3.1. Left out: air gaps, periods other than a day; a surface
+/// without layers has no capacity.
 #include "physics/derived.hpp"
 
 #include "physics/parameters.hpp"

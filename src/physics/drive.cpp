@@ -1,6 +1,8 @@
-/// Everything is first laid on the steps that it is taken from (`source`), without gaps
-/// and in order; the steps of the drive then pick from there, a repeated warm-up some of
-/// them twice.
+/// Lays weather, schedules and series on the steps of a run. All is first laid without
+/// gaps on the steps that it is taken from (`source`); the drive's steps pick from there,
+/// a repeated warm-up some of them twice.
+/// Plain bookkeeping without a source. Nothing is filled in: a needed value that is
+/// missing is an error. Weather must be hourly; filling it is left to weather.cpp.
 #include "physics/drive.hpp"
 
 #include <algorithm>

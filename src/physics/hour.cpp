@@ -1,5 +1,8 @@
-/// Annex C line by line. H_1 / H_ve is written H_is / (H_is + H_ve), the same number, so
-/// that a zone without ventilation needs no division by zero.
+/// One hour of a zone line by line: gains split, mass node by Crank-Nicolson, surface and
+/// air, the power that meets the set-points.
+/// Source: ISO 13790:2008, C.1 to C.13 and C.4.2. H_1 / H_ve is written H_is / (H_is +
+/// H_ve), the same number, so that no ventilation divides by zero; a slope replaces the
+/// solve with 10 W/m2. Refinements are left to structure. Moisture is not modelled.
 #include "physics/hour.hpp"
 
 namespace bemcal::physics {

@@ -1,5 +1,7 @@
-/// Meters sum over zones; the plant's efficiency stands between a zone's heat and a
-/// meter.
+/// From zones' heat to meters: divided by the plant's efficiency or COP, with auxiliary
+/// power and the loads on the carrier; then summed over the calendar's intervals.
+/// Follows from the definitions of efficiency and COP. Left out: part load, distribution
+/// and storage losses, export of power; zones are summed, not metered apart.
 #include "physics/meters.hpp"
 
 #include <cmath>

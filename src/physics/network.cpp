@@ -1,4 +1,7 @@
-/// ISO 13790's zone: conductances summed over elements, each by the boundary behind it.
+/// A zone in the standard's symbols at one step: conductances summed over elements, each
+/// by the boundary behind it; apertures, sky loss, set-points, gains.
+/// Source: ISO 13790:2008, 7.2.2, 8.3, 9.3, 11.3, 11.4, 12.2.2. Left out: unheated spaces
+/// other than by b_tr, movable shading by the sun's position, temperatures (hour).
 #include "physics/network.hpp"
 
 #include <algorithm>

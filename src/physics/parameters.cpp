@@ -1,5 +1,7 @@
-/// Numbers of a building by target: no words, no allocation, since points come by the
-/// million.
+/// Reads and writes numbers of a building by target: part, index, field, slot. No words
+/// and no allocation, since points come by the million.
+/// Plain bookkeeping without a source. Ranges are not checked here; names are resolved in
+/// paths, what follows from others is written by derive.
 #include "physics/parameters.hpp"
 
 #include "physics/derived.hpp"

@@ -1,5 +1,7 @@
-/// Numbers of a building by path: the path is matched, word by word, against the paths of
-/// all of its numbers; what does not match is explained from the same list.
+/// Numbers of a building by path: matched word by word against the paths of all its
+/// numbers. What does not match is explained from the same list.
+/// Plain bookkeeping without a source. A star stands for a name only; changes of inputs
+/// have no path. It makes the whole list anew, so it is not for points.
 #include "physics/meters.hpp"
 #include "physics/parameters.hpp"
 

@@ -1,3 +1,7 @@
+/// Moves the water and metal of a radiator on: elements in a row, Heun's method in
+/// sub-steps of a quarter of the shortest time constant; and the heating curve.
+/// Source: modelica-buildings' RadiatorEN442_2; paper 2, eq. 10-12. Left out: conduction
+/// between elements, pipes, thermostatic valves. The room is zone_radiator's.
 #include "physics/radiator.hpp"
 
 #include <algorithm>

@@ -1,4 +1,8 @@
-/// A day of the schedule is chosen by the date, then its hour by the clock.
+/// A schedule's value at every step: the day is chosen by the date (holiday, the last
+/// period that holds, week), then its hour by the clock; a register's number multiplies
+/// it.
+/// Plain bookkeeping without a source. A step has the value of the hour in which it
+/// begins; values are not interpolated. Rules of summer time are calendar.cpp's.
 #include "physics/schedule.hpp"
 
 #include <algorithm>

@@ -1,5 +1,8 @@
-/// The loop over steps and zones. Zones see each other by their air temperatures of the
-/// step before, so their order does not matter.
+/// The loop over steps and zones, written plainly. Zones see each other by the air
+/// temperature of the step before, so their order does not matter: a link is one more
+/// ventilation flow.
+/// Source: ISO 13790:2008, Annex C (hour); the coupling is our own, explicit in time.
+/// Without refinements the standard's hour is called. Meters are left to meters.cpp.
 #include "physics/simulate.hpp"
 
 #include "physics/zone_radiator.hpp"

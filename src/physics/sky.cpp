@@ -1,11 +1,8 @@
-/// Perez, Ineichen, Seals, Michalsky, Stewart 1990, Solar Energy 44(5), 271-289: "all
-/// sites composite 1990" with 3 decimals. Air mass: Kasten and Young 1989, Applied Optics
-/// 28(22). Hay and Davies 1980, Proc. First Canadian Solar Radiation Data Workshop,
-/// 59-72.
-///
-/// A step's means of direct and diffuse irradiance enter the sky model as they are, also
-/// where the sun is up for a part of the step only: their ratio is that of the sunlit
-/// part.
+/// Irradiance on a plane from a step's means: beam, light of the sky, ground reflection.
+/// Source: Perez et al. 1990, Solar Energy 44(5), 271-289 ("all sites composite 1990");
+/// Hay and Davies 1980, Proc. First Canadian Solar Radiation Data Workshop, 59-72; air
+/// mass: Kasten and Young 1989, Applied Optics 28(22). The lag is our own. Horizons are
+/// left out; shade is a factor of the element.
 #include "physics/sky.hpp"
 
 #include <algorithm>

@@ -1,5 +1,8 @@
-/// The nodes' balances solved from the air inwards, each line on linear forms in place of
-/// numbers.
+/// One step of a zone as linear forms: the nodes' balances eliminated from the air
+/// inwards, each line on forms in place of numbers; and the standard's hour written out.
+/// Source: ISO 13790:2008, (C.4) to (C.11); the refinements' balances are
+/// structure.hpp's. The thermostat is left to structure and the kernel, the derivative to
+/// step_map_adjoint.
 #include "physics/step_parts.hpp"
 
 #include <cmath>

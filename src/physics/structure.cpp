@@ -1,5 +1,7 @@
-/// The thermostat on top of the step's affine map: both of its powers are clamps of a
-/// line.
+/// One step of a zone with refinements: the thermostat on top of the step's affine map,
+/// both of its powers being clamps of a line, solved exactly.
+/// Follows from the balances in structure.hpp and step_map; ISO 13790:2008, C.4.2 and
+/// (C.12). Left out: part load, cooling through the emitter. Openings enter as a gain.
 #include "physics/structure.hpp"
 
 #include "physics/step_map.hpp"

@@ -1,7 +1,7 @@
-/// Solar coordinates of low accuracy (Meeus, Astronomical Algorithms, 2nd ed., chapters
-/// 12, 22 and 25: about 0.01 deg), seen from the Earth's surface (parallax).
-///
-/// Leaves out refraction (irradiance models expect the geometric sun), the Earth's
+/// Where the sun is: solar coordinates of low accuracy (about 0.01 deg), seen from the
+/// Earth's surface (parallax); for a step, at its middle or that of its sunlit part.
+/// Source: Meeus, Astronomical Algorithms, 2nd ed., chapters 12, 22 and 25.
+/// Left out: refraction (irradiance models expect the geometric sun), the Earth's
 /// oblateness, and the 70 s between dynamical and universal time (0.001 deg).
 #include "physics/sun.hpp"
 

@@ -1,4 +1,8 @@
-/// Completing what a weather file leaves out. All models are those of decomposition.hpp.
+/// Completes irradiance: two of global, direct and diffuse give the third, global alone
+/// is split, and clouds scale a clear sky. Also hourly means of values read at the hours'
+/// ends.
+/// Source: decomposition's models; pressure by the standard atmosphere (ISO 2533). Direct
+/// light under a low sun is limited. Temperatures are not filled in.
 #include "physics/weather.hpp"
 
 #include "physics/decomposition.hpp"

@@ -1,3 +1,7 @@
+/// A zone's step with a radiator: made twice, with the room as the step before left it,
+/// then with the temperatures that this gave; water by the curve or as measured.
+/// Follows from radiator and the hour's equations; two passes are our own choice. Left
+/// out: iteration to convergence, thermostatic valves, losses of pipes.
 #include "physics/zone_radiator.hpp"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+/// Words the plan of a job for `check`: items, simulations, memory, output size, time.
+/// Follows from the stages' own counts times rough costs of a zone-step with AVX2.
+/// A posterior is counted with its whole budget; a stage over several buildings is timed
+/// by the first; runs of a command are not timed. A stock is worded by `stock_plan_text`.
 #include "plan/plan.hpp"
 
 #include "base/error.hpp"

@@ -1,3 +1,7 @@
+/// Makes #SBATCH lines of a plan's cost: cores that end it in half an hour, ranks of up
+/// to eight cores, 1.5 times the memory, twice the time and ten minutes.
+/// Follows from `plan_cost`; the margins are rules of thumb.
+/// Leaves out partitions and accounts. Time ends at a day: an unfinished job is requeued.
 #include "plan/slurm_lines.hpp"
 
 #include <algorithm>

@@ -1,3 +1,8 @@
+/// Says for `check` what a stock will cost: every building is read, broken ones and
+/// findings are named (50 lines at most), simulations and time added up.
+/// Follows from `plan_cost` of each building; `stock_cost` takes the first readable one
+/// for all.
+/// Counts every building as due, without the night's budget or the time of reading.
 #include "plan/stock_text.hpp"
 
 #include "base/error.hpp"

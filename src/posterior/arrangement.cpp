@@ -1,3 +1,7 @@
+/// Lays the unknowns of several buildings into one position: the same for all, or each
+/// building's own, normal around a common mean with a common spread.
+/// Source: hierarchical models (Gelman et al., Bayesian Data Analysis), in centred form.
+/// Leaves out correlated unknowns, and discrete ones of a building's own.
 #include "posterior/arrangement.hpp"
 
 #include "sampling/normal.hpp"

@@ -1,3 +1,8 @@
+/// Holds a building against its meters over a period: simulates points, adds up the
+/// meters' log likelihoods, and pulls their derivatives back to the parameters.
+/// Source: `ResidualModel` for residuals, the adjoint of `Response` for derivatives.
+/// Priors of the residuals stand here. Errors of meters count as independent of each
+/// other; those of months and years have no memory.
 #include "posterior/building_model.hpp"
 
 #include <algorithm>

@@ -1,6 +1,8 @@
-/// A chain in an answer: failed or not, the length of its state and the state, its number
-/// of draws, then its draws and their statistics. The reason of a failure stands among
-/// the item's failures.
+/// Writes chains as an item's numbers and reads them again; gathers all rounds and judges
+/// convergence. A chain is the length of its state, the state, its number of draws, the
+/// draws and their statistics; a failed one has an empty state.
+/// Source: Vehtari et al. 2021, by `convergence_of`.
+/// Failed chains are left out; their reasons stand among the item's failures.
 #include "posterior/chain_draws.hpp"
 
 #include "base/error.hpp"

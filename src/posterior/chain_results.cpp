@@ -1,3 +1,7 @@
+/// Writes what is stored of chains: draws, their statistics, draws of the prior, a table
+/// of moments, quantiles and convergence, and the sentence that says what falls short.
+/// Source: the layout of ArviZ's InferenceData.
+/// Leaves out warm-up and failed chains. Predictions are added by `Posterior::conclude`.
 #include "posterior/chain_results.hpp"
 
 #include "stats/quantile.hpp"

@@ -1,3 +1,8 @@
+/// Runs chains as a stage: an item is a few of them in lockstep. The first round warms
+/// them up; each later one adds draws until all unknowns have converged or the budget is
+/// spent.
+/// Source: Vehtari et al. 2021 for the targets, rank R-hat and effective draws.
+/// Leaves out the samplers (`run_chains`) and what is sampled (a `Posterior`).
 #include "posterior/chain_stage.hpp"
 
 #include "posterior/chain_draws.hpp"

@@ -1,4 +1,7 @@
-/// Prior against posterior, parameter by parameter.
+/// Compares prior and posterior of each parameter: how far the variance has fallen, the
+/// mean moved, the range narrowed; its strongest correlation; crowding at an end.
+/// Follows from moments and quantiles of both; correlation is Pearson's.
+/// Leaves out several modes, and ties among more than two. The words are in `finding`.
 #include "posterior/contraction.hpp"
 
 #include "base/error.hpp"

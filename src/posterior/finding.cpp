@@ -1,4 +1,7 @@
-/// One table: which evidence makes which finding, and its sentence.
+/// Says in plain words what the data could tell of a parameter. One table: the first rule
+/// that holds gives the finding and its sentence.
+/// Follows from the limits in `ContractionLimits`, which are conventions and no test.
+/// The evidence is computed in `contraction`, which also names fixed parameters.
 #include "posterior/finding.hpp"
 
 #include <algorithm>

@@ -1,3 +1,8 @@
+/// Makes a Kennedy-O'Hagan calibration a posterior for chains: inputs scaled to their
+/// priors' ranges, the form of the covariance, names and units of unknowns.
+/// Source: Kennedy and O'Hagan 2001; paper 1, eq. 3-13.
+/// Leaves out the density (`KohDensity`), dense covariances over 10,000 rows, and
+/// lognormal and gamma priors unless normalised.
 #include "posterior/koh_posterior.hpp"
 
 #include "emulator/grid.hpp"

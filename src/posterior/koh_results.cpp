@@ -1,3 +1,8 @@
+/// Writes what a Kennedy-O'Hagan calibration predicts at its own field points: process
+/// and measurements with intervals, errors with n and n - 1, coverage, the form of the
+/// covariance.
+/// Source: paper 1, step 5; bc-stan for n - 1.
+/// Coverage tells of the fit only: points that were not learned from are left out.
 #include "posterior/koh_results.hpp"
 
 #include "emulator/prediction.hpp"

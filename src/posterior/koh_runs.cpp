@@ -1,3 +1,8 @@
+/// Makes a simulator's runs, then the chains of a Kennedy-O'Hagan calibration, as one
+/// stage. A run is a design of the calibrated inputs at a field point.
+/// Source: paper 1, eq. 2, on scrambled Sobol points.
+/// A design with a failed run is left out, so that the grid stays full. Runs from a file
+/// are read by `read_koh`.
 #include "posterior/koh_runs.hpp"
 
 #include "posterior/koh_posterior.hpp"

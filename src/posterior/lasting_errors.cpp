@@ -1,3 +1,8 @@
+/// Estimates which share of a meter's residuals lasts for weeks, from the variance of
+/// block means less that of independent errors; predictions draw it as a slow part.
+/// Follows from Matern-3/2: its mean over the timescale keeps 0.867 of the variance.
+/// Fewer than 6 blocks give a share of 0, and 0.9 is the most. How sure a share is, is
+/// left out.
 #include "posterior/lasting_errors.hpp"
 
 #include <algorithm>

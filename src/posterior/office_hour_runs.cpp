@@ -1,3 +1,8 @@
+/// Simulates paper 1's single hour for an emulator: scrambled Sobol points of the
+/// calibrated inputs, each at every field point. Every one of 19 inputs is known,
+/// calibrated or fixed.
+/// Source: paper 1, eq. 2 and Table 2.
+/// All runs are made at once, when the job is read. Other simulators are in `koh_runs`.
 #include "posterior/office_hour_runs.hpp"
 
 #include "physics/office_hour.hpp"

@@ -1,3 +1,8 @@
+/// Puts together a calibration by MCMC of the simulator itself: buildings that train,
+/// those that are predicted only, what they share, and what follows from the draws.
+/// Follows from `posterior_density`, `arrangement` and `chain_stage`.
+/// NUTS needs buildings with derivatives; pooling needs the same parameters and meters.
+/// Predictions are in `posterior_results`.
 #include "posterior/posterior.hpp"
 
 #include "posterior/chain_stage.hpp"

@@ -1,3 +1,8 @@
+/// Computes the log density of unknowns for a sampler, with gradients: of each building's
+/// own part of a position the prior and the likelihood, by the chain rule through the
+/// transforms.
+/// Source: Miller and Dunson 2019 for the likelihood's power.
+/// Transforms are in `space`, simulation and residuals in `building_model`.
 #include "posterior/posterior_density.hpp"
 
 #include <algorithm>

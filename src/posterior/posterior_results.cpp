@@ -1,3 +1,8 @@
+/// Writes what a posterior predicts: for every building, period and meter the series
+/// before and after, with quantiles, and their validation.
+/// Source: ArviZ's groups for the training period.
+/// Errors that last and levels that wander are drawn for other periods where the job
+/// asks. Of the n_predictive draws 64 are stored at most.
 #include "posterior/posterior_results.hpp"
 
 #include "posterior/lasting_errors.hpp"

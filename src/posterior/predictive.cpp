@@ -1,3 +1,8 @@
+/// Draws readings from a posterior: simulates some of its draws over a period, multiplies
+/// energies by an unknown level, and draws each residual by its own residual model.
+/// Follows from the posterior predictive distribution.
+/// Impossible draws are left out; meters are drawn apart. What follows is in
+/// `posterior_results`.
 #include "posterior/predictive.hpp"
 
 #include "base/error.hpp"

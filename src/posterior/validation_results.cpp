@@ -1,3 +1,7 @@
+/// Writes the validation of a meter, a group for each part of its readings, and what the
+/// data said of each unknown.
+/// Follows from `validate_parts` and `moves_of`.
+/// Of Guideline 14 only met or not is stored; of days the errors, not the totals.
 #include "posterior/validation_results.hpp"
 
 #include "study/fit.hpp"

@@ -1,4 +1,7 @@
-/// Of a Kennedy-O'Hagan calibration: what it predicts at its field points.
+/// Of a Kennedy-O'Hagan calibration: measured against predicted at its field points,
+/// errors, coverage, and how often jitter was needed.
+/// Made from stored datasets alone; unlike other tables it does not compute them again.
+/// 24 points are shown at most.
 #include "report/sections.hpp"
 #include "report/text_table.hpp"
 

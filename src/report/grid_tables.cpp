@@ -1,5 +1,7 @@
-/// Stages of a grid: how near each came, the k nearest of each, and what became of every
-/// parameter.
+/// Stages of a grid: how near each came, the k nearest of each with and without density
+/// avoidance, and what became of every parameter.
+/// Made from stored datasets alone; indices are not computed again. Errors are shown of
+/// up to three targets, neighbours up to 20.
 #include "report/sections.hpp"
 #include "report/text_table.hpp"
 

@@ -1,3 +1,7 @@
+/// Finds datasets of a stored result by group and name, and numbers in them; empty or NaN
+/// where they are not there.
+/// Plain search without a source, linear in the number of datasets. Reading the file is
+/// result_file's.
 #include "report/lookup.hpp"
 
 #include "store/layout.hpp"

@@ -1,6 +1,8 @@
 /// Errors of the plain model, of that with its structure chosen, and of that with
 /// effects. A temperature's are in K, its bias being NMBE times the measured mean; the
 /// others in %.
+/// Made from the stored `fit` alone: errors are not computed again from the series.
+/// Intervals without readings are left out.
 #include "report/loop_parts.hpp"
 #include "report/text_table.hpp"
 

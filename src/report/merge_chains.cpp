@@ -1,3 +1,7 @@
+/// Results of one job with different chains become one: draws side by side, cut to the
+/// draws that each has.
+/// Plain bookkeeping without a source. Convergence is computed again by posterior_tables;
+/// predictions, and tables stored of single runs, stay those of the first.
 #include "report/merge_chains.hpp"
 
 #include "store/layout.hpp"

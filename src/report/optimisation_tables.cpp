@@ -1,3 +1,7 @@
+/// What an optimisation found: the objective at first and at the end, the front, errors
+/// of targets or meters, and parameters that ended at an end of their range.
+/// Made from stored datasets alone; metrics of meters are computed again
+/// (screening_tables). Ten rows of a front are shown at most.
 #include "report/sections.hpp"
 #include "report/text_table.hpp"
 

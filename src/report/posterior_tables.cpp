@@ -1,4 +1,7 @@
-/// A posterior's tables, from its stored draws alone.
+/// A posterior's tables from its stored draws alone: whether chains have converged, each
+/// unknown before and after, and what the data could tell.
+/// Convergence is computed again by convergence_of. What the data could tell is the
+/// stored sentence; correlations among unknowns are not shown.
 #include "report/sections.hpp"
 #include "report/text_table.hpp"
 #include "stats/convergence.hpp"

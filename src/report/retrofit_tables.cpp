@@ -1,3 +1,7 @@
+/// What each scenario would save: medians with 5 and 95 % over the points, before, after
+/// and the difference, and hours too cold or too warm.
+/// Made from stored quantiles alone, which are not computed again. Outputs that are
+/// nothing before and after are left out; costs are not known.
 #include "report/sections.hpp"
 #include "report/text_table.hpp"
 

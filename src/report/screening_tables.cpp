@@ -1,3 +1,7 @@
+/// Nominal against best for each meter and period, how many points meet Guideline 14, and
+/// the best point.
+/// Errors are computed again from the stored series (metrics: ASHRAE Guideline 14); the
+/// counts are as stored. Days are left out: own interval and months only.
 #include "physics/calendar.hpp"
 #include "report/sections.hpp"
 #include "report/text_table.hpp"

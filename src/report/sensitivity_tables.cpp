@@ -1,3 +1,7 @@
+/// Parameters by total-order index, for each output or for a whole series, with intervals
+/// and a mark above the threshold.
+/// Indices are estimated again from the stored design (Saltelli et al. 2010); their
+/// intervals, and all of a series, are as stored. The hours themselves are not shown.
 #include "report/sections.hpp"
 #include "report/text_table.hpp"
 #include "stats/saltelli.hpp"

@@ -1,3 +1,8 @@
+/// Stages of a calibration: each one's parameters before and after, and errors on its
+/// periods and on those that no stage has seen.
+/// Source: the form of paper 2's Tables 2 to 6. Errors are computed again from the stored
+/// series, standard deviations are as stored; "do not constrain" is above 0.8 of a flat
+/// range.
 #include "report/sections.hpp"
 #include "report/text_table.hpp"
 #include "stats/metrics.hpp"

@@ -1,3 +1,7 @@
+/// What a night over a stock leaves beside its result: its table as CSV, and a history of
+/// all nights, in which a night done again is replaced.
+/// Plain handling of files, without a source; written under another name first. What a
+/// line says is stock_tables'. The page is a script's.
 #include "report/stock_files.hpp"
 
 #include "base/error.hpp"

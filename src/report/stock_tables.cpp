@@ -1,3 +1,7 @@
+/// A night over a stock: how many buildings were done, which failed, drift or predict
+/// worst; and its table as CSV.
+/// Source: RFC 4180 for the CSV. Made from stored datasets alone. Of each building only
+/// the first meter's errors; ten rows of a list.
 #include "report/stock_tables.hpp"
 
 #include "report/text_table.hpp"

@@ -1,3 +1,7 @@
+/// Everything a result holds as text: the sections of its studies one after another,
+/// failures by reason, missed targets, and `status`.
+/// Plain text without a source. Which sections there are is told by the datasets that are
+/// there; the sections themselves are in files of their own.
 #include "report/tables.hpp"
 
 #include "report/sections.hpp"

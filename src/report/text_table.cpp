@@ -1,3 +1,7 @@
+/// Aligned columns of text: words to the left, numbers to the right, wide cells cut; and
+/// how numbers are shown.
+/// Plain text without a source. Widths count characters of UTF-8, but a cut counts bytes;
+/// wide characters count as one.
 #include "report/text_table.hpp"
 
 #include <algorithm>

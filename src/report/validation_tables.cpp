@@ -1,5 +1,7 @@
 /// How well the description and the posterior's mean predict every meter, in training, in
-/// what was held out of it and in the other periods, as study/validation.hpp has it.
+/// what was held out of it and in the other periods, with coverage of the intervals.
+/// Made from the stored `validation_fit` and `coverage`, which are not computed again.
+/// Guideline 14's verdicts are as stored, too.
 #include "report/sections.hpp"
 #include "report/text_table.hpp"
 

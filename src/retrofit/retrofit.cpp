@@ -1,3 +1,8 @@
+/// Runs retrofits as a stage: the description, then draws or best points of a study
+/// above, each simulated before and after every scenario; quantiles of the differences.
+/// Follows from paper 3: before and after, with uncertainty.
+/// Leaves out the calibrated model's residual, costs, and other use afterwards. Changes
+/// are made in `scenario`.
 #include "retrofit/retrofit.hpp"
 
 #include "stats/quantile.hpp"

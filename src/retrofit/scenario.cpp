@@ -1,3 +1,7 @@
+/// Applies a retrofit's changes to the numbers of a point: set, multiply, shift, or add a
+/// layer to a U-value, 1 / (1 / U + R). Says which number leaves its range.
+/// Source: ISO 6946, resistances in series.
+/// Numbers that links or layers set are refused before, by `read_scenarios`.
 #include "retrofit/scenario.hpp"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+/// The ranks of a run over MPI, which this file alone includes: buffered sends, polls
+/// that sleep, barrier, gather, and the end of all.
+/// Source: the MPI standard; without a launcher it is not started. Left out: one-sided
+/// communication, messages above 2 GiB, recovery from a dead rank.
 #include "run/comm.hpp"
 
 #include "base/error.hpp"

@@ -1,3 +1,8 @@
+/// Items over ranks and threads: rank 0 hands out blocks and collects answers, each
+/// rank's main thread talks between it and its compute threads; stops and errors reach
+/// all.
+/// Our own protocol (tags in wire), without a source. What an item does is the stage's;
+/// order of blocks is schedule's. A dead rank is not replaced.
 #include "run/distribute.hpp"
 
 #include "run/pool.hpp"

@@ -1,3 +1,7 @@
+/// All stages of a job to one result: the place opened, items done before taken from the
+/// logs, stages run in rounds and concluded, the result written, the logs removed.
+/// Our own order of steps, without a source: an item is in a log before it counts. What a
+/// stage does, and reading the job, are left to it and to run_job.
 #include "run/execute.hpp"
 
 #include "run/output_place.hpp"

@@ -1,3 +1,7 @@
+/// Where a job file is: the one that is named, or the quickstart beside the program,
+/// beside its installation, or in a folder above it.
+/// Plain search of files (/proc/self/exe, so Linux only). It does not read the job, nor
+/// look below a folder.
 #include "run/find_job.hpp"
 
 #include "base/error.hpp"

@@ -1,3 +1,7 @@
+/// Pages with pictures of a result's loops or stock: a Python script in a process of its
+/// own, and a line that says what was written or how to do it.
+/// Plain handling of processes, without a source. No time limit, and the script's
+/// messages are not shown; a missing page is no error.
 #include "run/loop_page.hpp"
 
 #include "store/layout.hpp"

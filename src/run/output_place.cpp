@@ -1,3 +1,7 @@
+/// The place of the result before the first simulation: whether it may go on, start anew,
+/// or must be refused, and the logs of the run that goes on.
+/// Our own rules, without a source: version, job, files and stages must be the same.
+/// Files that changed for single items of a stock are the stage's to tell.
 #include "run/output_place.hpp"
 
 #include "base/hash.hpp"

@@ -1,3 +1,7 @@
+/// The folder of an unfinished run: its identity as text, safely on the disk, its lock,
+/// and how far it is, for `status`.
+/// Plain handling of files; the lock is flock's, which some network disks do not keep.
+/// The logs' records are item_log's.
 #include "run/part_folder.hpp"
 
 #include "base/error.hpp"

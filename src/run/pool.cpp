@@ -1,3 +1,7 @@
+/// The items of one rank on its compute threads: an OpenMP team takes them, and the main
+/// thread takes what is finished. An item over its time is left behind with its thread.
+/// Our own rules, without a source. A thread cannot be ended; it is replaced, and what it
+/// reads is kept. Order and messages are distribute's.
 #include "run/pool.hpp"
 
 #include "base/error.hpp"

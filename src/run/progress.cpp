@@ -1,3 +1,7 @@
+/// Progress of a stage on stderr: counts, rate, and remaining time from the rate of this
+/// run.
+/// Plain arithmetic without a source: items are taken to be equally long. A log gets a
+/// line every ten seconds, a terminal one that is written over.
 #include "run/progress.hpp"
 
 #include <algorithm>

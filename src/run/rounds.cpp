@@ -1,3 +1,7 @@
+/// The rounds of one stage: rank 0 asks it what comes next from all answers so far, and
+/// what the round needs goes to every rank before its items do.
+/// Our own protocol, without a source. Items are numbered through all rounds. All answers
+/// so far stay in rank 0's memory.
 #include "run/rounds.hpp"
 
 #include "base/error.hpp"

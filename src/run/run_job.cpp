@@ -1,3 +1,7 @@
+/// A job file from its first line to the result file: read on every rank, planned,
+/// executed, and its pages written; and what a result tells of its job.
+/// Plain order of steps, without a source. Reading is the job's, the night of a stock its
+/// stage's, tables on the terminal report's.
 #include "run/run_job.hpp"
 
 #include "job/stages.hpp"

@@ -1,3 +1,6 @@
+/// What a run was and what it spent, over all ranks: hosts, threads, seconds, idle share.
+/// Plain sums; idle share = 1 - seconds in items / seconds of all threads. Wall time
+/// only: no processor time, memory or energy. It stays outside the result's hash.
 #include "run/run_record.hpp"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+/// Who computes what: blocks of a quarter of a fair share of what remains, given to the
+/// rank with the least work for each thread, the next one ahead.
+/// Source: guided self-scheduling, Polychronopoulos and Kuck 1987. Items count as equally
+/// long; what is handed out is not taken back.
 #include "run/schedule.hpp"
 
 #include <algorithm>

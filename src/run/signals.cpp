@@ -1,3 +1,7 @@
+/// Signals that mean "stop soon", kept in a flag; a second one after more than a second
+/// ends the program at once.
+/// Source: POSIX sigaction. The handler does nothing else; who looks at the flag is
+/// distribute. SIGHUP and SIGQUIT are left as they are.
 #include "run/signals.hpp"
 
 #include <csignal>

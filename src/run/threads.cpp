@@ -1,3 +1,7 @@
+/// How many compute threads a rank gets: its cores by the affinity mask, shared with the
+/// ranks of its host that may use them; and which hosts are crowded.
+/// Follows from sched_getaffinity; OMP_NUM_THREADS or the user overrides. Cgroup quotas,
+/// hyper-threads and memory nodes are not looked at.
 #include "run/threads.hpp"
 
 #include "run/wire.hpp"

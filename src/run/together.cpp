@@ -1,3 +1,7 @@
+/// Work that all ranks do at once, whose failure on one is the failure of all: exit code
+/// and message are gathered, and the first rank's is thrown everywhere.
+/// Our own rule, without a source. Errors of users and of the file system only: any other
+/// is a program error and ends the run.
 #include "run/together.hpp"
 
 #include "base/error.hpp"

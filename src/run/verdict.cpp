@@ -1,3 +1,7 @@
+/// Whether a batch that ran to its end succeeded: failed points against the share that
+/// the job accepts, stages of which all failed, targets that were missed.
+/// Our own rules, without a source. An item that failed as a whole counts with its share
+/// of the stage's simulations. Whether results are plausible is not judged.
 #include "run/verdict.hpp"
 
 #include "store/layout.hpp"

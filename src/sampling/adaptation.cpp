@@ -1,4 +1,8 @@
-/// Stan's windowed adaptation for all methods.
+/// What a walker learns in its warm-up: step sizes after each transition, the metric in
+/// windows that double.
+/// Source: Stan's reference manual, windowed adaptation, used for all methods;
+/// acceptances 0.8, 0.234 and 0.44 by method. Temperatures are tuned in ladder_meeting;
+/// nothing is learnt after the warm-up.
 #include "sampling/adaptation.hpp"
 
 #include <cmath>

@@ -1,4 +1,7 @@
-/// Ladders side by side, and what they are asked to be.
+/// Runs ladders side by side in one company, checks what they are asked to be, and shares
+/// the metric of one chain with all.
+/// Sharing by the upper quartile of step sizes is our own rule. The algorithms are left
+/// to ladder and walker; whether chains have converged, and more rounds, to the caller.
 #include "sampling/chains.hpp"
 
 #include "sampling/ladder.hpp"

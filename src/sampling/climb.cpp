@@ -1,4 +1,7 @@
-/// The climb to a mode by L-BFGS, and the metric from the curvature there.
+/// A chain's start: L-BFGS with backtracking up to a mode, and a metric from the
+/// curvature there, by central differences of the gradient; again, as long as that rises.
+/// Source: Nocedal and Wright 2006, algorithms 7.4 and 3.1. It finds the mode above its
+/// start only; whole numbers stand still.
 #include "sampling/climb.hpp"
 
 #include "sampling/normal.hpp"

@@ -1,4 +1,7 @@
-/// The loop that evaluates what the coroutines wait for.
+/// Evaluates what the coroutines wait for, as many points together as the density likes,
+/// first come, first served, and resumes them.
+/// Plain scheduling without a source. One thread only: cores are used by running several
+/// calls.
 #include "sampling/company.hpp"
 
 #include <algorithm>

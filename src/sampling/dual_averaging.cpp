@@ -1,4 +1,6 @@
-/// Algorithm 5's lines on the step size.
+/// The step size that reaches a target acceptance, by dual averaging.
+/// Source: Hoffman and Gelman 2014, section 3.2, algorithm 5's lines on the step size.
+/// Where it starts from is find_step_size's; one instance learns one scale.
 #include "sampling/dual_averaging.hpp"
 
 #include <cmath>

@@ -1,4 +1,7 @@
-/// The life of a ladder's walkers: start, warm-up or draws.
+/// The life of a ladder's walkers: the best of several starts, climb, warm-up, or draws
+/// that are recorded for the coldest; and the state for the next round.
+/// Follows from Stan's order of a chain; tempering: Syed et al. 2022. Swaps and
+/// temperatures are in ladder_meeting. Draws of hotter walkers are not kept.
 #include "sampling/ladder.hpp"
 
 #include "sampling/adaptation.hpp"

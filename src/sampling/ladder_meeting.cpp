@@ -1,4 +1,7 @@
-/// What happens when a ladder's walkers meet: swaps, and the tuning of its temperatures.
+/// What happens when a ladder's walkers meet: neighbours swap points, even and odd pairs
+/// in turn, and temperatures move until all pairs swap equally often.
+/// Source: Syed et al. 2022 (JRSS B 84(2)). The number of temperatures is the caller's
+/// and is not learnt.
 #include "sampling/adaptation.hpp"
 #include "sampling/ladder.hpp"
 #include "sampling/temperatures.hpp"

@@ -1,4 +1,7 @@
-/// Kick, drift, kick.
+/// A leapfrog step in whitened coordinates: half a kick, drift, half a kick; and a leaf's
+/// energy.
+/// Source: Neal 2011, section 2.3. Whole numbers do not move; divergence is judged by the
+/// trajectory.
 #include "sampling/leapfrog.hpp"
 
 #include "sampling/normal.hpp"

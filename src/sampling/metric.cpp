@@ -1,4 +1,7 @@
-/// Cholesky factors and their products, by Eigen.
+/// The scale of the sample space: running covariances (Welford), Cholesky factors, and
+/// their products with steps and gradients, by Eigen.
+/// Source: Welford 1962; shrinkage as in Stan. A covariance without a factor leaves the
+/// metric as it is. Metrics that depend on the position are left out.
 #include "sampling/metric.hpp"
 
 #include <algorithm>

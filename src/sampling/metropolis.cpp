@@ -1,6 +1,7 @@
-/// Metropolis's moves: random walk (Haario, Saksman and Tamminen 2001, Bernoulli 7(2),
-/// its covariance frozen after the warm-up), one coordinate after the other ("Metropolis
-/// within Gibbs"), and whole numbers.
+/// Metropolis's moves: a random walk by the learnt covariance, one coordinate after the
+/// other ("Metropolis within Gibbs"), and whole numbers, all others equally likely.
+/// Source: Haario, Saksman and Tamminen 2001, Bernoulli 7(2), the covariance frozen after
+/// the warm-up. Conditional distributions in closed form are not used.
 #include "sampling/normal.hpp"
 #include "sampling/walker.hpp"
 

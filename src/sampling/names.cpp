@@ -1,4 +1,6 @@
-/// The words for methods and statistics.
+/// The words for methods and statistics, in the order of their enums.
+/// ArviZ's names where it has them (acceptance_rate, tree_depth, diverging). Plain
+/// tables: a new enumerator needs its word here.
 #include "sampling/chains.hpp"
 
 namespace bemcal::sampling {

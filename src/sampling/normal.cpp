@@ -1,4 +1,7 @@
-/// Normal random numbers by inversion.
+/// Normal random numbers by inversion: one uniform each, so that they are the same with
+/// every library.
+/// Source: textbook; the quantile is Boost's, by way of distributions. It is slower than
+/// rejection methods.
 #include "sampling/normal.hpp"
 
 #include "stats/distributions.hpp"

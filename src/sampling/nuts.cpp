@@ -1,5 +1,8 @@
-/// The no-U-turn sampler (Hoffman and Gelman 2014; Betancourt 2017): a transition, and
-/// the search for a first step size.
+/// The no-U-turn sampler: a transition that doubles its trajectory until it turns back,
+/// and the search for a first step size.
+/// Source: Hoffman and Gelman 2014 (algorithm 4 for the step size, Stan's threshold 0.8);
+/// Betancourt 2017. Weights and U-turns are left to trajectory, whole numbers to
+/// metropolis.
 #include "sampling/leapfrog.hpp"
 
 #include <cmath>

@@ -1,4 +1,7 @@
-/// Equal steps of the communication barrier.
+/// Temperatures at equal steps of the communication barrier, interpolated between the
+/// present ones.
+/// Source: Syed et al. 2022, section 5.1, algorithm 3; geometric between neighbours,
+/// linear down to 0. The ends and their number stay.
 #include "sampling/temperatures.hpp"
 
 #include <cmath>

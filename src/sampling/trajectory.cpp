@@ -1,4 +1,7 @@
-/// Growth, weights and U-turns of a trajectory.
+/// A no-U-turn trajectory leaf by leaf: multinomial weights, a sample drawn on the way,
+/// U-turns from checkpoints, so that nothing recurses.
+/// Source: Hoffman and Gelman 2014; Betancourt 2017, A.4, with Stan's further checks;
+/// Phan et al. 2019. The dynamics are left to leapfrog.
 #include "sampling/trajectory.hpp"
 
 #include <algorithm>

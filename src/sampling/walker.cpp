@@ -1,4 +1,7 @@
-/// What the methods share: coordinates, Metropolis's decision, the order of moves.
+/// What the methods share: which coordinates are real, first scales, Metropolis's
+/// decision, and the order of moves.
+/// Source: Metropolis's rule; 2.38 / sqrt(n): Roberts, Gelman and Gilks 1997. The moves
+/// are in nuts and metropolis, learning in adaptation.
 #include "sampling/walker.hpp"
 
 #include <cmath>

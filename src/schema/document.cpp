@@ -1,3 +1,7 @@
+/// Parses TOML into a tree of nodes with line numbers, in the order of the file.
+/// Source: TOML, by toml++, behind two guards: letters beyond ASCII outside quotes are
+/// refused, and failed assertions of the parser become messages.
+/// What keys mean, their defaults and ranges are left to `schema` and `section`.
 #include "schema/document.hpp"
 
 #include "base/error.hpp"

@@ -1,3 +1,7 @@
+/// Looks keys up in the schema: a section's own rows, those of sections that it includes,
+/// and the building's numbers. Words what a key accepts.
+/// Follows from `key_table` and `fields()`.
+/// Values are checked by `section`, rules between keys by the readers.
 #include "schema/schema.hpp"
 
 #include <cmath>

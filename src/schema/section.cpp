@@ -1,3 +1,7 @@
+/// Reads a section of a job file through the schema: typed values, defaults, ranges, and
+/// errors that name file, line and key.
+/// Follows from pbrt's rule: an unknown key, or one that nobody asked for, is an error.
+/// Rules between keys are left to the readers; names of periods and the like are free.
 #include "schema/section.hpp"
 
 #include "base/error.hpp"

@@ -1,4 +1,8 @@
-/// The rows of the schema's table that say what is to be done: studies and output.
+/// Declares the schema's rows that say what is to be done: studies with their parts,
+/// scenarios, output, another program as simulator.
+/// Follows from papers 1 to 3 where they give a default (0.05, 0.7 and 0.3, k = 7).
+/// Leaves out rows of the job and its buildings (`key_table`), and rules between keys,
+/// which the readers check.
 #include "schema/schema.hpp"
 
 namespace bemcal::schema {

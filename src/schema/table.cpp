@@ -1,5 +1,8 @@
-/// The table itself: of the job and its buildings; studies are in schema_studies.cpp. A
-/// new option is one row here and one line in the reader of its section.
+/// Declares the schema's sections and its rows of the job, a stock and buildings. A new
+/// option is one row here and one line in the reader of its section.
+/// Follows from one table for reading, checks, defaults, messages and `describe job`.
+/// Leaves out studies (`study_keys`), numbers of a building (`fields()`), and rules
+/// between keys, which the readers check.
 #include "schema/schema.hpp"
 
 #include <iterator>

@@ -1,4 +1,7 @@
-/// A case over a period, answered by the fast kernel.
+/// Answers points with a building's totals over a period (means of a temperature), by the
+/// fast kernel.
+/// Follows from `Batch`; a point that fails is a row of NaN with its reason.
+/// Leaves out months and peaks (`target_simulator`), and series by step.
 #include "sensitivity/simulators.hpp"
 
 #include <algorithm>

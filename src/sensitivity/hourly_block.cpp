@@ -1,4 +1,8 @@
-/// Companies prepared, and run chunk by chunk.
+/// Takes a block of an hourly Sobol design through time, sixteen base points together.
+/// Each row runs a chunk of steps, and differences are added up while they are in cache.
+/// Source: Saltelli's design, rows A, AB_i and B.
+/// Outputs are not kept. A base point with a failed row becomes nominal, which adds
+/// nothing. Indices are in `hourly_indices`.
 #include "sensitivity/hourly_block.hpp"
 
 #include "study/points.hpp"

@@ -1,4 +1,8 @@
-/// Estimates added up, and the jackknife.
+/// Adds up the sums of blocks to indices of every step and of the series, with 95 %
+/// intervals by the jackknife over blocks.
+/// Source: Lamboni, Monod and Makowski 2011 for the series (generalised indices).
+/// Where nothing varies an index is NaN. Student's t keeps 31 degrees of freedom, also
+/// where blocks have failed.
 #include "sensitivity/hourly_indices.hpp"
 
 #include <algorithm>

@@ -1,5 +1,8 @@
-/// Sobol indices for every step: 32 items, each a fixed block of base points with its own
-/// sums (hourly_block.hpp), put together at the end (hourly_indices.hpp).
+/// Runs Sobol sensitivity for every step of a period as a stage: 32 items, each a fixed
+/// block of base points that answers with sums (`hourly_block`), put together at the end.
+/// Source: Saltelli et al. 2010, table 2 (b) and (f).
+/// One quantity at a time, first and total order only. Scalar outputs are in
+/// `sensitivity`.
 #include "sensitivity/hourly_block.hpp"
 #include "sensitivity/hourly_indices.hpp"
 #include "sensitivity/sensitivity.hpp"

@@ -1,5 +1,8 @@
-/// A vector of four lanes is one register with AVX2 and two without; the sums are the
-/// same.
+/// Adds sixteen points up, step by step, in an order that is written out, so that the
+/// bits are the same with AVX2 (a register of four) and without (two of two); estimates
+/// indices from the sums.
+/// Source: Saltelli et al. 2010, table 2 (b) and (f).
+/// Intervals are in `hourly_indices`, the points' way through time in `hourly_block`.
 #include "sensitivity/hourly_sums.hpp"
 
 #include <array>

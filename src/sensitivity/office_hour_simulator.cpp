@@ -1,4 +1,7 @@
-/// Paper 1's single hour, some of its inputs fixed.
+/// Answers points with heating plus cooling energy of paper 1's single hour. Fixed inputs
+/// keep their value, the others vary over their ranges.
+/// Source: paper 1, step 1 and Table 2, by `office_hour_energy`.
+/// The fast kernel is not used. An impossible box is a failed point.
 #include "sensitivity/simulators.hpp"
 
 #include <cmath>

@@ -1,5 +1,7 @@
-/// Sobol sensitivity of scalar outputs: an item is a fixed block of base points, all of
-/// their d + 2 rows; the indices are computed when all blocks are in.
+/// Runs Sobol sensitivity of scalar outputs as a stage: an item is a fixed block of base
+/// points, all of their d + 2 rows; indices are computed when all blocks are in.
+/// Source: Saltelli et al. 2010, by `sobol_indices`; paper 1, eq. 5-8, and its threshold.
+/// First and total order only. Every hour of a year is in `hourly_sensitivity`.
 #include "sensitivity/sensitivity.hpp"
 
 #include "stats/saltelli.hpp"

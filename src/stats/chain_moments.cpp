@@ -1,4 +1,6 @@
-/// Means and variances of chains, in two passes.
+/// Means, variances and covariances of chains, in two passes; and chains cut into halves.
+/// Source: the textbook estimators with n - 1; halves as in Vehtari et al. 2021. Left
+/// out: weights, running updates; what is not defined is NaN.
 #include "stats/chain_moments.hpp"
 
 #include "base/error.hpp"

@@ -1,4 +1,8 @@
-/// Convergence from ranks, indicators and squares of the draws.
+/// Whether chains agree: R-hat of ranks and of distances from the median, effective sizes
+/// of bulk and tails, Monte Carlo errors.
+/// Source: Vehtari et al. 2021, as the R package posterior 1.4 has it; normal scores by
+/// Blom 1958. Left out: plots, and joint statistics of several quantities.
+/// Autocorrelation is effective_size's.
 #include "stats/convergence.hpp"
 
 #include "stats/chain_moments.hpp"

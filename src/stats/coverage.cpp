@@ -1,4 +1,8 @@
-/// Coverage and ranks of readings among their draws.
+/// Whether readings fall among their predictive draws as they should: shares inside
+/// central intervals, and a histogram of ranks with its chi-square.
+/// Source: Dawid 1984; Gneiting, Balabdaoui and Raftery 2007. Readings count as
+/// independent, which neighbouring hours are not. A draw that is not finite leaves its
+/// reading out.
 #include "stats/coverage.hpp"
 
 #include "base/error.hpp"

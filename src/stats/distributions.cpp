@@ -1,4 +1,7 @@
-/// Distribution functions by Boost.Math.
+/// Distribution functions by Boost.Math, which this file alone includes: in double only,
+/// NaN where nothing is defined, no exceptions.
+/// Source: Boost.Math's documentation; Fisher's F from beta quantiles. Left out: random
+/// numbers, and distributions cut to a range (prior_standard).
 #include "stats/distributions.hpp"
 
 #include <cmath>

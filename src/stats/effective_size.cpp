@@ -1,4 +1,7 @@
-/// Effective sample size from the chains' mean autocovariance.
+/// Effective sample size of chains, from their mean autocovariance by FFT and Geyer's
+/// initial positive and monotone sequence.
+/// Source: Vehtari et al. 2021, eq. 10-13, as posterior 1.4 has it, up to its details for
+/// few draws. Chains are not split here: callers do it.
 #include "stats/effective_size.hpp"
 
 #include "stats/chain_moments.hpp"

@@ -1,3 +1,7 @@
+/// How far least-squares parameters may be off where residuals follow each other: a
+/// sandwich with a first-order autoregression as its middle, beside flat ranges.
+/// Source: White 1980 (the sandwich). Left out: curvature, correlation among series,
+/// correlation beyond lag one; each series counts by its own variance.
 #include "stats/estimate_spread.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
-/// With hat functions on each axis, f = sum of outputs times products of hats: E[f^2] is
-/// the outputs' quadratic form with the product of the axes' mass matrices, E over one
-/// argument a weighted sum along its axis.
+/// Total-order Sobol indices from a full grid. With hat functions on each axis, E[f^2] is
+/// a quadratic form of mass matrices, E over one argument a weighted sum along its axis.
+/// Source: Saltelli et al. 2010, eq. 4; the integrals are exact. What the function does
+/// between the points is not seen; first-order indices are left out.
 #include "stats/factorial_indices.hpp"
 
 #include <cmath>

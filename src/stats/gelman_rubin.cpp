@@ -1,4 +1,7 @@
-/// Gelman and Rubin's statistic, plain and as coda corrects it.
+/// Gelman and Rubin's statistic from the variances between and within chains, plain, and
+/// as coda corrects it for the degrees of freedom.
+/// Source: Gelman and Rubin 1992; paper 1, eq. 14-15; coda 0.19-4 (gelman.diag). Left
+/// out: ranks (convergence), the multivariate statistic, coda's transformations.
 #include "stats/gelman_rubin.hpp"
 
 #include "stats/chain_moments.hpp"

@@ -1,4 +1,8 @@
-/// Normal equations with Eigen; blocks are cut from the same sums.
+/// Linear least squares with a normal prior by Eigen: normal equations, solution,
+/// inverse, and a jackknife whose blocks are cut from the same sums.
+/// Source: textbook; jackknife: Kuensch 1989, one linear step for each block. Left out:
+/// iterations and bounds (unknowns are only held fixed). Normal equations square the
+/// condition.
 #include "stats/least_squares.hpp"
 
 #include <algorithm>

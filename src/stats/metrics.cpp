@@ -1,4 +1,7 @@
-/// Error metrics from sums over pairs.
+/// Error metrics from sums over pairs: NMBE, CV(RMSE), MAPE, R2, and Guideline 14's
+/// verdict.
+/// Source: ASHRAE Guideline 14-2014 with p = 1; paper 1, its misprints mended. MAPE
+/// leaves out readings of 0 and says how many; a metric that is not defined is NaN.
 #include "stats/metrics.hpp"
 
 #include "base/error.hpp"

@@ -1,3 +1,7 @@
+/// The k points nearest to a reference, plain or with density avoidance: points in
+/// crowded places tag their nearest neighbour, and the k nearest untagged ones are taken.
+/// Source: paper 3 (its text, not its Figure 2); default radius and threshold are our
+/// own. Left out: the vote of k-NN, the Parzen window, scaling of coordinates.
 #include "stats/nearest.hpp"
 
 #include "stats/point_tree.hpp"

@@ -1,5 +1,8 @@
-/// Least and largest distances of a box are sums in the same order as those of points, of
-/// terms that bound theirs; as rounding keeps order, they bound the rounded ones too.
+/// A k-d tree whose points can be taken away: how many are left around a place, which is
+/// nearest. A box's distances sum terms that bound those of its points, in the same
+/// order; as rounding keeps order, they bound the rounded ones too.
+/// Source: Bentley 1975. Left out: points that are added or moved. In many dimensions it
+/// is no faster than a plain loop.
 #include "stats/point_tree.hpp"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
-/// What is asked of a prior now and then: probabilities, quantiles, moments.
+/// What is asked of a prior now and then: names, probabilities, quantiles, moments.
+/// Follows from the cut distribution in prior_standard. A density that is wanted often is
+/// PriorDensity's (prior_density); faults are told by prior_complaint, not here.
 #include "stats/prior.hpp"
 
 #include "stats/prior_standard.hpp"

@@ -1,4 +1,6 @@
-/// What can be wrong with a prior, in words.
+/// What can be wrong with a prior, in words: its numbers, its range, and the mass in it.
+/// Follows from the definitions of the distributions; a mass below 1e-9, that of a normal
+/// 6 sd away, counts as a mistake. Whether a prior is sensible is not judged.
 #include "stats/prior.hpp"
 #include "stats/prior_standard.hpp"
 

@@ -1,8 +1,7 @@
-/// The log density of a prior, on its own scale and on the real line; and the way
-/// between.
-///
-/// Both scales share one formula for each kind, of t, log t and log (1 - t). On the line
-/// the logarithms come from u itself, so that nothing is lost where x is rounded.
+/// The log density of a prior on its own scale and on the real line (logit, log), with
+/// derivatives. Both share one formula of t, log t and log (1 - t); on the line the
+/// logarithms come from u itself, so that nothing is lost where x is rounded.
+/// Source: textbook densities and Jacobians. Masses of cut ranges are prior_standard's.
 #include "stats/prior.hpp"
 #include "stats/prior_standard.hpp"
 

@@ -1,4 +1,7 @@
-/// The cut distribution of t: masses, quantiles, moments.
+/// A prior as a distribution of t, cut to a range: masses and quantiles from the nearer
+/// tail, moments of a cut one by the trapezoidal rule in z with t = quantile(Phi(z)).
+/// Source: textbook; the functions themselves are Boost's, by way of distributions. Fixed
+/// values are no distribution and are left to the caller.
 #include "stats/prior_standard.hpp"
 
 #include <algorithm>

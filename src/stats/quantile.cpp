@@ -1,4 +1,6 @@
-/// Quantiles of a sample, between its order statistics.
+/// A quantile of a sorted sample, in proportion between its neighbours.
+/// Source: type 7 of Hyndman and Fan 1996. It does not sort and takes no weights;
+/// predictive intervals take another place (coverage).
 #include "stats/quantile.hpp"
 
 #include <algorithm>

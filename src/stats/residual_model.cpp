@@ -1,3 +1,8 @@
+/// The log likelihood of a meter's readings and its derivatives, block by block of lanes:
+/// residuals scaled, then the density of their memory, then the way back.
+/// Follows from the model in residual_model.hpp: white, AR(1), or with a Matern-3/2
+/// share. A value that is not finite becomes -inf. Heavy tails and correlation among
+/// meters are left out.
 #include "stats/residual_model.hpp"
 
 #include "stats/residual_model_filter.hpp"

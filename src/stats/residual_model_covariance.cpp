@@ -1,3 +1,7 @@
+/// Covariances of the filter's state (a, m, d) before and after a reading, the gain, and
+/// the way back through each step.
+/// Source: the Kalman filter, textbook, written out for three states and differentiated
+/// by hand. Left out: states themselves (residual_model_filter); smoothing.
 #include "stats/residual_model_covariance.hpp"
 
 namespace bemcal::stats::residual {

@@ -1,3 +1,7 @@
+/// Readings as the model would draw them: a short memory and a slow one from standard
+/// normals, mixed by their shares and scaled by the prediction.
+/// Follows from the same motion as the likelihood (residual_model_motion). Draws are not
+/// conditioned on readings; the normals are the caller's.
 #include "stats/residual_model.hpp"
 #include "stats/residual_model_motion.hpp"
 

@@ -1,3 +1,7 @@
+/// The Kalman filter of the scaled residuals and its way back. Once the gain has settled
+/// it is held to the end of the stretch, and the way back differentiates that.
+/// Source: state-space form of Hartikainen and Sarkka 2010; holding the gain is our own.
+/// Left out: smoothing, prediction of readings.
 #include "stats/residual_model_filter.hpp"
 
 namespace bemcal::stats::residual {

@@ -1,3 +1,7 @@
+/// The log density of scaled residuals that are white or AR(1), with slopes by each
+/// residual and by phi; over a gap of g intervals the correlation is phi^g.
+/// Source: textbook, stationary start. Negative correlation and slow parts are left out:
+/// the latter are residual_model_filter's.
 #include "stats/residual_model_memory.hpp"
 
 #include <vector>

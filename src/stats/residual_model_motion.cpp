@@ -1,3 +1,7 @@
+/// How the state (a, m, d) moves over a gap, what is new in it, and the way back to phi,
+/// share and timescale. Noise of short gaps comes from its series, where it would cancel.
+/// Source: Hartikainen and Sarkka 2010 (Matern-3/2), AR(1). Other smoothness than 3/2 is
+/// left out.
 #include "stats/residual_model_motion.hpp"
 
 #include "stats/residual_model_memory.hpp"

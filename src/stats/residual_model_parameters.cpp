@@ -1,3 +1,6 @@
+/// Which parameters a residual model has by its options, their names, and whether they
+/// are in range.
+/// Plain bookkeeping without a source. Priors are left to the callers.
 #include "stats/residual_model_parameters.hpp"
 
 namespace bemcal::stats {

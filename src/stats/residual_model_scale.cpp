@@ -1,3 +1,7 @@
+/// Residuals divided by their scale, s^2 = (constant unit)^2 + (proportional f)^2, the
+/// sum of -log s, and the way back through both.
+/// Follows from that definition, differentiated by hand. Scales that depend on anything
+/// else, as hour or season, are left out.
 #include "stats/residual_model_scale.hpp"
 
 namespace bemcal::stats::residual {

@@ -1,3 +1,7 @@
+/// When a meter was read: stretches of readings one interval apart, and the gap before
+/// each.
+/// Plain bookkeeping without a source. Time counts in whole intervals; uneven times are
+/// left out.
 #include "stats/residual_model_times.hpp"
 
 #include <algorithm>

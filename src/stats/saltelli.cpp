@@ -1,4 +1,7 @@
-/// Saltelli's design: A and B are the halves of a 2 d-dimensional Sobol point.
+/// Saltelli's design: A and B are the halves of a 2 d-dimensional Sobol point; AB_i is A
+/// with column i from B.
+/// Source: Saltelli et al. 2010, Comput. Phys. Commun. 181. Left out: second-order
+/// indices, and scaling to ranges or priors, which is the caller's.
 #include "stats/saltelli.hpp"
 
 #include "stats/sobol_sequence.hpp"

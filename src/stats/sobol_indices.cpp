@@ -1,10 +1,8 @@
-/// First- and total-order indices from the outputs of Saltelli's design.
-///
-/// With outputs standardised, every index is a ratio of sums over base points. The terms
-/// of these sums are laid out once, one row for each base point; a bootstrap resample is
-/// then a sum of the rows with integer weights (how often each base point was drawn).
-/// Plain loops in place of a matrix product: a library's blocking, and so the bits,
-/// depends on the machine.
+/// First- and total-order indices. With outputs standardised each is a ratio of sums over
+/// base points; a bootstrap resample is a sum of their terms with whole-number weights.
+/// Source: Saltelli et al. 2010, table 2 (b) and (f). Plain loops in place of a library's
+/// matrix product, whose bits depend on the machine. Left out: second order; base points
+/// with a failed row.
 #include "base/error.hpp"
 #include "base/random.hpp"
 #include "stats/saltelli.hpp"

@@ -1,8 +1,8 @@
-/// Sobol points from Boost's Joe-Kuo direction numbers.
-///
-/// Boost's engine gives the direction numbers of each dimension; points follow from them
-/// in Gray-code order, so any block can be made on its own, and a linear scramble is
-/// applied once to the 32 direction numbers of a dimension in place of to every point.
+/// Sobol points from Boost's Joe-Kuo direction numbers, in Gray-code order, so that any
+/// block can be made on its own. A linear scramble is applied once to the 32 direction
+/// numbers of a dimension in place of to every point.
+/// Source: Joe and Kuo 2008; Matousek 1998. Left out: Owen's nested scramble, and more
+/// than 2^32 points.
 #include "stats/sobol_sequence.hpp"
 
 #include "base/error.hpp"

@@ -1,3 +1,7 @@
+/// Works on one building of a stock: reads it, runs all rounds of its study, takes
+/// values, errors and findings from its datasets. A night starts from the last one's.
+/// Follows from the names of the study's datasets.
+/// Drift is judged by `find_drift`. Which are due is decided by the stock's stage.
 #include "stock/calibration.hpp"
 
 #include "base/error.hpp"

@@ -1,3 +1,8 @@
+/// Says what has drifted since the night before: parameters that moved by a share of
+/// their range and out of their interval, meters whose RMSE of the last period is a
+/// factor above the first's.
+/// Follows from two thresholds of the job; it is no test.
+/// Leaves out trends over several nights, and causes.
 #include "stock/drift.hpp"
 
 #include <cmath>

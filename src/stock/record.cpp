@@ -1,4 +1,8 @@
-/// One list of fields serves all four ways.
+/// Converts what is known of a building four ways by one list of fields: to an item's
+/// numbers and back, to datasets and back. A new field is one line here.
+/// Follows from `StockRecord`; a number holds eight bytes.
+/// Packed records have no version. A dataset that is missing leaves its field at the
+/// default.
 #include "stock/record.hpp"
 
 #include "base/error.hpp"

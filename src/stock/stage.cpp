@@ -1,3 +1,7 @@
+/// Runs a night over a stock as a stage: items of the first round look which buildings
+/// are due, those of later rounds work on them, the most urgent first, within the budget.
+/// Follows from hashes of line, job and files, held against the last night's records.
+/// A building is worked on by `calibrate`, and not stopped once it has begun.
 #include "stock/stage.hpp"
 
 #include "base/error.hpp"

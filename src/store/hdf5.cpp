@@ -1,3 +1,7 @@
+/// Files, text attributes, arrays and dimension scales by HDF5's C interface, which this
+/// file alone includes.
+/// Source: HDF5's reference; netCDF-4's conventions for dimensions. Locks and time stamps
+/// are off. Left out: chunks, compression, types other than doubles and texts.
 #include "store/hdf5.hpp"
 
 #include <algorithm>

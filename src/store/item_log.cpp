@@ -1,3 +1,7 @@
+/// Finished items as records in a log of each rank: packed, with a checksum, appended;
+/// read back with cut or damaged records left out.
+/// Plain format of our own, in the machine's byte order. Of several answers the one with
+/// the fewest failures counts. What an answer means is the stage's.
 #include "store/item_log.hpp"
 
 #include "base/error.hpp"

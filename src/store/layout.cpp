@@ -1,3 +1,7 @@
+/// The one table of what a result may hold: name, dimensions, unit and meaning of each
+/// dataset, and the check of a dataset against it.
+/// ArviZ's InferenceData for the groups of a posterior, else our own. Sizes and values
+/// are not checked; writing is result_file's.
 #include "store/layout.hpp"
 
 #include "base/error.hpp"

@@ -1,3 +1,7 @@
+/// Writes a result under a temporary name, to the disk, and renames it when complete;
+/// reads it back; and hashes all but /run.
+/// Source: netCDF-4's conventions (hdf5). Datasets are held in memory whole; a result is
+/// never changed afterwards. The hash finds differences, not forgery.
 #include "store/result_file.hpp"
 
 #include "base/error.hpp"

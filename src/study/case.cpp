@@ -1,4 +1,8 @@
-/// Cuts a case's weather, schedules and meters to a period.
+/// Cuts a case's weather, schedules and meters to a period. A reading counts where its
+/// whole interval lies within the period.
+/// Follows from the calendar. A room whose air is measured starts at its mean of a day,
+/// with as much warm-up as data reach back.
+/// Where no hours are known before a period, `make_drive` repeats some for the warm-up.
 #include "study/case.hpp"
 
 #include <algorithm>

@@ -1,4 +1,8 @@
-/// Readings by calendar day and month.
+/// Groups readings by calendar day or month, and adds them up (means of a temperature).
+/// Those count that have readings of at least 90 % of their hours.
+/// Follows from the calendar and the readings' own interval; predictions are added up
+/// over the same readings.
+/// Nothing is filled: a total is that of the readings there are.
 #include "study/complete_intervals.hpp"
 
 #include <algorithm>

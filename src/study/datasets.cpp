@@ -1,3 +1,7 @@
+/// Builds the datasets of one stage: scalars, texts and arrays with named dimensions, and
+/// those that many stages have (parameters, times, failures).
+/// Follows from netCDF's named dimensions.
+/// Units and long names are the store's layout's, as is writing files.
 #include "study/datasets.hpp"
 
 #include "base/error.hpp"

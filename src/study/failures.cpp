@@ -1,3 +1,7 @@
+/// Collects failed points: of a run of points from their reasons, of an answer its own.
+/// An item that failed as a whole stands for all of its points.
+/// Follows from `ItemAnswer`.
+/// How many are too many, and whether one may pass, is decided elsewhere.
 #include "study/failures.hpp"
 
 namespace bemcal::study {

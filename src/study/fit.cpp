@@ -1,3 +1,7 @@
+/// Says how well points fit the meters: metrics from the kernel's error sums, verdicts, a
+/// score; and looks closely at single points by the plain simulation.
+/// Source: ASHRAE Guideline 14 for NMBE, CV(RMSE) and their limits.
+/// The score has no weights: it adds up squared CV(RMSE). Intervals are in `validation`.
 #include "study/fit.hpp"
 
 #include "physics/simulate.hpp"

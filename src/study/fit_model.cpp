@@ -1,3 +1,7 @@
+/// Fits a building to its readings by least squares: Levenberg-Marquardt within the
+/// ranges, one-sided differences, four damped steps simulated at once and the best taken.
+/// Source: Marquardt 1963 (J. SIAM 11); normal equations of `least_squares`.
+/// It ends in the nearest minimum. How errors hang together is left to the weights.
 #include "study/fit_model.hpp"
 
 #include "stats/least_squares.hpp"

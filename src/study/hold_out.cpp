@@ -1,3 +1,8 @@
+/// Draws which readings are kept from the likelihood: whole weeks, the same for all
+/// meters, then single readings of the other weeks.
+/// Follows from one random number for each week, and for each reading's time and meter.
+/// Shares are met on average only. Weeks begin on Thursday; readings beside a held-out
+/// one still train.
 #include "study/hold_out.hpp"
 
 #include "base/random.hpp"

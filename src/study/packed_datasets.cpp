@@ -1,4 +1,7 @@
-/// Counts before contents; a text is its bytes.
+/// Writes datasets as an item's numbers and reads them again: counts before contents, a
+/// text as its bytes, one to a number.
+/// Follows from the fields of `Dataset`, in their order.
+/// Nothing is compressed or checked: `unpack` takes what `pack` wrote.
 #include "study/packed_datasets.hpp"
 
 namespace bemcal::study {

@@ -1,3 +1,7 @@
+/// Maps samples of the unit cube linearly onto the parameters' ranges; gives nominal
+/// points and parts of a matrix.
+/// Follows from uniform sampling: priors and discrete values are left out.
+/// The samples come from `sobol_sequence` and `saltelli`.
 #include "study/points.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+/// Picks evenly spread rows of a posterior's draws, and takes quantiles of columns.
+/// Follows from `predictive_quantile`, by which coverage counts too.
+/// All draws weigh alike; nothing is drawn at random.
 #include "study/some_draws.hpp"
 
 #include "stats/coverage.hpp"

@@ -1,3 +1,7 @@
+/// Moves unknowns between their units and the real line: values, slopes, log priors with
+/// Jacobian and gradient, draws. Fixed ones have no coordinate, discrete ones an index.
+/// Follows from the transforms of `PriorDensity`.
+/// Unknowns are independent beforehand; discrete ones have no gradient.
 #include "study/space.hpp"
 
 #include <algorithm>

@@ -1,4 +1,7 @@
-/// Validation of a calibrated model, before and after.
+/// Holds a calibrated model against readings, before and after: errors by reading, day
+/// and month, verdicts, the 15th of each month, 21 January and July, coverage and PIT.
+/// Source: paper 1, section 4; ASHRAE Guideline 14-2014.
+/// Days and months count by `complete_intervals`. Predictions are made in `predictive`.
 #include "study/validation.hpp"
 
 #include "study/complete_intervals.hpp"
