@@ -29,7 +29,8 @@ Looks look_at(const CandidateCase& plan, const Matrix& points) {
 }
 
 void add_fits(const CandidateCase& plan, const Looks& looks, const std::string& leaf,
-              stats::FitMetrics study::MeterFit::* which, study::DatasetBuilder& datasets) {
+              stats::FitMetrics study::MeterFit::* which,
+              study::DatasetBuilder& datasets) {
     std::vector<double> values;
     for (const auto& periods : looks)
         for (const study::CloseLook& look : periods)

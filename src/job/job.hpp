@@ -82,8 +82,8 @@ struct Job {
     std::vector<study::Case> buildings;
     std::shared_ptr<const Stock> stock;  ///< in place of buildings, or nullptr
     SimulatorPointer simulator;  ///< what is studied in place of a building, or nullptr
-    std::vector<StudySpec> studies;  ///< in the order of the file
-    std::vector<input::InputFile> inputs;   ///< every file read, the job's own first
+    std::vector<StudySpec> studies;        ///< in the order of the file
+    std::vector<input::InputFile> inputs;  ///< every file read, the job's own first
     /// Default result file; empty = beside the working folder.
     std::filesystem::path output;
     /// Quantities of nominal and best to store by hour.

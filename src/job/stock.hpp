@@ -41,7 +41,6 @@ struct StockOptions {
     bool keep_results = false;  ///< every building's whole result as well
 };
 
-
 class Stock {
   public:
     std::filesystem::path table;  ///< or the folder

@@ -31,8 +31,7 @@ Batch::Group::Zone make_zone(const ZonePlan& plan, int lanes) {
 }
 
 Batch::Group::Rows make_rows(std::size_t steps, int lanes) {
-    return {LaneArray(steps, lanes), LaneArray(steps, lanes),
-            LaneArray(steps, lanes)};
+    return {LaneArray(steps, lanes), LaneArray(steps, lanes), LaneArray(steps, lanes)};
 }
 
 }  // namespace

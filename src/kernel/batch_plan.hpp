@@ -83,22 +83,21 @@ struct Batch::Group {
         buildings;  ///< [lanes] points written into the nominal
     std::optional<physics::Quantity> meter_at_once;
     std::vector<Zone> zones;
-    std::array<LaneArray, n_quantities>
-        plain;  ///< where the plan is, over the period
+    std::array<LaneArray, n_quantities> plain;  ///< where the plan is, over the period
 
   private:
     void make_room(Show show);
     void write_building(std::span<const double> point, std::size_t lane);
     void write_mixed(physics::Quantity quantity);
 
-    physics::Network network_;     ///< scratch
-    LaneArray floor_share_;  ///< [zones x lanes]
+    physics::Network network_;  ///< scratch
+    LaneArray floor_share_;     ///< [zones x lanes]
     std::size_t most_steps_ = 1;
-    Rows of_zone_, of_building_;                        ///< of a chunk
-    LaneArray shown_;                             ///< a quantity over a chunk
-    std::array<LaneArray, n_quantities> meters_;  ///< coefficients,
-    std::array<bool, n_quantities> meter_is_made_{};    ///< written when first needed
-    LaneArray mixed_;                             ///< rows of MixedLanes,
+    Rows of_zone_, of_building_;                      ///< of a chunk
+    LaneArray shown_;                                 ///< a quantity over a chunk
+    std::array<LaneArray, n_quantities> meters_;      ///< coefficients,
+    std::array<bool, n_quantities> meter_is_made_{};  ///< written when first needed
+    LaneArray mixed_;                                 ///< rows of MixedLanes,
     std::optional<physics::Quantity> mixed_is_of_;
 };
 

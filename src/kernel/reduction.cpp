@@ -9,7 +9,6 @@
 
 namespace bemcal::kernel {
 
-
 namespace {
 
 bool is_mean(physics::Quantity quantity) {

@@ -128,8 +128,7 @@ class StretchBack {
 void clear_adjoints(Response::Run& run) {
     for (Response::Run::OfMeter& meter : run.meters) meter.of_rows.clear();
     for (Response::Run::OfZone& zone : run.zones)
-        for (LaneArray* adjoints :
-             {&zone.of_regimes, &zone.of_rows, &zone.of_state})
+        for (LaneArray* adjoints : {&zone.of_regimes, &zone.of_rows, &zone.of_state})
             adjoints->clear();
     run.of_floor_share.clear();
 }

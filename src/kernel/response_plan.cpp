@@ -142,8 +142,7 @@ LaneArray like(const Partition& classes, int columns, int lanes) {
 }
 
 Batch::Group::Rows make_rows(std::size_t steps, int lanes) {
-    return {LaneArray(steps, lanes), LaneArray(steps, lanes),
-            LaneArray(steps, lanes)};
+    return {LaneArray(steps, lanes), LaneArray(steps, lanes), LaneArray(steps, lanes)};
 }
 
 int tape_columns(const ZonePlan& zone) {
@@ -156,15 +155,14 @@ Response::Run::OfZone make_zone(const Response::Plan& plan, const ZonePlan& zone
                                 std::size_t n_steps) {
     const int lanes = plan.lanes();
     const std::size_t n_states = zone.is_standard() ? 1 : zone.states.size();
-    return {
-        LaneArray(plan.stretches.size() * n_states, lanes),
-        LaneArray(n_states, lanes),
-        LaneArray(n_steps * static_cast<std::size_t>(tape_columns(zone)), lanes),
-        make_rows(n_steps, lanes),
-        like(zone.regimes, zone.of_regime_columns(), lanes),
-        like(zone.rows, zone.row_columns(), lanes),
-        LaneArray(n_states, lanes),
-        LaneArray(n_steps, lanes)};
+    return {LaneArray(plan.stretches.size() * n_states, lanes),
+            LaneArray(n_states, lanes),
+            LaneArray(n_steps * static_cast<std::size_t>(tape_columns(zone)), lanes),
+            make_rows(n_steps, lanes),
+            like(zone.regimes, zone.of_regime_columns(), lanes),
+            like(zone.rows, zone.row_columns(), lanes),
+            LaneArray(n_states, lanes),
+            LaneArray(n_steps, lanes)};
 }
 
 void add_channel(const Channel& channel, Response::Plan& plan) {

@@ -62,9 +62,9 @@ struct Response::Run {
     };
     /// What a zone needs on the way back.
     struct OfZone {
-        LaneArray kept;     ///< [n_stretches n_states] states before each stretch
-        LaneArray state;    ///< scratch
-        LaneArray tape;     ///< of a stretch
+        LaneArray kept;           ///< [n_stretches n_states] states before each stretch
+        LaneArray state;          ///< scratch
+        LaneArray tape;           ///< of a stretch
         Batch::Group::Rows rows;  ///< of a stretch: what it shows
         LaneArray of_regimes, of_rows, of_state;
         LaneArray of_air;  ///< of a stretch, where there are several zones
@@ -76,9 +76,9 @@ struct Response::Run {
     std::vector<OfChannel> channels;
     std::array<OfMeter, n_quantities> meters;
     std::vector<OfZone> zones;
-    LaneArray shown;             ///< a quantity over a stretch
-    LaneArray zeros;             ///< adjoints of the powers in the warm-up
-    Batch::Group::Rows rows, of_rows;  ///< of the building over a stretch
+    LaneArray shown;                        ///< a quantity over a stretch
+    LaneArray zeros;                        ///< adjoints of the powers in the warm-up
+    Batch::Group::Rows rows, of_rows;       ///< of the building over a stretch
     LaneArray floor_share, of_floor_share;  ///< [n_zones]
     NetworkPair networks;
     physics::Building of_building;

@@ -1,7 +1,7 @@
 /// Clocks of all meters that are late or early by whole hours. What schedules that are as
 /// late say nearly as well: but the weather's answer is late with a clock, not with a
 /// schedule. Summer time beside it moves by how many hours, and is tried with it, for
-/// that only. Clocks of single meters are job/data_checks' to find.
+/// that only. Clocks of single meters are `checks_clock` to find.
 #pragma once
 
 #include "loop/baseline.hpp"

@@ -14,8 +14,7 @@
 // The parser asserts what some texts do not hold (a key that begins with an odd
 // character). Those must end as messages, not as aborts.
 #undef NDEBUG
-#define TOML_ASSERT(condition) \
-    ((condition) ? void() : bemcal::schema::parser_gave_up())
+#define TOML_ASSERT(condition) ((condition) ? void() : bemcal::schema::parser_gave_up())
 namespace bemcal::schema {
 struct ParserGaveUp {};
 [[noreturn]] static void parser_gave_up() {

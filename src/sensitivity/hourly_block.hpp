@@ -39,7 +39,7 @@ class Company {
 
     const kernel::Batch* batch_;
     physics::Quantity quantity_;
-    std::vector<Groups> rows_;            ///< [row of the design][group]
+    std::vector<Groups> rows_;      ///< [row of the design][group]
     std::vector<LaneArray> a_, b_;  ///< [group] of a chunk
 };
 
