@@ -9,8 +9,11 @@ fail() { echo "$*" >&2; exit 1; }
 
 cd /
 "$prefix/bin/bemcal-batch" --version | grep -qE '[0-9]+\.[0-9]+\.[0-9]+' || fail "no version printed"
+for text in LICENSE CHANGELOG.md CITATION.cff; do
+  [[ -s $prefix/share/doc/bemcal/$text ]] || fail "$text was not installed"
+done
 [[ -d $prefix/share/bemcal/jobs ]] || fail "no jobs were installed"
-for script in build check environment install-packages test; do
+for script in build check dev environment install-packages quickstart test; do
   [[ ! -e $prefix/share/bemcal/scripts/$script ]] || fail "scripts/$script works on a checkout only"
 done
 "$prefix/share/bemcal/scripts/loop_report" --help >/dev/null || fail "the installed loop_report does not start"
