@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""scripts/check_includes finds each kind of broken rule, and nothing in sound trees."""
+"""scripts/dev/check_includes finds each kind of broken rule, and nothing in sound trees."""
 import pathlib
 import subprocess
 import tempfile
 import unittest
 
-PROGRAM = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "check_includes"
+PROGRAM = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "dev" / "check_includes"
 
 
 def check(files):

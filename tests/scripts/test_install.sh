@@ -13,7 +13,7 @@ for text in LICENSE CHANGELOG.md CITATION.cff; do
   [[ -s $prefix/share/doc/bemcal/$text ]] || fail "$text was not installed"
 done
 [[ -d $prefix/share/bemcal/jobs ]] || fail "no jobs were installed"
-for script in build check environment install-packages quickstart test; do
+for script in build check dev environment install-packages quickstart test; do
   [[ ! -e $prefix/share/bemcal/scripts/$script ]] || fail "scripts/$script works on a checkout only"
 done
 "$prefix/share/bemcal/scripts/loop_report" --help >/dev/null || fail "the installed loop_report does not start"

@@ -7,7 +7,7 @@ if nm "$objects/kernel_v3.cpp.o" | grep -q asan; then
   echo "sanitizers add weak symbols of their own: skipped"
   exit 77
 fi
-"$root/scripts/check_weak_symbols" "$objects/kernel_v3.cpp.o" "$objects/kernel_v4.cpp.o"
+"$root/scripts/dev/check_weak_symbols" "$objects/kernel_v3.cpp.o" "$objects/kernel_v4.cpp.o"
 emulator=$BEMCAL_BUILD/CMakeFiles/bemcal_emulator.dir/src/emulator
-"$root/scripts/check_weak_symbols" "$emulator/correlation.cpp.o" "$emulator/elimination.cpp.o"
-! "$root/scripts/check_weak_symbols" "$objects/plan.cpp.o" >/dev/null
+"$root/scripts/dev/check_weak_symbols" "$emulator/correlation.cpp.o" "$emulator/elimination.cpp.o"
+! "$root/scripts/dev/check_weak_symbols" "$objects/plan.cpp.o" >/dev/null
