@@ -8,20 +8,32 @@ import unittest
 PROGRAM = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "dev" / "check_includes"
 
 
-def check(files):
-    """Runs the check over a tree {path: [included headers]}; returns (exit code, messages)."""
+def run_over(files, known, *options):
+    """The program over a tree {path: [included headers]} with a list of known circles."""
     with tempfile.TemporaryDirectory() as folder:
         for path, headers in files.items():
-            file = pathlib.Path(folder, path)
+            file = pathlib.Path(folder, "src", path)
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_text("".join(f'#include "{header}"\n' for header in headers))
-        run = subprocess.run([PROGRAM, folder], capture_output=True, text=True)
-        return run.returncode, run.stderr
+        pathlib.Path(folder, "src").mkdir(exist_ok=True)
+        pathlib.Path(folder, "known").write_text(known)
+        return subprocess.run([PROGRAM, *options, f"{folder}/src", f"{folder}/known"],
+                              capture_output=True, text=True)
+
+
+def check(files, known=""):
+    """Returns (exit code, messages)."""
+    run = run_over(files, known)
+    return run.returncode, run.stderr
+
+
+# The header of b includes that of a, whose source includes b: no file includes itself.
+CIRCLE = {"base/a.hpp": [], "base/a.cpp": ["base/a.hpp", "base/b.hpp"], "base/b.hpp": ["base/a.hpp"]}
 
 
 class CheckIncludes(unittest.TestCase):
-    def assert_fails(self, files, message):
-        code, text = check(files)
+    def assert_fails(self, files, message, known=""):
+        code, text = check(files, known)
         self.assertEqual(code, 1, text)
         self.assertIn(message, text)
 
@@ -46,6 +58,46 @@ class CheckIncludes(unittest.TestCase):
         self.assert_fails({"base/a.hpp": ["run/r.hpp"], "run/r.hpp": [],
                            "run/s.hpp": ["base/b.hpp"], "base/b.hpp": []},
                           "folder cycle: base -> run -> base")
+
+    def test_a_circle_of_units_fails_and_says_where(self):
+        self.assert_fails(CIRCLE, "circle of units: base/a base/b: "
+                                  "base/a.cpp:2 includes base/b.hpp, base/b.hpp:1 includes base/a.hpp")
+
+    def test_a_circle_of_three_units_is_one(self):
+        files = {"base/a.hpp": ["base/b.hpp"], "base/b.hpp": ["base/c.hpp"], "base/c.hpp": [],
+                 "base/c.cpp": ["base/a.hpp"], "base/d.hpp": ["base/a.hpp"]}
+        self.assert_fails(files, "circle of units: base/a base/b base/c: ")
+
+    def test_an_inl_is_a_unit_by_its_name(self):
+        self.assert_fails({"kernel/a.cpp": ["kernel/body.inl"], "kernel/a.hpp": [],
+                           "kernel/body.inl": ["kernel/a.hpp"]}, "circle of units: kernel/a kernel/body")
+
+    def test_units_of_one_name_in_two_folders_are_two(self):
+        self.assertEqual(check({"base/a.hpp": [], "physics/a.hpp": ["base/a.hpp"]}), (0, ""))
+
+    def test_a_known_circle_passes(self):
+        known = "# a comment: of no account\n\nbase/b base/a: they hold each other's numbers\n"
+        self.assertEqual(check(CIRCLE, known), (0, ""))
+
+    def test_a_known_circle_without_a_reason_fails(self):
+        self.assert_fails(CIRCLE, "known circle: base/a base/b: has no reason", "base/a base/b\n")
+
+    def test_a_known_circle_that_is_opened_must_leave_the_list(self):
+        self.assert_fails({"base/a.hpp": []}, "known circle: base/a base/b: is there no longer",
+                          "base/a base/b: once\n")
+
+    def test_a_known_circle_does_not_excuse_a_larger_one(self):
+        files = CIRCLE | {"base/c.hpp": ["base/a.hpp"], "base/b.cpp": ["base/c.hpp"]}
+        self.assert_fails(files, "circle of units: base/a base/b base/c", "base/a base/b: known\n")
+
+    def test_it_counts_circles_when_asked(self):
+        run = run_over(CIRCLE | {"run/r.hpp": ["base/a.hpp"]}, "base/a base/b: known\n", "--count")
+        self.assertEqual((run.returncode, run.stdout),
+                         (0, "4 files, 0 circles; 2 folders, 0 circles; 3 units, 1 circles\n"))
+
+    def test_the_checkout_has_no_circle_beside_the_known_ones(self):
+        run = subprocess.run([PROGRAM], capture_output=True, text=True)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
 
     def test_a_folder_outside_the_ladder_fails(self):
         self.assert_fails({"utils/a.hpp": []}, "folder 'utils' is not in the ladder")
