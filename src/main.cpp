@@ -165,13 +165,12 @@ std::optional<Clock::time_point> stop_at(const CommandLine& line) {
 }
 
 /// Table, history and page of a night.
-void write_stock(const fs::path& result, const run::JobOptions& options) {
-    const auto files =
-        report::write_stock_files(result, store::read_result(result, "stock"));
-    if (!files) return;
-    print_warning(fmt::format("wrote {}; nights: {}", files->table.string(),
-                              files->history.string()));
-    if (options.pages) print_warning(options.pages->write_stock(result, files->history));
+void write_stock(const run::OutputNames& names, const run::JobOptions& options) {
+    report::write_stock_files(names, store::read_result(names.result, "stock"));
+    print_warning(fmt::format("wrote {}; nights: {}", names.table.string(),
+                              names.history.string()));
+    if (options.pages)
+        print_warning(options.pages->write_stock(names.result, names.history));
 }
 
 ExitCode run_command(run::Comm& comm, const CommandLine& line) {
@@ -200,7 +199,7 @@ ExitCode run_command(run::Comm& comm, const CommandLine& line) {
                           : run::job_file(line.job);
     });
     const run::Outcome outcome = run::run_job(comm, options);
-    if (!outcome.stock.empty()) write_stock(outcome.stock, options);
+    if (outcome.stock) write_stock(*outcome.stock, options);
     return outcome.code;
 }
 

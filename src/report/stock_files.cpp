@@ -1,58 +1,62 @@
 /// What a night over a stock leaves beside its result: its table as CSV, and a history of
 /// all nights, in which a night done again is replaced.
-/// Plain handling of files, without a source; written under another name first. What a
-/// line says is stock_tables'. The page is a script's.
+/// Plain handling of files, without a source; written under another name first, and one
+/// writer at a time. What a line says is stock_tables'. The page is a script's.
 #include "report/stock_files.hpp"
 
+#include "base/disk.hpp"
 #include "base/error.hpp"
+#include "base/lock.hpp"
 #include "report/stock_tables.hpp"
+#include "stock/record.hpp"
 
-#include <fstream>
 #include <sstream>
 #include <string>
+
+#include <fcntl.h>
+#include <fmt/format.h>
 
 namespace bemcal::report {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Under another name first, so that there is never half of it.
-void write_text(const fs::path& path, const std::string& text) {
-    fs::path temporary = path;
-    temporary += ".tmp";
-    std::ofstream out(temporary, std::ios::binary);
-    out << text;
-    out.close();
-    std::error_code error;
-    if (out) fs::rename(temporary, path, error);
-    if (!out || error)
-        throw UserError(ExitCode::io, path.string() + ": cannot be written");
+/// What stands there behind that head; nothing where nothing does. A file that begins
+/// otherwise is somebody else's.
+std::string content_behind(const fs::path& path, const std::string& head) {
+    if (!file_id(path)) return {};
+    std::string text = read_regular(path);
+    if (text.empty()) return {};
+    if (!text.starts_with(head))
+        throw UserError(ExitCode::cannot_create,
+                        fmt::format("{}: is there already, and no run wrote it; move it "
+                                    "away and go on with --resume",
+                                    path.string()));
+    return text.substr(head.size());
 }
 
 /// The lines of the other nights, without the head.
 std::string other_nights(const fs::path& history, const std::string& night) {
-    std::ifstream in(history);
+    std::istringstream in(content_behind(history, stock::history_head));
     std::string text, line;
-    std::getline(in, line);
     while (std::getline(in, line))
-        if (!line.starts_with(night + ",")) text += line + "\n";
+        if (!line.starts_with(csv_cell(night) + ",")) text += line + "\n";
     return text;
 }
 
 }  // namespace
 
-std::optional<StockFiles> write_stock_files(const fs::path& file,
-                                            const store::ResultFile& result) {
+void write_stock_files(const run::OutputNames& names, const store::ResultFile& result) {
     const auto stocks = groups_with(result, "stock_building");
-    if (stocks.empty()) return std::nullopt;
-    const std::string night = file.stem().string();
-    StockFiles files{file, file};
-    files.table.replace_extension(".csv");
-    files.history.replace_filename(result.attributes.at("title") + "-history.csv");
-    write_text(files.table, stock_csv(stocks[0]));
-    write_text(files.history, stock_history_head() + other_nights(files.history, night) +
-                                  stock_history(stocks[0], night));
-    return files;
+    if (stocks.empty()) return;
+    const std::string night = names.result.stem().string();
+    const fs::path folder = names.result.parent_path();
+    Lock one_at_a_time(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
+    one_at_a_time.wait();
+    content_behind(names.table, stock::table_head);
+    replace_file(names.table, stock_csv(stocks[0]));
+    replace_file(names.history, stock::history_head + other_nights(names.history, night) +
+                                    stock_history(stocks[0], night));
 }
 
 }  // namespace bemcal::report

@@ -4,7 +4,9 @@
 /// the first meter's errors; ten rows of a list.
 #include "report/stock_tables.hpp"
 
+#include "base/terminal.hpp"
 #include "report/text_table.hpp"
+#include "stock/record.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,14 +54,6 @@ std::string percent(double share) {
 
 std::string number(double value) {
     return std::isfinite(value) ? fmt::format("{:.6g}", value) : "";
-}
-
-/// RFC 4180.
-std::string cell(const std::string& text) {
-    if (text.find_first_of(",\"\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + "\"";
 }
 
 std::string counts_line(const Group& stock) {
@@ -117,6 +111,17 @@ std::string worst_list(const Group& stock) {
 
 }  // namespace
 
+std::string csv_cell(const std::string& text) {
+    std::string line = in_one_line(text);
+    if (line.find_first_of("=+-@") == line.find_first_not_of(' ') && !line.empty() &&
+        line.find_first_not_of(' ') != std::string::npos)
+        line.insert(0, "'");
+    if (line.find_first_of(",\"") == std::string::npos) return line;
+    std::string quoted = "\"";
+    for (const char c : line) quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + "\"";
+}
+
 std::string stock_section(const Group& stock) {
     return counts_line(stock) + list_of(stock, "failed", "stock_reason") +
            list_of(stock, "drifting", "stock_drift") + worst_list(stock) +
@@ -124,9 +129,7 @@ std::string stock_section(const Group& stock) {
 }
 
 std::string stock_csv(const Group& stock) {
-    std::string text =
-        "building,status,cause,reason,drift,nights_since,simulations,meter,"
-        "cv_rmse_start,cv_rmse_training,cv_rmse_last_period,nmbe_last_period,findings\n";
+    std::string text = stock::table_head;
     const auto errors = errors_of(stock);
     std::vector<std::string> findings(errors.size());
     const auto& of = stock.values("stock_findings_of");
@@ -140,32 +143,29 @@ std::string stock_csv(const Group& stock) {
     for (std::size_t k = 0; k < errors.size(); ++k) {
         for (const char* leaf : {"stock_building", "stock_status", "stock_cause",
                                  "stock_reason", "stock_drift"})
-            text += cell(stock.texts(leaf)[k]) + ",";
+            text += csv_cell(stock.texts(leaf)[k]) + ",";
         const Errors& error = errors[k];
-        text +=
-            fmt::format("{},{},{},{},{},{},{},{}\n", number(stock.values("stock_age")[k]),
-                        number(stock.values("stock_simulations")[k]), error.meter,
-                        number(error.before), number(error.training),
-                        number(error.recent), number(error.bias), cell(findings[k]));
+        text += fmt::format(
+            "{},{},{},{},{},{},{},{}\n", number(stock.values("stock_age")[k]),
+            number(stock.values("stock_simulations")[k]), csv_cell(error.meter),
+            number(error.before), number(error.training), number(error.recent),
+            number(error.bias), csv_cell(findings[k]));
     }
     return text;
-}
-
-std::string stock_history_head() {
-    return "night,building,status,cause,cv_rmse_training,cv_rmse_last_period,"
-           "nmbe_last_period,drift,reason\n";
 }
 
 std::string stock_history(const Group& stock, const std::string& night) {
     std::string text;
     const auto errors = errors_of(stock);
     for (std::size_t k = 0; k < errors.size(); ++k)
-        text += fmt::format(
-            "{},{},{},{},{},{},{},{},{}\n", cell(night),
-            cell(stock.texts("stock_building")[k]), stock.texts("stock_status")[k],
-            cell(stock.texts("stock_cause")[k]), number(errors[k].training),
-            number(errors[k].recent), number(errors[k].bias),
-            cell(stock.texts("stock_drift")[k]), cell(stock.texts("stock_reason")[k]));
+        text +=
+            fmt::format("{},{},{},{},{},{},{},{},{}\n", csv_cell(night),
+                        csv_cell(stock.texts("stock_building")[k]),
+                        csv_cell(stock.texts("stock_status")[k]),
+                        csv_cell(stock.texts("stock_cause")[k]),
+                        number(errors[k].training), number(errors[k].recent),
+                        number(errors[k].bias), csv_cell(stock.texts("stock_drift")[k]),
+                        csv_cell(stock.texts("stock_reason")[k]));
     return text;
 }
 

@@ -14,8 +14,11 @@ std::string stock_section(const Group& stock);
 /// the first and last period, findings.
 std::string stock_csv(const Group& stock);
 
+/// A text as one cell of CSV (RFC 4180), in one line; one that a spreadsheet would take
+/// for a formula gets an apostrophe in front.
+std::string csv_cell(const std::string& text);
+
 /// The same in short, for a history of nights. \param night  stands first in each line
 std::string stock_history(const Group& stock, const std::string& night);
-std::string stock_history_head();
 
 }  // namespace bemcal::report

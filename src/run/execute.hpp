@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "run/comm.hpp"
+#include "run/output_names.hpp"
 #include "run/part_folder.hpp"
 #include "store/result_file.hpp"
 #include "study/stage.hpp"
@@ -54,8 +55,8 @@ struct Outcome {
     /// a stage missed its target. The same on all ranks.
     ExitCode code = ExitCode::ok;
     std::string hash;  ///< rank 0, where a result was written
-    std::filesystem::path
-        stock{};  ///< run_job, rank 0: that result, where it is a stock's
+    /// run_job, rank 0: what a stock's night writes, or has written.
+    std::optional<OutputNames> stock = std::nullopt;
 };
 
 /// All ranks call it together; a UserError is thrown on all of them.

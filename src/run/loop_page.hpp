@@ -20,8 +20,7 @@ struct PageWriter {
     std::optional<std::filesystem::path> script;
     std::filesystem::path python = "/usr/bin/python3";
 
-    /// RESULT.html of one loop; of several RESULT-BUILDING.html, or
-    /// RESULT-BUILDING-STUDY.html where a building has several.
+    /// As pages_of names them.
     /// \return a line for each: that it was written, or how to make it
     std::vector<std::string> write(const std::filesystem::path& result,
                                    const std::vector<std::string>& loops) const;

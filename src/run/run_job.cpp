@@ -7,6 +7,7 @@
 #include "job/stages.hpp"
 #include "job/stock.hpp"
 #include "kernel/batch.hpp"
+#include "run/output_names.hpp"
 #include "run/timer.hpp"
 #include "run/together.hpp"
 #include "stock/stage.hpp"
@@ -58,24 +59,21 @@ void add_decisions(const study::Case& building, std::vector<study::Dataset>& dat
     datasets.push_back(texts(group + "action", "decision", actions));
 }
 
-fs::path numbered(const std::string& name) {
-    for (int number = 1;; ++number) {
-        const fs::path path = fmt::format("{}-{:03}.h5", name, number);
-        if (!fs::exists(path) && !fs::exists(part_folder_of(path))) return path;
-    }
-}
-
-/// Rank 0's choice, for all: the others may see the folder a moment later.
-fs::path choose_output(Comm& comm, const job::Job& job, const JobOptions& options) {
-    fs::path path = options.output;
-    if (path.empty() && options.is_numbered) path = numbered(job.name);
-    if (path.empty()) path = job.output;
-    if (path.empty()) path = job.name + ".h5";
-    const std::string text = path.string();
+/// Rank 0's choice; the result's name for all: they may see the folder a moment later.
+OutputNames agreed_output(Comm& comm, const job::Job& job, const JobOptions& options) {
+    OutputNames names;
+    together(comm, [&] {
+        if (comm.rank() == 0)
+            names = choose_output(
+                job, {options.output, options.is_numbered, options.last_night});
+    });
+    const std::string text = names.result.string();
     Bytes bytes(text.size());
     std::memcpy(bytes.data(), text.data(), text.size());
     const Bytes chosen = comm.all_gather(bytes)[0];
-    return std::string(reinterpret_cast<const char*>(chosen.data()), chosen.size());
+    names.result =
+        std::string(reinterpret_cast<const char*>(chosen.data()), chosen.size());
+    return names;
 }
 
 /// Arrays of a job: every run has chains of its own.
@@ -195,7 +193,7 @@ Outcome run_job(Comm& comm, const JobOptions& options) {
     });
     work.frame.run["seconds_read"] = fmt::format("{:.3f}", seconds_read);
     work.frame.run["seconds_plan"] = fmt::format("{:.3f}", seconds_plan);
-    const fs::path output = choose_output(comm, job, options);
+    const OutputNames names = agreed_output(comm, job, options);
     std::vector<std::string> loops;  // rank 0's
     const auto on_stage = [&](const store::ResultFile& part) {
         std::ranges::copy(loops_in(part.datasets), std::back_inserter(loops));
@@ -203,11 +201,11 @@ Outcome run_job(Comm& comm, const JobOptions& options) {
     };
     Outcome outcome =
         execute(comm, std::move(work),
-                {output, options.existing, options.n_threads, options.item_seconds,
+                {names.result, options.existing, options.n_threads, options.item_seconds,
                  options.stop_at, options.say, on_stage});
     if (!outcome.hash.empty()) {
-        write_pages(options, output, loops);
-        if (job.stock) outcome.stock = output;
+        write_pages(options, names.result, loops);
+        if (job.stock) outcome.stock = names;
     }
     return outcome;
 }

@@ -13,6 +13,14 @@
 
 namespace bemcal::stock {
 
+/// The first lines of a night's table and of the history of nights.
+constexpr const char* table_head =
+    "building,status,cause,reason,drift,nights_since,simulations,meter,"
+    "cv_rmse_start,cv_rmse_training,cv_rmse_last_period,nmbe_last_period,findings\n";
+constexpr const char* history_head =
+    "night,building,status,cause,cv_rmse_training,cv_rmse_last_period,"
+    "nmbe_last_period,drift,reason\n";
+
 struct StockRecord {
     std::string name;
     std::string status;  ///< calibrated, unchanged, postponed, failed

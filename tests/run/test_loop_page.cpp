@@ -1,3 +1,4 @@
+#include "base/error.hpp"
 #include "run/loop_page.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -57,6 +58,30 @@ TEST_F(LoopPage, ThatCannotBeMadeIsALineThatSaysHowToMakeIt) {
     const PageWriter without_script{std::nullopt, "/bin/sh"};
     EXPECT_TRUE(without_script.write(result(), {"a/loop"})[0].ends_with(
         "to make it: scripts/loop_report " + result() + " " + place("a.html")));
+}
+
+TEST_F(LoopPage, ThatIsOfAnotherHandOrALinkIsKept) {
+    std::ofstream(folder_ / "a.html") << "<p>my own page</p>";
+    std::filesystem::create_symlink("a.html", folder_ / "b.html");
+    const PageWriter writer_of_pages = writer("echo page >$2");
+    for (const char* name : {"a.h5", "b.h5"}) {
+        const auto lines = writer_of_pages.write(folder_ / name, {"a/loop"});
+        EXPECT_NE(lines[0].find("no run wrote it"), std::string::npos) << lines[0];
+    }
+    EXPECT_EQ(text_of("a.html"), "<p>my own page</p>");
+}
+
+TEST_F(LoopPage, MadeBeforeIsMadeAnew) {
+    const PageWriter twice = writer("echo '<meta content=\"bemcal-batch\">' $3 >$2");
+    twice.write(result(), {"a/loop"});
+    EXPECT_TRUE(twice.write(result(), {"a/loop"})[0].starts_with("wrote"));
+}
+
+TEST_F(LoopPage, ThatCannotBeWrittenIsAnErrorAndLeavesNothing) {
+    EXPECT_THROW(writer("exit 74").write(result(), {"a/loop"}), UserError);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()),
+                            std::filesystem::directory_iterator()),
+              1);
 }
 
 TEST_F(LoopPage, IsOfEveryLoopThatIsInTheResult) {
