@@ -19,13 +19,10 @@ namespace bemcal::calibration {
 namespace {
 
 using physics::Interval;
+using physics::is_temperature;
 using physics::Quantity;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-bool is_temperature(Quantity quantity) {
-    return quantity == Quantity::air_temperature;
-}
 
 /// The quantities that a statistic asks for, each once.
 std::vector<Quantity> asked(const std::vector<OutputSpec>& specs, Statistic statistic) {

@@ -39,8 +39,10 @@ constexpr UnitRatio ratios[] = {
 constexpr double tolerance = 0.12;  ///< a week of weather changes the level as well
 
 Driver driver_of(Quantity quantity) {
-    if (quantity == Quantity::air_temperature) return Driver::temperature;
-    return quantity == Quantity::electricity ? Driver::people : Driver::weather;
+    using physics::Measured;
+    const Measured measured = physics::row_of(quantity).measured;
+    if (measured == Measured::temperature) return Driver::temperature;
+    return measured == Measured::electricity ? Driver::people : Driver::weather;
 }
 
 /// The nearest known ratio, if one is near.

@@ -191,7 +191,7 @@ void check_clocks(Case& building) {
     for (const Meter& meter : building.meters) {
         if (!has_days(meter)) continue;
         if (!rule.empty()) check_summer_time(building, meter, declared, rule);
-        if (meter.quantity == physics::Quantity::air_temperature) continue;
+        if (physics::is_temperature(meter.quantity)) continue;
         if (meter.quantity == physics::Quantity::electricity)
             check_lag_behind_loads(building, meter);
         if (first != nullptr)

@@ -21,8 +21,8 @@ using study::Meter;
 constexpr double least_share = 0.9;
 
 bool can_be_shared(const Meter& meter) {
-    return meter.quantity != physics::Quantity::air_temperature &&
-           meter.axis.step_s <= 3600 && study::has_reading(meter.values);
+    return !physics::is_temperature(meter.quantity) && meter.axis.step_s <= 3600 &&
+           study::has_reading(meter.values);
 }
 
 /// Of the steps that both meters cover.

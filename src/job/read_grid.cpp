@@ -86,7 +86,7 @@ stats::NearestOptions read_nearest(const schema::Section& section) {
 }
 
 input::UnitKind unit_kind_of(const calibration::OutputSpec& output) {
-    if (output.quantity == Quantity::air_temperature) return input::UnitKind::temperature;
+    if (physics::is_temperature(output.quantity)) return input::UnitKind::temperature;
     return output.statistic == Statistic::peak ? input::UnitKind::power
                                                : input::UnitKind::energy;
 }

@@ -31,7 +31,7 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr int day_s = 86400;
 
 const input::Unit& unit_of(const schema::Section& section, Quantity quantity) {
-    const bool temperature = quantity == Quantity::air_temperature;
+    const bool temperature = physics::is_temperature(quantity);
     const std::string name = section.text("unit");
     std::vector<std::string> names;
     for (const input::Unit& unit : input::units()) {
@@ -217,7 +217,7 @@ class MeterReader {
         if (meter_.interval == Interval::step) return series;
         if (rows > meter_.interval) refuse_rows(step_s);
         return input::sum_intervals(series, meter_.interval,
-                                    meter_.quantity == Quantity::air_temperature);
+                                    physics::is_temperature(meter_.quantity));
     }
 
     [[noreturn]] void refuse_rows(int step_s) const {

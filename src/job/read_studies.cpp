@@ -18,10 +18,6 @@ namespace {
 
 using physics::Quantity;
 
-constexpr Quantity quantities[] = {
-    Quantity::air_temperature, Quantity::heating, Quantity::cooling,
-    Quantity::electricity,     Quantity::gas,     Quantity::district};
-
 void read_sensitivity(const schema::Section& section, StudySpec& study) {
     sensitivity::SensitivityOptions& options = study.sensitivity;
     options.n_base = static_cast<std::size_t>(section.integer("n_base"));
@@ -138,16 +134,15 @@ StudySpec read_study(const schema::Section& section, input::InputFiles& files,
 
 std::vector<Quantity> read_quantities(const schema::Section& section,
                                       std::string_view key) {
-    std::vector<std::string> names;
-    for (const Quantity quantity : quantities)
-        names.emplace_back(physics::name_of(quantity));
+    const std::vector<std::string> names(physics::quantity_names.begin(),
+                                         physics::quantity_names.end());
     std::vector<Quantity> chosen;
     for (const std::string& word : section.texts(key)) {
         const auto found = std::find(names.begin(), names.end(), word);
         if (found == names.end())
             section.fail(key, fmt::format("\"{}\" is no quantity{}", word,
                                           input::suggestion(word, names)));
-        chosen.push_back(quantities[found - names.begin()]);
+        chosen.push_back(static_cast<Quantity>(found - names.begin()));
     }
     return chosen;
 }

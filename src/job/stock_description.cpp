@@ -72,11 +72,12 @@ max = 600000
 )";
 
 struct MeterKind {
-    const char* name;
-    const char* quantity;
+    const char* name;  ///< in a stock's line
+    physics::Quantity quantity;
 };
-constexpr MeterKind meter_kinds[] = {
-    {"gas", "gas"}, {"electricity", "electricity"}, {"heat", "district"}};
+constexpr MeterKind meter_kinds[] = {{"gas", physics::Quantity::gas},
+                                     {"electricity", physics::Quantity::electricity},
+                                     {"heat", physics::Quantity::district}};
 
 struct GasUnit {
     const char* unit;
@@ -177,7 +178,7 @@ class Writer {
             "[[meter]]\nname = \"{}\"\nquantity = \"{}\"\nfile = \"{}\"\ncolumn = "
             "\"{}\"\n"
             "unit = \"{}\"\n",
-            name, kind.quantity, word(name, ""), column, unit);
+            name, physics::name_of(kind.quantity), word(name, ""), column, unit);
     }
 
     /// By a year's gas of a square metre; says what the others would make of it.

@@ -10,7 +10,8 @@
 
 namespace bemcal::kernel {
 
-constexpr std::size_t n_quantities = 6, n_intervals = 5;
+using physics::n_quantities;
+constexpr std::size_t n_intervals = 5;
 
 struct Batch::Plan {
     const physics::Building& nominal;

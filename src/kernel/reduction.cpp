@@ -12,7 +12,7 @@ namespace bemcal::kernel {
 namespace {
 
 bool is_mean(physics::Quantity quantity) {
-    return quantity == physics::Quantity::air_temperature;
+    return physics::is_temperature(quantity);
 }
 
 double steps_in(const Batch::Plan& batch, std::size_t month) {

@@ -51,13 +51,13 @@ double change_of_level(const LoopData& data, const Standing& with) {
 /// in a year everywhere (standard deviations of 232 buildings' weather-corrected energy,
 /// bench/bench_level_change.py): a meter alone cannot tell the two apart.
 bool is_within_usual_change(const LoopData& data, const Refitted& candidate) {
-    using physics::Quantity;
+    using physics::Measured;
     constexpr double of_electricity = 0.06, of_fuel = 0.18, one_of_ten = 1.645;
-    const Quantity quantity = data.targets.channels[0].quantity;
+    const Measured measured = physics::row_of(data.targets.channels[0].quantity).measured;
     if (candidate.effect.driver != effects::Driver::elapsed ||
-        data.targets.n_channels() > 1 || quantity == Quantity::air_temperature)
+        data.targets.n_channels() > 1 || measured == Measured::temperature)
         return false;
-    const double usual = quantity == Quantity::electricity ? of_electricity : of_fuel;
+    const double usual = measured == Measured::electricity ? of_electricity : of_fuel;
     return change_of_level(data, candidate.standing) < one_of_ten * usual;
 }
 

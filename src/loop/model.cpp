@@ -216,7 +216,7 @@ double mean_of_measured(const study::Targets& targets, std::size_t channel) {
 }
 
 bool is_air(const kernel::Channel& channel) {
-    return channel.quantity == physics::Quantity::air_temperature;
+    return physics::is_temperature(channel.quantity);
 }
 
 /// What an energy meter shows in an hour, as a mean [kWh].

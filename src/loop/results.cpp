@@ -90,7 +90,7 @@ Months read_by_month(const std::vector<physics::Seconds>& begins,
         sums[at] += simulated[k];
         hours[at] += 1;
     }
-    const bool is_mean = readings.quantity == physics::Quantity::air_temperature;
+    const bool is_mean = physics::is_temperature(readings.quantity);
     for (std::size_t k = 0; k < sums.size() && is_mean; ++k) sums[k] /= hours[k];
     return months_of(intervals, sums, readings.values, is_mean);
 }
@@ -386,7 +386,7 @@ class Writer {
                 const auto& own = hours[m][c];
                 const auto stamped = by_late_clock_throughout(own, result_.hours_late);
                 simulated.insert(simulated.end(), stamped.begin(), stamped.end());
-                const bool is_mean = meter.quantity == physics::Quantity::air_temperature;
+                const bool is_mean = physics::is_temperature(meter.quantity);
                 const Months months = is_hourly
                                           ? months_of(begins, own, measured, is_mean)
                                           : read_by_month(begins, own, meter, axis);

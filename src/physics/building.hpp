@@ -5,6 +5,7 @@
 /// are constants.
 #pragma once
 
+#include "physics/quantities.hpp"
 #include "physics/radiator.hpp"
 #include "physics/sky.hpp"
 #include "physics/target.hpp"
@@ -108,8 +109,6 @@ struct AirFlow {
     Input heat_recovery;    ///< efficiency [-]; only without a supply boundary
     int supply = outdoors;  ///< where the air comes from: outdoors or a boundary
 };
-
-enum class Carrier { none, electricity, gas, district };
 
 /// Anything that draws power by the clock: people, lights, equipment, hot water, cooking,
 /// fans, a base load. What becomes heat in the zone is ISO 13790's phi_int.
@@ -245,8 +244,11 @@ struct Building {
     std::vector<Link> links;  ///< in the order in which they are followed
     /// What a meter shows per what flows through it, by Quantity; of the air temperature
     /// it must stay 1.
-    std::array<Input, 6> meter_factor = {Input{1}, Input{1}, Input{1},
-                                         Input{1}, Input{1}, Input{1}};
+    std::array<Input, n_quantities> meter_factor = [] {
+        std::array<Input, n_quantities> factors;
+        factors.fill(Input{1});
+        return factors;
+    }();
 
     double floor_area() const {
         double sum = 0;

@@ -14,23 +14,6 @@ namespace bemcal::physics {
 
 namespace {
 
-struct QuantityName {
-    const char* name;
-    const char* unit;
-    Carrier carrier;
-};
-
-constexpr QuantityName quantities[] = {{"air_temperature", "degC", Carrier::none},
-                                       {"heating", "kWh", Carrier::none},
-                                       {"cooling", "kWh", Carrier::none},
-                                       {"electricity", "kWh", Carrier::electricity},
-                                       {"gas", "kWh", Carrier::gas},
-                                       {"district", "kWh", Carrier::district}};
-
-const QuantityName& row_of(Quantity quantity) {
-    return quantities[static_cast<std::size_t>(quantity)];
-}
-
 /// An efficiency or COP at a step. Throws std::domain_error where nothing can be divided
 /// by it.
 double efficiency_at(const Drive& drive, const Input& efficiency, int step,
@@ -101,17 +84,6 @@ double power_on(const MeterForm& form, const Trajectory& trajectory, std::size_t
 
 }  // namespace
 
-const char* name_of(Quantity quantity) {
-    return row_of(quantity).name;
-}
-const char* unit_of(Quantity quantity) {
-    return row_of(quantity).unit;
-}
-
-Carrier carrier_of(Quantity quantity) {
-    return row_of(quantity).carrier;
-}
-
 const char* name_of(Interval interval) {
     constexpr const char* names[] = {"step", "hourly", "daily", "monthly", "annual"};
     return names[static_cast<std::size_t>(interval)];
@@ -155,7 +127,7 @@ std::vector<double> aggregate(const std::vector<double>& steps,
         double sum = 0;
         for (int step = bounds[k]; step < bounds[k + 1]; ++step)
             sum += steps[static_cast<std::size_t>(step)];
-        const bool is_mean = quantity == Quantity::air_temperature;
+        const bool is_mean = is_temperature(quantity);
         intervals.push_back(is_mean ? sum / (bounds[k + 1] - bounds[k]) : sum);
     }
     return intervals;

@@ -8,11 +8,6 @@
 
 namespace bemcal::physics {
 
-enum class Quantity { air_temperature, heating, cooling, electricity, gas, district };
-const char* name_of(Quantity quantity);
-const char* unit_of(Quantity quantity);  ///< of `predict`: "degC" or "kWh"
-Carrier carrier_of(Quantity quantity);   ///< none where it is not metered by a carrier
-
 /// Intervals of a meter: each a run of steps of the period.
 enum class Interval { step, hourly, daily, monthly, annual };
 const char* name_of(Interval interval);

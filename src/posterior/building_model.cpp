@@ -131,7 +131,7 @@ double fortnight(physics::Interval interval) {
 
 stats::Prior residual_prior(const std::string& name, const study::Meter& meter,
                             const stats::ResidualOptions& options) {
-    const bool is_air = meter.quantity == physics::Quantity::air_temperature;
+    const bool is_air = physics::is_temperature(meter.quantity);
     if (name == "constant") return lognormal(is_air ? 0.5 : 0.1, 1, least_constant);
     if (name == "proportional")
         return is_air || !options.proportional ? fixed(0) : lognormal(0.1, 1);
@@ -149,7 +149,7 @@ kernel::InstructionSet set_of_chains() {
 }  // namespace
 
 double noise_scale(physics::Quantity quantity, std::span<const double> values) {
-    if (quantity == physics::Quantity::air_temperature) return 1;
+    if (physics::is_temperature(quantity)) return 1;
     double sum = 0, n = 0;
     for (const double value : values)
         if (!std::isnan(value)) sum += std::abs(value), n += 1;

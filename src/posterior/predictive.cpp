@@ -37,7 +37,7 @@ std::vector<double> mean_of(const Matrix& simulated,
 void change_level(const BuildingModel& model, std::size_t meter, double level_change,
                   Stream& random, std::vector<double>& energies) {
     const auto quantity = model.building().meters[model.meters()[meter].meter].quantity;
-    if (level_change <= 0 || quantity == physics::Quantity::air_temperature) return;
+    if (level_change <= 0 || physics::is_temperature(quantity)) return;
     const double factor = std::exp(level_change * sampling::standard_normal(random));
     for (double& energy : energies) energy *= factor;
 }

@@ -31,10 +31,7 @@ constexpr double quantiles[] = {0.05, 0.5, 0.95};
 /// A thermostat holds its set-point but for rounding: nearer than this is not outside.
 constexpr double tolerance = 0.05;  // [K]
 
-constexpr Quantity energies[] = {Quantity::heating, Quantity::cooling,
-                                 Quantity::electricity, Quantity::gas,
-                                 Quantity::district};
-constexpr std::size_t n_energies = std::size(energies);
+constexpr std::size_t n_energies = physics::energies.size();
 constexpr std::size_t n_outputs = n_energies + 2;  ///< and hours too cold, too warm
 
 /// A variant of the building over the period.
@@ -259,7 +256,8 @@ void Retrofit::count_hours(const Variant& variant, const Matrix& numbers,
 void Retrofit::evaluate(std::size_t variant, const Matrix& numbers, Matrix& rows,
                         std::vector<std::string>& failures) const {
     const Variant& of = *variants_[variant];
-    const kernel::Request request{{std::begin(energies), std::end(energies)}, {}, {}};
+    const kernel::Request request{
+        {physics::energies.begin(), physics::energies.end()}, {}, {}};
     const auto answers = of.batch.evaluate(numbers, request);
     const std::size_t column = variant * n_outputs;
     count_hours(of, numbers, column + n_energies, rows);
@@ -305,7 +303,7 @@ void Retrofit::add_names(study::DatasetBuilder& datasets) const {
     std::vector<std::string> scenarios, names, units;
     for (const Scenario& scenario : options_.scenarios)
         scenarios.push_back(scenario.name);
-    for (const Quantity quantity : energies) {
+    for (const Quantity quantity : physics::energies) {
         names.emplace_back(physics::name_of(quantity));
         units.emplace_back(physics::unit_of(quantity));
     }

@@ -4,6 +4,7 @@
 /// Leaves out rows of the job and its buildings (`key_table`), and rules between keys,
 /// which the readers check.
 #include "schema/schema.hpp"
+#include "schema/words.hpp"
 
 namespace bemcal::schema {
 
@@ -22,8 +23,7 @@ constexpr Key table[] = {
      "Of a sensitivity, posterior, loop or grid; default: the first period."},
     {"study", "quantities", Type::texts, "", "", 0, 0,
      "Of a sensitivity: totals (means) over the period; default: heating and cooling."},
-    {"study", "quantity", Type::choice,
-     "air_temperature|heating|cooling|electricity|gas|district", "heating", 0, 0,
+    {"study", "quantity", Type::choice, quantities, "heating", 0, 0,
      "Of an hourly sensitivity."},
     {"study", "n_base", Type::integer, "", "1024", 2, 1 << 24,
      "Base points N of Saltelli's N (d + 2); a power of two is best."},
@@ -184,8 +184,8 @@ constexpr Key table[] = {
     {"scenario", "name", Type::text, "", required, 0, 0, ""},
     {"scenario", "change", Type::tables, "", "", 0, 0,
      "[[scenario.change]]; none: the building stays as it is."},
-    {"scenario", "heating_carrier", Type::choice, "none|electricity|gas|district", "", 0,
-     0, "Another plant: the meter that heating is on afterwards."},
+    {"scenario", "heating_carrier", Type::choice, carriers, "", 0, 0,
+     "Another plant: the meter that heating is on afterwards."},
     {"scenario.change", "target", Type::texts, "", required, 0, 0,
      "As of a [[parameter]]: \"construction.wall.u_value\", "
      "\"glazing.*.solar_transmittance\", \"zone.*.flow.infiltration.air_change\", "
@@ -299,8 +299,7 @@ constexpr Key table[] = {
      "Of a grid; default: those given, or 10 where only the first is."},
     {"study", "budget", Type::integer, "", "100000", 1, 1e12,
      "Of a grid: points of all stages together at most."},
-    {"study.target", "quantity", Type::choice,
-     "air_temperature|heating|cooling|electricity|gas|district", required, 0, 0, ""},
+    {"study.target", "quantity", Type::choice, quantities, required, 0, 0, ""},
     {"study.target", "statistic", Type::choice, "period|months|peak", "period", 0, 0,
      "Total over the period (of a temperature its mean), the same of each calendar "
      "month, "

@@ -4,6 +4,7 @@
 /// Leaves out studies (`study_keys`), numbers of a building (`fields()`), and rules
 /// between keys, which the readers check.
 #include "schema/schema.hpp"
+#include "schema/words.hpp"
 
 #include <iterator>
 #include <limits>
@@ -330,17 +331,16 @@ constexpr Key table[] = {
     {"zone.flow", "supply", Type::text, "", "outdoors", 0, 0,
      "Where the air comes from: outdoors or the name of a [[boundary]]."},
     {"zone.load", "name", Type::text, "", required, 0, 0, "people, lights, ..."},
-    {"zone.load", "carrier", Type::choice, "none|electricity|gas|district", "none", 0, 0,
+    {"zone.load", "carrier", Type::choice, carriers, "none", 0, 0,
      "The meter that sees it."},
     {"zone.coupling", "zone", Type::text, "", required, 0, 0, "Name of the other zone."},
-    {"plant", "heating_carrier", Type::choice, "none|electricity|gas|district", "gas", 0,
-     0, "The meter that heating is on."},
-    {"plant", "cooling_carrier", Type::choice, "none|electricity|gas|district",
-     "electricity", 0, 0, "The meter that cooling is on."},
+    {"plant", "heating_carrier", Type::choice, carriers, "gas", 0, 0,
+     "The meter that heating is on."},
+    {"plant", "cooling_carrier", Type::choice, carriers, "electricity", 0, 0,
+     "The meter that cooling is on."},
     // meters
     {"meter", "name", Type::text, "", required, 0, 0, ""},
-    {"meter", "quantity", Type::choice,
-     "air_temperature|heating|cooling|electricity|gas|district", required, 0, 0,
+    {"meter", "quantity", Type::choice, quantities, required, 0, 0,
      "What of the model it is held against."},
     {"meter", "interval", Type::choice, "step|hourly|daily|monthly|annual", "hourly", 0,
      0, "Of a reading; finer readings are summed (temperatures averaged)."},

@@ -201,7 +201,7 @@ void summarise_loop(const Group& group, const Case& building, StockRecord& recor
 void sketch(const Case& building, StockRecord& record) {
     for (const study::Meter& meter : building.meters) {
         const bool daily = meter.axis.step_s <= 3600 && 86400 % meter.axis.step_s == 0;
-        if (!daily || meter.quantity == physics::Quantity::air_temperature) continue;
+        if (!daily || physics::is_temperature(meter.quantity)) continue;
         const int per_day = 86400 / meter.axis.step_s;
         const auto last = std::chrono::floor<std::chrono::days>(
             std::min(meter.axis.end(), building.periods.back().to));

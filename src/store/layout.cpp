@@ -5,8 +5,11 @@
 #include "store/layout.hpp"
 
 #include "base/error.hpp"
+#include "physics/quantities.hpp"
 
+#include <iterator>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,7 +22,7 @@ constexpr auto text = Kind::text;
 constexpr const char* seconds = "seconds since 1970-01-01 00:00:00";
 constexpr const char* own = "of the parameter";
 
-constexpr LayoutRow rows[] = {
+constexpr LayoutRow own_rows[] = {
     // inputs
     {"input_file", "input_file", text, "", "files read, the job's own first"},
     {"content_hash", "input_file", text, "", "XXH3 hash of each file's content"},
@@ -440,14 +443,15 @@ constexpr LayoutRow rows[] = {
     // by step
     {"outdoor_temperature", "time", number, "degC",
      "mean outdoor temperature of the step"},
-    {"air_temperature", "candidate time", number, "degC",
-     "mean air temperature of the step"},
-    {"heating", "candidate time", number, "kWh", "heat delivered in the step"},
-    {"cooling", "candidate time", number, "kWh", "heat removed in the step"},
-    {"electricity", "candidate time", number, "kWh", "electricity drawn in the step"},
-    {"gas", "candidate time", number, "kWh", "gas drawn in the step"},
-    {"district", "candidate time", number, "kWh", "district heat drawn in the step"},
 };
+
+/// With the quantities by step.
+std::vector<LayoutRow> all_rows() {
+    std::vector<LayoutRow> all(std::begin(own_rows), std::end(own_rows));
+    for (const physics::QuantityRow& row : physics::quantity_rows)
+        all.push_back({row.name, "candidate time", number, row.unit, row.meaning});
+    return all;
+}
 
 /// A * at the end of a pattern stands for anything but another level.
 bool matches(std::string_view pattern, std::string_view name) {
@@ -460,6 +464,7 @@ bool matches(std::string_view pattern, std::string_view name) {
 }  // namespace
 
 std::span<const LayoutRow> layout() {
+    static const std::vector<LayoutRow> rows = all_rows();
     return rows;
 }
 
@@ -477,7 +482,7 @@ const LayoutRow& layout_of(const study::Dataset& dataset) {
     const std::string inner = leaf_of(group_of(dataset.path)) + "/" + leaf;
     const std::string dims = fmt::format("{}", fmt::join(dataset.dims, " "));
     const LayoutRow* row = nullptr;
-    for (const LayoutRow& each : rows) {
+    for (const LayoutRow& each : layout()) {
         if (!matches(each.leaf, leaf) && !matches(each.leaf, inner)) continue;
         row = &each;
         if (matches(each.dims, dims)) break;
@@ -495,7 +500,7 @@ const LayoutRow& layout_of(const study::Dataset& dataset) {
 std::string describe_results() {
     std::string out = fmt::format("{:<30} {:<30} {:<18} {}\n", "dataset", "dimensions",
                                   "unit", "meaning");
-    for (const LayoutRow& row : rows)
+    for (const LayoutRow& row : layout())
         out += fmt::format("{:<30} {:<30} {:<18} {}\n", row.leaf, row.dims,
                            row.kind == text ? "text" : row.unit, row.meaning);
     return out +

@@ -73,7 +73,7 @@ std::vector<double> totals_of(const std::vector<CompleteInterval>& intervals,
     for (const CompleteInterval& interval : intervals) {
         double sum = 0;
         for (const std::size_t k : interval.readings) sum += values[k];
-        const bool is_mean = quantity == physics::Quantity::air_temperature;
+        const bool is_mean = physics::is_temperature(quantity);
         totals.push_back(is_mean ? sum / static_cast<double>(interval.readings.size())
                                  : sum);
     }

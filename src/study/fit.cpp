@@ -58,7 +58,7 @@ stats::FitMetrics monthly_metrics(const MeterSeries& series, physics::Quantity q
         measured.back() += series.measured[k];
         n.back() += 1;
     }
-    if (quantity == physics::Quantity::air_temperature)
+    if (physics::is_temperature(quantity))
         for (std::size_t m = 0; m < n.size(); ++m) {
             simulated[m] /= n[m];
             measured[m] /= n[m];
