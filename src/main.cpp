@@ -157,6 +157,16 @@ void print_tables(const store::ResultFile& result) {
     std::fflush(stdout);
 }
 
+/// What is wrong with a result's content is told with the name of its file.
+void print_tables_of(const fs::path& file, const store::ResultFile& result) {
+    try {
+        print_tables(result);
+    } catch (const UserError& error) {
+        throw UserError(error.exit_code(),
+                        fmt::format("{}: {}", file.string(), error.what()));
+    }
+}
+
 /// From now, which is the program's start.
 std::optional<Clock::time_point> stop_at(const CommandLine& line) {
     if (line.stop_after_s <= 0) return std::nullopt;
@@ -248,10 +258,10 @@ ExitCode report_command(const CommandLine& line) {
     const auto merged = report::merge_chains(std::move(results));
     for (std::size_t k = 0; k < n_files; ++k) {
         fmt::print("{}", lines[k]);
-        if (merged.size() == n_files) print_tables(merged[k]);
+        if (merged.size() == n_files) print_tables_of(line.files[k], merged[k]);
     }
     if (merged.size() == n_files) return ExitCode::ok;
-    for (const store::ResultFile& result : merged) print_tables(result);
+    for (const store::ResultFile& result : merged) print_tables_of(line.files[0], result);
     return ExitCode::ok;
 }
 

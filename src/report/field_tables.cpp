@@ -23,7 +23,7 @@ std::string points_table(const Group& study) {
         std::vector<std::string> row{std::to_string(i + 1), in_short(measured[i])};
         for (const char* leaf : {"process_mean", "process_q05", "process_q95",
                                  "measurement_q05", "measurement_q95"})
-            row.push_back(in_short(study.values(leaf).at(i)));
+            row.push_back(in_short(study.values(leaf)[i]));
         table.add(std::move(row));
     }
     std::string text = table.text();
@@ -33,7 +33,7 @@ std::string points_table(const Group& study) {
 }
 
 std::string share_in_90(const Group& study, const char* leaf) {
-    return percent(study.values(leaf).at(1));
+    return percent(study.values(leaf)[1]);
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ std::string field_tables(const Group& study) {
                percent(study.value("field_cv_rmse_n1_of_draws")),
                share_in_90(study, "process_coverage"),
                share_in_90(study, "measurement_coverage"),
-               study.texts("covariance_form").at(0), study.value("n_with_jitter"),
+               study.texts("covariance_form")[0], study.value("n_with_jitter"),
                study.value("n_predictive"));
 }
 

@@ -32,12 +32,12 @@ void append(std::vector<std::string>& to, const std::vector<std::string>& from) 
 }
 
 /// The errors of a row [rows x targets], where there is room for them.
-std::vector<std::string> error_cells(const Group& study,
-                                     const std::vector<double>& errors, std::size_t row) {
+std::vector<std::string> error_cells(const Group& study, const Numbers& errors,
+                                     std::size_t row) {
     const std::size_t n = study.texts("target").size();
     std::vector<std::string> cells;
     for (std::size_t t = 0; n <= most_shown && t < n; ++t)
-        cells.push_back(signed_percent(errors.at(row * n + t)));
+        cells.push_back(signed_percent(errors[row * n + t]));
     return cells;
 }
 
@@ -53,7 +53,7 @@ std::string stages_table(const Group& study) {
         sum += points[s];
         std::vector<std::string> row{
             std::to_string(s + 1), fmt::format("{:.0f}", points[s]),
-            std::isfinite(errors.at(s)) ? fmt::format("{:.3f}", errors[s]) : "-"};
+            std::isfinite(errors[s]) ? fmt::format("{:.3f}", errors[s]) : "-"};
         append(row, error_cells(study, target_errors, s));
         table.add(row);
     }
@@ -96,13 +96,13 @@ std::string neighbour_table(const Group& study, const Group& stage) {
     TextTable table(header);
     const auto& neighbours = stage.values("neighbour");
     for (std::size_t k = 0; k < std::min<std::size_t>(neighbours.size(), 20); ++k) {
-        const auto at = static_cast<std::size_t>(neighbours[k]);
+        const std::size_t at = neighbours.index(k, distance.size());
         std::vector<std::string> row{
             std::ranges::count(plain, neighbours[k]) > 0 ? "*" : "",
-            fmt::format("{:.3f}", distance.at(at))};
+            fmt::format("{:.3f}", distance[at])};
         append(row, error_cells(study, errors, at));
         for (const std::size_t p : parameters)
-            row.push_back(fmt::format("{:g}", points.at(at * names.size() + p)));
+            row.push_back(fmt::format("{:g}", points[at * names.size() + p]));
         table.add(row);
     }
     return table.text();
@@ -128,18 +128,15 @@ std::string parameter_table(const Group& study, const Group& stage) {
     const auto& roles = stage.texts("parameter_role");
     TextTable table({"parameter", "values", "surviving", "index", "of distance", ""});
     for (const std::size_t p : varied(stage)) {
-        const bool is_fixed = n_surviving.at(p) == 1 && !neighbours.empty();
+        const bool is_fixed = n_surviving[p] == 1 && !neighbours.empty();
         const double value =
-            is_fixed
-                ? points.at(static_cast<std::size_t>(neighbours[0]) * names.size() + p)
-                : 0;
+            is_fixed ? points[neighbours.index(0, points.size()) * names.size() + p] : 0;
         table.add(
             {names[p], fmt::format("{:.0f}", n_values[p]),
              fmt::format("{:.0f}", n_surviving[p]),
              fmt::format("{:.3f}", largest_index(stage, p)),
-             std::isfinite(of_distance.at(p)) ? fmt::format("{:.3f}", of_distance[p])
-                                              : "-",
-             is_fixed ? fmt::format("{} at {:g}", roles.at(p), value) : roles.at(p)});
+             std::isfinite(of_distance[p]) ? fmt::format("{:.3f}", of_distance[p]) : "-",
+             is_fixed ? fmt::format("{} at {:g}", roles[p], value) : roles[p]});
     }
     return table.is_empty() ? std::string() : table.text();
 }
@@ -161,7 +158,7 @@ std::string best_table(const Group& study) {
     const auto& best = study.values("nearest_parameters");
     TextTable table({"parameter", "nearest of all", "unit"});
     for (std::size_t p = 0; p < names.size(); ++p)
-        table.add({names[p], in_short(best.at(p)), units[p]});
+        table.add({names[p], in_short(best[p]), units[p]});
     return "\n" + table.text();
 }
 

@@ -1,5 +1,5 @@
 /// Finds datasets of a stored result by group and name, and numbers in them; empty or NaN
-/// where they are not there.
+/// where they are not there, a message where they are damaged.
 /// Plain search without a source, linear in the number of datasets. Reading the file is
 /// result_file's.
 #include "report/lookup.hpp"
@@ -11,27 +11,33 @@
 
 namespace bemcal::report {
 
-const study::Dataset* Group::find(const std::string& leaf) const {
-    const std::string wanted = path_.empty() ? leaf : path_ + "/" + leaf;
+using store::group_of;
+using study::Dataset;
+
+std::string Group::path_of(const std::string& leaf) const {
+    return path_.empty() ? leaf : path_ + "/" + leaf;
+}
+
+const Dataset* Group::find(const std::string& leaf) const {
     const auto found =
-        std::ranges::find(result_->datasets, wanted, &study::Dataset::path);
+        std::ranges::find(result_->datasets, path_of(leaf), &Dataset::path);
     return found == result_->datasets.end() ? nullptr : &*found;
 }
 
-const std::vector<double>& Group::values(const std::string& leaf) const {
+Numbers Group::values(const std::string& leaf) const {
     static const std::vector<double> none;
-    const study::Dataset* dataset = find(leaf);
-    return dataset ? dataset->values : none;
+    const Dataset* dataset = find(leaf);
+    return {dataset, path_of(leaf), dataset ? dataset->values : none};
 }
 
-const std::vector<std::string>& Group::texts(const std::string& leaf) const {
+Texts Group::texts(const std::string& leaf) const {
     static const std::vector<std::string> none;
-    const study::Dataset* dataset = find(leaf);
-    return dataset ? dataset->texts : none;
+    const Dataset* dataset = find(leaf);
+    return {dataset, path_of(leaf), dataset ? dataset->texts : none};
 }
 
 std::vector<std::size_t> Group::shape(const std::string& leaf) const {
-    const study::Dataset* dataset = find(leaf);
+    const Dataset* dataset = find(leaf);
     return dataset ? dataset->shape : std::vector<std::size_t>{};
 }
 
@@ -45,20 +51,20 @@ std::vector<Group> Group::groups_below(const std::string& leaf) const {
 
 const std::string& Group::unit(const std::string& leaf) const {
     static const std::string none;
-    const study::Dataset* dataset = find(leaf);
+    const Dataset* dataset = find(leaf);
     return dataset ? dataset->unit : none;
 }
 
 double Group::value(const std::string& leaf) const {
-    const auto& found = values(leaf);
+    const Numbers found = values(leaf);
     return found.empty() ? std::numeric_limits<double>::quiet_NaN() : found[0];
 }
 
 std::vector<Group> groups_with(const store::ResultFile& result, const std::string& leaf) {
     std::vector<Group> groups;
-    for (const study::Dataset& dataset : result.datasets)
+    for (const Dataset& dataset : result.datasets)
         if (store::leaf_of(dataset.path) == leaf)
-            groups.emplace_back(result, store::group_of(dataset.path));
+            groups.emplace_back(result, group_of(dataset.path));
     return groups;
 }
 

@@ -114,7 +114,7 @@ std::string falls_in(const Group& study, std::size_t period) {
 std::string loop_headline(const Group& study) {
     const auto& periods = study.texts("period");
     std::string text;
-    for (std::size_t p = 1; p < periods.size(); ++p) {
+    for (std::size_t p = 1; p < periods.size() && study.has("fit"); ++p) {
         const std::string falls = falls_in(study, p);
         if (!falls.empty())
             text += wrapped(
@@ -131,7 +131,7 @@ std::string loop_fit_table(const Group& study) {
     const auto &periods = study.texts("period"), &resolutions = study.texts("resolution");
     TextTable table({"error", "", "", "n", "plain", "before", "after", "floor",
                      "bias: plain", "before", "after", ""});
-    for (std::size_t p = 0; p < periods.size(); ++p)
+    for (std::size_t p = 0; p < periods.size() && study.has("fit"); ++p)
         for (std::size_t c = 0; c < study.texts("channel").size(); ++c)
             for (std::size_t r = 0; r < resolutions.size(); ++r) {
                 const Row row = fits.row(p, r, c);

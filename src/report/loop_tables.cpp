@@ -41,13 +41,14 @@ std::string effect_table(const Group& study) {
 
 /// The class of an effect without itself.
 std::string others_of(const Group& study, std::size_t k) {
-    std::string members = text_at(study.texts("effect_class"), k), others;
+    const std::string members = text_at(study.texts("effect_class"), k);
     const std::string& own = study.texts("effect")[k];
-    for (std::size_t end = 0; !members.empty(); members.erase(0, end)) {
-        end = std::min(members.find("; "), members.size());
-        const std::string name = members.substr(0, end);
+    std::string others;
+    for (std::size_t begin = 0; begin < members.size();) {
+        const std::size_t end = std::min(members.find("; ", begin), members.size());
+        const std::string name = members.substr(begin, end - begin);
         if (name != own) others += (others.empty() ? "" : "; ") + name;
-        end = std::min(end + 2, members.size());
+        begin = end + 2;
     }
     return others;
 }
@@ -84,7 +85,7 @@ std::string best_of(const Group& study, std::size_t step) {
     const auto& channels = study.texts("channel");
     double least = std::numeric_limits<double>::quiet_NaN();
     std::string text = "-";
-    for (std::size_t c = 0; c < channels.size(); ++c) {
+    for (std::size_t c = 0; c < channels.size() && study.has("step_error"); ++c) {
         const double change =
             number_at(study.values("step_error"), step * channels.size() + c);
         if (!std::isfinite(change) || change >= least) continue;

@@ -25,19 +25,19 @@ std::string attribute(const ResultFile& result, const char* name) {
 bool is_of_chains(const Dataset& dataset) {
     const std::string group = store::leaf_of(store::group_of(dataset.path));
     return dataset.dims == std::vector<std::string>{"chain", "draw"} &&
-           (group == "posterior" || group == "sample_stats");
+           (group == "posterior" || group == "sample_stats") && dataset.texts.empty();
 }
 
 /// Numbers of chains, [first, end).
 struct Chains {
-    int first = 0, end = 0;
+    long long first = 0, end = 0;
 };
 
 Chains chains_of(const ResultFile& result) {
     const auto any = std::ranges::find_if(result.datasets, is_of_chains);
     if (any == result.datasets.end()) return {};
     const int first = std::atoi(attribute(result, "first_chain").c_str());
-    return {first, first + static_cast<int>(any->shape[0])};
+    return {first, first + static_cast<long long>(any->shape[0])};
 }
 
 /// A result, and which chains are in it.
@@ -83,7 +83,8 @@ void append_result(ResultFile& to, const ResultFile& from) {
     for (Dataset& dataset : to.datasets) {
         if (!is_of_chains(dataset)) continue;
         const auto same = std::ranges::find(from.datasets, dataset.path, &Dataset::path);
-        if (same != from.datasets.end()) append_chains(dataset, *same);
+        if (same != from.datasets.end() && is_of_chains(*same))
+            append_chains(dataset, *same);
     }
 }
 

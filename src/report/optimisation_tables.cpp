@@ -54,12 +54,12 @@ std::string target_tables(const Group& study) {
                &errors = study.values("nearest_target_error");
     TextTable aims({"target", "measured", "unit", "error of best %"});
     for (std::size_t t = 0; t < targets.size(); ++t)
-        aims.add({targets[t], in_short(measured.at(t)), units[t],
-                  errors.empty() ? "-" : fmt::format("{:+.4f}", errors.at(t))});
+        aims.add({targets[t], in_short(measured[t]), units[t],
+                  errors.empty() ? "-" : fmt::format("{:+.4f}", errors[t])});
     const auto &names = study.texts("parameter"), &own = study.texts("parameter_unit");
     TextTable best({"parameter", "best", "unit"});
     for (std::size_t p = 0; p < names.size(); ++p)
-        best.add({names[p], in_short(study.values("nearest_parameters").at(p)), own[p]});
+        best.add({names[p], in_short(study.values("nearest_parameters")[p]), own[p]});
     return aims.text() + best.text();
 }
 

@@ -17,13 +17,22 @@ namespace bemcal::report {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+/// Above it squares are not finite, and no order of the draws is one.
+constexpr double most_draw = 1e75;
 
 /// \return [chains x draws]; empty where the dataset is not there
 Matrix matrix_of(const Group& group, const std::string& leaf) {
     const std::vector<std::size_t> shape = group.shape(leaf);
     if (shape.size() != 2) return {};
-    Matrix matrix(shape[0], shape[1]);
-    matrix.values = group.values(leaf);
+    const Numbers& draws = group.values(leaf);
+    for (const double draw : draws)
+        if (!(std::abs(draw) < most_draw))
+            draws.refuse(fmt::format("{} is no draw", draw));
+    Matrix matrix;
+    matrix.rows = shape[0];
+    matrix.cols = shape[1];
+    matrix.values = draws;
+    if (draws.size() != shape[0] * shape[1]) draws.refuse("it does not hold numbers");
     return matrix;
 }
 

@@ -24,11 +24,20 @@ struct Series {
     bool is_mean = false;  ///< a temperature: months are means, not sums
 };
 
+/// Of years that a calendar has.
+void check_times(const Numbers& begins) {
+    for (const double begin : begins)
+        if (!(std::abs(begin) < 1e11)) begins.refuse(fmt::format("{} is no time", begin));
+}
+
 Series series_of(const Group& meter, std::size_t candidate, bool is_mean) {
-    Series series{meter.values("time"), {}, meter.values("measured"), is_mean};
+    const auto &begins = meter.values("time"), &measured = meter.values("measured");
+    Series series{begins, {}, measured, is_mean};
     const auto& both = meter.values("simulated");
-    const std::size_t n = series.begins.size();
+    const std::size_t n = begins.size();
     if (both.size() < (candidate + 1) * n) return {};
+    check_times(begins);
+    if (measured.size() != n) measured.refuse(fmt::format("there are {} of time", n));
     const auto first = both.begin() + static_cast<std::ptrdiff_t>(candidate * n);
     series.simulated.assign(first, first + static_cast<std::ptrdiff_t>(n));
     return series;

@@ -56,12 +56,15 @@ std::string table_of(const Group& study, const Indices& indices, double threshol
 void estimate_again(const Group& study, std::size_t output, Indices& indices) {
     const auto& design = study.values("design_output");
     const std::size_t n_outputs = study.texts("output").size();
+    const std::size_t d = study.texts("parameter").size();
     if (design.empty()) return;
+    if (design.size() % (n_outputs * (d + 2)) != 0)
+        design.refuse(fmt::format("{} outputs of {} parameters take whole base points",
+                                  n_outputs, d));
     std::vector<double> column(design.size() / n_outputs);
     for (std::size_t row = 0; row < column.size(); ++row)
         column[row] = design[row * n_outputs + output];
-    const auto estimated = stats::sobol_indices(
-        column, static_cast<int>(study.texts("parameter").size()), 0, 0);
+    const auto estimated = stats::sobol_indices(column, static_cast<int>(d), 0, 0);
     indices.total = estimated.total_order;
     indices.first = estimated.first_order;
 }
@@ -89,10 +92,11 @@ std::string sensitivity_section(const Group& study) {
 }
 
 std::string hourly_section(const Group& study) {
-    const Indices indices{study.values("series_total_order"),
-                          study.values("series_total_order_half_width"),
-                          study.values("series_first_order"),
-                          study.values("series_first_order_half_width")};
+    const std::size_t d = study.texts("parameter").size();
+    const Indices indices{row_of(study.values("series_total_order"), 0, d),
+                          row_of(study.values("series_total_order_half_width"), 0, d),
+                          row_of(study.values("series_first_order"), 0, d),
+                          row_of(study.values("series_first_order_half_width"), 0, d)};
     const auto& quantity = study.texts("quantity");
     return fmt::format(
                "\n{}: Sobol indices of {} over {} steps, weighted by their variance\n",

@@ -138,8 +138,8 @@ std::string stage_tables(const Group& study) {
     for (std::size_t s = 0; s < stages.size(); ++s)
         text +=
             fmt::format("  {}, from {}: {:.0f} evaluations, objective {}\n", stages[s],
-                        from[s], study.values("calibration_evaluations").at(s),
-                        in_short(study.values("calibration_objective").at(s))) +
+                        from[s], study.values("calibration_evaluations")[s],
+                        in_short(study.values("calibration_objective")[s])) +
             parameter_table(study, s);
     return text;
 }

@@ -33,7 +33,7 @@ std::vector<Errors> errors_of(const Group& stock) {
     const auto& of = stock.values("stock_fits_of");
     const auto& meters = stock.texts("stock_fit_meter");
     for (std::size_t k = 0; k < of.size(); ++k) {
-        Errors& error = errors.at(static_cast<std::size_t>(of[k]));
+        Errors& error = errors[of.index(k, errors.size())];
         const bool is_first = error.meter.empty();
         if (is_first) error.meter = meters[k];
         if (meters[k] != error.meter) continue;
@@ -82,12 +82,12 @@ std::string list_of(const Group& stock, const char* title, const char* leaf) {
 
 std::string findings_list(const Group& stock) {
     const auto& of = stock.values("stock_findings_of");
+    const auto& names = stock.texts("stock_building");
     TextTable table({"findings", "data", "finding", "done about it"});
     for (std::size_t k = 0; k < std::min(of.size(), 4 * most_rows); ++k)
-        table.add({stock.texts("stock_building")[static_cast<std::size_t>(of[k])],
-                   stock.texts("stock_finding_series")[k],
-                   stock.texts("stock_finding")[k],
-                   stock.texts("stock_finding_action")[k]});
+        table.add(
+            {names[of.index(k, names.size())], stock.texts("stock_finding_series")[k],
+             stock.texts("stock_finding")[k], stock.texts("stock_finding_action")[k]});
     return table.is_empty() ? "" : "\n" + table.text(50);
 }
 
@@ -134,7 +134,7 @@ std::string stock_csv(const Group& stock) {
     std::vector<std::string> findings(errors.size());
     const auto& of = stock.values("stock_findings_of");
     for (std::size_t k = 0; k < of.size(); ++k) {
-        std::string& all = findings.at(static_cast<std::size_t>(of[k]));
+        std::string& all = findings[of.index(k, findings.size())];
         all += fmt::format("{}{}: {}: {}", all.empty() ? "" : "; ",
                            stock.texts("stock_finding_series")[k],
                            stock.texts("stock_finding")[k],

@@ -79,6 +79,7 @@ std::string shortfall_lines(const store::ResultFile& result) {
 }
 
 std::string tables_of(const store::ResultFile& result) {
+    store::check_layout(result);
     std::string text = shortfall_lines(result);
     for (const Group& stock : groups_with(result, "stock_building"))
         text += stock_section(stock);

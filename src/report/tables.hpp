@@ -8,7 +8,8 @@
 namespace bemcal::report {
 
 /// Everything a result holds, as plain text; metrics are computed again from what is
-/// stored. Works on a part of a result too: the datasets of one stage.
+/// stored. Works on a part of a result too: the datasets of one stage. Throws UserError
+/// where they are damaged: another layout, or of lengths that do not go together.
 std::string tables_of(const store::ResultFile& result);
 
 /// For `status`: complete or not, the job, seed, version, hash (computed again), and the

@@ -31,6 +31,7 @@ std::vector<Part> parts_of(const Group& study) {
     std::vector<Part> parts;
     for (const Group& part : study.groups_below("validation_fit")) {
         const std::string path = before_last_slash(part.path());
+        if (path.size() <= study.path().size()) continue;  // of no meter
         const std::string name = part.path().substr(path.size() + 1);
         const std::string place = path.substr(study.path().size() + 1);
         const Group meter = study.inner(place);

@@ -11,6 +11,7 @@
 #include "run/timer.hpp"
 #include "run/together.hpp"
 #include "stock/stage.hpp"
+#include "store/layout_check.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -118,6 +119,7 @@ stock::StockNight night_of(const JobOptions& options, double hours, Work& work) 
     night.version = options.version;
     if (!options.last_night.empty()) {
         const store::ResultFile last = store::read_result(options.last_night, "stock");
+        store::check_layout(last);
         night.before = stock::records_in(last.datasets);
         if (night.before.empty())
             throw UserError(

@@ -237,14 +237,23 @@ class DailyColumns {
     std::vector<double> counts_, all_;
 };
 
+/// A number as a place below `end`; `end` where it is none.
+std::size_t place_in(double value, std::size_t end) {
+    return value >= 0 && value < static_cast<double>(end)
+               ? static_cast<std::size_t>(value)
+               : end;
+}
+
 void read_daily(const Index& index, std::vector<StockRecord>& records) {
     const auto counts = index.find("stock/stock_daily_n");
     const auto all = index.find("stock/stock_daily");
     if (counts == index.end() || all == index.end()) return;
     std::size_t at = 0;
     for (std::size_t k = 0; k < records.size(); ++k) {
-        const auto n = static_cast<std::size_t>(counts->second->values[k]);
-        if (at + n > all->second->values.size()) return;
+        if (k >= counts->second->values.size()) return;
+        const std::size_t n =
+            place_in(counts->second->values[k], all->second->values.size() - at + 1);
+        if (n > all->second->values.size() - at) return;
         const auto first = all->second->values.begin() + static_cast<std::ptrdiff_t>(at);
         records[k].daily.assign(first, first + static_cast<std::ptrdiff_t>(n));
         at += n;
@@ -321,7 +330,7 @@ std::vector<StockRecord> records_in(const std::vector<study::Dataset>& datasets)
         Finder of_list(index);
         visit(shape.emplace_back(), of_list);
         for (std::size_t k = 0; k < owners->second->values.size(); ++k) {
-            const auto owner = static_cast<std::size_t>(owners->second->values[k]);
+            const auto owner = place_in(owners->second->values[k], records.size());
             if (owner >= records.size()) continue;
             visit_lists(records[owner], [&](const char* other, auto& rows, auto&&) {
                 if constexpr (std::is_same_v<decltype(rows), decltype(shape)>)

@@ -1,19 +1,28 @@
 /// Files, text attributes, arrays and dimension scales by HDF5's C interface, which this
 /// file alone includes.
 /// Source: HDF5's reference; netCDF-4's conventions for dimensions. Locks and time stamps
-/// are off. Left out: chunks, compression, types other than doubles and texts.
+/// are off. Marks and scales of a file that is read are looked at by hand: HDF5's own
+/// functions for them trust their types and shapes.
+/// Left out: chunks, compression, types other than doubles and texts.
 #include "store/hdf5.hpp"
 
 #include <algorithm>
-#include <cstring>
+#include <memory>
+#include <new>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <hdf5.h>
 #include <hdf5_hl.h>
 
 namespace bemcal::store::hdf5 {
 namespace {
+
+/// A packed file may unfold to so many times its size.
+constexpr double most_packing = 100;
+/// Longest text that HDF5's own conventions mark an object by.
+constexpr std::size_t longest_mark = 200;
 
 /// What netCDF-4 writes into a dimension that has no values of its own.
 constexpr const char* bare_mark = "This is a netCDF dimension but not a netCDF variable.";
@@ -101,13 +110,6 @@ Handle open_object(hid_t file, const std::string& path) {
     return {H5Oopen(file, path.c_str(), H5P_DEFAULT), H5Oclose, "open", path};
 }
 
-bool is_bare(hid_t dataset) {
-    char name[128] = "";
-    return H5DSis_scale(dataset) > 0 &&
-           H5DSget_scale_name(dataset, name, sizeof name) > 0 &&
-           std::strncmp(name, bare_mark, std::strlen(bare_mark)) == 0;
-}
-
 std::string leaf_of(const std::string& path) {
     return path.substr(path.rfind('/') + 1);
 }
@@ -120,22 +122,81 @@ std::string object_path(hid_t object) {
     return path;
 }
 
-/// Name of the first scale on an axis; a scale is its own.
-std::string dimension_name(hid_t dataset, unsigned axis) {
-    if (H5DSis_scale(dataset) > 0) return leaf_of(object_path(dataset));
-    std::string name;
-    H5DSiterate_scales(
-        dataset, axis, nullptr,
-        [](hid_t, unsigned, hid_t scale, void* out) -> herr_t {
-            *static_cast<std::string*>(out) = leaf_of(object_path(scale));
-            return 1;
-        },
-        &name);
-    return name;
+/// A short text of fixed size, as HDF5's own conventions have them; "" where there is
+/// none.
+std::string mark_of(hid_t object, const char* name) {
+    if (H5Aexists(object, name) <= 0) return {};
+    const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, "open", name);
+    const Handle type(H5Aget_type(attribute), H5Tclose, "read", name);
+    const Handle space(H5Aget_space(attribute), H5Sclose, "read", name);
+    if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0 ||
+        H5Sget_simple_extent_npoints(space) != 1)
+        return {};
+    std::string text(std::min<std::size_t>(H5Tget_size(type), longest_mark) + 1, '\0');
+    if (H5Tget_size(type) > longest_mark || H5Aread(attribute, type, text.data()) < 0)
+        return {};
+    return text.c_str();
 }
 
-Shape shape_of(hid_t dataset) {
-    const Handle space(H5Dget_space(dataset), H5Sclose, "read", "a shape");
+bool is_scale(hid_t dataset) {
+    return mark_of(dataset, "CLASS") == "DIMENSION_SCALE";
+}
+
+bool is_bare(hid_t dataset) {
+    return is_scale(dataset) && mark_of(dataset, "NAME").starts_with(bare_mark);
+}
+
+/// What a dataset says of the scales on its axes: lists of references.
+class ScaleLists {
+  public:
+    ScaleLists(hid_t dataset, const std::string& path, std::size_t rank)
+        : lists_(rank),
+          attribute_(H5Aopen(dataset, attribute_name, H5P_DEFAULT), H5Aclose, "open",
+                     path),
+          space_(H5Aget_space(attribute_), H5Sclose, "read", path),
+          type_(H5Tvlen_create(H5T_STD_REF_OBJ), H5Tclose, "make", "a type of lists") {
+        const Handle stored(H5Aget_type(attribute_), H5Tclose, "read", path);
+        if (H5Sget_simple_extent_npoints(space_) != static_cast<hssize_t>(rank) ||
+            H5Tget_class(stored) != H5T_VLEN)
+            throw Error(fmt::format("dataset {} has damaged dimensions", path));
+        checked(H5Aread(attribute_, type_, lists_.data()), "read dimensions of", path);
+    }
+    ~ScaleLists() { H5Dvlen_reclaim(type_, space_, H5P_DEFAULT, lists_.data()); }
+    ScaleLists(const ScaleLists&) = delete;
+    ScaleLists& operator=(const ScaleLists&) = delete;
+
+    static bool are_in(hid_t dataset) { return H5Aexists(dataset, attribute_name) > 0; }
+    /// Of the first scale on an axis; "" where there is none.
+    std::string name(hid_t dataset, std::size_t axis, const std::string& path) const {
+        if (lists_[axis].len == 0 || lists_[axis].p == nullptr) return {};
+        const Handle scale(
+            H5Rdereference2(dataset, H5P_DEFAULT, H5R_OBJECT, lists_[axis].p), H5Oclose,
+            "open a dimension of", path);
+        return leaf_of(object_path(scale));
+    }
+
+  private:
+    static constexpr const char* attribute_name = "DIMENSION_LIST";
+    std::vector<hvl_t> lists_;
+    Handle attribute_, space_, type_;
+};
+
+/// Names of the first scale on each axis; a scale is its own.
+std::vector<std::string> dimension_names(hid_t dataset, const std::string& path,
+                                         std::size_t rank) {
+    if (is_scale(dataset)) return std::vector<std::string>(rank, leaf_of(path));
+    std::vector<std::string> names(rank);
+    if (rank == 0 || !ScaleLists::are_in(dataset)) return names;
+    const ScaleLists lists(dataset, path, rank);
+    for (std::size_t axis = 0; axis < rank; ++axis)
+        names[axis] = lists.name(dataset, axis, path);
+    return names;
+}
+
+Shape shape_of(hid_t dataset, const std::string& path) {
+    const Handle space(H5Dget_space(dataset), H5Sclose, "read", path);
+    if (H5Sget_simple_extent_type(space) == H5S_NULL)
+        throw Error(fmt::format("dataset {} has no shape", path));
     std::vector<hsize_t> sizes(
         static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space))));
     if (!sizes.empty()) H5Sget_simple_extent_dims(space, sizes.data(), nullptr);
@@ -148,29 +209,79 @@ std::size_t size_of(const Shape& shape) {
     return size;
 }
 
-std::vector<std::string> read_texts(hid_t dataset, const std::string& path,
-                                    std::size_t n) {
+/// Memory for texts of a file, which are no longer all together than the file; without
+/// it HDF5 would take any length for true.
+class TextMemory {
+  public:
+    explicit TextMemory(double most) : left_(most) {}
+    static void* allocate(std::size_t size, void* self) {
+        return static_cast<TextMemory*>(self)->one_of(size);
+    }
+    static void keep(void*, void*) {}  ///< freed with all
+
+  private:
+    void* one_of(std::size_t size) {
+        if (static_cast<double>(size) > left_) return nullptr;
+        left_ -= static_cast<double>(size);
+        try {
+            return texts_.emplace_back(std::make_unique<char[]>(size)).get();
+        } catch (const std::bad_alloc&) {
+            return nullptr;
+        }
+    }
+
+    double left_;
+    std::vector<std::unique_ptr<char[]>> texts_;
+};
+
+std::vector<std::string> read_texts(hid_t dataset, const std::string& path, std::size_t n,
+                                    double most_bytes) {
     std::vector<char*> raw(n, nullptr);
-    const Handle type = text_type();
-    void* const buffer = static_cast<void*>(raw.data());
-    checked(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer), "read", path);
+    TextMemory memory(most_bytes + static_cast<double>(n));
+    const Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose, "make", path);
+    H5Pset_vlen_mem_manager(transfer, TextMemory::allocate, &memory, TextMemory::keep,
+                            &memory);
+    checked(H5Dread(dataset, text_type(), H5S_ALL, H5S_ALL, transfer,
+                    static_cast<void*>(raw.data())),
+            "read", path);
     std::vector<std::string> texts(n);
     for (std::size_t k = 0; k < n; ++k) texts[k] = raw[k] ? raw[k] : "";
-    const Handle space(H5Dget_space(dataset), H5Sclose, "read", path);
-    H5Dvlen_reclaim(type, space, H5P_DEFAULT, buffer);
     return texts;
 }
 
-bool is_text(hid_t type) {
-    return H5Tget_class(type) == H5T_STRING;
+/// Throws Error where the values are neither numbers nor texts of our kind.
+bool is_text(hid_t type, const std::string& path) {
+    const H5T_class_t kind = H5Tget_class(type);
+    const bool is_number = kind == H5T_FLOAT || kind == H5T_INTEGER;
+    if (!is_number && H5Tis_variable_str(type) <= 0)
+        throw Error(
+            fmt::format("dataset {} holds neither numbers nor texts of variable "
+                        "length",
+                        path));
+    return !is_number;
 }
 
-/// The text of an attribute, or nothing where it is of another type.
-std::string read_attribute(hid_t attribute) {
-    const Handle type = text_type();
+/// How much larger an array may be than the file: not at all, but for packed ones.
+double packing_of(hid_t dataset, const std::string& path) {
+    const Handle creation(H5Dget_create_plist(dataset), H5Pclose, "read", path);
+    const H5D_layout_t layout = H5Pget_layout(creation);
+    if (layout == H5D_VIRTUAL || H5Pget_external_count(creation) != 0)
+        throw Error(fmt::format("dataset {} lies in another file", path));
+    return layout == H5D_CHUNKED ? most_packing : 1;
+}
+
+std::string in_words(const Shape& shape) {
+    return fmt::format("({})", fmt::join(shape, ", "));
+}
+
+std::string read_attribute(hid_t attribute, const std::string& name) {
+    const Handle space(H5Aget_space(attribute), H5Sclose, "read", name);
+    if (H5Sget_simple_extent_npoints(space) != 1)
+        throw Error(fmt::format("attribute {} is not one text", name));
     char* raw = nullptr;
-    if (H5Aread(attribute, type, static_cast<void*>(&raw)) < 0 || !raw) return {};
-    std::string text = raw;
+    checked(H5Aread(attribute, text_type(), static_cast<void*>(&raw)), "read attribute",
+            name);
+    const std::string text = raw ? raw : "";
     H5free_memory(raw);
     return text;
 }
@@ -180,6 +291,8 @@ std::string read_attribute(hid_t attribute) {
 void start_library() {
     [[maybe_unused]] static const herr_t without_exit_handler = H5dont_atexit();
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    H5Lunregister(H5L_TYPE_EXTERNAL);  // no file leads us to another
+    H5PLset_loading_state(0);          // nor to code
 }
 
 }  // namespace
@@ -194,11 +307,15 @@ File File::create(const std::filesystem::path& path) {
 File File::open(const std::filesystem::path& path) {
     start_library();
     const Handle access = file_access();
+    std::error_code ignored;
+    const auto size = static_cast<double>(std::filesystem::file_size(path, ignored));
     return File(
-        checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), "open", path.string()));
+        checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), "open", path.string()),
+        size);
 }
 
-File::File(File&& other) noexcept : id_(std::exchange(other.id_, -1)) {}
+File::File(File&& other) noexcept
+    : id_(std::exchange(other.id_, -1)), size_(other.size_), taken_(other.taken_) {}
 
 File::~File() {
     if (id_ >= 0) H5Fclose(id_);
@@ -284,46 +401,66 @@ void File::attach_scale(const std::string& path, unsigned axis,
 }
 
 std::map<std::string, std::string> File::attributes(const std::string& object) const {
-    std::map<std::string, std::string> found;
+    std::vector<std::string> names;
     const Handle owner = open_object(id_, object);
-    H5Aiterate2(
-        owner, H5_INDEX_NAME, H5_ITER_INC, nullptr,
-        [](hid_t at, const char* name, const H5A_info_t*, void* out) -> herr_t {
-            const Handle attribute(H5Aopen(at, name, H5P_DEFAULT), H5Aclose, "open",
-                                   name);
-            const Handle type(H5Aget_type(attribute), H5Tclose, "read", name);
-            if (H5Tis_variable_str(type) > 0)
-                (*static_cast<std::map<std::string, std::string>*>(out))[name] =
-                    read_attribute(attribute);
-            return 0;
-        },
-        &found);
+    checked(H5Aiterate2(
+                owner, H5_INDEX_NAME, H5_ITER_INC, nullptr,
+                [](hid_t, const char* name, const H5A_info_t*, void* out) -> herr_t {
+                    static_cast<std::vector<std::string>*>(out)->emplace_back(name);
+                    return 0;
+                },
+                &names),
+            "read attributes of", object);
+    std::map<std::string, std::string> found;
+    for (const std::string& name : names) {
+        const Handle attribute(H5Aopen(owner, name.c_str(), H5P_DEFAULT), H5Aclose,
+                               "open attribute", name);
+        const Handle type(H5Aget_type(attribute), H5Tclose, "read attribute", name);
+        if (H5Tis_variable_str(type) > 0) found[name] = read_attribute(attribute, name);
+    }
     return found;
 }
 
 std::vector<std::string> File::dataset_paths() const {
     std::vector<std::string> paths;
-    H5Ovisit2(
-        id_, H5_INDEX_NAME, H5_ITER_INC,
-        [](hid_t at, const char* name, const H5O_info_t* info, void* out) -> herr_t {
-            if (info->type == H5O_TYPE_DATASET && !is_bare(open_dataset(at, name)))
-                static_cast<std::vector<std::string>*>(out)->push_back(name);
-            return 0;
-        },
-        &paths, H5O_INFO_BASIC);
+    checked(H5Ovisit2(
+                id_, H5_INDEX_NAME, H5_ITER_INC,
+                [](hid_t, const char* name, const H5O_info_t* info, void* out) -> herr_t {
+                    if (info->type == H5O_TYPE_DATASET)
+                        static_cast<std::vector<std::string>*>(out)->emplace_back(name);
+                    return 0;
+                },
+                &paths, H5O_INFO_BASIC),
+            "list", "the datasets");
+    std::erase_if(
+        paths, [&](const std::string& path) { return is_bare(open_dataset(id_, path)); });
     std::sort(paths.begin(), paths.end());
     return paths;
 }
 
-Array File::read(const std::string& path) const {
+void File::take(const std::string& path, const Shape& shape, double bytes, double most) {
+    double longest = 0;
+    for (const std::size_t size : shape) {
+        bytes *= static_cast<double>(size);
+        longest = std::max(longest, static_cast<double>(size));
+    }
+    taken_ += bytes;
+    if (std::max(bytes, longest) > most * size_ || taken_ > most_packing * size_)
+        throw Error(fmt::format("dataset {} has shape {}, more than the file can hold",
+                                path, in_words(shape)));
+}
+
+Array File::read(const std::string& path) {
     const Handle dataset = open_dataset(id_, path);
     const Handle type(H5Dget_type(dataset), H5Tclose, "read", path);
-    Array array{shape_of(dataset), {}, {}, {}};
-    for (unsigned axis = 0; axis < array.shape.size(); ++axis)
-        array.dims.push_back(dimension_name(dataset, axis));
+    const bool has_texts = is_text(type, path);
+    Array array{shape_of(dataset, path), {}, {}, {}};
+    take(path, array.shape, static_cast<double>(H5Tget_size(type)),
+         packing_of(dataset, path));
+    array.dims = dimension_names(dataset, path, array.shape.size());
     const std::size_t n = size_of(array.shape);
-    if (is_text(type)) {
-        array.texts = read_texts(dataset, path, n);
+    if (has_texts) {
+        array.texts = read_texts(dataset, path, n, size_);
     } else if (n > 0) {
         array.values.resize(n);
         checked(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,

@@ -6,6 +6,10 @@
 /// object keeps time stamps, and HDF5's file locks are off: they fail on network file
 /// systems, and our files are written under a temporary name anyway. Leaves out: chunks,
 /// compression, other types.
+///
+/// What is read may be of anyone: links to other files are not followed, types and shapes
+/// are looked at first, and no more is taken than the file can hold. HDF5 itself crashes
+/// on some damaged files; result_reading keeps that apart.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +40,8 @@ struct Array {
 class File {
   public:
     static File create(const std::filesystem::path& path);  ///< overwrites
-    static File open(const std::filesystem::path& path);    ///< to read
+    /// To read. Throws Error where it is no HDF5 file.
+    static File open(const std::filesystem::path& path);
     ~File();
     File(const File&) = delete;
     File& operator=(const File&) = delete;
@@ -57,14 +62,20 @@ class File {
     void make_scale(const std::string& path);
     void attach_scale(const std::string& path, unsigned axis, const std::string& scale);
 
-    std::map<std::string, std::string> attributes(
-        const std::string& object) const;            ///< texts
+    /// Texts; attributes of other types are passed over. Throws Error where one is a
+    /// list.
+    std::map<std::string, std::string> attributes(const std::string& object) const;
     std::vector<std::string> dataset_paths() const;  ///< sorted, without bare dimensions
-    Array read(const std::string& path) const;
+    /// Throws Error where it is neither numbers nor texts, lies in another file, or is
+    /// larger than the file can hold.
+    Array read(const std::string& path);
 
   private:
-    explicit File(std::int64_t id) : id_(id) {}
+    explicit File(std::int64_t id, double size = 0) : id_(id), size_(size) {}
+    void take(const std::string& path, const Shape& shape, double bytes, double most);
+
     std::int64_t id_;
+    double size_ = 0, taken_ = 0;  ///< of the file, and of what was read of it [bytes]
 };
 
 }  // namespace bemcal::store::hdf5

@@ -461,6 +461,14 @@ bool matches(std::string_view pattern, std::string_view name) {
            name.find('/', pattern.size()) == std::string_view::npos;
 }
 
+std::string dims_of(const study::Dataset& dataset) {
+    return fmt::format("{}", fmt::join(dataset.dims, " "));
+}
+
+bool is_of_kind(const study::Dataset& dataset, const LayoutRow& row) {
+    return row.kind == text ? dataset.values.empty() : dataset.texts.empty();
+}
+
 }  // namespace
 
 std::span<const LayoutRow> layout() {
@@ -477,22 +485,31 @@ std::string group_of(const std::string& path) {
     return end == std::string::npos ? std::string() : path.substr(0, end);
 }
 
-const LayoutRow& layout_of(const study::Dataset& dataset) {
+const LayoutRow* known_layout(const study::Dataset& dataset) {
     const std::string leaf = leaf_of(dataset.path);
     const std::string inner = leaf_of(group_of(dataset.path)) + "/" + leaf;
-    const std::string dims = fmt::format("{}", fmt::join(dataset.dims, " "));
+    const std::string dims = dims_of(dataset);
     const LayoutRow* row = nullptr;
     for (const LayoutRow& each : layout()) {
         if (!matches(each.leaf, leaf) && !matches(each.leaf, inner)) continue;
         row = &each;
         if (matches(each.dims, dims)) break;
     }
+    return row;
+}
+
+bool is_as(const study::Dataset& dataset, const LayoutRow& row) {
+    return matches(row.dims, dims_of(dataset)) && is_of_kind(dataset, row);
+}
+
+const LayoutRow& layout_of(const study::Dataset& dataset) {
+    const LayoutRow* row = known_layout(dataset);
     if (row == nullptr)
         throw std::logic_error("no row in the layout table for dataset " + dataset.path);
-    if (!matches(row->dims, dims))
+    if (!matches(row->dims, dims_of(dataset)))
         throw std::logic_error(fmt::format("dataset {} has dimensions '{}', not '{}'",
-                                           dataset.path, dims, row->dims));
-    if (row->kind == text ? !dataset.values.empty() : !dataset.texts.empty())
+                                           dataset.path, dims_of(dataset), row->dims));
+    if (!is_of_kind(dataset, *row))
         throw std::logic_error("dataset " + dataset.path + " is of the wrong kind");
     return *row;
 }

@@ -31,6 +31,12 @@ std::span<const LayoutRow> layout();
 /// dimensions or kind are not those of the table.
 const LayoutRow& layout_of(const study::Dataset& dataset);
 
+/// The same for a result that may be of another program or damaged: nullptr where its
+/// name is unknown.
+const LayoutRow* known_layout(const study::Dataset& dataset);
+/// Whether dimensions and kind are those of the row.
+bool is_as(const study::Dataset& dataset, const LayoutRow& row);
+
 std::string leaf_of(const std::string& path);   ///< "c" of "a/b/c"
 std::string group_of(const std::string& path);  ///< "a/b" of "a/b/c"; "" at the root
 

@@ -1,13 +1,15 @@
 /// Writes a result under a temporary name, to the disk, and renames it when complete;
-/// reads it back; and hashes all but /run.
+/// and hashes all but /run.
 /// Source: netCDF-4's conventions (hdf5). Datasets are held in memory whole; a result is
-/// never changed afterwards. The hash finds differences, not forgery.
+/// never changed afterwards. The hash finds differences, not forgery. Reading is
+/// result_reading's.
 #include "store/result_file.hpp"
 
 #include "base/error.hpp"
 #include "base/hash.hpp"
 #include "store/hdf5.hpp"
 #include "store/layout.hpp"
+#include "store/result_reading.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -20,10 +22,6 @@
 
 namespace bemcal::store {
 namespace {
-
-constexpr const char* complete_mark = "COMPLETE";
-constexpr const char* hash_mark = "result_hash";
-constexpr const char* run_group = "run";
 
 using study::Dataset;
 
@@ -143,34 +141,6 @@ void write_and_sync(const std::filesystem::path& file, const ResultFile& result,
     sync_path(file, O_RDONLY);
 }
 
-Dataset read_dataset(const hdf5::File& file, const std::string& path) {
-    hdf5::Array array = file.read(path);
-    auto attributes = file.attributes(path);
-    return {path,
-            std::move(array.dims),
-            std::move(array.shape),
-            std::move(array.values),
-            std::move(array.texts),
-            attributes["units"]};
-}
-
-std::string take(std::map<std::string, std::string>& attributes, const char* name) {
-    const auto node = attributes.extract(name);
-    return node ? node.mapped() : std::string();
-}
-
-ResultFile read_open(const hdf5::File& file, const std::string& group) {
-    ResultFile result;
-    result.attributes = file.attributes("/");
-    result.complete = take(result.attributes, complete_mark) == "yes";
-    result.hash = take(result.attributes, hash_mark);
-    if (file.has(run_group)) result.run = file.attributes(run_group);
-    for (const std::string& path : file.dataset_paths())
-        if (!path.starts_with("run/") && (group.empty() || path.starts_with(group + "/")))
-            result.datasets.push_back(read_dataset(file, path));
-    return result;
-}
-
 }  // namespace
 
 std::string result_hash(const ResultFile& result) {
@@ -209,16 +179,11 @@ ResultFile read_result(const std::filesystem::path& file, const std::string& gro
         throw UserError(
             ExitCode::no_input,
             fmt::format("{}: is a folder; expected a result file", file.string()));
-    try {
-        ResultFile result = read_open(hdf5::File::open(file), group);
-        if (!result.attributes.contains("program"))
-            throw hdf5::Error("it is an HDF5 file, but bemcal-batch did not write it");
-        return result;
-    } catch (const hdf5::Error& error) {
-        throw UserError(ExitCode::data,
-                        fmt::format("{}: not a result of bemcal-batch: {}", file.string(),
-                                    error.what()));
-    }
+    if (!std::filesystem::is_regular_file(file))
+        throw UserError(
+            ExitCode::no_input,
+            fmt::format("{}: is no regular file; expected a result file", file.string()));
+    return read_apart(file, group);
 }
 
 }  // namespace bemcal::store

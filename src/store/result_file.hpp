@@ -5,23 +5,12 @@
 /// covers everything else. Reading is for `report`, `status` and the tests.
 #pragma once
 
-#include "study/stage.hpp"
+#include "store/result.hpp"
 
 #include <filesystem>
-#include <map>
 #include <string>
-#include <vector>
 
 namespace bemcal::store {
-
-struct ResultFile {
-    /// Of the root: job, seed, versions, ...
-    std::map<std::string, std::string> attributes;
-    std::map<std::string, std::string> run;  ///< attributes of /run: outside the hash
-    std::vector<study::Dataset> datasets;  ///< each dimension has a coordinate or a size
-    bool complete = false;
-    std::string hash;  ///< filled by the reader and the writer
-};
 
 /// The hash of all but /run: attributes by name, then datasets by path.
 std::string result_hash(const ResultFile& result);
