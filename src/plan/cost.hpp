@@ -28,7 +28,4 @@ PlanCost total_of(const std::vector<StageCost>& stages, const job::Job& job);
 /// Of a job that is not a stock. Throws UserError (config) where it has no study.
 PlanCost cost_of_buildings(const job::Job& job);
 
-/// Whether a study draws in rounds until it has converged.
-bool has_chains(const job::StudySpec& study);
-
 }  // namespace bemcal::plan

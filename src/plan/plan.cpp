@@ -3,7 +3,7 @@
 #include "plan/plan.hpp"
 
 #include "base/error.hpp"
-#include "job/readers.hpp"
+#include "job/kind.hpp"
 #include "job/stages.hpp"
 #include "plan/stock_text.hpp"
 
@@ -66,17 +66,15 @@ std::string building_lines(const job::Job& job) {
 }
 
 bool has_posterior(const job::Job& job) {
-    return std::any_of(job.studies.begin(), job.studies.end(), has_chains);
+    return std::ranges::any_of(
+        job.studies, [](const job::StudySpec& study) { return study.kind->has_chains; });
 }
 
 std::string study_lines(const job::Job& job) {
     std::string text;
     for (const job::StudySpec& study : job.studies)
-        if (study.kind == job::StudyKind::loop)
-            text += fmt::format("{}: {}\n\n", study.name, job::sentence_of(study.loop));
-        else if (study.kind == job::StudyKind::grid)
-            text += fmt::format("{}: {}\n\n", study.name,
-                                job::sentence_of(study.grid.options));
+        if (study.kind->sentence != nullptr)
+            text += fmt::format("{}: {}\n\n", study.name, study.kind->sentence(study));
     return text;
 }
 
