@@ -45,6 +45,15 @@ std::string nearest(std::string_view word, const std::vector<std::string>& words
     return best;
 }
 
+std::vector<std::string> by_nearness(std::string_view word,
+                                     std::vector<std::string> words) {
+    if (word.size() <= longest_compared)
+        std::ranges::stable_sort(words, {}, [&](const std::string& other) {
+            return edit_distance(word, other);
+        });
+    return words;
+}
+
 std::string suggestion(std::string_view word, const std::vector<std::string>& words) {
     const std::string near = nearest(word, words);
     if (!near.empty()) return fmt::format("; did you mean \"{}\"?", near);

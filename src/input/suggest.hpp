@@ -14,6 +14,10 @@ int edit_distance(std::string_view a, std::string_view b);
 /// letters).
 std::string nearest(std::string_view word, const std::vector<std::string>& words);
 
+/// The same words, the nearest first; those as near as others in their order.
+std::vector<std::string> by_nearness(std::string_view word,
+                                     std::vector<std::string> words);
+
 /// "; did you mean \"x\"?", else "; expected one of a, b, c", else an empty text.
 std::string suggestion(std::string_view word, const std::vector<std::string>& words);
 

@@ -3,7 +3,7 @@
 /// Source: ISO 13790, eq. 63 (H_tr,op below H_tr,ms), by `make_network`.
 /// Set-points are checked hour by hour, conductances at a period's first step only.
 /// Weather and the ranges of parameters are left to their readers.
-#include "job/readers.hpp"
+#include "job/building_readers.hpp"
 #include "physics/network.hpp"
 
 #include <cmath>

@@ -1,8 +1,9 @@
 /// Writes the two references of a job file: every key with default, range and sentence,
 /// and every number that a parameter may name.
-/// Follows from the schema's rows and `fields()` alone, so text and readers agree.
-/// Results and effects are described elsewhere (`describe_results`, `effects::describe`).
-#include "job/job.hpp"
+/// Follows from the schema's rows, those of each kind of study, and `fields()` alone, so
+/// text and readers agree. Results and effects are described elsewhere
+/// (`describe_results`, `effects::describe`).
+#include "job/kinds.hpp"
 #include "schema/schema.hpp"
 
 #include <cmath>
@@ -26,6 +27,38 @@ std::string line_of(const schema::Key& key) {
                        key.sentence);
 }
 
+std::string heading_of(const schema::SectionInfo& section) {
+    const std::string text =
+        fmt::format("\n{}\n  {}\n", section.heading, section.sentence);
+    return *section.includes == '\0'
+               ? text
+               : text + fmt::format("  Also all keys of: {}\n", section.includes);
+}
+
+/// Without the keys of a section that it includes, which stand there.
+std::string section_text(const schema::SectionInfo& section, const schema::Table& table) {
+    std::string text = heading_of(section);
+    for (const schema::Key& key : table.keys_of(section.name))
+        if (std::string_view(key.section) == section.name) text += line_of(key);
+    return text;
+}
+
+bool is_common(const schema::Key& key) {
+    return common_table().find(key.section, key.key) != nullptr;
+}
+
+/// What all kinds have, then the keys of each by itself.
+std::string studies_text() {
+    std::string text = section_text(common_table().sections()[0], common_table());
+    for (const Kind* kind : kinds())
+        for (const schema::SectionInfo& section : table_of(*kind).sections()) {
+            text += heading_of(section);
+            for (const schema::Key& key : table_of(*kind).keys_of(section.name))
+                if (!is_common(key)) text += line_of(key);
+        }
+    return text;
+}
+
 }  // namespace
 
 std::string describe_job() {
@@ -33,15 +66,10 @@ std::string describe_job() {
         "A job is a TOML file. Every key, with its default, what is accepted, and what "
         "it means.\n"
         "An unknown key, or one without effect, is an error.\n";
-    for (const schema::SectionInfo& section : schema::sections()) {
-        text += fmt::format("\n{}\n  {}\n", section.heading, section.sentence);
-        if (*section.includes != '\0')
-            text += fmt::format("  Also all keys of: {}\n", section.includes);
-        const std::vector<schema::Key> included = schema::keys_of(section.includes);
-        std::vector<schema::Key> keys = schema::keys_of(section.name);
-        keys.resize(keys.size() - included.size());  // the included rows stand last
-        for (const schema::Key& key : keys) text += line_of(key);
-    }
+    for (const schema::SectionInfo& section : schema::job_table().sections())
+        text += std::string_view(section.name) == "study"
+                    ? studies_text()
+                    : section_text(section, schema::job_table());
     return text;
 }
 

@@ -4,7 +4,7 @@
 /// Links are in `read_links`, uncertain numbers in `read_parameters`; `check_building`
 /// asks whether the method can simulate it.
 #include "input/suggest.hpp"
-#include "job/readers.hpp"
+#include "job/building_readers.hpp"
 
 #include <algorithm>
 #include <cmath>

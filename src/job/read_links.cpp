@@ -3,7 +3,7 @@
 /// Follows from paper 2: conductivity from density (eq. 5-6), types of glazing.
 /// A link may not set what an earlier one follows, so there are no cycles. Factors of
 /// meters, and numbers that follow from layers, cannot be linked.
-#include "job/readers.hpp"
+#include "job/building_readers.hpp"
 #include "physics/derived.hpp"
 
 #include <cmath>

@@ -8,7 +8,7 @@
 #include "input/intervals.hpp"
 #include "input/suggest.hpp"
 #include "input/units.hpp"
-#include "job/readers.hpp"
+#include "job/building_readers.hpp"
 #include "job/result_names.hpp"
 #include "job/timed_csv.hpp"
 

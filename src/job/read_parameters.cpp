@@ -3,7 +3,8 @@
 /// Follows from `fields()`: both ends of a range must keep every number within its
 /// limits, linked ones too.
 /// What links do between the two ends is not looked at. Priors are in `read_prior`.
-#include "job/readers.hpp"
+#include "job/building_readers.hpp"
+#include "job/read_prior.hpp"
 #include "physics/derived.hpp"
 
 #include <algorithm>

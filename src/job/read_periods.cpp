@@ -2,7 +2,7 @@
 /// included, or times. Training comes first.
 /// Source: ISO 8601 dates, by `parse_time`.
 /// Whether data cover a period is left to `read_weather` and `read_meters`.
-#include "job/readers.hpp"
+#include "job/building_readers.hpp"
 #include "job/result_names.hpp"
 
 #include <algorithm>

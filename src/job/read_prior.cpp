@@ -3,7 +3,7 @@
 /// Source: paper 1, step 2, for priors on the scale from 0 to 1; kinds are those of
 /// `stats::Prior`, cut to the range.
 /// Leaves out correlated priors, and priors on discrete values.
-#include "job/readers.hpp"
+#include "job/read_prior.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 /// Schedules are evaluated by `values_of`. Gaps in a period are found by
 /// `check_building`.
 #include "base/error.hpp"
-#include "job/readers.hpp"
+#include "job/building_readers.hpp"
 #include "job/timed_csv.hpp"
 
 #include <algorithm>
@@ -169,6 +169,15 @@ std::vector<physics::Profile> read_profiles(const Sources& sources,
          sources.with("series").tables("series", "series"))
         add(profiles, read_series(section, files, site), section);
     return profiles;
+}
+
+std::vector<study::Column> read_columns(const Sources& sources) {
+    std::vector<study::Column> columns;
+    for (const schema::Section& section :
+         sources.with("series").tables("series", "series"))
+        columns.push_back({section.text("name"),
+                           section.has("unit") ? section.text("unit") : std::string()});
+    return columns;
 }
 
 }  // namespace bemcal::job

@@ -3,10 +3,12 @@
 /// command.
 /// Follows from paper 3's tool, which runs EnergyPlus once per point.
 /// It is run by `command_simulator`. Whether outputs appear only a run shows.
+#include "job/read_simulator.hpp"
+
 #include "external/process.hpp"
 #include "input/suggest.hpp"
-#include "job/readers.hpp"
 #include "job/result_names.hpp"
+#include "job/words.hpp"
 
 #include <algorithm>
 #include <set>
@@ -141,14 +143,6 @@ class Folder {
     std::set<std::string> names_{external::standard_output, external::standard_error};
 };
 
-std::vector<std::string> names_of(const std::vector<physics::Parameter>& parameters) {
-    std::vector<std::string> names;
-    names.reserve(parameters.size());
-    for (const physics::Parameter& parameter : parameters)
-        names.push_back(parameter.name);
-    return names;
-}
-
 void read_inputs(const schema::Section& simulator, input::InputFiles& files,
                  CommandOptions& options) {
     const std::vector<std::string> names = names_of(options.parameters);
@@ -229,19 +223,6 @@ CommandOptions read_simulator(const schema::Section& simulator, input::InputFile
     options.keep = simulator.choice_as<external::Keep>("keep");
     options.folder = simulator.has("folder") ? simulator.text("folder") : job + ".points";
     return options;
-}
-
-void check_simulator_study(const schema::Section& section, const StudySpec& study) {
-    if (!can_be_of_simulator(study.kind))
-        section.fail_value("kind",
-                           "needs a building, and the job has a [simulator] in its "
-                           "place; expected sensitivity, grid, optimisation or "
-                           "kennedy_ohagan");
-    check_name(section, "name", Named::building, study.name);
-    for (const char* key : {"period", "quantities"})
-        if (section.has(key))
-            section.fail(key,
-                         "is of a building; a [simulator] is studied in its own outputs");
 }
 
 }  // namespace bemcal::job

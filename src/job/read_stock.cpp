@@ -4,10 +4,11 @@
 /// A line that cannot be used keeps its complaint. Data are read by the worker alone.
 #include "base/error.hpp"
 #include "base/hash.hpp"
-#include "job/readers.hpp"
+#include "job/building_readers.hpp"
 #include "job/result_names.hpp"
 #include "job/stock.hpp"
 #include "job/stock_description.hpp"
+#include "job/studies.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -145,11 +146,6 @@ std::uint64_t seed_of(std::uint64_t seed, const std::string& name) {
     return checksum64(text.data(), text.size()) >> 11;
 }
 
-void set_seeds(Job& job) {
-    StudySpec& study = job.studies.at(0);
-    study.screening.seed = study.posterior.chains.seed = study.loop.seed = job.seed;
-}
-
 void add_building(const schema::Section& own, const schema::Section& root,
                   const StockLine& line, input::InputFiles& files, Job& job) {
     study::Case building = read_case({own, root}, files);
@@ -223,13 +219,13 @@ Job read_stock_building(const Job& stock_job, const StockLine& line,
     Job job;
     job.file = stock_job.file;
     job.name = line.name;
-    job.studies = stock_job.studies;
+    job.first_chain = stock_job.first_chain;
     job.seed = seed_of(stock_job.seed, line.name);
-    set_seeds(job);
     files.weathers = stock.weathers;
     const std::string root_name = stock_job.file.string();
     const schema::Node root_tree = schema::parse_document(stock_job.text, root_name);
     const schema::Section root(root_tree, "job", root_name);
+    job.studies = read_studies(root, files, job.seed, nullptr);  // with its own seed
     OwnText own = own_text(stock, line, files);
     const schema::Node tree = schema::parse_document(own.text, own.file);
     add_building(schema::Section(tree, "building", own.file), root, line, files, job);

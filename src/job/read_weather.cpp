@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "input/checks.hpp"
 #include "input/epw.hpp"
-#include "job/readers.hpp"
+#include "job/building_readers.hpp"
 #include "job/timed_csv.hpp"
 #include "job/weather_memory.hpp"
 

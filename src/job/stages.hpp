@@ -5,12 +5,9 @@
 #include "job/job.hpp"
 #include "study/stage.hpp"
 
-#include <memory>
-#include <vector>
-
 namespace bemcal::job {
 
-using Stages = std::vector<std::unique_ptr<study::Stage>>;
+using study::Stages;
 
 /// Those of one study, over all buildings. Throws UserError (config) where the study does
 /// not fit a building.

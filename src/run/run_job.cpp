@@ -4,6 +4,7 @@
 /// stage's, tables on the terminal report's.
 #include "run/run_job.hpp"
 
+#include "job/kind.hpp"
 #include "job/stages.hpp"
 #include "job/stock.hpp"
 #include "kernel/batch.hpp"
@@ -79,14 +80,10 @@ OutputNames agreed_output(Comm& comm, const job::Job& job, const JobOptions& opt
 
 /// Arrays of a job: every run has chains of its own.
 void set_first_chain(job::Job& job, int first_chain) {
-    bool has_posterior = false;
-    for (job::StudySpec& study : job.studies) {
-        study.posterior.chains.first_chain = study.koh.options.chains.first_chain =
-            first_chain;
-        has_posterior = has_posterior || study.kind == job::StudyKind::posterior ||
-                        study.kind == job::StudyKind::kennedy_ohagan;
-    }
-    if (first_chain > 0 && !has_posterior)
+    job.first_chain = first_chain;
+    const bool has_chains = std::ranges::any_of(
+        job.studies, [](const job::StudySpec& study) { return study.kind->has_chains; });
+    if (first_chain > 0 && !has_chains)
         throw UserError(ExitCode::usage,
                         fmt::format("--first-chain {}: {} has no study of kind "
                                     "\"posterior\"; leave it out",

@@ -1,11 +1,10 @@
-/// Looks keys up in the schema: a section's own rows, those of sections that it includes,
-/// and the building's numbers. Words what a key accepts.
-/// Follows from `key_table` and `fields()`.
-/// Values are checked by `section`, rules between keys by the readers.
+/// Looks keys up in a table of the schema: a section's own rows, then those of the
+/// section that it includes. Makes the job's table, and words what a key accepts. Follows
+/// from `declared_keys` and `fields()`. Values are checked by `section`, rules between
+/// keys by the readers.
 #include "schema/schema.hpp"
 
 #include <cmath>
-#include <map>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -33,55 +32,73 @@ Key key_of(const physics::Field& field, const std::string& fallback) {
             field.sentence};
 }
 
-struct Table {
-    std::map<std::string, std::vector<Key>, std::less<>> rows;
-    std::vector<std::string> fallbacks;  ///< text that the rows of fields() point into
-};
+/// Texts that the rows of fields() point into.
+const std::vector<std::string>& field_fallbacks() {
+    static const std::vector<std::string> texts = [] {
+        std::vector<std::string> made;
+        for (const physics::Field& field : physics::fields())
+            made.push_back(fmt::format("{}", field.fallback));
+        return made;
+    }();
+    return texts;
+}
 
-void append(std::vector<Key>& to, const std::vector<Key>& from) {
+void append(std::vector<Key>& to, std::span<const Key> from) {
     to.insert(to.end(), from.begin(), from.end());
 }
 
-Table make_table() {
-    Table table;
-    for (const Key& key : key_table()) table.rows[key.section].push_back(key);
-    for (const physics::Field& field : physics::fields())
-        table.fallbacks.push_back(fmt::format("{}", field.fallback));
-    for (std::size_t i = 0; i < physics::fields().size(); ++i) {
+std::vector<Key> job_keys() {
+    std::vector<Key> keys;
+    append(keys, declared_keys());
+    append(keys, simulator_keys());
+    for (std::size_t i = 0; i < physics::fields().size(); ++i)
         // A meter's factor is no key of [[meter]]: parameters reach it.
-        if (physics::fields()[i].part == physics::Part::meter) continue;
-        const Key key = key_of(physics::fields()[i], table.fallbacks[i]);
-        table.rows[key.section].push_back(key);
-    }
-    const auto own = table.rows;
-    for (const SectionInfo& section : sections())
-        if (const auto included = own.find(section.includes); included != own.end())
-            append(table.rows[section.name], included->second);
-    return table;
-}
-
-const Table& whole_table() {
-    static const Table table = make_table();
-    return table;
+        if (physics::fields()[i].part != physics::Part::meter)
+            keys.push_back(key_of(physics::fields()[i], field_fallbacks()[i]));
+    return keys;
 }
 
 }  // namespace
 
-const char* section_of(physics::Part part) {
-    return part_sections[static_cast<int>(part)];
+Table::Table(std::vector<SectionInfo> sections, std::span<const Key> keys)
+    : sections_(std::move(sections)) {
+    for (const Key& key : keys) keys_[key.section].push_back(key);
+    const auto own = keys_;
+    for (const SectionInfo& section : sections_)
+        if (const auto included = own.find(section.includes); included != own.end())
+            append(keys_[section.name], included->second);
 }
 
-std::vector<Key> keys_of(std::string_view section) {
-    const auto found = whole_table().rows.find(section);
-    return found == whole_table().rows.end() ? std::vector<Key>{} : found->second;
+const SectionInfo* Table::find(std::string_view section) const {
+    for (const SectionInfo& each : sections_)
+        if (section == each.name) return &each;
+    return nullptr;
+}
+
+const std::vector<Key>& Table::keys_of(std::string_view section) const {
+    static const std::vector<Key> none;
+    const auto found = keys_.find(section);
+    return found == keys_.end() ? none : found->second;
+}
+
+const Key* Table::find(std::string_view section, std::string_view key) const {
+    for (const Key& row : keys_of(section))
+        if (key == row.key) return &row;
+    return nullptr;
+}
+
+const Table& job_table() {
+    static const Table table({declared_sections().begin(), declared_sections().end()},
+                             job_keys());
+    return table;
 }
 
 const Key* find_key(std::string_view section, std::string_view key) {
-    const auto found = whole_table().rows.find(section);
-    if (found == whole_table().rows.end()) return nullptr;
-    for (const Key& row : found->second)
-        if (key == row.key) return &row;
-    return nullptr;
+    return job_table().find(section, key);
+}
+
+const char* section_of(physics::Part part) {
+    return part_sections[static_cast<int>(part)];
 }
 
 std::vector<std::string> choices_of(const Key& key) {
@@ -99,7 +116,7 @@ namespace {
 
 std::string range_of(const Key& key) {
     const auto plain = [](double number) {
-        const bool whole = number == std::floor(number);
+        const bool whole = std::abs(number) < 1e16 && number == std::floor(number);
         return whole ? fmt::format("{:.0f}", number) : fmt::format("{:g}", number);
     };
     if (std::isinf(key.most)) return fmt::format("from {} on", plain(key.least));

@@ -1,13 +1,15 @@
-/// The job file's schema: ONE declared table, from which reading, checking, defaults,
-/// error messages and `describe job` all come.
+/// The job file's schema: declared tables, from which reading, checking, defaults, error
+/// messages and `describe job` all come. One is of the job and its buildings; each kind
+/// of study has one of its own, beside its reader (job/kind.hpp).
 ///
 /// The numbers of a building (U-values, set-points, ...) are rows of physics::fields();
-/// they join the table here. Sections are named as in the file: "zone.window" is
+/// they join the job's table here. Sections are named as in the file: "zone.window" is
 /// [[zone.window]].
 #pragma once
 
 #include "physics/parameters.hpp"
 
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -45,17 +47,36 @@ struct SectionInfo {
     const char* heading;   ///< as in the file
     const char* includes;  ///< another section whose keys it has too, or ""
     const char* sentence;
+    bool takes_any_key = false;  ///< beside those that it has a row for
 };
 
-std::span<const SectionInfo> sections();
-std::span<const Key> key_table();
-/// Its rows of studies and output.
-std::span<const Key> study_keys();
+/// Sections and their keys, looked up by name.
+class Table {
+  public:
+    Table(std::vector<SectionInfo> sections, std::span<const Key> keys);
 
-/// Every key of a section: its own rows, the included section's, and the building's
-/// fields.
-std::vector<Key> keys_of(std::string_view section);
-/// The row of a key, or nullptr.
+    const std::vector<SectionInfo>& sections() const { return sections_; }
+    /// nullptr where there is no such section.
+    const SectionInfo* find(std::string_view section) const;
+    /// Its own rows, then those of the section that it includes.
+    const std::vector<Key>& keys_of(std::string_view section) const;
+    /// The row of a key, or nullptr.
+    const Key* find(std::string_view section, std::string_view key) const;
+
+  private:
+    std::vector<SectionInfo> sections_;
+    std::map<std::string, std::vector<Key>, std::less<>> keys_;
+};
+
+/// Of a job and its buildings, with the buildings' fields.
+const Table& job_table();
+
+/// Its rows as they are declared: sections, keys, keys of [simulator].
+std::span<const SectionInfo> declared_sections();
+std::span<const Key> declared_keys();
+std::span<const Key> simulator_keys();
+
+/// The row of a key in the job's table, or nullptr.
 const Key* find_key(std::string_view section, std::string_view key);
 
 std::vector<std::string> choices_of(const Key& key);

@@ -43,11 +43,12 @@ std::string more_on(const Key& row) {
 }  // namespace
 
 Section::Section(const Node& node, const char* schema, const std::string& file,
-                 std::string shown)
+                 std::string shown, const Table& table)
     : node_(&node),
       schema_(schema),
       file_(&file),
-      shown_(shown.empty() ? std::string(schema) : std::move(shown)) {
+      shown_(shown.empty() ? std::string(schema) : std::move(shown)),
+      table_(&table) {
     if (node.kind != Node::Kind::table)
         fail_config(fmt::format("{}:{}: {} = {}: expected a section with keys", file,
                                 node.line, schema, written(node)));
@@ -61,12 +62,13 @@ std::string Section::path_of(std::string_view key) const {
 }
 
 void Section::check_known() const {
+    const SectionInfo* info = table_->find(schema_);
+    if (info == nullptr) throw std::logic_error(fmt::format("no section {}", schema_));
+    if (info->takes_any_key) return;
     std::vector<std::string> known;
-    for (const Key& key : keys_of(schema_)) known.emplace_back(key.key);
-    if (known.empty() || std::string_view(schema_) == "periods")
-        return;  // any name will do
+    for (const Key& key : table_->keys_of(schema_)) known.emplace_back(key.key);
     for (const Entry& entry : node_->entries) {
-        if (find_key(schema_, entry.key) != nullptr) continue;
+        if (table_->find(schema_, entry.key) != nullptr) continue;
         fail_config(fmt::format("{}:{}: {}: unknown key{}", *file_, entry.line,
                                 path_of(entry.key), input::suggestion(entry.key, known)));
     }
@@ -83,7 +85,7 @@ bool Section::has(std::string_view key) const {
 }
 
 const Key& Section::row(std::string_view key) const {
-    const Key* row = find_key(schema_, key);
+    const Key* row = table_->find(schema_, key);
     if (row == nullptr) throw std::logic_error(fmt::format("no row {}.{}", schema_, key));
     return *row;
 }
@@ -177,7 +179,7 @@ std::vector<double> Section::numbers(std::string_view key) const {
 std::vector<std::string> Section::texts(std::string_view key) const {
     std::vector<std::string> values;
     const Key* wanted =
-        find_key(schema_, key);  // none for a period of the user's own name
+        table_->find(schema_, key);  // none for a period of the user's own name
     if (!has(key) && wanted != nullptr && wanted->fallback != nullptr) return values;
     const Node& list = node(key);
     const auto take = [&](const Node& item) {
@@ -194,12 +196,16 @@ std::vector<std::string> Section::texts(std::string_view key) const {
     return values;
 }
 
-Section Section::table(std::string_view key, const char* schema) const {
-    return {node(key), schema, *file_, path_of(key)};
+const Table& Section::table_with(const char* schema) const {
+    return table_->find(schema) != nullptr ? *table_ : job_table();
 }
 
-std::vector<Section> Section::tables(std::string_view key, const char* schema) const {
-    std::vector<Section> list;
+Section Section::table(std::string_view key, const char* schema) const {
+    return {node(key), schema, *file_, path_of(key), table_with(schema)};
+}
+
+std::vector<const Node*> Section::list_of_tables(std::string_view key) const {
+    std::vector<const Node*> list;
     if (!has(key) && row(key).fallback != nullptr) return list;
     const Node& value = node(key);
     if (value.kind == Node::Kind::table)
@@ -208,8 +214,14 @@ std::vector<Section> Section::tables(std::string_view key, const char* schema) c
                          path_of(key)));
     if (value.kind != Node::Kind::array)
         fail_value(key, fmt::format("expected {}", expectation(row(key))));
-    for (const Entry& entry : value.entries)
-        list.emplace_back(entry.node, schema, *file_);
+    for (const Entry& entry : value.entries) list.push_back(&entry.node);
+    return list;
+}
+
+std::vector<Section> Section::tables(std::string_view key, const char* schema) const {
+    std::vector<Section> list;
+    for (const Node* node : list_of_tables(key))
+        list.emplace_back(*node, schema, *file_, "", table_with(schema));
     return list;
 }
 

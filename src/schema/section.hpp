@@ -20,8 +20,9 @@ class Section {
     /// \param node  a table; another kind is an error. Both it and `file` must outlive
     /// this.
     /// \param shown  what messages call the section; the schema's name where it is empty
+    /// \param table  that has the section and those in it; what it lacks is the job's
     Section(const Node& node, const char* schema, const std::string& file,
-            std::string shown = "");
+            std::string shown = "", const Table& table = job_table());
 
     bool has(std::string_view key) const;
     double number(std::string_view key) const;
@@ -33,6 +34,8 @@ class Section {
     std::vector<std::string> texts(std::string_view key) const;
     Section table(std::string_view key, const char* schema) const;
     std::vector<Section> tables(std::string_view key, const char* schema) const;
+    /// The same, unopened: for sections whose keys depend on what stands in them.
+    std::vector<const Node*> list_of_tables(std::string_view key) const;
     /// The value as written, marked as used; a missing one is an error.
     const Node& node(std::string_view key) const;
 
@@ -72,10 +75,13 @@ class Section {
     int choice_index(std::string_view key) const;
     void check_known() const;
 
+    const Table& table_with(const char* schema) const;
+
     const Node* node_;
     const char* schema_;
     const std::string* file_;
     std::string shown_;
+    const Table* table_;
 };
 
 /// A number as the schema's row wants it; throws UserError that begins with `where`.

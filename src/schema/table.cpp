@@ -1,12 +1,12 @@
-/// Declares the schema's sections and its rows of the job, a stock and buildings. A new
-/// option is one row here and one line in the reader of its section.
+/// Declares the sections of the job's table and its rows of the job, a stock, buildings,
+/// scenarios and output. A new option is one row here and one line in the reader of its
+/// section.
 /// Follows from one table for reading, checks, defaults, messages and `describe job`.
-/// Leaves out studies (`study_keys`), numbers of a building (`fields()`), and rules
-/// between keys, which the readers check.
+/// Leaves out [simulator] (`simulator_keys`), studies (each kind has rows of its own),
+/// numbers of a building (`fields()`), and rules between keys, which the readers check.
 #include "schema/schema.hpp"
 #include "schema/words.hpp"
 
-#include <iterator>
 #include <limits>
 
 namespace bemcal::schema {
@@ -70,40 +70,15 @@ constexpr SectionInfo section_table[] = {
     {"prior", "prior = {...} (of a [[parameter]])", "",
      "What is believed of the parameter before the data, cut to min and max; for kind = "
      "\"posterior\"."},
-    {"periods", "[periods]", "",
-     "The first one is for training, the others for judging."},
+    {"periods", "[periods]", "", "The first one is for training, the others for judging.",
+     true},
     {"run", "[run]", "", "How a simulation runs."},
-    {"study", "[[study]]", "", "What is to be done with every building, in this order."},
-    {"study.fixed", "[study.fixed]", "",
-     "office_hour_sensitivity: inputs held at a value, one for each case; the names are "
-     "those "
-     "of the model (describe parameters). kennedy_ohagan: a number for each."},
-    {"study.prior", "[study.prior]", "",
-     "kennedy_ohagan: of calibrated inputs, NAME = {kind = \"normal\", mean = 0.5, sd = "
-     "0.2, normalised = true}; fixed, uniform, normal and beta, the others normalised "
-     "only."},
+    {"study", "[[study]]", "", "Its table is that of its kind.", true},
     {"scenario", "[[scenario]]", "",
      "A retrofit, for a study of kind \"retrofit\"; the same for all buildings."},
     {"scenario.change", "[[scenario.change]]", "",
      "A number of the building that it changes; value, factor, offset or insulation says "
      "how."},
-    {"study.grid", "[study.grid]", "",
-     "grid: values of parameters, NAME = [1, 3, 5]; every combination is simulated, and "
-     "parameters that are not named stay nominal."},
-    {"study.stage", "[[study.stage]]", "",
-     "grid: the same for the second stage, and the third, in place of a refinement."},
-    {"study.target", "[[study.target]]", "",
-     "grid: a number that the building is held against; default: the electricity and the "
-     "gas of the period."},
-    {"study.calibration_stage", "[[study.stage]]", "",
-     "stages: one of them, in their order."},
-    {"study.ranges", "ranges = {NAME = [0.1, 1.5]}", "",
-     "stages: ranges of this stage, within the parameters' own."},
-    {"study.set", "set = {NAME = 0.5}", "",
-     "stages: parameters that have this value in this stage and those that start from "
-     "it."},
-    {"study.validation", "[[study.validation]]", "",
-     "stages: a period that judges what they found."},
     {"output", "[output]", "", "What is kept."},
     {"stock", "[stock]", "",
      "Many buildings in place of one, a line of a table each; a screening, posterior or "
@@ -425,20 +400,43 @@ constexpr Key table[] = {
     {"run", "step", Type::integer, "s", "3600", 60, 3600, "Divides 3600."},
     {"run", "warm_up_days", Type::number, "d", "42", 0, 366,
      "Simulated before a period, to forget the start."},
+    // scenarios
+    {"scenario", "name", Type::text, "", required, 0, 0, ""},
+    {"scenario", "change", Type::tables, "", "", 0, 0,
+     "[[scenario.change]]; none: the building stays as it is."},
+    {"scenario", "heating_carrier", Type::choice, carriers, "", 0, 0,
+     "Another plant: the meter that heating is on afterwards."},
+    {"scenario.change", "target", Type::texts, "", required, 0, 0,
+     "As of a [[parameter]]: \"construction.wall.u_value\", "
+     "\"glazing.*.solar_transmittance\", \"zone.*.flow.infiltration.air_change\", "
+     "\"zone.*.flow.ventilation.heat_recovery\", \"plant.heating_efficiency\", "
+     "\"zone.*.heating_set_point\"."},
+    {"scenario.change", "value", Type::number, "", "", -1e9, 1e9, "It becomes this."},
+    {"scenario.change", "factor", Type::number, "-", "", 0, 1e6,
+     "What is there is multiplied by it."},
+    {"scenario.change", "offset", Type::number, "", "", -1e9, 1e9,
+     "Is added to what is there."},
+    {"scenario.change", "insulation", Type::number, "m", "", 0, 5,
+     "Of a u_value: thickness of a layer that is added."},
+    {"scenario.change", "conductivity", Type::number, "W/(m K)", "", 0.001, 10,
+     "Of that layer."},
+    // output
+    {"output", "file", Type::text, "", "", 0, 0,
+     "Result file, from the working folder; default: the job's name with .h5."},
+    {"output", "hourly", Type::texts, "", "", 0, 0,
+     "Quantities of nominal and best to be stored by hour."},
+    {"output", "max_failed_share", Type::number, "-", "0.05", 0, 1,
+     "A larger share of failed points fails the batch."},
 };
 
 }  // namespace
 
-std::span<const SectionInfo> sections() {
+std::span<const SectionInfo> declared_sections() {
     return section_table;
 }
-std::span<const Key> key_table() {
-    static const std::vector<Key> all = [] {
-        std::vector<Key> keys(std::begin(table), std::end(table));
-        keys.insert(keys.end(), study_keys().begin(), study_keys().end());
-        return keys;
-    }();
-    return all;
+
+std::span<const Key> declared_keys() {
+    return table;
 }
 
 }  // namespace bemcal::schema

@@ -15,6 +15,7 @@ struct SensitivityOptions {
     int n_bootstrap = 1000;
     double threshold = 0.05;  ///< above it an input counts as sensitive (paper 1)
     std::uint64_t seed = 0;
+    const char* kind = "sensitivity";  ///< of study, as the result says it
 };
 
 /// Indices with bootstrap intervals of every scalar output.

@@ -5,12 +5,17 @@
 #include "stock/calibration.hpp"
 
 #include "base/error.hpp"
+#include "calibration/screening.hpp"
 #include "input/input_files.hpp"
+#include "job/kind.hpp"
 #include "job/stages.hpp"
+#include "loop/options.hpp"
 
 #include <algorithm>
+#include <any>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -93,7 +98,9 @@ StockRecord::Fit fit_with_readings(const Case& building, std::size_t period,
 }
 
 /// Point 0 is the start; values of the best points show how far the readings tell.
-void summarise_screening(const Group& group, const Case& building, StockRecord& record) {
+void summarise_screening(const std::vector<Dataset>& datasets, const std::string& stage,
+                         const Case& building, StockRecord& record) {
+    const Group group(datasets, stage);
     if (!group.has("best_parameters"))
         throw std::runtime_error("no point could be simulated: " +
                                  (group.has("failed_reason")
@@ -118,13 +125,11 @@ void summarise_screening(const Group& group, const Case& building, StockRecord& 
             record.fits.back().cv_rmse = group["best_cv_rmse"].values.at(at);
             record.fits.back().nmbe = group["best_nmbe"].values.at(at);
         }
-    record.simulations +=
-        group["n_points"].values.at(0) * static_cast<double>(building.periods.size());
 }
 
-void summarise_posterior(const Group& group, const std::vector<Dataset>& all,
-                         const std::string& stage, const Case& building,
-                         StockRecord& record) {
+void summarise_posterior(const std::vector<Dataset>& datasets, const std::string& stage,
+                         const Case& building, StockRecord& record) {
+    const Group group(datasets, stage);
     const auto& unknown = group["unknown"].texts;
     for (StockRecord::Value& value : record.values) {
         const std::size_t at = index_of(unknown, value.name);
@@ -138,8 +143,8 @@ void summarise_posterior(const Group& group, const std::vector<Dataset>& all,
             record.fits.push_back(fit_with_readings(building, p, m));
             StockRecord::Fit& fit = record.fits.back();
             for (const char* part : {"training", "all"}) {
-                const Group inner(
-                    all, fmt::format("{}/{}/{}/{}", stage, fit.period, fit.meter, part));
+                const Group inner(datasets, fmt::format("{}/{}/{}/{}", stage, fit.period,
+                                                        fit.meter, part));
                 if (!inner.has("validation_fit")) continue;
                 const auto& metric = inner["metric"].texts;
                 const auto& values = inner["validation_fit"];
@@ -159,7 +164,9 @@ void summarise_posterior(const Group& group, const std::vector<Dataset>& all,
             {"posterior", group["convergence"].texts.at(0), "its values are doubtful"});
 }
 
-void summarise_loop(const Group& group, const Case& building, StockRecord& record) {
+void summarise_loop(const std::vector<Dataset>& datasets, const std::string& stage,
+                    const Case& building, StockRecord& record) {
+    const Group group(datasets, stage);
     const auto& names = group["parameter"].texts;
     const std::size_t n = names.size();
     for (StockRecord::Value& value : record.values) {
@@ -230,15 +237,25 @@ void add_values(const Case& building, StockRecord& record) {
                                  parameter.most, 0});
 }
 
-/// Yesterday's values, as far as they still mean something.
-void start_from(const StockRecord& before, Case& building, job::StudySpec& study) {
-    for (physics::Parameter& parameter : building.parameters)
+/// Yesterday's values of parameters, as far as they still mean something.
+std::map<std::string, double> values_in(const StockRecord& before, const Case& building) {
+    std::map<std::string, double> values;
+    for (const physics::Parameter& parameter : building.parameters)
         for (const StockRecord::Value& value : before.values)
             if (value.name == parameter.name && value.unit == parameter.unit &&
                 std::isfinite(value.value))
-                study.loop.start[parameter.name] = parameter.nominal =
+                values[parameter.name] =
                     std::clamp(value.value, std::min(parameter.least, parameter.most),
                                parameter.most);
+    return values;
+}
+
+void start_from(const std::map<std::string, double>& values, job::Job& job) {
+    for (physics::Parameter& parameter : job.buildings[0].parameters)
+        if (const auto found = values.find(parameter.name); found != values.end())
+            parameter.nominal = found->second;
+    if (auto* loop = std::any_cast<loop::LoopOptions>(&job.studies[0].options))
+        loop->start = values;
 }
 
 void add_results(const job::Job& job, Calibrated& result) {
@@ -246,8 +263,7 @@ void add_results(const job::Job& job, Calibrated& result) {
         const auto answers = answers_of(*stage);
         for (const ItemAnswer& answer : answers)
             if (!answer.error.empty()) throw std::runtime_error(answer.error);
-        if (job.studies[0].kind != job::StudyKind::screening &&
-            stage->n_simulations() > 0)
+        if (stage->n_simulations() > 0)
             result.record.simulations += static_cast<double>(stage->n_simulations());
         for (Dataset& dataset : stage->conclude(answers))
             result.datasets.push_back(std::move(dataset));
@@ -272,34 +288,67 @@ void narrow(Case& building) {
 /// A screening that goes on from the night before: half of its points anywhere, half near
 /// where it starts; the better half stands.
 void screen_again(job::Job& job, Calibrated& result) {
-    std::size_t& n_points = job.studies[0].screening.n_points;
+    std::size_t& n_points = job.studies[0].as<calibration::ScreeningOptions>().n_points;
     n_points = std::max<std::size_t>(n_points / 2, 1);
     job::Job near = job;
     narrow(near.buildings[0]);
     Calibrated other;
     add_results(job, result);
     add_results(near, other);
-    result.record.simulations = static_cast<double>(n_points + 1) *
-                                static_cast<double>(job.buildings[0].periods.size());
+    result.record.simulations += other.record.simulations;
     if (best_score(near, other) < best_score(job, result))
         result.datasets = std::move(other.datasets);
 }
 
+/// What a stock does with a kind of study, beside what the kind does itself.
+struct StockKind {
+    const char* word;
+    /// Values, errors and findings of a building from its datasets.
+    void (*summarise)(const std::vector<Dataset>& datasets, const std::string& stage,
+                      const Case& building, StockRecord& record);
+    /// In place of the study, where there was a night before; nullptr = the study.
+    void (*do_again)(job::Job& job, Calibrated& result);
+    /// Simulations of a first calibration, about.
+    double (*simulations)(const job::StudySpec& study);
+};
+constexpr StockKind stock_kinds[] = {
+    {"screening", summarise_screening, screen_again,
+     [](const job::StudySpec& study) {
+         return static_cast<double>(study.as<calibration::ScreeningOptions>().n_points);
+     }},
+    {"posterior", summarise_posterior, nullptr,
+     [](const job::StudySpec&) { return 500000.0; }},
+    {"loop", summarise_loop, nullptr, [](const job::StudySpec&) { return 20000.0; }},
+};
+
+const StockKind& stock_kind_of(const job::StudySpec& study) {
+    for (const StockKind& kind : stock_kinds)
+        if (std::string_view(kind.word) == study.kind->word) return kind;
+    throw std::logic_error(
+        fmt::format("no stock has studies of kind {}", study.kind->word));
+}
+
+/// The best points are asked for, and looked at closely where whole results are kept.
+void prepare(job::StudySpec& study, const job::StockOptions& stock) {
+    auto* screening = std::any_cast<calibration::ScreeningOptions>(&study.options);
+    if (screening == nullptr) return;
+    screening->keep_points = true;
+    screening->close_look = stock.keep_results;
+}
+
 void summarise(const job::Job& job, Calibrated& result) {
     const Case& building = job.buildings[0];
-    const job::StudySpec& study = job.studies[0];
-    const std::string stage = building.name + "/" + study.name;
-    const Group group(result.datasets, stage);
     add_values(building, result.record);
-    if (study.kind == job::StudyKind::screening)
-        summarise_screening(group, building, result.record);
-    else if (study.kind == job::StudyKind::posterior)
-        summarise_posterior(group, result.datasets, stage, building, result.record);
-    else
-        summarise_loop(group, building, result.record);
+    stock_kind_of(job.studies[0])
+        .summarise(result.datasets, stage_name(job.studies[0], building), building,
+                   result.record);
 }
 
 }  // namespace
+
+double usual_simulations(const job::StudySpec& study) {
+    return stock_kind_of(study).simulations(study);
+}
 
 Calibrated calibrate(const job::Job& stock_job, const job::StockLine& line,
                      const StockRecord* before, std::vector<input::InputFile>& log) {
@@ -312,14 +361,14 @@ Calibrated calibrate(const job::Job& stock_job, const job::StockLine& line,
         throw;
     }
     log = files.log();
-    Case& building = job.buildings.at(0);
-    if (before != nullptr) start_from(*before, building, job.studies[0]);
+    const Case& building = job.buildings.at(0);
+    if (before != nullptr) start_from(values_in(*before, building), job);
+    prepare(job.studies[0], stock_job.stock->options);
     Calibrated result;
     result.record.findings = building.decisions;
-    job.studies[0].screening.keep_points = true;
-    job.studies[0].screening.close_look = stock_job.stock->options.keep_results;
-    if (before != nullptr && job.studies[0].kind == job::StudyKind::screening)
-        screen_again(job, result);
+    const auto do_again = stock_kind_of(job.studies[0]).do_again;
+    if (before != nullptr && do_again != nullptr)
+        do_again(job, result);
     else
         add_results(job, result);
     summarise(job, result);

@@ -19,4 +19,8 @@ struct Calibrated {
 Calibrated calibrate(const job::Job& stock_job, const job::StockLine& line,
                      const StockRecord* before, std::vector<input::InputFile>& log);
 
+/// Simulations that the study of a building usually takes, where no night has counted
+/// them.
+double usual_simulations(const job::StudySpec& study);
+
 }  // namespace bemcal::stock

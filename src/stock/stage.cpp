@@ -27,7 +27,6 @@ using study::ItemAnswer;
 using study::Round;
 
 constexpr int lines_per_look = 64;
-constexpr double cost_of_loop = 20000, cost_of_posterior = 500000;
 constexpr int least_portion = 32;  ///< of a night that may end: buildings of one round
 
 class StockStage : public study::Stage {
@@ -199,11 +198,9 @@ class StockStage : public study::Stage {
 
     double cost_of(int k) const {
         const StockRecord* last = before(k);
-        if (last != nullptr && last->simulations > 0) return last->simulations;
-        const job::StudySpec& study = job_.studies[0];
-        if (study.kind == job::StudyKind::screening)
-            return static_cast<double>(study.screening.n_points);
-        return study.kind == job::StudyKind::loop ? cost_of_loop : cost_of_posterior;
+        return last != nullptr && last->simulations > 0
+                   ? last->simulations
+                   : usual_simulations(job_.studies[0]);
     }
 
     /// The due, the most urgent first, as far as the budget goes.

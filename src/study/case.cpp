@@ -108,6 +108,10 @@ bool has_reading(const std::vector<double>& values) {
     return !std::ranges::all_of(values, [](double value) { return std::isnan(value); });
 }
 
+double hours_of(const Period& period) {
+    return static_cast<double>((period.to - period.from).count()) / 3600;
+}
+
 const Period& period_of(const Case& building, const std::string& name) {
     for (const Period& period : building.periods)
         if (period.name == name) return period;

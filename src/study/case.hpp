@@ -76,6 +76,8 @@ bool knows_state_before(const Case& building, const Period& period);
 /// Whether one of the values is not missing.
 bool has_reading(const std::vector<double>& values);
 
+double hours_of(const Period& period);
+
 /// The period of that name; without one the first.
 const Period& period_of(const Case& building, const std::string& name);
 

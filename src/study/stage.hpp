@@ -86,4 +86,6 @@ class Stage {
     virtual std::string shortfall(const std::vector<ItemAnswer>&) const { return {}; }
 };
 
+using Stages = std::vector<std::unique_ptr<Stage>>;
+
 }  // namespace bemcal::study

@@ -1,6 +1,7 @@
 /// The keys of a grid, and what bad ones get.
 #include "base/error.hpp"
-#include "job/readers.hpp"
+#include "job/grid_kind.hpp"
+#include "job/kinds.hpp"
 #include "schema/document.hpp"
 #include "study/analytic_simulator.hpp"
 #include "study/small_case.hpp"
@@ -14,11 +15,33 @@ namespace {
 struct GridText {
     explicit GridText(const std::string& text)
         : tree(schema::parse_document("kind = \"grid\"\n" + text, file)),
-          section(tree, "study", file) {}
+          section(open_study(tree, file).section) {}
+
+    StudySpec read() const {
+        StudySpec study;
+        study.kind = find_kind("grid");
+        study.kind->read({section, files, 0, nullptr}, study);
+        return study;
+    }
+    GridStudy grid() const { return read().as<GridStudy>(); }
+    /// Read, then checked against the job's building or simulator.
+    GridStudy grid_for(const Job& job) const {
+        StudySpec study = read();
+        study.kind->check({section, section, job, 0}, study);
+        return study.as<GridStudy>();
+    }
+
     std::string file = "job.toml";
     schema::Node tree;
     schema::Section section;
+    mutable input::InputFiles files;
 };
+
+Job job_of(const study::Case& building) {
+    Job job;
+    job.buildings = {building};
+    return job;
+}
 
 /// A small office with a plain parameter name and both meters.
 study::Case made_case() {
@@ -41,8 +64,7 @@ study::Case made_case() {
 std::string message_of(const std::string& text,
                        const study::Case& building = made_case()) {
     try {
-        const GridText grid(text);
-        check_grid(grid.section, read_grid(grid.section), "", {building});
+        GridText(text).grid_for(job_of(building));
     } catch (const UserError& error) {
         return error.what();
     }
@@ -56,7 +78,7 @@ TEST(GridStudyKeys, ReadTheGridItsTargetsAndItsDefaults) {
         "k = 3\nbudget = 8000\ntarget_error = 0.129\n" + std::string(good) +
         "[[target]]\nquantity = \"gas\"\nmeasured = 43842600\nunit = \"kJ\"\n"
         "[[target]]\nquantity = \"heating\"\nstatistic = \"peak\"\nmeasured = 8\n");
-    const GridSpec spec = read_grid(text.section);
+    const GridStudy spec = text.grid();
     EXPECT_EQ(spec.options.grids[0][0].second, (std::vector<double>{0.5, 1, 1.5}));
     EXPECT_EQ(spec.options.nearest.k, 3U);
     EXPECT_EQ(spec.options.most_stages, 10);
@@ -64,7 +86,7 @@ TEST(GridStudyKeys, ReadTheGridItsTargetsAndItsDefaults) {
     ASSERT_EQ(spec.targets.size(), 2U);
     EXPECT_NEAR(spec.targets[0].measured[0], 12178.5, 1e-9);
     EXPECT_EQ(spec.targets[1].output.statistic, calibration::Statistic::peak);
-    EXPECT_EQ(sentence_of(spec.options),
+    EXPECT_EQ(find_kind("grid")->sentence(text.read()),
               "air 3 x set_point 3 = 9 points, then refined by itself: at most 8000 "
               "points in 10 stages");
 }
@@ -72,8 +94,7 @@ TEST(GridStudyKeys, ReadTheGridItsTargetsAndItsDefaults) {
 TEST(GridStudyKeys, AreElectricityAndGasOfTheMetersByDefault) {
     const GridText text(good);
     const study::Case building = made_case();
-    const auto options =
-        options_for(read_grid(text.section), building, building.periods[0]);
+    const auto options = options_for(text.grid(), building, building.periods[0]);
     ASSERT_EQ(options.targets.size(), 2U);
     EXPECT_EQ(options.targets[1].output, "gas");
     EXPECT_EQ(options.targets[1].measured, 480);
@@ -82,7 +103,7 @@ TEST(GridStudyKeys, AreElectricityAndGasOfTheMetersByDefault) {
 TEST(GridStudyKeys, GivenStagesEndTheStudyUnlessTheJobSaysMore) {
     const GridText text(good + std::string("[[stage]]\nair = [0.9, 1, 1.1]\nset_point = "
                                            "[21, 21.5, 22]\n"));
-    const GridSpec spec = read_grid(text.section);
+    const GridStudy spec = text.grid();
     EXPECT_EQ(spec.options.grids.size(), 2U);
     EXPECT_EQ(spec.options.most_stages, 2);
 }
@@ -136,13 +157,11 @@ TEST(GridStudyKeys, AMeterOfZeroIsNoTarget) {
 }
 
 TEST(GridStudyKeys, OfASimulatorNameItsOutputs) {
-    const test::AnalyticSimulator simulator;
+    Job job;
+    job.simulator = std::make_shared<test::AnalyticSimulator>();
     const std::string grid = "k = 2\n[grid]\nlights = [1, 2]\n[[target]]\n";
     const auto options = [&](const std::string& target) {
-        const GridText text(grid + target);
-        const GridSpec spec = read_grid(text.section);
-        check_grid(text.section, spec, simulator);
-        return options_for(spec, simulator);
+        return options_for(GridText(grid + target).grid_for(job), *job.simulator);
     };
     EXPECT_EQ(options("output = \"heat\"\nmeasured = 4\n").targets[0].measured, 4);
     EXPECT_THROW(options("output = \"hear\"\nmeasured = 4\n"), UserError);

@@ -1,6 +1,8 @@
 /// Studies of kind "loop": what the keys become, and what is refused.
+#include "job/kind.hpp"
 #include "job/small_office.hpp"
 #include "job/stages.hpp"
+#include "loop/options.hpp"
 #include "plan/plan.hpp"
 
 #include <gtest/gtest.h>
@@ -42,8 +44,8 @@ TEST(LoopStudy, TakesEveryKey) {
         "most_effects = 2\ntry_structures = false\nblock_days = 7\nleast_gain = 3\n"
         "most_loss = 0.5\nalpha = 0.05\nexclude = [\"wind infiltration\"]\n"
         "generic = false\ncolumns = [\"rain\"]"));
-    ASSERT_EQ(job.studies[1].kind, StudyKind::loop);
-    const loop::LoopOptions& options = job.studies[1].loop;
+    ASSERT_STREQ(job.studies[1].kind->word, "loop");
+    const auto& options = job.studies[1].as<loop::LoopOptions>();
     EXPECT_EQ(options.period, "training");
     EXPECT_EQ(options.parameters, Texts{"infiltration"});
     EXPECT_EQ(options.meters, Texts{"air"});
@@ -64,7 +66,7 @@ TEST(LoopStudy, TakesEveryKey) {
 
 TEST(LoopStudy, HasTheDefaultsOfItsOptions) {
     const Folder folder;
-    const loop::LoopOptions read = read_job(write_job(folder, "")).studies[1].loop;
+    const auto read = read_job(write_job(folder, "")).studies[1].as<loop::LoopOptions>();
     const loop::LoopOptions plain;
     EXPECT_EQ(read.period, "");
     EXPECT_EQ(read.most_effects, plain.most_effects);

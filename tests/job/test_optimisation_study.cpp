@@ -1,4 +1,6 @@
 /// Studies of kind "optimisation": what the keys become, and what is refused.
+#include "job/kind.hpp"
+#include "job/optimisation_kind.hpp"
 #include "job/small_office.hpp"
 #include "plan/plan.hpp"
 
@@ -25,8 +27,9 @@ TEST(OptimisationStudy, TakesEveryKey) {
         "objective = \"fraction\"\ncv_weight = 0.6\nr2_weight = 0.4\n"
         "meter_weights = [2]\nresolution = \"monthly\"\nevaluations = 300\n"
         "n_particles = 12\nrestart = false"));
-    ASSERT_EQ(job.studies[1].kind, StudyKind::optimisation);
-    const calibration::OptimisationOptions& options = job.studies[1].optimisation;
+    ASSERT_STREQ(job.studies[1].kind->word, "optimisation");
+    const calibration::OptimisationOptions& options =
+        job.studies[1].as<OptimisationStudy>().options;
     EXPECT_EQ(options.method, calibration::OptimisationMethod::swarm_then_pattern);
     EXPECT_EQ(options.objective, calibration::Objective::fraction);
     EXPECT_EQ(options.resolution, calibration::ObjectiveResolution::monthly);
@@ -47,7 +50,8 @@ TEST(OptimisationStudy, TakesNsga2AndItsKeys) {
     const Job job = read_job(write_job(folder,
                                        "method = \"nsga2\"\nerrors = \"signed\"\n"
                                        "n_population = 20\nn_generations = 7"));
-    const calibration::OptimisationOptions& options = job.studies[1].optimisation;
+    const calibration::OptimisationOptions& options =
+        job.studies[1].as<OptimisationStudy>().options;
     EXPECT_EQ(options.method, calibration::OptimisationMethod::nsga2);
     EXPECT_EQ(options.errors, calibration::MeterError::signed_);
     EXPECT_EQ(options.n_population, 20);
@@ -60,8 +64,9 @@ TEST(OptimisationStudy, TakesTargetsInPlaceOfMeters) {
                                        "evaluations = 300\n[[study.target]]\n"
                                        "quantity = \"electricity\"\nmeasured = 5\n"
                                        "unit = \"MWh\""));
-    ASSERT_EQ(job.studies[1].grid.targets.size(), 1U);
-    EXPECT_NEAR(job.studies[1].grid.targets[0].measured.at(0), 5000, 1e-9);
+    const TargetSpecs& targets = job.studies[1].as<OptimisationStudy>().targets;
+    ASSERT_EQ(targets.size(), 1U);
+    EXPECT_NEAR(targets[0].measured.at(0), 5000, 1e-9);
     EXPECT_NE(plan::plan_text(job, 1).find("300"), std::string::npos);
 }
 

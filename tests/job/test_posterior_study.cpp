@@ -1,7 +1,9 @@
 /// Priors of parameters and studies of kind "posterior": what the keys become.
+#include "job/kind.hpp"
 #include "job/small_office.hpp"
 #include "job/stages.hpp"
 #include "plan/plan.hpp"
+#include "posterior/posterior_options.hpp"
 
 #include <cmath>
 
@@ -79,8 +81,8 @@ TEST(Priors, OfADiscreteParameterAreItsValuesAndItsRangeIsFromTheFirstToTheLast)
 TEST(PosteriorStudy, HasTheDefaultsOfTheSchema) {
     const Job job = job_with(infiltration_range, "kind = \"posterior\"");
     ASSERT_EQ(job.studies.size(), 2U);
-    EXPECT_EQ(job.studies[1].kind, StudyKind::posterior);
-    const posterior::PosteriorOptions& options = job.studies[1].posterior;
+    EXPECT_STREQ(job.studies[1].kind->word, "posterior");
+    const auto& options = job.studies[1].as<posterior::PosteriorOptions>();
     EXPECT_EQ(options.chains.seed, 7U);
     EXPECT_EQ(options.chains.n_chains, 16);
     EXPECT_EQ(options.chains.draws_per_round, 100);
@@ -107,7 +109,7 @@ TEST(PosteriorStudy, TakesEveryKey) {
         "pooling = \"partial\"\nreading_weight = 0.125\nlevel_change = 0.1\n"
         "lasting_weeks = 4\n"
         "proportional = false");
-    const posterior::PosteriorOptions& options = job.studies[1].posterior;
+    const auto& options = job.studies[1].as<posterior::PosteriorOptions>();
     EXPECT_EQ(options.period, "training");
     EXPECT_EQ(options.chains.n_chains, 4);
     EXPECT_EQ(options.chains.sampler.n_warm_up, 50);

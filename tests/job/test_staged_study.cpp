@@ -1,4 +1,6 @@
 /// Studies of kind "stages": what the keys become, and what is refused.
+#include "calibration/staged.hpp"
+#include "job/kind.hpp"
 #include "job/small_office.hpp"
 #include "plan/plan.hpp"
 
@@ -34,8 +36,8 @@ TEST(StagedStudy, TakesEveryKey) {
             "parameters = [\"infiltration\"]\naround = 0.1\nobjective = \"percent\"\n"
             "set = {walls = 1.1}\n"
             "[[study.validation]]\nperiod = \"held_out\"\nstage = \"envelope\"\n"));
-    const calibration::StagedOptions& options = job.studies.at(1).staged;
-    ASSERT_EQ(job.studies[1].kind, StudyKind::stages);
+    ASSERT_STREQ(job.studies.at(1).kind->word, "stages");
+    const auto& options = job.studies[1].as<calibration::StagedOptions>();
     ASSERT_EQ(options.stages.size(), 2U);
     const calibration::CalibrationStage &first = options.stages[0],
                                         &second = options.stages[1];

@@ -1,5 +1,6 @@
 /// What a stock's lines become, and what a night knows of them.
 #include "base/error.hpp"
+#include "calibration/screening.hpp"
 #include "input/input_files.hpp"
 #include "input/stock_readings.hpp"
 #include "job/small_office.hpp"
@@ -206,13 +207,17 @@ class StockJob {
     Job job_;
 };
 
+std::uint64_t seed_of(const Job& job) {
+    return job.studies.at(0).as<calibration::ScreeningOptions>().seed;
+}
+
 TEST(StockJob, FillsTheTemplateByLineAndGivesEachItsOwnNumbers) {
     const StockJob stock("name,area\none,1200\ntwo,1300\n");
     const Job one = stock.building(0), two = stock.building(1);
     EXPECT_EQ(one.buildings.at(0).name, "one");
     EXPECT_EQ(one.buildings[0].building.floor_area(), 1200);
     EXPECT_EQ(two.buildings.at(0).building.floor_area(), 1300);
-    EXPECT_NE(one.studies.at(0).screening.seed, two.studies.at(0).screening.seed);
+    EXPECT_NE(seed_of(one), seed_of(two));
     EXPECT_EQ(stock.job().stock->weathers->n_read(), 1);
     EXPECT_EQ(one.buildings[0].planes, two.buildings[0].planes);
 }

@@ -1,10 +1,13 @@
-/// Reads [[scenario]], what a retrofit changes of a building, and the [[study]] of kind
-/// "retrofit": whose points it takes, occupied hours, limits of comfort.
+/// The kind "retrofit", and [[scenario]], what it changes of a building: whose points it
+/// takes, occupied hours, limits of comfort.
 /// Follows from targets as of parameters; insulation is thickness over conductivity.
 /// Numbers set by links or layers are refused. Ranges are checked as described here, and
 /// for each point in `scenario`. Costs are left out.
-#include "job/readers.hpp"
+#include "job/kind.hpp"
+#include "job/kinds.hpp"
+#include "job/words.hpp"
 #include "physics/derived.hpp"
+#include "retrofit/retrofit.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -16,8 +19,30 @@ namespace bemcal::job {
 namespace {
 
 using retrofit::ChangeBy;
+using retrofit::RetrofitOptions;
 using retrofit::Scenario;
 using retrofit::ScenarioChange;
+using schema::Type;
+
+constexpr schema::SectionInfo sections[] = {
+    {"study", "[[study]] kind = \"retrofit\"", "",
+     "What each [[scenario]] would save, over the points that a study above has found."}};
+
+constexpr schema::Key keys[] = {
+    {"study", "of", Type::text, "", nullptr, 0, 0,
+     "Name of a posterior, screening or grid above, whose draws or best points the "
+     "scenarios are applied to."},
+    {"study", "n_predictive", Type::integer, "", "200", 1, 1000000,
+     "So many of them at most."},
+    {"study", "period", Type::text, "", "", 0, 0, "Default: the first."},
+    {"study", "occupied", Type::text, "", "", 0, 0,
+     "[[schedule]] by which hours count as too cold or too warm, from 0.5 on; default: "
+     "all hours."},
+    {"study", "too_cold", Type::number, "degC", "19", -50, 100,
+     "An occupied hour below it (by 0.05 K) is too cold."},
+    {"study", "too_warm", Type::number, "degC", "26", -50, 100,
+     "An occupied hour above it (by 0.05 K) is too warm."},
+};
 
 /// How a change says what becomes of the number.
 struct Way {
@@ -107,56 +132,74 @@ std::vector<Scenario> read_scenarios(const schema::Section& root,
     return scenarios;
 }
 
-/// Whether a study of the kind finds points of a building's parameters.
-bool finds_points(StudyKind kind) {
-    return kind == StudyKind::posterior || kind == StudyKind::screening ||
-           kind == StudyKind::grid;
+/// "screening, posterior or grid"
+std::string kinds_with_points() {
+    return words_of_kinds([](const Kind& kind) { return kind.points_of != nullptr; });
 }
 
 /// The stage whose points are taken: of an earlier study.
-std::string stage_of(const schema::Section& section, const Job& job, std::size_t number,
-                     const study::Case& building) {
+std::string stage_of(const StudyPlace& place, const study::Case& building) {
+    const schema::Section& section = place.section;
     const std::string of = section.text("of");
-    for (std::size_t k = 0; k < number; ++k) {
-        const StudySpec& study = job.studies[k];
+    for (std::size_t k = 0; k < place.number; ++k) {
+        const StudySpec& study = place.job.studies[k];
         if (study.name != of) continue;
-        if (!finds_points(study.kind))
-            section.fail_value("of", "is no posterior, screening or grid");
-        const bool is_pooled = study.kind == StudyKind::posterior &&
-                               study.posterior.pooling != posterior::Pooling::none;
-        return is_pooled ? of : building.name + "/" + of;
+        if (study.kind->points_of == nullptr)
+            section.fail_value("of", "is no " + kinds_with_points());
+        return study.kind->points_of(study, building);
     }
-    section.fail_value("of",
-                       "no study above has this name; expected that of a "
-                       "posterior, screening or grid");
+    section.fail_value(
+        "of", "no study above has this name; expected that of a " + kinds_with_points());
 }
 
 /// The row of a schedule or series among the case's profiles.
 int profile_of(const schema::Section& section, const study::Case& building) {
     if (!section.has("occupied")) return -1;
     const std::string name = section.text("occupied");
-    std::vector<std::string> names;
-    names.reserve(building.profiles.size());
-    for (const physics::Profile& profile : building.profiles)
-        names.push_back(profile.name);
+    const std::vector<std::string> names = names_of(building.profiles);
     check_word(section, "occupied", name, names, "schedule");
     return static_cast<int>(std::ranges::find(names, name) - names.begin());
 }
 
+void read(const StudySource& source, StudySpec& study) {
+    study.period = source.section.text("period");
+}
+
+RetrofitOptions options_of(const StudyPlace& place, const study::Case& building) {
+    const schema::Section& section = place.section;
+    RetrofitOptions options;
+    options.scenarios = read_scenarios(place.root, building);
+    options.of = stage_of(place, building);
+    options.n_points = static_cast<int>(section.integer("n_predictive"));
+    options.occupied_profile = profile_of(section, building);
+    options.too_cold = section.number("too_cold");
+    options.too_warm = section.number("too_warm");
+    return options;
+}
+
+/// Scenarios name numbers of a building, so each building has options of its own.
+void check(const StudyPlace& place, StudySpec& study) {
+    std::vector<RetrofitOptions> options;
+    for (const study::Case& building : place.job.buildings)
+        options.push_back(options_of(place, building));
+    study.options = std::move(options);
+}
+
+Stages stages(const StudySpec& study, const Job& job) {
+    auto options = study.as<std::vector<RetrofitOptions>>().begin();
+    return for_each_building(study, job, [&](std::string name, const auto& building) {
+        return retrofit::make_retrofit(std::move(name), building,
+                                       period_of(building, study.period), *options++);
+    });
+}
+
 }  // namespace
 
-void read_retrofit(const schema::Section& root, const schema::Section& section,
-                   std::size_t number, Job& job) {
-    for (const study::Case& building : job.buildings) {
-        retrofit::RetrofitOptions options;
-        options.scenarios = read_scenarios(root, building);
-        options.of = stage_of(section, job, number, building);
-        section.number_if("n_predictive", options.n_points);
-        options.occupied_profile = profile_of(section, building);
-        options.too_cold = section.number("too_cold");
-        options.too_warm = section.number("too_warm");
-        job.studies[number].retrofits.push_back(std::move(options));
-    }
-}
+extern const Kind retrofit_kind{.word = "retrofit",
+                                .sections = {sections},
+                                .keys = {keys},
+                                .read = read,
+                                .check = check,
+                                .stages = stages};
 
 }  // namespace bemcal::job

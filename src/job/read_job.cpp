@@ -3,13 +3,16 @@
 /// Follows from pbrt's rule that a key without effect is an error.
 /// The sections' keys are the readers' (`read_*`). Lines of a stock are read where they
 /// are worked on.
-#include "job/job.hpp"
-
 #include "base/error.hpp"
 #include "input/checks.hpp"
-#include "job/readers.hpp"
+#include "job/building_readers.hpp"
+#include "job/job.hpp"
+#include "job/kinds.hpp"
+#include "job/read_quantities.hpp"
+#include "job/read_simulator.hpp"
 #include "job/result_names.hpp"
 #include "job/stock.hpp"
+#include "job/studies.hpp"
 
 #include <algorithm>
 #include <list>
@@ -101,9 +104,10 @@ void read_building_files(const schema::Section& root, input::InputFiles& files,
 }
 
 bool needs_building(const Job& job) {
-    for (const StudySpec& study : job.studies)
-        if (is_of_buildings(study.kind)) return true;
-    return job.studies.empty();
+    return job.studies.empty() ||
+           std::ranges::any_of(job.studies, [](const StudySpec& study) {
+               return study.kind->is_of_buildings;
+           });
 }
 
 void read_output(const schema::Section& root, Job& job) {
@@ -115,56 +119,6 @@ void read_output(const schema::Section& root, Job& job) {
     job.max_failed_share = section.number("max_failed_share");
 }
 
-bool has_period(const study::Case& building, const std::string& name) {
-    for (const study::Period& period : building.periods)
-        if (period.name == name) return true;
-    return name.empty();
-}
-
-bool has_readings(const study::Case& building) {
-    return std::ranges::any_of(building.meters, [](const study::Meter& meter) {
-        return study::has_reading(meter.values);
-    });
-}
-
-/// What a study needs of a building: parameters, meters, the period that it names.
-void check_study(const schema::Section& section, const StudySpec& study, const Job& job) {
-    if (job.simulator) {
-        check_simulator_study(section, study);
-        if (study.kind == StudyKind::grid)
-            check_grid(section, study.grid, *job.simulator);
-        if (study.kind == StudyKind::optimisation)
-            check_targets(section, study.grid, *job.simulator);
-        return;
-    }
-    if (!is_of_buildings(study.kind)) return;
-    for (const study::Case& building : job.buildings) {
-        if (building.parameters.empty())
-            section.fail(
-                "kind",
-                fmt::format("needs parameters, and {} has none; add [[parameter]]",
-                            building.name));
-        if (study.kind == StudyKind::screening && !has_readings(building))
-            section.fail("kind",
-                         fmt::format("needs readings, and {} has none; add [[meter]]",
-                                     building.name));
-        if (!has_period(building, study.period))
-            section.fail_value("period",
-                               fmt::format("{} has no such period", building.name));
-    }
-    if (study.kind == StudyKind::posterior)
-        check_posterior(section, study.posterior, job.buildings);
-    if (study.kind == StudyKind::loop) check_loop(section, study.loop, job.buildings);
-    if (study.kind == StudyKind::optimisation)
-        check_optimisation(section, study.optimisation, job.buildings);
-    if (study.kind == StudyKind::optimisation && section.has("target"))
-        check_targets(section, study.grid, study.period, job.buildings);
-    if (study.kind == StudyKind::stages)
-        check_staged(section, study.staged, job.buildings);
-    if (study.kind == StudyKind::grid)
-        check_grid(section, study.grid, study.period, job.buildings);
-}
-
 /// The table and what is done with every line; the lines are read by those who work on
 /// them.
 void read_stock_job(const schema::Section& root, input::InputFiles& files, Job& job) {
@@ -173,39 +127,18 @@ void read_stock_job(const schema::Section& root, input::InputFiles& files, Job& 
             root.fail(key,
                       "has no place beside [stock]; a building's sections stand in its "
                       "template or in the files that its table names");
+    const std::string words =
+        words_of_kinds([](const Kind& kind) { return kind.takes_stock; });
     if (job.studies.size() != 1)
-        root.fail("study", fmt::format("has {} sections; a stock has one: screening, "
-                                       "posterior or loop",
-                                       job.studies.size()));
-    const StudyKind kind = job.studies[0].kind;
-    if (kind != StudyKind::screening && kind != StudyKind::posterior &&
-        kind != StudyKind::loop)
-        root.tables("study", "study")[0].fail_value(
-            "kind", "a stock has one study: screening, posterior or loop");
+        root.fail("study", fmt::format("has {} sections; a stock has one: {}",
+                                       job.studies.size(), words));
+    if (!job.studies[0].kind->takes_stock)
+        open_studies(root)[0].section.fail_value("kind",
+                                                 "a stock has one study: " + words);
     job.stock = read_stock(root.table("stock", "stock"), files);
 }
 
 }  // namespace
-
-void check_studies_of(const schema::Section& root, Job& job) {
-    std::size_t next = 0;
-    for (const schema::Section& section : root.tables("study", "study")) {
-        check_study(section, job.studies[next], job);
-        if (job.studies[next].kind == StudyKind::retrofit)
-            read_retrofit(root, section, next, job);
-        ++next;
-    }
-}
-
-bool is_of_buildings(StudyKind kind) {
-    return kind != StudyKind::office_hour_sensitivity &&
-           kind != StudyKind::kennedy_ohagan;
-}
-
-bool can_be_of_simulator(StudyKind kind) {
-    return kind == StudyKind::sensitivity || kind == StudyKind::kennedy_ohagan ||
-           kind == StudyKind::grid || kind == StudyKind::optimisation;
-}
 
 Job read_job(const std::filesystem::path& file, input::InputFiles& files) {
     Job job;

@@ -1,10 +1,13 @@
-/// Reads a [[study]] of kind "stages": each stage's periods, parameters, ranges, held
-/// values and fit; validation periods; studies to compare with. Checks names and ranges.
+/// The kind "stages": each stage's periods, parameters, ranges, held values and fit;
+/// validation periods; studies to compare with. Checks names and ranges.
 /// Source: paper 2.
-/// NSGA-II is refused, as a stage has one objective. Rules among stages are checked by
-/// `make_staged`.
-#include "job/readers.hpp"
+/// A stage has one objective, so NSGA-II is no method here. Rules among stages are
+/// checked by `make_staged`.
+#include "calibration/staged.hpp"
+#include "job/fit_keys.hpp"
+#include "job/kind.hpp"
 #include "job/result_names.hpp"
+#include "job/words.hpp"
 
 #include <algorithm>
 
@@ -14,16 +17,81 @@ namespace bemcal::job {
 
 namespace {
 
-constexpr const char* stage_schema = "study.calibration_stage";
+using calibration::OptimisationOptions;
+using calibration::StagedOptions;
+using schema::Type;
+
+constexpr const char* required = nullptr;
+
+constexpr schema::SectionInfo sections[] = {
+    {"study", "[[study]] kind = \"stages\"", "",
+     "A calibration in stages: each calibrates some parameters on some periods, and "
+     "hands "
+     "on what it finds."},
+    {"study.stage", "[[study.stage]]", "", "One of them, in their order."},
+    {"study.ranges", "ranges = {NAME = [0.1, 1.5]}", "",
+     "Ranges of this stage, within the parameters' own.", true},
+    {"study.set", "set = {NAME = 0.5}", "",
+     "Parameters that have this value in this stage and those that start from it.", true},
+    {"study.validation", "[[study.validation]]", "",
+     "A period that judges what they found."},
+};
+
+constexpr schema::Key keys[] = {
+    {"study", "stage", Type::tables, "", "", 0, 0, "[[study.stage]]"},
+    {"study", "validation", Type::tables, "", "", 0, 0, "[[study.validation]]"},
+    {"study", "at_once", Type::flag, "", "true", 0, 0,
+     "Beside the stages all of their parameters are calibrated at once, on all of their "
+     "periods."},
+    {"study", "at_once_evaluations", Type::integer, "", "", 1, 1e9,
+     "Its budget; default: that of all stages together."},
+    {"study", "accuracy", Type::number, "", "0.35", 0, 1e9,
+     "Of the sensor, in the meter's unit; the share of readings within it is told."},
+    {"study", "independent_hours", Type::number, "h", "0", 0, 8760,
+     "With objective = \"likelihood\": errors nearer than this count as one, and the "
+     "priors of what is calibrated count beside them; 0: every reading counts, and no "
+     "prior does."},
+    {"study", "beside", Type::texts, "", "", 0, 0,
+     "Names of studies above (posterior, optimisation, screening) whose mean or best "
+     "point is judged on the same periods."},
+    {"study", "meters", Type::texts, "", "", 0, 0,
+     "Names of the meters that the stages fit; default: all with readings."},
+    {"study", "method", Type::choice, "swarm_then_pattern|swarm|pattern",
+     "swarm_then_pattern", 0, 0,
+     "Of every stage: particle swarm with constriction on a mesh, then Hooke-Jeeves "
+     "pattern search; or one of them alone."},
+    {"study.stage", "name", Type::text, "", required, 0, 0, ""},
+    {"study.stage", "periods", Type::texts, "", required, 0, 0,
+     "It calibrates on these, taken together."},
+    {"study.stage", "parameters", Type::texts, "", required, 0, 0,
+     "It calibrates these; the others keep the values carried over."},
+    {"study.stage", "from", Type::text, "", "", 0, 0,
+     "Stage whose values it starts from, or \"initial\"; default: the one before."},
+    {"study.stage", "around", Type::number, "-", "", 0, 100,
+     "Range: this share of the value carried over, up and down, within the parameter's; "
+     "default: the parameter's."},
+    {"study.stage", "ranges", Type::table, "", "", 0, 0, "[study.ranges]"},
+    {"study.stage", "set", Type::table, "", "", 0, 0, "[study.set]"},
+    {"study.stage", "evaluations", Type::integer, "", "", 1, 1e9,
+     "These and the following default to the study's."},
+    {"study.stage", "seed", Type::integer, "", "", 0, 1e15, ""},
+    {"study.stage", "meters", Type::texts, "", "", 0, 0, ""},
+    {"study.stage", "meter_weights", Type::numbers, "-", "", 0, 1e9, ""},
+    {"study.stage", "objective", Type::choice, "percent|fraction|likelihood|rmsd", "", 0,
+     0, ""},
+    {"study.validation", "period", Type::text, "", required, 0, 0,
+     "That no stage calibrates on."},
+    {"study.validation", "stage", Type::text, "", "", 0, 0,
+     "Whose values it is judged with; default: the last."},
+};
 
 /// What a stage minimises, and how: from the study's keys.
-calibration::OptimisationOptions read_fit(const schema::Section& section,
-                                          std::uint64_t seed) {
-    calibration::OptimisationOptions fit;
-    fit.method = section.choice_as<calibration::OptimisationMethod>("method");
-    if (fit.method == calibration::OptimisationMethod::nsga2)
+OptimisationOptions read_fit(const schema::Section& section, std::uint64_t seed) {
+    if (section.text("method") == "nsga2")
         section.fail_value("method",
                            "a stage has one objective; expected another method");
+    OptimisationOptions fit;
+    fit.method = section.choice_as<calibration::OptimisationMethod>("method");
     fit.objective = section.choice_as<calibration::Objective>("objective");
     fit.cv_weight = section.number("cv_weight");
     fit.r2_weight = section.number("r2_weight");
@@ -67,7 +135,7 @@ std::vector<calibration::NamedValue> read_set(const schema::Section& stage) {
 }
 
 /// What the stage says of its own; the rest is the study's.
-void read_own_fit(const schema::Section& stage, calibration::OptimisationOptions& fit) {
+void read_own_fit(const schema::Section& stage, OptimisationOptions& fit) {
     stage.number_if("evaluations", fit.evaluations);
     stage.number_if("seed", fit.seed);
     if (stage.has("meters")) {
@@ -81,7 +149,7 @@ void read_own_fit(const schema::Section& stage, calibration::OptimisationOptions
 
 calibration::CalibrationStage read_stage(const schema::Section& stage,
                                          const std::string& before,
-                                         const calibration::OptimisationOptions& fit,
+                                         const OptimisationOptions& fit,
                                          double independent_hours) {
     calibration::CalibrationStage read;
     read.name = stage.text("name");
@@ -132,14 +200,6 @@ void check_set(const schema::Section& stage, const calibration::CalibrationStage
     }
 }
 
-template <class Named>
-std::vector<std::string> names_of(const std::vector<Named>& all) {
-    std::vector<std::string> names;
-    names.reserve(all.size());
-    for (const Named& one : all) names.push_back(one.name);
-    return names;
-}
-
 void check_words(const schema::Section& section, const char* key,
                  const std::vector<std::string>& words,
                  const std::vector<std::string>& names, const std::string& what) {
@@ -158,55 +218,85 @@ void check_stage(const schema::Section& stage, const calibration::CalibrationSta
     check_set(stage, read, building);
 }
 
-}  // namespace
-
-calibration::StagedOptions read_staged(const schema::Section& section,
-                                       std::uint64_t seed) {
-    calibration::StagedOptions options;
-    const calibration::OptimisationOptions fit = read_fit(section, seed);
+std::vector<calibration::CalibrationStage> read_stages(const schema::Section& section,
+                                                       std::uint64_t seed) {
+    std::vector<calibration::CalibrationStage> stages;
+    const OptimisationOptions fit = read_fit(section, seed);
     const double independent_hours = section.number("independent_hours");
     std::string before = calibration::initial_values;
-    for (const schema::Section& stage : section.tables("stage", stage_schema)) {
-        options.stages.push_back(read_stage(stage, before, fit, independent_hours));
+    for (const schema::Section& stage : section.tables("stage", "study.stage")) {
+        stages.push_back(read_stage(stage, before, fit, independent_hours));
         if (independent_hours > 0 &&
-            options.stages.back().fit.objective != calibration::Objective::likelihood)
+            stages.back().fit.objective != calibration::Objective::likelihood)
             section.fail("independent_hours",
                          "is of a likelihood; expected objective = \"likelihood\", or "
                          "leave it out");
-        before = options.stages.back().name;
+        before = stages.back().name;
     }
-    if (options.stages.empty())
+    if (stages.empty())
         section.fail("stage",
                      "is missing; expected sections [[study.stage]], each with a "
                      "name, periods and parameters");
+    return stages;
+}
+
+void read(const StudySource& source, StudySpec& study) {
+    const schema::Section& section = source.section;
+    StagedOptions options;
+    options.stages = read_stages(section, source.seed);
     for (const schema::Section& validation :
          section.tables("validation", "study.validation"))
         options.validation.push_back(
-            {validation.text("period"),
-             validation.has("stage") ? validation.text("stage") : before});
+            {validation.text("period"), validation.has("stage")
+                                            ? validation.text("stage")
+                                            : options.stages.back().name});
     options.at_once = section.flag("at_once");
     if (section.has("at_once_evaluations"))
         options.at_once_evaluations =
             static_cast<std::size_t>(section.integer("at_once_evaluations"));
     options.accuracy = section.number("accuracy");
     options.beside = section.texts("beside");
-    return options;
+    study.options = std::move(options);
 }
 
-void check_staged(const schema::Section& section,
-                  const calibration::StagedOptions& options,
-                  const std::vector<study::Case>& buildings) {
-    const std::vector<schema::Section> stages = section.tables("stage", stage_schema);
-    for (const study::Case& building : buildings) {
-        for (std::size_t s = 0; s < stages.size(); ++s)
-            check_stage(stages[s], options.stages[s], building);
-        for (const schema::Section& validation :
-             section.tables("validation", "study.validation"))
-            check_words(validation, "period", {validation.text("period")},
-                        names_of(building.periods), "period of " + building.name);
-        at_key(section, "kind",
-               [&] { return calibration::make_staged("checked", building, options); });
-    }
+void check_building(const schema::Section& section, const StagedOptions& options,
+                    const study::Case& building) {
+    std::size_t next = 0;
+    for (const schema::Section& stage : section.tables("stage", "study.stage"))
+        check_stage(stage, options.stages[next++], building);
+    for (const schema::Section& validation :
+         section.tables("validation", "study.validation"))
+        check_words(validation, "period", {validation.text("period")},
+                    names_of(building.periods), "period of " + building.name);
+    at_key(section, "kind",
+           [&] { return calibration::make_staged("checked", building, options); });
 }
+
+void check(const StudyPlace& place, StudySpec& study) {
+    for (const study::Case& building : place.job.buildings)
+        check_building(place.section, study.as<StagedOptions>(), building);
+}
+
+Stages stages(const StudySpec& study, const Job& job) {
+    return for_each_building(study, job, [&](std::string name, const auto& building) {
+        return calibration::make_staged(std::move(name), building,
+                                        study.as<StagedOptions>());
+    });
+}
+
+void cost(const StudyStage& stage, Effort& effort) {
+    effort.rounds = effort.simulations /
+                    (stage.stage.n_items() * calibration::points_per_staged_item);
+}
+
+}  // namespace
+
+extern const Kind stages_kind{.word = "stages",
+                              .sections = {sections},
+                              .keys = {keys, fit_keys},
+                              .read = read,
+                              .check = check,
+                              .stages = stages,
+                              .cost = cost};
 
 }  // namespace bemcal::job

@@ -1,0 +1,104 @@
+/// A kind of study: one row of the table in kinds.cpp.
+///
+/// A kind stands in a file of its own, WORD_kind.cpp: its keys, their reader, and what
+/// follows from them. All others that work with studies go through the row. A row says
+/// what may be left out by leaving it out.
+#pragma once
+
+#include "input/input_files.hpp"
+#include "job/job.hpp"
+#include "schema/section.hpp"
+#include "study/stage.hpp"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace bemcal::job {
+
+using study::Stages;
+
+/// Rows of a kind's own and those that it shares with other kinds.
+template <class Row>
+using Rows = std::array<std::span<const Row>, 4>;
+
+/// What a study is read from.
+struct StudySource {
+    const schema::Section& section;
+    input::InputFiles& files;
+    std::uint64_t seed = 0;
+    const SimulatorPointer& simulator;  ///< of the job, or nullptr
+};
+
+/// Where a study stands, when the buildings are known.
+struct StudyPlace {
+    const schema::Section& root;     ///< the job's
+    const schema::Section& section;  ///< the study's
+    const Job& job;
+    std::size_t number = 0;  ///< of the study in it
+};
+
+/// A stage of a study.
+struct StudyStage {
+    const StudySpec& study;
+    const Job& job;
+    const study::Stage& stage;
+    const study::Case* building = nullptr;  ///< the stage's, or its first; nullptr = none
+};
+
+/// What a stage takes; begins with what the stage says itself.
+struct Effort {
+    double simulations = 0;
+    double rounds = 1;       ///< of its items
+    double hours = 0;        ///< that a simulation lasts, without the warm-up
+    bool has_errors = true;  ///< false: a step is only summed up, at half the cost
+    std::optional<double> seconds{};  ///< on one core, where steps are not what it takes
+};
+
+struct Kind {
+    const char* word;  ///< in a job; in a result the study's dataset `kind`
+    /// "study" itself, which says what the kind is for, then the sections in it.
+    Rows<schema::SectionInfo> sections;
+    Rows<schema::Key> keys;  ///< beside `kind` and `name`, which all have
+
+    bool is_of_buildings = true;   ///< done with every building; false: it knows none
+    bool needs_parameters = true;  ///< of a building
+    bool takes_simulator = false;  ///< a [simulator] may stand in place of the building
+    bool takes_stock = false;      ///< it can be done with every building of a stock
+    bool has_chains = false;       ///< it draws in rounds until it has converged
+
+    /// Reads its keys: options, period. Throws UserError.
+    void (*read)(const StudySource& source, StudySpec& study);
+    /// Throws UserError where the study does not fit the job's buildings or simulator;
+    /// completes what depends on them.
+    void (*check)(const StudyPlace& place, StudySpec& study) = nullptr;
+    /// What it does, over all buildings. Throws std::invalid_argument where the study
+    /// does not fit.
+    Stages (*stages)(const StudySpec& study, const Job& job);
+    /// Corrects what the stage says of itself.
+    void (*cost)(const StudyStage& stage, Effort& effort) = nullptr;
+    /// What it will do, in a sentence for `check`.
+    std::string (*sentence)(const StudySpec& study) = nullptr;
+    /// The stage whose result has points of the building's parameters, which a retrofit
+    /// can take; left out: it finds none.
+    std::string (*points_of)(const StudySpec& study,
+                             const study::Case& building) = nullptr;
+};
+
+/// "BUILDING/STUDY": the stage of a building.
+std::string stage_name(const StudySpec& study, const study::Case& building);
+
+/// A stage for every building, made by `make(name, building)`.
+template <class Make>
+Stages for_each_building(const StudySpec& study, const Job& job, Make make) {
+    Stages stages;
+    for (const study::Case& building : job.buildings)
+        stages.push_back(make(stage_name(study, building), building));
+    return stages;
+}
+
+/// The only stage of a study.
+Stages only(std::unique_ptr<study::Stage> stage);
+
+}  // namespace bemcal::job

@@ -1,0 +1,151 @@
+/// The kind "loop": the search for what a description lacks; its names checked against
+/// each building and the catalogue of effects.
+/// Follows from `make_loop`.
+/// Buildings without derivatives (coupled zones, a radiator, links) are refused. The
+/// search is in `loop`.
+#include "effects/catalogue.hpp"
+#include "job/kind.hpp"
+#include "job/learning.hpp"
+#include "job/words.hpp"
+#include "kernel/response.hpp"
+#include "loop/loop.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace bemcal::job {
+
+namespace {
+
+using loop::LoopOptions;
+using schema::Type;
+
+constexpr schema::SectionInfo sections[] = {
+    {"study", "[[study]] kind = \"loop\"", "",
+     "A calibration, then a search for effects that the description lacks and the "
+     "readings show."}};
+
+constexpr schema::Key keys[] = {
+    {"study", "most_effects", Type::integer, "", "6", 0, 20,
+     "So many effects are accepted at most; 0 only shows what could be seen."},
+    {"study", "try_structures", Type::flag, "", "true", 0, 0,
+     "Before effects are sought, refinements of the model's structure are tried, and the "
+     "one that predicts best is kept; false: the structure as described."},
+    {"study", "block_days", Type::number, "d", "14", 2, 90,
+     "The training period is cut into blocks of this length; what is accepted must "
+     "predict blocks that were kept from it."},
+    {"study", "least_gain", Type::number, "%", "2", 0, 100,
+     "By so much an effect must lower the errors of the meters in those blocks, as their "
+     "mean; three times as much where it is not of the catalogue."},
+    {"study", "most_loss", Type::number, "%", "1", 0, 100,
+     "By so much it may raise the error of any meter there; by 15 % of what the best "
+     "meter gains, where that is more (30 % with evidence of eight times what noise "
+     "shows)."},
+    {"study", "alpha", Type::number, "-", "0.01", 0.0001, 0.5,
+     "Chance that noise alone shows as much evidence as is asked for, in any of the "
+     "effects that one step refits (the best by the tangent, 36 at most), not of all "
+     "that it screens."},
+    {"study", "exclude", Type::texts, "", "", 0, 0,
+     "Names of effects that are not to be tried (describe effects)."},
+    {"study", "generic", Type::flag, "", "true", 0, 0,
+     "Effects beside the catalogue's are tried, too: any place, what it follows, how and "
+     "when."},
+    {"study", "columns", Type::texts, "", "", 0, 0,
+     "Names of [[series]] that an effect beside the catalogue's may follow: rain, carbon "
+     "dioxide, a tariff."},
+};
+
+void read(const StudySource& source, StudySpec& study) {
+    const schema::Section& section = source.section;
+    LoopOptions options;
+    options.period = study.period = section.text("period");
+    options.parameters = section.texts("parameters");
+    options.meters = section.texts("meters");
+    options.most_effects = static_cast<int>(section.integer("most_effects"));
+    options.try_structures = section.flag("try_structures");
+    options.block_days = section.number("block_days");
+    options.least_gain = section.number("least_gain");
+    options.most_loss = section.number("most_loss");
+    options.alpha = section.number("alpha");
+    options.seed = source.seed;
+    options.exclude = section.texts("exclude");
+    options.generic = section.flag("generic");
+    options.columns = section.texts("columns");
+    study.options = std::move(options);
+}
+
+void check_columns(const schema::Section& section, const LoopOptions& options,
+                   const study::Case& building) {
+    for (const std::string& column : options.columns)
+        check_word(section, "columns", column, names_of(building.columns),
+                   "[[series]] of " + building.name);
+}
+
+/// Names of the grammar are sentences with a colon; any of them may stand there.
+void check_exclude(const schema::Section& section, const LoopOptions& options) {
+    std::vector<std::string> names;
+    names.reserve(effects::catalogue().size());
+    for (const effects::Entry& entry : effects::catalogue())
+        names.push_back(entry.effect.name);
+    for (const std::string& name : options.exclude)
+        if (name.find(": ") == std::string::npos)
+            check_word(section, "exclude", name, names,
+                       "effect of the catalogue (describe effects)");
+}
+
+void check_building(const schema::Section& section, const LoopOptions& options,
+                    const study::Case& building) {
+    if (!kernel::has_derivatives(building.building))
+        section.fail_value("kind",
+                           building.name +
+                               " has coupled zones, a radiator or linked numbers, "
+                               "which have no derivatives; expected another study");
+    const Learning learning{options.period, options.parameters, options.meters};
+    check_parameters(section, learning, building);
+    check_meters(section, learning, building);
+    check_columns(section, options, building);
+}
+
+void check(const StudyPlace& place, StudySpec& study) {
+    const auto& options = study.as<LoopOptions>();
+    check_exclude(place.section, options);
+    for (const study::Case& building : place.job.buildings)
+        check_building(place.section, options, building);
+}
+
+/// One stage, an item for each building.
+Stages stages(const StudySpec& study, const Job& job) {
+    return only(loop::make_loop(study.name, job.buildings, study.as<LoopOptions>()));
+}
+
+std::string sentence(const StudySpec& study) {
+    const auto& options = study.as<LoopOptions>();
+    const std::string columns =
+        options.columns.empty() || !options.generic
+            ? std::string()
+            : fmt::format(", which may follow {}", fmt::join(options.columns, ", "));
+    const std::string excluded =
+        options.exclude.empty()
+            ? std::string()
+            : fmt::format(", but not {}", fmt::join(options.exclude, ", "));
+    return fmt::format(
+        "at most {} effects {}{}{}; accepted where the error in blocks of {:g} days that "
+        "were left out falls by {:g} % as a mean over the meters and rises on none by "
+        "more than {:g} % (more where another gains much)",
+        options.most_effects,
+        options.generic ? "of the catalogue and beside it" : "of the catalogue", columns,
+        excluded, options.block_days, options.least_gain, options.most_loss);
+}
+
+}  // namespace
+
+extern const Kind loop_kind{.word = "loop",
+                            .sections = {sections},
+                            .keys = {learning_keys, keys},
+                            .takes_stock = true,
+                            .read = read,
+                            .check = check,
+                            .stages = stages,
+                            .sentence = sentence};
+
+}  // namespace bemcal::job

@@ -1,0 +1,14 @@
+/// A [[study]] of kind "optimisation" as the job says it.
+#pragma once
+
+#include "calibration/optimisation.hpp"
+#include "job/targets.hpp"
+
+namespace bemcal::job {
+
+struct OptimisationStudy {
+    calibration::OptimisationOptions options;
+    TargetSpecs targets;  ///< empty = it fits meters
+};
+
+}  // namespace bemcal::job

@@ -1,0 +1,84 @@
+/// The kind "screening": a sample over the parameters' ranges, and the error of every
+/// point against every meter.
+/// Follows from `make_screening`.
+/// It sees every period, so it has no key for one.
+#include "calibration/screening.hpp"
+#include "job/kind.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace bemcal::job {
+
+namespace {
+
+using calibration::ScreeningOptions;
+using schema::Type;
+
+constexpr schema::SectionInfo sections[] = {
+    {"study", "[[study]] kind = \"screening\"", "",
+     "Points all over the parameters' ranges, each held against the meters in every "
+     "period: the best, and how many meet ASHRAE Guideline 14."}};
+
+constexpr schema::Key keys[] = {
+    {"study", "n_points", Type::integer, "", "4096", 1, 1 << 30,
+     "Of the sample; the building as described is one more."},
+    {"study", "points_per_item", Type::integer, "", "1024", 1, 1 << 20,
+     "Points that are handed out together."},
+    {"study", "keep_points", Type::flag, "", "true", 0, 0,
+     "Store every point, not the best only."},
+    {"study", "n_best", Type::integer, "", "20", 1, 100000,
+     "So many best points are stored."},
+};
+
+void read(const StudySource& source, StudySpec& study) {
+    const schema::Section& section = source.section;
+    ScreeningOptions options;
+    options.seed = source.seed;
+    options.n_points = static_cast<std::size_t>(section.integer("n_points"));
+    options.points_per_item =
+        static_cast<std::size_t>(section.integer("points_per_item"));
+    options.keep_points = section.flag("keep_points");
+    options.n_best = static_cast<std::size_t>(section.integer("n_best"));
+    study.options = options;
+}
+
+void check(const StudyPlace& place, StudySpec&) {
+    for (const study::Case& building : place.job.buildings)
+        if (std::ranges::none_of(building.meters, [](const study::Meter& meter) {
+                return study::has_reading(meter.values);
+            }))
+            place.section.fail("kind", fmt::format("needs readings, and {} has none; add "
+                                                   "[[meter]]",
+                                                   building.name));
+}
+
+Stages stages(const StudySpec& study, const Job& job) {
+    return for_each_building(study, job, [&](std::string name, const auto& building) {
+        return calibration::make_screening(std::move(name), building,
+                                           study.as<ScreeningOptions>());
+    });
+}
+
+/// A point is simulated over one period after the other.
+void cost(const StudyStage& stage, Effort& effort) {
+    double hours = 0;
+    for (const study::Period& period : stage.building->periods)
+        hours += study::hours_of(period);
+    effort.hours = hours / static_cast<double>(stage.building->periods.size());
+}
+
+}  // namespace
+
+extern const Kind screening_kind{.word = "screening",
+                                 .sections = {sections},
+                                 .keys = {keys},
+                                 .takes_stock = true,
+                                 .read = read,
+                                 .check = check,
+                                 .stages = stages,
+                                 .cost = cost,
+                                 .points_of = stage_name};
+
+}  // namespace bemcal::job

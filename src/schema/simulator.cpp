@@ -1,0 +1,74 @@
+/// Declares the schema's rows of [simulator], another program in place of a building.
+/// Follows from paper 3's tool, which runs EnergyPlus once per point.
+/// Leaves out rules between keys, which `read_simulator` checks.
+#include "schema/schema.hpp"
+
+namespace bemcal::schema {
+
+namespace {
+
+constexpr const char* required = nullptr;
+
+constexpr Key table[] = {
+    {"simulator", "command", Type::texts, "", required, 0, 0,
+     "The program and its arguments, run without a shell: [\"energyplus\", \"-w\", "
+     "\"site.epw\", \"house.idf\"]. A name with a slash lies beside the job, another one "
+     "is "
+     "found on PATH."},
+    {"simulator", "shell", Type::flag, "", "false", 0, 0,
+     "The command is one text for /bin/sh."},
+    {"simulator", "time_limit", Type::number, "s", "600", 0.01, 1e7,
+     "Of one point: then the command is ended, with all that it started."},
+    {"simulator", "template", Type::tables, "", "", 0, 0, "[[simulator.template]]"},
+    {"simulator", "files", Type::texts, "", "", 0, 0,
+     "Other files that it reads: they are linked into the folder of every point."},
+    {"simulator", "parameter", Type::tables, "", required, 0, 0,
+     "[[simulator.parameter]]"},
+    {"simulator", "output", Type::tables, "", required, 0, 0, "[[simulator.output]]"},
+    {"simulator", "keep", Type::choice, "failed|all|none", "failed", 0, 0,
+     "The folders of which points stay."},
+    {"simulator", "folder", Type::text, "", "", 0, 0,
+     "They lie in it, from the working folder; default: the job's name with .points."},
+    {"simulator.template", "file", Type::text, "", required, 0, 0, "Beside the job."},
+    {"simulator.template", "as", Type::text, "", "", 0, 0,
+     "What the program knows it as; default: its name without .in or .template at the "
+     "end."},
+    {"simulator.parameter", "name", Type::text, "", required, 0, 0,
+     "Letters, digits and underscores."},
+    {"simulator.parameter", "unit", Type::text, "", "-", 0, 0, ""},
+    {"simulator.parameter", "min", Type::number, "", required, -1e300, 1e300, ""},
+    {"simulator.parameter", "max", Type::number, "", required, -1e300, 1e300, ""},
+    {"simulator.parameter", "nominal", Type::number, "", "", -1e300, 1e300,
+     "Where a study leaves it alone; default: the middle of the range."},
+    {"simulator.output", "name", Type::text, "", required, 0, 0, ""},
+    {"simulator.output", "unit", Type::text, "", "-", 0, 0, ""},
+    {"simulator.output", "file", Type::text, "", "", 0, 0,
+     "That the program writes, in its folder; default: what it prints."},
+    {"simulator.output", "column", Type::text, "", "", 0, 0,
+     "Of a CSV file, or one with columns between blanks, by its name in the header; "
+     "empty "
+     "cells are left out."},
+    {"simulator.output", "pattern", Type::text, "", "", 0, 0,
+     "In place of a column: a regular expression as of grep -E, sought in each line (its "
+     "first 4,000 characters); its first group is the number: \"heating: *([0-9.]+) "
+     "kWh\"."},
+    {"simulator.output", "take", Type::choice, "only|first|last|sum|mean|least|most",
+     "only", 0, 0, "Which of the numbers found; only: more than one is a failure."},
+    {"simulator.output", "row", Type::integer, "", "", 1, 1e9,
+     "In place of take: the number in that place, from 1."},
+    {"simulator.output", "header", Type::integer, "", "1", 1, 1e6,
+     "Line of the file with the names of its columns."},
+    {"simulator.output", "skip", Type::integer, "", "0", 0, 1e6,
+     "Lines below the header that are left out (units)."},
+    {"simulator.output", "factor", Type::number, "-", "1", -1e300, 1e300,
+     "value x factor + offset."},
+    {"simulator.output", "offset", Type::number, "", "0", -1e300, 1e300, ""},
+};
+
+}  // namespace
+
+std::span<const Key> simulator_keys() {
+    return table;
+}
+
+}  // namespace bemcal::schema
