@@ -1,5 +1,5 @@
 /// A job file, read and checked: everything that `run` needs, and nothing of how it is
-/// run.
+/// run. The work of reading is in read_job.cpp.
 #pragma once
 
 #include "calibration/optimisation.hpp"

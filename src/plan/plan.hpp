@@ -1,18 +1,13 @@
 /// What a job will cost, in words: for `check`.
 #pragma once
 
-#include "job/job.hpp"
+#include "plan/cost.hpp"
 
 #include <string>
 
 namespace bemcal::plan {
 
-/// Of all stages together.
-struct PlanCost {
-    double items = 0, simulations = 0;
-    double answer_bytes = 0, data_bytes = 0;
-    double core_seconds = 0;  ///< by rough costs of a step
-};
+/// Of a job, or of a stock as far as it can be told.
 PlanCost plan_cost(const job::Job& job);
 
 /// Items, simulations, memory, output size and expected time of every stage on that many

@@ -3,7 +3,7 @@
 /// Leaves out partitions and accounts, which are the cluster's.
 #pragma once
 
-#include "plan/plan.hpp"
+#include "plan/cost.hpp"
 
 #include <string>
 

@@ -1,14 +1,13 @@
 /// Says for `check` what a stock will cost: every building is read, broken ones and
 /// findings are named (50 lines at most), simulations and time added up.
-/// Follows from `plan_cost` of each building; `stock_cost` takes the first readable one
-/// for all.
-/// Counts every building as due, without the night's budget or the time of reading.
+/// Follows from `cost_of_buildings` of each building; `stock_cost` takes the first
+/// readable one for all. Counts every building as due, without the night's budget or the
+/// time of reading.
 #include "plan/stock_text.hpp"
 
 #include "base/error.hpp"
 #include "input/input_files.hpp"
 #include "job/stock.hpp"
-#include "plan/plan.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +34,7 @@ void add_building(const job::Job& job, const job::StockLine& line, Sums& sums) {
     try {
         input::InputFiles files;
         const job::Job one = job::read_stock_building(job, line, files);
-        const PlanCost cost = plan_cost(one);
+        const PlanCost cost = cost_of_buildings(one);
         sums.simulations += cost.simulations;
         sums.seconds += cost.core_seconds;
         for (const study::DataDecision& decision : one.buildings[0].decisions) {
@@ -74,7 +73,8 @@ PlanCost stock_cost(const job::Job& job) {
     for (const job::StockLine& line : job.stock->lines) {
         try {
             input::InputFiles files;
-            const PlanCost one = plan_cost(job::read_stock_building(job, line, files));
+            const PlanCost one =
+                cost_of_buildings(job::read_stock_building(job, line, files));
             return {n, n * one.simulations, n * 4096, one.data_bytes,
                     n * one.core_seconds};
         } catch (const std::exception&) {

@@ -1,7 +1,7 @@
 /// What `check` says of a stock: every building is read, none is simulated.
 #pragma once
 
-#include "plan/plan.hpp"
+#include "plan/cost.hpp"
 
 #include <string>
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "run/comm.hpp"
+#include "run/stopping.hpp"
 #include "study/stage.hpp"
 
 #include <functional>
@@ -13,13 +14,6 @@
 #include <vector>
 
 namespace bemcal::run {
-
-/// How a run ends before all is done.
-enum class Stopping {
-    no,
-    after_items,  ///< what runs is finished
-    soon          ///< what runs has a second, then it is left behind, to be done again
-};
 
 struct Progress {
     int items_done = 0, items_known = 0, items_total = 0;  ///< done includes known

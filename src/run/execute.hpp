@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "run/comm.hpp"
 #include "run/output_names.hpp"
+#include "run/output_place.hpp"
 #include "run/part_folder.hpp"
 #include "store/result_file.hpp"
 #include "study/stage.hpp"
@@ -32,10 +33,6 @@ struct Work {
     /// More failed points than this and the batch has failed.
     double max_failed_share = 1;
 };
-
-/// What to do about a result, or an unfinished one, that is there already. rerun_failed:
-/// keeps the items that succeeded, does the others again, and replaces the result.
-enum class Existing { refuse, force, resume, rerun_failed };
 
 struct ExecuteOptions {
     std::filesystem::path output;

@@ -4,7 +4,9 @@
 /// Files that changed for single items of a stock are the stage's to tell.
 #include "run/output_place.hpp"
 
+#include "base/error.hpp"
 #include "base/hash.hpp"
+#include "store/result_file.hpp"
 
 #include <fmt/format.h>
 

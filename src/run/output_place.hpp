@@ -2,13 +2,16 @@
 /// whether it may go on, start anew, or must be refused. Rank 0 only.
 #pragma once
 
-#include "run/execute.hpp"
 #include "run/part_folder.hpp"
 #include "store/item_log.hpp"
 
 #include <filesystem>
 
 namespace bemcal::run {
+
+/// What to do about a result, or an unfinished one, that is there already. rerun_failed:
+/// keeps the items that succeeded, does the others again, and replaces the result.
+enum class Existing { refuse, force, resume, rerun_failed };
 
 struct OutputPlace {
     bool is_complete = false;  ///< the same job's result is there: nothing to do

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "base/error.hpp"
-#include "run/distribute.hpp"
+#include "run/comm.hpp"
 #include "run/pool.hpp"
+#include "run/stopping.hpp"
 
 #include <cstring>
 #include <string>

@@ -1,0 +1,34 @@
+/// What a job of buildings will cost, stage by stage and all together.
+#pragma once
+
+#include "job/job.hpp"
+
+#include <string>
+#include <vector>
+
+namespace bemcal::plan {
+
+struct StageCost {
+    std::string name;
+    double items = 0, simulations = 0;
+    double answer_bytes = 0;  ///< on rank 0, and about those of the result
+    double core_seconds = 0;  ///< by rough costs of a step
+};
+/// In the order of the stages. Throws UserError (config) where a study does not fit.
+std::vector<StageCost> stage_costs(const job::Job& job);
+
+/// Of all stages together.
+struct PlanCost {
+    double items = 0, simulations = 0;
+    double answer_bytes = 0, data_bytes = 0;
+    double core_seconds = 0;  ///< by rough costs of a step
+};
+PlanCost total_of(const std::vector<StageCost>& stages, const job::Job& job);
+
+/// Of a job that is not a stock. Throws UserError (config) where it has no study.
+PlanCost cost_of_buildings(const job::Job& job);
+
+/// Whether a study draws in rounds until it has converged.
+bool has_chains(const job::StudySpec& study);
+
+}  // namespace bemcal::plan
