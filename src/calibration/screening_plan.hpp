@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calibration/ranking.hpp"
-#include "calibration/screening.hpp"
+#include "calibration/screening_options.hpp"
 #include "study/points.hpp"
 
 #include <string>

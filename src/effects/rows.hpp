@@ -1,9 +1,10 @@
 /// The catalogue's rows in three groups, and short words for their shapes.
 #pragma once
 
-#include "effects/catalogue.hpp"
+#include "effects/entry.hpp"
 
 #include <initializer_list>
+#include <vector>
 
 namespace bemcal::effects {
 
