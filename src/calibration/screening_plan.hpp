@@ -4,6 +4,7 @@
 #include "calibration/ranking.hpp"
 #include "calibration/screening_options.hpp"
 #include "study/points.hpp"
+#include "study/stage.hpp"
 
 #include <string>
 #include <vector>
