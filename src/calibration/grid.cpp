@@ -195,28 +195,6 @@ std::string GridStudy::shortfall(const std::vector<study::ItemAnswer>& answers) 
 
 }  // namespace
 
-Grid grid_of(const std::vector<physics::Parameter>& parameters, const NamedGrid& named) {
-    Grid grid;
-    grid.reserve(parameters.size());
-    for (const physics::Parameter& parameter : parameters)
-        grid.push_back({parameter.nominal});
-    for (const auto& [name, values] : named) {
-        const auto found = std::ranges::find(parameters, name, &physics::Parameter::name);
-        if (found == parameters.end())
-            throw std::invalid_argument(fmt::format("there is no parameter {}", name));
-        std::vector<double> axis = values;
-        std::ranges::sort(axis);
-        const bool is_good =
-            !axis.empty() && std::ranges::adjacent_find(axis) == axis.end() &&
-            std::ranges::all_of(axis, [](double x) { return std::isfinite(x); });
-        if (!is_good)
-            throw std::invalid_argument(fmt::format(
-                "the values of {} are none, or one stands there twice", name));
-        grid[static_cast<std::size_t>(found - parameters.begin())] = std::move(axis);
-    }
-    return grid;
-}
-
 std::unique_ptr<study::Stage> make_grid(std::string name,
                                         std::shared_ptr<const study::Simulator> simulator,
                                         const GridOptions& options) {

@@ -116,6 +116,28 @@ double GridStage::error(std::size_t point) const {
     return norm(errors.row(point));
 }
 
+Grid grid_of(const std::vector<physics::Parameter>& parameters, const NamedGrid& named) {
+    Grid grid;
+    grid.reserve(parameters.size());
+    for (const physics::Parameter& parameter : parameters)
+        grid.push_back({parameter.nominal});
+    for (const auto& [name, values] : named) {
+        const auto found = std::ranges::find(parameters, name, &physics::Parameter::name);
+        if (found == parameters.end())
+            throw std::invalid_argument(fmt::format("there is no parameter {}", name));
+        std::vector<double> axis = values;
+        std::ranges::sort(axis);
+        const bool is_good =
+            !axis.empty() && std::ranges::adjacent_find(axis) == axis.end() &&
+            std::ranges::all_of(axis, [](double x) { return std::isfinite(x); });
+        if (!is_good)
+            throw std::invalid_argument(fmt::format(
+                "the values of {} are none, or one stands there twice", name));
+        grid[static_cast<std::size_t>(found - parameters.begin())] = std::move(axis);
+    }
+    return grid;
+}
+
 GridRounds::GridRounds(std::vector<physics::Parameter> parameters, GridOptions options)
     : parameters_(std::move(parameters)), options_(std::move(options)) {
     check_targets(options_);

@@ -1,11 +1,18 @@
 /// What a stage of a grid shows, and the grid of the next one.
 #pragma once
 
-#include "calibration/grid.hpp"
+#include "calibration/grid_axes.hpp"
+#include "calibration/grid_options.hpp"
+#include "physics/parameters.hpp"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace bemcal::calibration {
+
+/// Every parameter of the simulator with its values: those given, else the nominal one.
+Grid grid_of(const std::vector<physics::Parameter>& parameters, const NamedGrid& named);
 
 /// What became of a parameter in a stage.
 enum class ParameterRole {

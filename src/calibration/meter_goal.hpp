@@ -3,7 +3,7 @@
 #pragma once
 
 #include "calibration/goal.hpp"
-#include "calibration/optimisation.hpp"
+#include "calibration/optimisation_options.hpp"
 #include "calibration/screening_plan.hpp"
 #include "study/fit.hpp"
 

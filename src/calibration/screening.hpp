@@ -2,25 +2,14 @@
 /// against every meter, and the points that meet ASHRAE Guideline 14.
 #pragma once
 
+#include "calibration/screening_options.hpp"
 #include "study/case.hpp"
 #include "study/stage.hpp"
 
-#include <cstdint>
 #include <memory>
-#include <vector>
+#include <string>
 
 namespace bemcal::calibration {
-
-struct ScreeningOptions {
-    std::size_t n_points = 4096;
-    std::size_t points_per_item = 1024;
-    std::uint64_t seed = 0;
-    bool keep_points = true;  ///< store every point with its errors, not the best only
-    std::size_t n_best = 20;
-    bool close_look = true;  ///< nominal and best are simulated again for their series
-    /// Of nominal and best, stored by step.
-    std::vector<physics::Quantity> hourly_outputs;
-};
 
 /// Point 0 is the nominal building, points 1 to n_points are a scrambled Sobol sample.
 /// Every point is simulated over every period of the case. The best is chosen by the sum

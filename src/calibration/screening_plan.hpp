@@ -2,8 +2,9 @@
 #pragma once
 
 #include "calibration/ranking.hpp"
-#include "calibration/screening.hpp"
+#include "calibration/screening_options.hpp"
 #include "study/points.hpp"
+#include "study/stage.hpp"
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "calibration/screening_plan.hpp"
-#include "calibration/staged.hpp"
+#include "calibration/staged_options.hpp"
 #include "study/fit.hpp"
 
 #include <map>

@@ -2,8 +2,9 @@
 /// told alone. Made anew and told the same, it is where it was.
 #pragma once
 
-#include "calibration/staged.hpp"
+#include "calibration/staged_options.hpp"
 #include "optimise/optimiser.hpp"
+#include "study/case.hpp"
 
 #include <limits>
 #include <memory>

@@ -6,8 +6,7 @@
 #pragma once
 
 #include "calibration/goal.hpp"
-#include "calibration/grid.hpp"
-#include "calibration/optimisation.hpp"
+#include "calibration/optimisation_options.hpp"
 
 #include <memory>
 #include <vector>

@@ -1,7 +1,9 @@
 /// The catalogue's rows in three groups; a new effect is a row in one of them.
 #pragma once
 
-#include "effects/catalogue.hpp"
+#include "effects/entry.hpp"
+
+#include <vector>
 
 namespace bemcal::effects {
 

@@ -25,7 +25,7 @@ const Table& table_of(InstructionSet set) {
     }
 }
 
-void plan_all(Batch::Plan& plan) {
+void plan_all(BatchPlan& plan) {
     const Nominal nominal{plan.nominal, plan.parameters, plan.drive, plan.table.lanes};
     ProfileClasses classes(plan.drive);
     if (!plan.plain)
@@ -40,7 +40,7 @@ void plan_all(Batch::Plan& plan) {
 }
 
 /// A lane of a building that runs plain: the whole period at once.
-void run_plain(Batch::Group& group, int lane) {
+void run_plain(BatchGroup& group, int lane) {
     const physics::Building& building = group.buildings[static_cast<std::size_t>(lane)];
     const physics::Drive& drive = group.plan.drive;
     const physics::Trajectory trajectory = physics::simulate(building, drive);
@@ -59,7 +59,7 @@ void run_plain(Batch::Group& group, int lane) {
 }
 
 /// One lane; returns why it failed, empty = it did not.
-std::string prepare_lane(std::span<const double> point, int lane, Batch::Group& group) {
+std::string prepare_lane(std::span<const double> point, int lane, BatchGroup& group) {
     try {
         group.write_lane(point, lane);
         if (group.plan.plain) run_plain(group, lane);

@@ -9,8 +9,8 @@
 #pragma once
 
 #include "base/matrix.hpp"
+#include "kernel/request.hpp"
 #include "physics/drive.hpp"
-#include "physics/meters.hpp"
 #include "physics/parameters.hpp"
 
 #include <memory>
@@ -31,39 +31,8 @@ bool is_supported(InstructionSet set);
 /// overrides. Throws std::invalid_argument for one that it does not have.
 InstructionSet choose_instruction_set();
 
-/// Readings of a meter over a period, one for each of its intervals; NaN = missing.
-struct Readings {
-    physics::Quantity quantity = physics::Quantity::heating;
-    physics::Interval interval = physics::Interval::hourly;
-    std::vector<double> values;  ///< [kWh] or [degC]
-};
-
-/// Sums over the intervals that have a reading; all that the error metrics need.
-struct ErrorSums {
-    double n = 0, error = 0, square = 0;                      ///< of simulated - measured
-    double simulated = 0, simulated_square = 0, product = 0;  ///< product with measured
-    double n_relative = 0, relative = 0;  ///< |error| / |measured| where it is not 0
-};
-
-/// What is wanted of every point.
-struct Request {
-    std::vector<physics::Quantity>
-        annual;  ///< totals (means for temperature) over the period
-    std::vector<physics::Quantity>
-        monthly;                     ///< the same for each calendar month of the period
-    std::vector<Readings> readings;  ///< error sums against each, at its own interval
-                                     ///< and, where that is finer, also by calendar month
-};
-
-struct PointAnswer {
-    std::string failure;            ///< empty = it went well
-    std::vector<double> annual;     ///< [annual.size()] kWh or degC
-    std::vector<double> monthly;    ///< [monthly.size() x n_months]
-    std::vector<ErrorSums> errors;  ///< [readings.size()] at the reading's interval
-    /// [readings.size()]; a month counts where all of its readings' intervals compared
-    /// are summed.
-    std::vector<ErrorSums> monthly_errors;
-};
+struct BatchPlan;
+struct BatchGroup;
 
 class Batch {
   public:
@@ -81,7 +50,7 @@ class Batch {
     std::vector<PointAnswer> evaluate(const Matrix& points, const Request& request) const;
 
     /// A group of up to lanes() points on its way through time.
-    struct Group;
+    using Group = BatchGroup;
     struct DeleteGroup {
         void operator()(Group* group) const;
     };
@@ -116,7 +85,7 @@ class Batch {
     void add_base(const double* shift, int n_steps, const double* a, double* b,
                   double* sums) const;
 
-    struct Plan;
+    using Plan = BatchPlan;
     const Plan& plan() const { return *plan_; }
 
   private:

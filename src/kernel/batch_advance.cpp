@@ -3,6 +3,7 @@
 /// else rows shown chunk by chunk.
 /// Source of the sums: Saltelli et al. 2010 (kernel_differences). Totals by month and
 /// errors against readings are left to reduction.
+#include "kernel/batch.hpp"
 #include "kernel/batch_plan.hpp"
 
 namespace bemcal::kernel {
@@ -12,7 +13,7 @@ namespace {
 /// Calls see(rows, their number) for the rows of steps [begin, end) of the drive, in
 /// order.
 template <class See>
-void see_rows(Batch::Group& group, int begin, int end, physics::Quantity quantity,
+void see_rows(BatchGroup& group, int begin, int end, physics::Quantity quantity,
               See see) {
     if (group.plan.plain) {
         LaneArray& rows = group.plain[static_cast<std::size_t>(quantity)];
@@ -27,13 +28,13 @@ void see_rows(Batch::Group& group, int begin, int end, physics::Quantity quantit
     }
 }
 
-int segment_at(const Batch::Group& group, int step) {
+int segment_at(const BatchGroup& group, int step) {
     return group.plan.zones[0].segment_of[static_cast<std::size_t>(step)];
 }
 
 void run_differences(std::span<const Batch::Mixed> groups, int begin, int end,
                      physics::Quantity quantity, double* sums) {
-    const Batch::Group& first = *groups.front().group;
+    const BatchGroup& first = *groups.front().group;
     ZoneTime time = first.zones[0].time;
     time.row_offset = first.plan.meter(quantity).mixed_offset.data();
     std::vector<MixedLanes> lanes;

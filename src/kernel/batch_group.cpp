@@ -19,7 +19,7 @@ std::size_t longest(const std::vector<Span>& chunks) {
     return static_cast<std::size_t>(most);
 }
 
-Batch::Group::Zone make_zone(const ZonePlan& plan, int lanes) {
+BatchGroup::Zone make_zone(const ZonePlan& plan, int lanes) {
     const auto columns = [](const Partition& classes, int each) {
         return static_cast<std::size_t>(classes.size()) * static_cast<std::size_t>(each);
     };
@@ -30,7 +30,7 @@ Batch::Group::Zone make_zone(const ZonePlan& plan, int lanes) {
             LaneArray(2, lanes)};
 }
 
-Batch::Group::Rows make_rows(std::size_t steps, int lanes) {
+BatchGroup::Rows make_rows(std::size_t steps, int lanes) {
     return {LaneArray(steps, lanes), LaneArray(steps, lanes), LaneArray(steps, lanes)};
 }
 
@@ -41,7 +41,7 @@ Show show_for(physics::Quantity quantity) {
                                                           : Show::powers;
 }
 
-const double* shown_as_it_is(physics::Quantity quantity, const Batch::Plan& plan,
+const double* shown_as_it_is(physics::Quantity quantity, const BatchPlan& plan,
                              const PowerRows& rows) {
     if (quantity == physics::Quantity::air_temperature) return rows.air;
     if (plan.meter(quantity).has_factor) return nullptr;
@@ -49,17 +49,17 @@ const double* shown_as_it_is(physics::Quantity quantity, const Batch::Plan& plan
     return quantity == physics::Quantity::cooling ? rows.cooling : nullptr;
 }
 
-Batch::Group::Written::Written(const Batch::Plan& plan)
+BatchGroup::Written::Written(const BatchPlan& plan)
     : buildings(static_cast<std::size_t>(plan.table.lanes), plan.nominal),
       points(buildings.size(), plan.parameters.size()) {
     std::ranges::fill(points.values, std::numeric_limits<double>::quiet_NaN());
 }
 
-Batch::Group::Group(const Batch::Plan& shared)
-    : Group(shared, std::make_shared<Written>(shared), std::nullopt) {}
+BatchGroup::BatchGroup(const BatchPlan& shared)
+    : BatchGroup(shared, std::make_shared<Written>(shared), std::nullopt) {}
 
-Batch::Group::Group(const Batch::Plan& shared, std::shared_ptr<Written> of_others,
-                    std::optional<physics::Quantity> meter)
+BatchGroup::BatchGroup(const BatchPlan& shared, std::shared_ptr<Written> of_others,
+                       std::optional<physics::Quantity> meter)
     : plan(shared),
       written(std::move(of_others)),
       buildings(written->buildings),
@@ -71,7 +71,7 @@ Batch::Group::Group(const Batch::Plan& shared, std::shared_ptr<Written> of_other
 }
 
 /// Parameters before the first that changes are at their values already.
-void Batch::Group::write_building(std::span<const double> point, std::size_t lane) {
+void BatchGroup::write_building(std::span<const double> point, std::size_t lane) {
     const std::span<double> before = written->points.row(lane);
     const auto is_same = [](double one, double other) {
         return one == other && std::signbit(one) == std::signbit(other);
@@ -83,7 +83,7 @@ void Batch::Group::write_building(std::span<const double> point, std::size_t lan
     std::ranges::copy(point, before.begin());
 }
 
-void Batch::Group::write_lane(std::span<const double> point, int lane) {
+void BatchGroup::write_lane(std::span<const double> point, int lane) {
     const int lanes = plan.table.lanes;
     write_building(point, static_cast<std::size_t>(lane));
     const physics::Building& building = buildings[static_cast<std::size_t>(lane)];
@@ -100,7 +100,7 @@ void Batch::Group::write_lane(std::span<const double> point, int lane) {
     }
 }
 
-void Batch::Group::copy_lane(int from, int to) {
+void BatchGroup::copy_lane(int from, int to) {
     const auto source = static_cast<std::size_t>(from),
                target = static_cast<std::size_t>(to);
     buildings[target] = buildings[source];
@@ -112,7 +112,7 @@ void Batch::Group::copy_lane(int from, int to) {
     floor_share_.copy_lane(from, to);
 }
 
-void Batch::Group::clear_lane(int lane) {
+void BatchGroup::clear_lane(int lane) {
     buildings[static_cast<std::size_t>(lane)] = plan.nominal;
     std::ranges::fill(written->points.row(static_cast<std::size_t>(lane)),
                       std::numeric_limits<double>::quiet_NaN());
@@ -122,7 +122,7 @@ void Batch::Group::clear_lane(int lane) {
     for (LaneArray& rows : plain) rows.clear_lane(lane);
 }
 
-bool Batch::Group::is_finite(int lane) const {
+bool BatchGroup::is_finite(int lane) const {
     double sum = 0;
     for (std::size_t z = 0; z < zones.size(); ++z)
         for (std::size_t state = 0; state < zones[z].state.columns(); ++state)
@@ -131,13 +131,13 @@ bool Batch::Group::is_finite(int lane) const {
 }
 
 /// Sums alone need no rows, which are larger than all the rest.
-void Batch::Group::make_room(Show show) {
+void BatchGroup::make_room(Show show) {
     if (show == Show::sums || !of_zone_.heating.empty()) return;
     of_zone_ = make_rows(most_steps_, plan.table.lanes);
     if (zones.size() > 1) of_building_ = make_rows(most_steps_, plan.table.lanes);
 }
 
-PowerRows Batch::Group::run(int begin, int end, Show show) {
+PowerRows BatchGroup::run(int begin, int end, Show show) {
     make_room(show);
     const PowerRows of_zone = of_zone_.pointers();
     const bool add = zones.size() > 1 && show != Show::sums;
@@ -156,7 +156,7 @@ PowerRows Batch::Group::run(int begin, int end, Show show) {
     return add ? of_building_.pointers() : of_zone;
 }
 
-MeterLanes Batch::Group::meter(physics::Quantity quantity) {
+MeterLanes BatchGroup::meter(physics::Quantity quantity) {
     const MeterPlan& meter = plan.meter(quantity);
     const auto q = static_cast<std::size_t>(quantity);
     const auto n_rows = static_cast<std::size_t>(meter.rows.size());
@@ -169,7 +169,7 @@ MeterLanes Batch::Group::meter(physics::Quantity quantity) {
     return {table.data(), meter.row_offset.data()};
 }
 
-void Batch::Group::write_mixed(physics::Quantity quantity) {
+void BatchGroup::write_mixed(physics::Quantity quantity) {
     using C = MixedColumn;
     const ZonePlan& zone = plan.zones[0];
     const MeterPlan& meter_plan = plan.meter(quantity);
@@ -193,7 +193,7 @@ void Batch::Group::write_mixed(physics::Quantity quantity) {
     }
 }
 
-ZoneLanes Batch::Group::mixed(physics::Quantity quantity) {
+ZoneLanes BatchGroup::mixed(physics::Quantity quantity) {
     if (mixed_is_of_ != quantity) {
         const auto n_rows = static_cast<std::size_t>(plan.meter(quantity).mixed.size());
         if (mixed_.empty() || mixed_.columns() != n_rows * MixedColumn::count)
@@ -206,8 +206,8 @@ ZoneLanes Batch::Group::mixed(physics::Quantity quantity) {
     return zone;
 }
 
-const double* Batch::Group::show(physics::Quantity quantity, const PowerRows& rows,
-                                 int begin, int end) {
+const double* BatchGroup::show(physics::Quantity quantity, const PowerRows& rows,
+                               int begin, int end) {
     if (const double* power = shown_as_it_is(quantity, plan, rows)) return power;
     if (shown_.empty()) shown_ = LaneArray(most_steps_, plan.table.lanes);
     plan.table.meter(meter(quantity), rows, begin, end, shown_.data());

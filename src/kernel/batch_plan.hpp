@@ -2,18 +2,23 @@
 #pragma once
 
 #include "base/lane_array.hpp"
+#include "base/matrix.hpp"
 #include "kernel/affine.hpp"
-#include "kernel/batch.hpp"
+#include "physics/drive.hpp"
 
 #include <array>
+#include <memory>
 #include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace bemcal::kernel {
 
 using physics::n_quantities;
 constexpr std::size_t n_intervals = 5;
 
-struct Batch::Plan {
+struct BatchPlan {
     const physics::Building& nominal;
     std::vector<physics::Parameter> parameters;
     const physics::Drive& drive;
@@ -35,7 +40,7 @@ struct Batch::Plan {
     }
 };
 
-struct Batch::Group {
+struct BatchGroup {
     struct Zone {
         ZoneTime time;
         LaneArray regimes, rows, state, sums;
@@ -50,15 +55,15 @@ struct Batch::Group {
 
     /// The points of the lanes as buildings; groups may write theirs one after another.
     struct Written {
-        explicit Written(const Batch::Plan& plan);
+        explicit Written(const BatchPlan& plan);
         std::vector<physics::Building> buildings;  ///< [lanes]
         Matrix points;  ///< [lanes x parameters] that they are at
     };
 
-    explicit Group(const Batch::Plan& shared);
+    explicit BatchGroup(const BatchPlan& shared);
     /// One that writes into buildings of others, and reads this meter at once.
-    Group(const Batch::Plan& shared, std::shared_ptr<Written> buildings,
-          std::optional<physics::Quantity> meter);
+    BatchGroup(const BatchPlan& shared, std::shared_ptr<Written> buildings,
+               std::optional<physics::Quantity> meter);
     /// One lane's coefficients and start. Throws std::domain_error where the point is
     /// impossible.
     void write_lane(std::span<const double> point, int lane);
@@ -78,7 +83,7 @@ struct Batch::Group {
     const double* show(physics::Quantity quantity, const PowerRows& rows, int begin,
                        int end);
 
-    const Batch::Plan& plan;
+    const BatchPlan& plan;
     std::shared_ptr<Written> written;
     std::vector<physics::Building>&
         buildings;  ///< [lanes] points written into the nominal
@@ -106,7 +111,7 @@ struct Batch::Group {
 Show show_for(physics::Quantity quantity);
 
 /// The rows that a quantity is; nullptr where a meter makes it.
-const double* shown_as_it_is(physics::Quantity quantity, const Batch::Plan& plan,
+const double* shown_as_it_is(physics::Quantity quantity, const BatchPlan& plan,
                              const PowerRows& rows);
 
 /// Why a lane went wrong: the plain version says where.

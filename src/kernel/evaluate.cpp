@@ -3,6 +3,7 @@
 /// say why.
 /// Follows from Batch's parts. What is reduced, and how, is left to reduction; buildings
 /// that the kernel cannot run are answered by plain_answer.
+#include "kernel/batch.hpp"
 #include "kernel/plain_answer.hpp"
 #include "kernel/reduction.hpp"
 
@@ -35,7 +36,7 @@ PointAnswer failed(const std::string& failure) {
 }
 
 /// A lane of a group that has run.
-PointAnswer lane_answer(const Reduction& reduction, int lane, Batch::Group& group) {
+PointAnswer lane_answer(const Reduction& reduction, int lane, BatchGroup& group) {
     PointAnswer answer = reduction.answer(lane, group);
     if (group.is_finite(lane) && is_finite(answer)) return answer;
     return failed(why_not_finite(group.buildings[static_cast<std::size_t>(lane)],
@@ -52,7 +53,7 @@ PointAnswer plain_or_failed(const physics::Building& building,
     }
 }
 
-std::vector<PointAnswer> evaluate_plain(const Batch::Plan& batch, const Matrix& points,
+std::vector<PointAnswer> evaluate_plain(const BatchPlan& batch, const Matrix& points,
                                         const Request& request) {
     std::vector<PointAnswer> answers;
     physics::Building building = batch.nominal;

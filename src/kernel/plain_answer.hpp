@@ -2,7 +2,8 @@
 /// the kernel, and as the reference that the fast version is tested against.
 #pragma once
 
-#include "kernel/batch.hpp"
+#include "kernel/request.hpp"
+#include "physics/drive.hpp"
 
 namespace bemcal::kernel {
 

@@ -15,13 +15,13 @@ bool is_mean(physics::Quantity quantity) {
     return physics::is_temperature(quantity);
 }
 
-double steps_in(const Batch::Plan& batch, std::size_t month) {
+double steps_in(const BatchPlan& batch, std::size_t month) {
     return batch.months[month].end - batch.months[month].begin;
 }
 
 }  // namespace
 
-Reduction::Reduction(const RequestPlan& request, const Batch::Plan& batch)
+Reduction::Reduction(const RequestPlan& request, const BatchPlan& batch)
     : request_(request),
       batch_(batch),
       powers_(2 * months(), batch.table.lanes),
@@ -31,7 +31,7 @@ Reduction::Reduction(const RequestPlan& request, const Batch::Plan& batch)
         sums_.emplace_back(ErrorColumn::count, batch.table.lanes);
 }
 
-void Reduction::run(Batch::Group& group) {
+void Reduction::run(BatchGroup& group) {
     for (LaneArray* array : {&powers_, &summed_, &error_}) array->clear();
     for (LaneArray& sums : sums_) sums.clear();
     const bool in_chunks = request_.show != Show::sums && !request_.compared;
@@ -43,7 +43,7 @@ void Reduction::run(Batch::Group& group) {
     }
 }
 
-PointAnswer Reduction::answer(int lane, Batch::Group& group) const {
+PointAnswer Reduction::answer(int lane, BatchGroup& group) const {
     PointAnswer answer;
     for (physics::Quantity quantity : request_.request.annual)
         answer.annual.push_back(total(quantity, {0, months()}, lane, group));
@@ -57,7 +57,7 @@ PointAnswer Reduction::answer(int lane, Batch::Group& group) const {
     return answer;
 }
 
-void Reduction::run_span(const Span& span, Batch::Group& group) {
+void Reduction::run_span(const Span& span, BatchGroup& group) {
     if (request_.compared) return run_compared(span, group);
     const auto [begin, end, month] = span;
     const PowerRows rows = group.run(begin, end, request_.show);
@@ -73,7 +73,7 @@ void Reduction::run_span(const Span& span, Batch::Group& group) {
     }
 }
 
-void Reduction::run_compared(const Span& span, Batch::Group& group) {
+void Reduction::run_compared(const Span& span, BatchGroup& group) {
     const ReadingPlan& reading = request_.readings.front();
     const int segment = batch_.zones[0].segment_of[static_cast<std::size_t>(span.begin)];
     batch_.table.run_compared(group.zones[0].time, group.zones[0].lanes(), segment,
@@ -82,9 +82,9 @@ void Reduction::run_compared(const Span& span, Batch::Group& group) {
 }
 
 /// Moves the sums that are wanted by month to their month.
-void Reduction::close_month(std::size_t month, Batch::Group& group) {
+void Reduction::close_month(std::size_t month, BatchGroup& group) {
     const auto lanes = static_cast<std::size_t>(batch_.table.lanes);
-    for (Batch::Group::Zone& zone : group.zones) {
+    for (BatchGroup::Zone& zone : group.zones) {
         for (std::size_t k = 0; k < 2 * lanes; ++k)
             powers_.column(2 * month)[k] += zone.sums.data()[k];
         zone.sums.clear();
@@ -98,7 +98,7 @@ void Reduction::close_month(std::size_t month, Batch::Group& group) {
 
 /// [W steps]: shares of the powers, and every row of loads as often as it occurs.
 double Reduction::total_of_powers(physics::Quantity quantity, Months span, int lane,
-                                  Batch::Group& group) const {
+                                  BatchGroup& group) const {
     const int lanes = batch_.table.lanes;
     const double* form = group.meter(quantity).rows + lane;
     const auto& counts = request_.row_counts[static_cast<std::size_t>(quantity)];
@@ -116,7 +116,7 @@ double Reduction::total_of_powers(physics::Quantity quantity, Months span, int l
 }
 
 double Reduction::total(physics::Quantity quantity, Months span, int lane,
-                        Batch::Group& group) const {
+                        BatchGroup& group) const {
     const std::vector<physics::Quantity>& summed = request_.summed;
     const auto place = std::find(summed.begin(), summed.end(), quantity);
     if (place == summed.end())

@@ -24,7 +24,7 @@ void count_reading(double measured, ErrorSums& sums) {
     if (measured != 0) sums.n_relative += 1;
 }
 
-void lay_interval(ReadingPlan& plan, const Batch::Plan& batch, int begin, int end,
+void lay_interval(ReadingPlan& plan, const BatchPlan& batch, int begin, int end,
                   double reading) {
     const bool is_mean = plan.quantity == physics::Quantity::air_temperature;
     const auto last = static_cast<std::size_t>(batch.drive.n_warm_up + end - 1);
@@ -35,7 +35,7 @@ void lay_interval(ReadingPlan& plan, const Batch::Plan& batch, int begin, int en
     plan.factor.push_back(is_mean ? 1.0 / (end - begin) : kWh_per_W(batch.drive));
 }
 
-ReadingPlan plan_reading(const Readings& readings, const Batch::Plan& batch) {
+ReadingPlan plan_reading(const Readings& readings, const BatchPlan& batch) {
     ReadingPlan plan;
     plan.quantity = readings.quantity;
     plan.by_month = is_finer_than_month(readings.interval);
@@ -58,7 +58,7 @@ ReadingPlan plan_reading(const Readings& readings, const Batch::Plan& batch) {
 
 /// The sums of a quantity that cannot be made from those of the powers: its steps are
 /// shown.
-bool is_summed(physics::Quantity quantity, const Batch::Plan& batch) {
+bool is_summed(physics::Quantity quantity, const BatchPlan& batch) {
     return quantity == physics::Quantity::air_temperature ||
            batch.meter(quantity).shares_vary;
 }
@@ -83,7 +83,7 @@ double kWh_per_W(const physics::Drive& drive) {
     return drive.axis.step_s / 3.6e6;
 }
 
-RequestPlan::RequestPlan(const Request& wanted, const Batch::Plan& batch)
+RequestPlan::RequestPlan(const Request& wanted, const BatchPlan& batch)
     : request(wanted) {
     for (const Readings& each : request.readings) {
         readings.push_back(plan_reading(each, batch));
@@ -99,7 +99,7 @@ void RequestPlan::need(Show more) {
     show = std::max(show, more);
 }
 
-void RequestPlan::add_total(physics::Quantity quantity, const Batch::Plan& batch) {
+void RequestPlan::add_total(physics::Quantity quantity, const BatchPlan& batch) {
     if (!is_summed(quantity, batch)) {
         row_counts[static_cast<std::size_t>(quantity)] =
             count_rows(batch.meter(quantity).rows, batch.months);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernel/batch_plan.hpp"
+#include "kernel/request.hpp"
 
 namespace bemcal::kernel {
 
@@ -32,11 +33,11 @@ struct RequestPlan {
     Show show = Show::sums;
     bool compared = false;  ///< one meter, read while the powers are made
 
-    RequestPlan(const Request& wanted, const Batch::Plan& batch);
+    RequestPlan(const Request& wanted, const BatchPlan& batch);
 
   private:
     void need(Show more);
-    void add_total(physics::Quantity quantity, const Batch::Plan& batch);
+    void add_total(physics::Quantity quantity, const BatchPlan& batch);
 };
 
 }  // namespace bemcal::kernel

@@ -15,8 +15,8 @@ namespace bemcal::kernel {
 namespace {
 
 /// One lane of all meters' rows. Throws std::domain_error as meter_form does.
-void write_meters(int lane, Response::Run& run) {
-    const Batch::Plan& batch = run.group->plan;
+void write_meters(int lane, ResponseRun& run) {
+    const BatchPlan& batch = run.group->plan;
     const physics::Building& building =
         run.group->buildings[static_cast<std::size_t>(lane)];
     for (std::size_t q = 0; q < n_quantities; ++q)
@@ -26,7 +26,7 @@ void write_meters(int lane, Response::Run& run) {
 }
 
 /// Returns why it failed, empty = it did not.
-std::string write_lane(int lane, Response::Run& run) {
+std::string write_lane(int lane, ResponseRun& run) {
     const physics::Building& building =
         run.group->buildings[static_cast<std::size_t>(lane)];
     for (std::size_t z = 0; z < run.zones.size(); ++z)
@@ -40,13 +40,13 @@ std::string write_lane(int lane, Response::Run& run) {
     }
 }
 
-void copy_lane(int from, int to, Response::Run& run) {
-    for (Response::Run::OfMeter& meter : run.meters) meter.rows.copy_lane(from, to);
+void copy_lane(int from, int to, ResponseRun& run) {
+    for (ResponseRun::OfMeter& meter : run.meters) meter.rows.copy_lane(from, to);
     run.floor_share.copy_lane(from, to);
 }
 
 /// The states before a stretch.
-void keep_states(std::size_t stretch, Response::Run& run) {
+void keep_states(std::size_t stretch, ResponseRun& run) {
     for (std::size_t z = 0; z < run.zones.size(); ++z) {
         const LaneArray& state = run.group->zones[z].state;
         std::copy_n(state.data(), state.size(),
@@ -56,7 +56,7 @@ void keep_states(std::size_t stretch, Response::Run& run) {
 
 /// W or degC of the steps of a stretch, from its rows.
 const double* shown(physics::Quantity quantity, const Span& stretch,
-                    const PowerRows& rows, Response::Run& run) {
+                    const PowerRows& rows, ResponseRun& run) {
     if (const double* power = shown_as_it_is(quantity, run.group->plan, rows))
         return power;
     run.group->plan.table.meter(run.meter_lanes(quantity), rows, stretch.begin,
@@ -64,7 +64,7 @@ const double* shown(physics::Quantity quantity, const Span& stretch,
     return run.shown.data();
 }
 
-void run_stretch(const Response::Plan& plan, const Span& stretch, Response::Run& run) {
+void run_stretch(const ResponsePlan& plan, const Span& stretch, ResponseRun& run) {
     const auto [begin, end, month] = stretch;
     const Show show = plan.shows_air ? Show::powers_and_air : Show::powers;
     const PowerRows rows = run.group->run(begin, end, show);
@@ -75,11 +75,10 @@ void run_stretch(const Response::Plan& plan, const Span& stretch, Response::Run&
             run.channels[k].readings.data());
 }
 
-void run_in_one_pass(const Response::Plan& plan, const Span& stretch,
-                     Response::Run& run) {
+void run_in_one_pass(const ResponsePlan& plan, const Span& stretch, ResponseRun& run) {
     const auto [begin, end, month] = stretch;
     const Table& table = plan.shared.table;
-    Batch::Group::Zone& zone = run.group->zones[0];
+    BatchGroup::Zone& zone = run.group->zones[0];
     table.run_metered(zone.time, zone.lanes(),
                       plan.shared.zones[0].segment_of[static_cast<std::size_t>(begin)],
                       begin, end, run.meter_lanes(plan.channels[0].quantity),
@@ -88,7 +87,7 @@ void run_in_one_pass(const Response::Plan& plan, const Span& stretch,
                           run.channels[0].readings.data());
 }
 
-void run_all(const Response::Plan& plan, Response::Run& run) {
+void run_all(const ResponsePlan& plan, ResponseRun& run) {
     const bool in_one_pass = plan.in_one_pass();
     for (std::size_t k = 0; k < plan.stretches.size(); ++k) {
         const Span& stretch = plan.stretches[k];
@@ -100,11 +99,11 @@ void run_all(const Response::Plan& plan, Response::Run& run) {
         else
             run_stretch(plan, stretch, run);
     }
-    for (Batch::Group::Zone& zone : run.group->zones) zone.sums.clear();
+    for (BatchGroup::Zone& zone : run.group->zones) zone.sums.clear();
 }
 
 /// Readings of a building that runs plain: prepare() has simulated it.
-void read_plain(const Response::Plan& plan, Response::Run& run) {
+void read_plain(const ResponsePlan& plan, ResponseRun& run) {
     const int begin = plan.shared.drive.n_warm_up, end = plan.shared.drive.n_steps();
     for (std::size_t k = 0; k < plan.channels.size(); ++k) {
         LaneArray& rows =
@@ -117,7 +116,7 @@ void read_plain(const Response::Plan& plan, Response::Run& run) {
 }
 
 /// A lane whose state is not finite after the run has failed, too.
-void find_failures(const Response::Plan& plan, Response::Run& run) {
+void find_failures(const ResponsePlan& plan, ResponseRun& run) {
     for (std::size_t k = 0; k < run.count; ++k)
         if (run.failures[k].empty() && !run.group->is_finite(static_cast<int>(k)))
             run.failures[k] = why_not_finite(run.group->buildings[k], plan.shared.drive);

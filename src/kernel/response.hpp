@@ -19,15 +19,12 @@
 
 namespace bemcal::kernel {
 
-/// A meter that is to be predicted over the batch's period.
-struct Channel {
-    physics::Quantity quantity = physics::Quantity::heating;
-    physics::Interval interval = physics::Interval::hourly;
-};
-
 /// Whether there is a way back: none for a building that runs plain, nor for one with
 /// numbers that follow from others (derived.hpp).
 bool has_derivatives(const physics::Building& building);
+
+struct ResponsePlan;
+struct ResponseRun;
 
 class Response {
   public:
@@ -41,7 +38,7 @@ class Response {
     bool is_differentiable() const;
 
     /// A group of points with all that the way back needs; one per thread, used again.
-    struct Run;
+    using Run = ResponseRun;
     struct DeleteRun {
         void operator()(Run* run) const;
     };
@@ -63,7 +60,7 @@ class Response {
     /// \param gradient  [count or more x parameters]
     void pull_back(Run& run, Matrix& gradient) const;
 
-    struct Plan;
+    using Plan = ResponsePlan;
 
   private:
     std::unique_ptr<Plan> plan_;

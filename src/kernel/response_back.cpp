@@ -4,6 +4,7 @@
 /// (checkpointing). Not for buildings that run plain or have numbers that follow from
 /// others.
 #include "adjoint/meters_adjoint.hpp"
+#include "kernel/response.hpp"
 #include "kernel/response_plan.hpp"
 
 #include <limits>
@@ -16,7 +17,7 @@ namespace {
 /// A stretch on its way back.
 class StretchBack {
   public:
-    StretchBack(const Response::Plan& plan, std::size_t index, Response::Run& run)
+    StretchBack(const ResponsePlan& plan, std::size_t index, ResponseRun& run)
         : plan_(plan),
           index_(index),
           run_(run),
@@ -63,7 +64,7 @@ class StretchBack {
                  {&run_.rows.heating, &run_.rows.cooling, &run_.rows.air})
                 rows->clear();
         for (std::size_t z = 0; z < run_.zones.size(); ++z) {
-            Response::Run::OfZone& zone = run_.zones[z];
+            ResponseRun::OfZone& zone = run_.zones[z];
             const std::size_t n = zone.state.columns();
             std::copy_n(zone.kept.column(index_ * n), zone.state.size(),
                         zone.state.data());
@@ -102,7 +103,7 @@ class StretchBack {
         PowerRows of_rows = run_.of_rows.pointers();
         if (!plan_.shows_air) of_rows.air = nullptr;
         if (!shares_air()) return of_rows;
-        Response::Run::OfZone& zone = run_.zones[index];
+        ResponseRun::OfZone& zone = run_.zones[index];
         table().adjoint.share_air(of_rows.air, zone.rows.air.data(),
                                   run_.floor_share.column(index), n_steps(),
                                   zone.of_air.data(), run_.of_floor_share.column(index));
@@ -111,30 +112,30 @@ class StretchBack {
     }
 
     void pull_zone(std::size_t index) {
-        Response::Run::OfZone& zone = run_.zones[index];
+        ResponseRun::OfZone& zone = run_.zones[index];
         table().adjoint.pull(
             run_.group->zones[index].time, lanes_of(index), in_segments(index),
             of_shown(index), zone.tape.data(),
             {zone.of_regimes.data(), zone.of_rows.data(), zone.of_state.data()});
     }
 
-    const Response::Plan& plan_;
+    const ResponsePlan& plan_;
     std::size_t index_;
-    Response::Run& run_;
+    ResponseRun& run_;
     const Span& stretch_;
     bool in_period_;
 };
 
-void clear_adjoints(Response::Run& run) {
-    for (Response::Run::OfMeter& meter : run.meters) meter.of_rows.clear();
-    for (Response::Run::OfZone& zone : run.zones)
+void clear_adjoints(ResponseRun& run) {
+    for (ResponseRun::OfMeter& meter : run.meters) meter.of_rows.clear();
+    for (ResponseRun::OfZone& zone : run.zones)
         for (LaneArray* adjoints : {&zone.of_regimes, &zone.of_rows, &zone.of_state})
             adjoints->clear();
     run.of_floor_share.clear();
 }
 
 /// Shares of the floor: A_z / sum of A.
-void pull_floor_shares(const physics::Building& building, int lane, Response::Run& run) {
+void pull_floor_shares(const physics::Building& building, int lane, ResponseRun& run) {
     const double total = building.floor_area();
     double mean = 0;
     for (std::size_t z = 0; z < run.zones.size(); ++z)
@@ -145,8 +146,8 @@ void pull_floor_shares(const physics::Building& building, int lane, Response::Ru
 }
 
 void pull_meter(physics::Quantity quantity, const physics::Building& building, int lane,
-                Response::Run& run) {
-    const Batch::Plan& batch = run.group->plan;
+                ResponseRun& run) {
+    const BatchPlan& batch = run.group->plan;
     const MeterPlan& meter = batch.meter(quantity);
     const std::vector<int>& first = meter.rows.first;
     const LaneArray& of_rows = run.meter(quantity).of_rows;
@@ -164,7 +165,7 @@ void pull_meter(physics::Quantity quantity, const physics::Building& building, i
 }
 
 /// From a lane's coefficients to the numbers of its building.
-void pull_building(const Response::Plan& plan, int lane, Response::Run& run) {
+void pull_building(const ResponsePlan& plan, int lane, ResponseRun& run) {
     const physics::Building& building =
         run.group->buildings[static_cast<std::size_t>(lane)];
     run.of_building = plan.zeros;
@@ -181,7 +182,7 @@ void pull_building(const Response::Plan& plan, int lane, Response::Run& run) {
 }
 
 /// A number without effect has no part, even where its nominal value is unlimited.
-void write_gradient(const Response::Plan& plan, const physics::Building& of_building,
+void write_gradient(const ResponsePlan& plan, const physics::Building& of_building,
                     std::span<double> gradient) {
     std::fill(gradient.begin(), gradient.end(), 0.0);
     for (const Written& written : plan.written) {

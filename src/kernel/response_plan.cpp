@@ -12,7 +12,7 @@ namespace bemcal::kernel {
 
 namespace {
 
-ChannelPlan plan_channel(const Channel& channel, const Batch::Plan& batch) {
+ChannelPlan plan_channel(const Channel& channel, const BatchPlan& batch) {
     const physics::Drive& drive = batch.drive;
     const std::vector<int>& bounds =
         batch.bounds[static_cast<std::size_t>(channel.interval)];
@@ -31,7 +31,7 @@ ChannelPlan plan_channel(const Channel& channel, const Batch::Plan& batch) {
     return plan;
 }
 
-std::vector<Span> plan_stretches(const Batch::Plan& batch) {
+std::vector<Span> plan_stretches(const BatchPlan& batch) {
     std::vector<Span> stretches = cut_chunks({{0, batch.drive.n_warm_up, 0}});
     stretches.insert(stretches.end(), batch.chunks.begin(), batch.chunks.end());
     return stretches;
@@ -42,7 +42,7 @@ double per_value(double nominal, physics::Effect effect) {
 }
 
 /// Every number that a parameter writes to, once: of two parameters the last one holds.
-std::vector<Written> plan_written(const Batch::Plan& batch) {
+std::vector<Written> plan_written(const BatchPlan& batch) {
     physics::Building building = batch.nominal;
     std::map<const double*, std::size_t> known;
     std::vector<Written> written;
@@ -141,7 +141,7 @@ LaneArray like(const Partition& classes, int columns, int lanes) {
     return {static_cast<std::size_t>(classes.size() * columns), lanes};
 }
 
-Batch::Group::Rows make_rows(std::size_t steps, int lanes) {
+BatchGroup::Rows make_rows(std::size_t steps, int lanes) {
     return {LaneArray(steps, lanes), LaneArray(steps, lanes), LaneArray(steps, lanes)};
 }
 
@@ -151,8 +151,8 @@ int tape_columns(const ZonePlan& zone) {
                : general_tape_columns(static_cast<int>(zone.states.size()));
 }
 
-Response::Run::OfZone make_zone(const Response::Plan& plan, const ZonePlan& zone,
-                                std::size_t n_steps) {
+ResponseRun::OfZone make_zone(const ResponsePlan& plan, const ZonePlan& zone,
+                              std::size_t n_steps) {
     const int lanes = plan.lanes();
     const std::size_t n_states = zone.is_standard() ? 1 : zone.states.size();
     return {LaneArray(plan.stretches.size() * n_states, lanes),
@@ -165,7 +165,7 @@ Response::Run::OfZone make_zone(const Response::Plan& plan, const ZonePlan& zone
             LaneArray(n_steps, lanes)};
 }
 
-void add_channel(const Channel& channel, Response::Plan& plan) {
+void add_channel(const Channel& channel, ResponsePlan& plan) {
     const bool air = channel.quantity == physics::Quantity::air_temperature;
     bool& is_seen = air ? plan.shows_air : plan.shows_powers;
     plan.of_channels.push_back(plan_channel(channel, plan.shared));
@@ -175,7 +175,7 @@ void add_channel(const Channel& channel, Response::Plan& plan) {
 
 }  // namespace
 
-Response::Plan::Plan(const Batch& of_batch, std::vector<Channel> wanted)
+ResponsePlan::ResponsePlan(const Batch& of_batch, std::vector<Channel> wanted)
     : batch(of_batch),
       shared(batch.plan()),
       channels(std::move(wanted)),
@@ -189,7 +189,7 @@ Response::Plan::Plan(const Batch& of_batch, std::vector<Channel> wanted)
             pulls_powers = true;
 }
 
-Response::Run::Run(const Plan& plan)
+ResponseRun::ResponseRun(const ResponsePlan& plan)
     : group(plan.batch.make_group()), of_building(plan.zeros) {
     const int lanes = plan.lanes();
     const auto n_steps = static_cast<std::size_t>(group->most_steps());

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "kernel/affine_adjoint.hpp"
+#include "kernel/batch.hpp"
 #include "kernel/batch_plan.hpp"
-#include "kernel/response.hpp"
+#include "kernel/request.hpp"
 
 namespace bemcal::kernel {
 
@@ -23,11 +24,11 @@ struct Written {
     double per_value;  ///< d number / d parameter
 };
 
-struct Response::Plan {
-    Plan(const Batch& of_batch, std::vector<Channel> wanted);
+struct ResponsePlan {
+    ResponsePlan(const Batch& of_batch, std::vector<Channel> wanted);
 
     const Batch& batch;
-    const Batch::Plan& shared;
+    const BatchPlan& shared;
     std::vector<Channel> channels;
     std::vector<ChannelPlan> of_channels{};
     std::vector<Span> stretches;  ///< warm-up and period in pieces that fit the cache
@@ -50,8 +51,8 @@ struct Response::Plan {
     }
 };
 
-struct Response::Run {
-    explicit Run(const Plan& plan);
+struct ResponseRun {
+    explicit ResponseRun(const ResponsePlan& plan);
 
     struct OfChannel {
         LaneArray readings, sensitivities;
@@ -62,10 +63,10 @@ struct Response::Run {
     };
     /// What a zone needs on the way back.
     struct OfZone {
-        LaneArray kept;           ///< [n_stretches n_states] states before each stretch
-        LaneArray state;          ///< scratch
-        LaneArray tape;           ///< of a stretch
-        Batch::Group::Rows rows;  ///< of a stretch: what it shows
+        LaneArray kept;         ///< [n_stretches n_states] states before each stretch
+        LaneArray state;        ///< scratch
+        LaneArray tape;         ///< of a stretch
+        BatchGroup::Rows rows;  ///< of a stretch: what it shows
         LaneArray of_regimes, of_rows, of_state;
         LaneArray of_air;  ///< of a stretch, where there are several zones
     };
@@ -78,7 +79,7 @@ struct Response::Run {
     std::vector<OfZone> zones;
     LaneArray shown;                        ///< a quantity over a stretch
     LaneArray zeros;                        ///< adjoints of the powers in the warm-up
-    Batch::Group::Rows rows, of_rows;       ///< of the building over a stretch
+    BatchGroup::Rows rows, of_rows;         ///< of the building over a stretch
     LaneArray floor_share, of_floor_share;  ///< [n_zones]
     NetworkPair networks;
     physics::Building of_building;

@@ -1,7 +1,8 @@
 /// The random operators of NSGA-II on bounded variables.
 #pragma once
 
-#include "optimise/nsga2.hpp"
+#include "optimise/nsga2_options.hpp"
+#include "optimise/optimiser.hpp"
 
 #include <utility>
 

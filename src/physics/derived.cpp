@@ -5,7 +5,7 @@
 /// without layers has no capacity.
 #include "physics/derived.hpp"
 
-#include "physics/parameters.hpp"
+#include "physics/numbers.hpp"
 
 #include <algorithm>
 #include <cmath>

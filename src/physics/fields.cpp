@@ -3,7 +3,7 @@
 /// Source of defaults: ISO 13790:2008 where it has them (h_is 3.45, h_ms 9.1, Lambda_at
 /// 4.5, F_w 0.9, class medium). Only numbers are here: names, carriers, lists and
 /// switches are left to the job's reader.
-#include "physics/parameters.hpp"
+#include "physics/fields.hpp"
 
 #include <limits>
 

@@ -1,32 +1,15 @@
-/// The numbers of a building that a job may vary, and where each enters.
-///
-/// ONE table (`fields`) gives every numeric input of a building its name, unit, default,
-/// range and a sentence; the job's reader, `describe parameters` and `resolve` below all
-/// use it.
+/// The numbers of a building that a job may vary, by their paths, and points written into
+/// a building.
 #pragma once
 
-#include "base/matrix.hpp"
 #include "physics/building.hpp"
+#include "physics/numbers.hpp"
 
 #include <span>
 #include <string>
 #include <vector>
 
 namespace bemcal::physics {
-
-/// Where a number lives in a part: exactly one of the two accessors is set.
-struct Field {
-    Part part;
-    const char* key;  ///< as in the job file, e.g. "u_value"
-    const char* unit;
-    double fallback;     ///< default; NaN = required
-    double least, most;  ///< accepted range, for messages
-    const char* sentence;
-    Input* (*input)(void* part);      ///< an Input, else nullptr
-    double* (*constant)(void* part);  ///< a constant, else nullptr
-};
-std::span<const Field> fields();
-const Field& field_of(const Target& target);
 
 /// How the parameter's value enters: it replaces the number, or multiplies or shifts what
 /// stands in the nominal building.
@@ -47,11 +30,6 @@ struct Parameter {
 /// fields belong to their zone. Throws std::invalid_argument that lists what would have
 /// matched.
 std::vector<Target> resolve(const Building& building, const std::string& path);
-
-/// The input that a target lies in; nullptr where it is a constant.
-Input* input_at(Building& building, const Target& target);
-double& number_at(Building& building, const Target& target);
-double number_at(const Building& building, const Target& target);
 
 /// Writes a point into `building`, which must be a copy of `nominal` (its other numbers
 /// are left as they are), and what follows from it (derived.hpp). Where two parameters

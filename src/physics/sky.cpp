@@ -1,8 +1,7 @@
 /// Irradiance on a plane from a step's means: beam, light of the sky, ground reflection.
 /// Source: Perez et al. 1990, Solar Energy 44(5), 271-289 ("all sites composite 1990");
-/// Hay and Davies 1980, Proc. First Canadian Solar Radiation Data Workshop, 59-72; air
-/// mass: Kasten and Young 1989, Applied Optics 28(22). The lag is our own. Horizons are
-/// left out; shade is a factor of the element.
+/// Hay and Davies 1980, Proc. First Canadian Solar Radiation Data Workshop, 59-72. The
+/// lag is our own. Horizons are left out; shade is a factor of the element.
 #include "physics/sky.hpp"
 
 #include <algorithm>
@@ -81,11 +80,6 @@ void delay(std::vector<double>& series, double lag_hours, double step_hours) {
 }
 
 }  // namespace
-
-double air_mass(double zenith) {
-    const double z = std::min(zenith / deg, 90.0);
-    return 1 / (std::cos(z * deg) + 0.50572 * std::pow(96.07995 - z, -1.6364));
-}
 
 double perez_sky(double tilt, double cos_theta, double zenith, double direct_normal,
                  double diffuse_horizontal, double extraterrestrial, double air_mass) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "physics/sun.hpp"
+#include "physics/weather.hpp"
 
 #include <optional>
 #include <vector>
@@ -47,10 +48,6 @@ double perez_sky(double tilt, double cos_theta, double zenith, double direct_nor
 /// from all of the sky.
 double hay_davies_sky(double tilt, double cos_theta, double zenith, double direct_normal,
                       double diffuse_horizontal, double extraterrestrial);
-
-/// Relative air mass, Kasten and Young 1989; its value at the horizon below it.
-/// \param zenith [rad]
-double air_mass(double zenith);
 
 /// Total irradiance on a plane for every step of the weather [W/m2], the sun standing
 /// where `suns` say. Throws std::invalid_argument where direct, diffuse or global

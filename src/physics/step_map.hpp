@@ -8,44 +8,10 @@
 /// and the second mass (Crank-Nicolson).
 #pragma once
 
+#include "physics/linear_form.hpp"
 #include "physics/network.hpp"
 
-#include <array>
-#include <cstddef>
-
 namespace bemcal::physics {
-
-/// What a step starts from.
-enum class Term {
-    theta_m,      ///< state: mass [degC]
-    theta_m2,     ///< state: second mass [degC]
-    theta_air,    ///< state: air [degC]; its coefficients are 0 without an air capacity
-    phi_emitter,  ///< state: heat leaving the emitter [W]; 0 without a lag
-    theta_em,     ///< behind the opaque elements [degC]
-    theta_e,      ///< at windows [degC]
-    theta_sup,    ///< supply air [degC]
-    phi_ia,
-    phi_st,
-    phi_m,  ///< gains of the nodes [W]
-    phi_h,  ///< asked of heating [W]; through lag and radiant share
-    phi_c,  ///< asked of cooling [W], >= 0; taken from the air node at once
-};
-constexpr std::size_t n_terms = 12;
-
-/// Values of the terms at one step.
-struct TermValues {
-    std::array<double, n_terms> value{};
-    double& operator[](Term term) { return value[static_cast<std::size_t>(term)]; }
-    double operator[](Term term) const { return value[static_cast<std::size_t>(term)]; }
-};
-
-/// A quantity as a weighted sum of the terms.
-struct LinearForm {
-    std::array<double, n_terms> weight{};
-    double& operator[](Term term) { return weight[static_cast<std::size_t>(term)]; }
-    double operator[](Term term) const { return weight[static_cast<std::size_t>(term)]; }
-    double at(const TermValues& terms) const;  ///< summed in the order of the terms
-};
 
 /// Results of a step. Means of the step unless `_after`, which are at its end. The air
 /// state after the step is theta_air itself (implicit Euler).

@@ -1,16 +1,13 @@
 /// The elimination behind a step's map with all that stands between the network and the
-/// map: what the map is made of (step_map.cpp) and its derivative goes back through
-/// (step_map_adjoint.cpp).
+/// map: what the map is made of (step_map.hpp) and its derivative goes back through
+/// (adjoint/step_map_adjoint.hpp).
 #pragma once
 
 #include "physics/hour.hpp"
-#include "physics/step_map.hpp"
+#include "physics/linear_form.hpp"
+#include "physics/network.hpp"
 
 namespace bemcal::physics {
-
-LinearForm the(Term term);
-LinearForm operator+(LinearForm a, const LinearForm& b);
-LinearForm operator*(double factor, LinearForm form);
 
 /// The emitter's first-order lag, exact for a constant command:
 /// power(t) = command + (power(0) - command) exp(-t / tau).

@@ -1,6 +1,7 @@
 /// Where the sun is: solar coordinates of low accuracy (about 0.01 deg), seen from the
 /// Earth's surface (parallax); for a step, at its middle or that of its sunlit part.
-/// Source: Meeus, Astronomical Algorithms, 2nd ed., chapters 12, 22 and 25.
+/// Source: Meeus, Astronomical Algorithms, 2nd ed., chapters 12, 22 and 25; air mass:
+/// Kasten and Young 1989, Applied Optics 28(22).
 /// Left out: refraction (irradiance models expect the geometric sun), the Earth's
 /// oblateness, and the 70 s between dynamical and universal time (0.001 deg).
 #include "physics/sun.hpp"
@@ -121,6 +122,11 @@ std::vector<StepSun> step_suns(const Site& site, const TimeAxis& axis, SunOfStep
         at_begin = at_end;
     }
     return suns;
+}
+
+double air_mass(double zenith) {
+    const double z = std::min(zenith / deg, 90.0);
+    return 1 / (std::cos(z * deg) + 0.50572 * std::pow(96.07995 - z, -1.6364));
 }
 
 double cos_incidence(const SunPosition& sun, double tilt, double azimuth) {

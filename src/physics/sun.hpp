@@ -1,7 +1,8 @@
-/// Where the sun is.
+/// Where the sun is, and how much air lies before it.
 #pragma once
 
-#include "physics/weather.hpp"
+#include "physics/calendar.hpp"
+#include "physics/site.hpp"
 
 #include <vector>
 
@@ -29,6 +30,10 @@ struct StepSun {
 /// The sun of every step. Where no part is sunlit: at the step's middle.
 std::vector<StepSun> step_suns(const Site& site, const TimeAxis& axis,
                                SunOfStep which = SunOfStep::middle);
+
+/// Relative air mass, Kasten and Young 1989; its value at the horizon below it.
+/// \param zenith [rad]
+double air_mass(double zenith);
 
 /// Cosine of the angle between the sun and a plane's normal; negative behind the plane.
 /// \param tilt     [rad], 0 = facing up, pi/2 = vertical

@@ -6,7 +6,7 @@
 #include "physics/weather.hpp"
 
 #include "physics/decomposition.hpp"
-#include "physics/sky.hpp"
+#include "physics/sun.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,18 +2,11 @@
 #pragma once
 
 #include "physics/calendar.hpp"
+#include "physics/site.hpp"
 
 #include <vector>
 
 namespace bemcal::physics {
-
-struct Site {
-    double latitude = 0;      ///< [deg], north positive
-    double longitude = 0;     ///< [deg], east positive
-    double utc_offset_h = 0;  ///< local standard time minus UTC [h]
-    double elevation = 0;     ///< [m]
-    double albedo = 0.2;      ///< ground reflectance [-]
-};
 
 /// All series have axis.n_steps values; an optional one may be empty. NaN = missing.
 struct Weather {

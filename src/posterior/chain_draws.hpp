@@ -2,8 +2,14 @@
 /// the draws of all rounds say of convergence.
 #pragma once
 
-#include "posterior/chain_stage.hpp"
+#include "posterior/posterior_options.hpp"
+#include "posterior/sampled_posterior.hpp"
+#include "sampling/chain.hpp"
 #include "stats/convergence.hpp"
+#include "study/stage.hpp"
+
+#include <string>
+#include <vector>
 
 namespace bemcal::posterior {
 

@@ -5,43 +5,13 @@
 #pragma once
 
 #include "posterior/posterior_options.hpp"
-#include "sampling/chains.hpp"
-#include "study/datasets.hpp"
+#include "posterior/sampled_posterior.hpp"
 #include "study/stage.hpp"
 
 #include <memory>
-#include <span>
 #include <string>
-#include <vector>
 
 namespace bemcal::posterior {
-
-/// A number whose posterior is reported.
-struct Unknown {
-    std::string name, unit;
-};
-
-/// All chains that started, with the draws that every one of them has.
-struct ChainDraws {
-    std::size_t n_chains = 0, n_draws = 0;
-    Matrix positions;         ///< [(chains x draws) x dimension], on the density's scale
-    Matrix statistics;        ///< [(chains x draws) x n_statistics]
-    std::vector<int> chains;  ///< [n_chains] numbers
-    std::vector<std::string> failures;  ///< of chains that did not start
-};
-
-class Posterior {
-  public:
-    virtual ~Posterior() = default;
-    virtual std::unique_ptr<sampling::Density> make_density() const = 0;
-    virtual const std::vector<Unknown>& unknowns() const = 0;
-    /// A position in physical units. \param values  [unknowns]
-    virtual void read(std::span<const double> position,
-                      std::span<double> values) const = 0;
-    /// What follows from the draws beside the unknowns themselves: predictions.
-    virtual void conclude(const ChainDraws& draws,
-                          study::DatasetBuilder& datasets) const = 0;
-};
 
 std::unique_ptr<study::Stage> make_chain_stage(std::string name,
                                                std::shared_ptr<const Posterior> posterior,

@@ -45,11 +45,6 @@ void check(const SamplerOptions& options, int n_draws) {
 
 }  // namespace
 
-bool climbs_first(const SamplerOptions& options) {
-    return options.climbs && options.method == Method::nuts &&
-           options.inverse_temperatures.size() == 1;
-}
-
 /// A state (Ladder::memory): meetings, inverse temperature, position, step size, metric.
 void share_metric(const Density& density, const SamplerOptions& options,
                   std::vector<std::vector<double>>& states) {

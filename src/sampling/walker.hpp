@@ -1,7 +1,7 @@
 /// One chain at one temperature: where it is, how it steps, and its transitions.
 #pragma once
 
-#include "sampling/chains.hpp"
+#include "sampling/chain.hpp"
 #include "sampling/company.hpp"
 #include "sampling/metric.hpp"
 #include "sampling/task.hpp"

@@ -2,8 +2,8 @@
 /// the residual model.
 #pragma once
 
-#include "stats/residual_model.hpp"
 #include "stats/residual_model_lanes.hpp"
+#include "stats/residual_model_options.hpp"
 
 #include <array>
 #include <vector>

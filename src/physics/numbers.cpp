@@ -1,0 +1,92 @@
+/// Reads and writes numbers of a building by target: part, index, field, slot. No words
+/// and no allocation, since points come by the million.
+/// Plain bookkeeping without a source. Ranges are not checked here; names are resolved in
+/// paths.
+#include "physics/numbers.hpp"
+
+namespace bemcal::physics {
+
+namespace {
+
+std::size_t row(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+void* part_in_zone(Zone& zone, Part part, std::size_t inner) {
+    switch (part) {
+        case Part::surface:
+            return &zone.surfaces[inner];
+        case Part::window:
+            return &zone.windows[inner];
+        case Part::flow:
+            return &zone.flows[inner];
+        case Part::load:
+            return &zone.loads[inner];
+        case Part::coupling:
+            return &zone.couplings[inner];
+        case Part::radiator:
+            return zone.radiator ? &*zone.radiator : nullptr;
+        default:
+            return &zone;
+    }
+}
+
+void* part_at(Building& building, const Target& target) {
+    switch (target.part) {
+        case Part::construction:
+            return &building.constructions[row(target.index)];
+        case Part::layer:
+            return &building.constructions[row(target.index)].layers[row(target.inner)];
+        case Part::glazing:
+            return &building.glazings[row(target.index)];
+        case Part::boundary:
+            return &building.boundaries[row(target.index)];
+        case Part::plant:
+            return &building.plant;
+        case Part::meter:
+            return &building.meter_factor[row(target.index)];
+        default:
+            return part_in_zone(building.zones[row(target.index)], target.part,
+                                row(target.inner));
+    }
+}
+
+}  // namespace
+
+const char* name_of(Part part) {
+    constexpr const char* names[] = {
+        "construction", "glazing", "boundary", "zone",  "surface", "window",  "flow",
+        "load",         "plant",   "coupling", "meter", "layer",   "radiator"};
+    return names[static_cast<std::size_t>(part)];
+}
+
+const Field& field_of(const Target& target) {
+    return fields()[row(target.field)];
+}
+
+Input* input_at(Building& building, const Target& target) {
+    const Field& field = field_of(target);
+    if (field.input == nullptr) return nullptr;
+    return field.input(part_at(building, target));
+}
+
+double& number_at(Building& building, const Target& target) {
+    const Field& field = field_of(target);
+    void* part = part_at(building, target);
+    if (field.constant != nullptr) return *field.constant(part);
+    Input& input = *field.input(part);
+    switch (target.slot) {
+        case Slot::low:
+            return input.low;
+        case Slot::change:
+            return input.changes[row(target.change)].amount;
+        default:
+            return input.value;
+    }
+}
+
+double number_at(const Building& building, const Target& target) {
+    return number_at(const_cast<Building&>(building), target);
+}
+
+}  // namespace bemcal::physics
