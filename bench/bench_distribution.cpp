@@ -72,8 +72,7 @@ class Sleeping : public study::Stage {
             std::this_thread::sleep_until(awake_until);
         return {{1.0 * item}, {}, {}};
     }
-    std::vector<study::Dataset> conclude(
-        const std::vector<study::ItemAnswer>&) const override {
+    study::Conclusion conclude(const std::vector<study::ItemAnswer>&) const override {
         return {};
     }
 

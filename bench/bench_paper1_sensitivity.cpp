@@ -40,7 +40,7 @@ Result indices_of(std::vector<std::pair<std::string, double>> fixed,
     std::vector<study::ItemAnswer> answers;
     for (int item = 0; item < stage->n_items(); ++item)
         answers.push_back(stage->run(item));
-    const auto datasets = stage->conclude(answers);
+    const auto datasets = stage->conclude(answers).datasets;
     return {find(datasets, "parameter").texts, find(datasets, "first_order").values,
             find(datasets, "total_order").values,
             find(datasets, "total_order_half_width").values};

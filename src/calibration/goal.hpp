@@ -27,6 +27,8 @@ class Goal {
     /// What the best point is like.
     virtual void describe(std::span<const double> best,
                           study::DatasetBuilder& datasets) const = 0;
+    /// Whether the readings of a building are met, not other targets.
+    virtual bool is_of_readings() const { return false; }
     /// Whether a failed point may succeed when it is done again.
     virtual bool failures_may_pass() const { return false; }
 };

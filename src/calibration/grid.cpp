@@ -79,7 +79,7 @@ class GridStudy : public study::Stage {
         first_point_ = static_cast<std::size_t>(round.needed.at(0));
         grid_ = unpack(round.needed);
     }
-    std::vector<study::Dataset> conclude(
+    study::Conclusion conclude(
         const std::vector<study::ItemAnswer>& answers) const override;
     bool failures_may_pass() const override { return simulator_->failures_may_pass(); }
     std::string shortfall(const std::vector<study::ItemAnswer>& answers) const override;
@@ -171,14 +171,33 @@ std::vector<study::Failure> GridStudy::failures_of(
     return failures;
 }
 
-std::vector<study::Dataset> GridStudy::conclude(
+/// The nearest of the last stage that has an answer, nearest first.
+study::Summary summary_of(const std::string& name, const GridRounds& rounds) {
+    study::Summary summary;
+    summary.study = name;
+    for (const physics::Parameter& parameter : rounds.parameters())
+        summary.points.parameters.push_back(parameter.name);
+    for (const GridStage& stage : rounds.stages()) {
+        if (stage.selection.nearest.empty()) continue;
+        Matrix& rows = summary.points.rows = Matrix(0, stage.grid.size());
+        for (const std::size_t point : stage.selection.nearest) {
+            const Matrix row = points_of(stage.grid, point, 1);
+            rows.values.insert(rows.values.end(), row.values.begin(), row.values.end());
+            ++rows.rows;
+        }
+    }
+    return summary;
+}
+
+study::Conclusion GridStudy::conclude(
     const std::vector<study::ItemAnswer>& answers) const {
     const GridRounds rounds = followed(answers);
     std::vector<std::string> units;
     units.reserve(columns_.size());
     for (const std::size_t column : columns_)
         units.push_back(simulator_->outputs()[column].unit);
-    return grid_datasets(name_, rounds, units, failures_of(answers, rounds));
+    return {grid_datasets(name_, rounds, units, failures_of(answers, rounds)),
+            {summary_of(name_, rounds)}};
 }
 
 std::string GridStudy::shortfall(const std::vector<study::ItemAnswer>& answers) const {

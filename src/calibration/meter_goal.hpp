@@ -25,6 +25,7 @@ class MeterGoal : public Goal {
     std::vector<optimise::Variable> variables() const override;
     std::vector<std::string> objectives() const override;
     std::vector<std::string> units() const override;
+    bool is_of_readings() const override { return true; }
     Matrix evaluate(const Matrix& points,
                     std::vector<std::string>& failures) const override;
     /// Nominal and `best`, every meter and period.

@@ -85,7 +85,7 @@ class Optimisation : public study::Stage {
     std::optional<study::Round> next_round(
         const std::vector<study::ItemAnswer>& answers) const override;
     void begin_round(int first_item, const study::Round& round) override;
-    std::vector<study::Dataset> conclude(
+    study::Conclusion conclude(
         const std::vector<study::ItemAnswer>& answers) const override;
     bool failures_may_pass() const override { return goal_->failures_may_pass(); }
 
@@ -213,7 +213,18 @@ void add_front(const optimise::Optimiser& optimiser, study::DatasetBuilder& data
                    std::move(values));
 }
 
-std::vector<study::Dataset> Optimisation::conclude(
+/// What a building's readings say; an optimum of other targets is not handed on.
+std::vector<study::Summary> summaries_of(const std::string& name, const Goal& goal,
+                                         std::span<const double> best) {
+    if (!goal.is_of_readings()) return {};
+    study::Summary summary;
+    summary.study = name;
+    for (std::size_t k = 0; k < best.size(); ++k)
+        summary.values.push_back({goal.parameters()[k].name, best[k], best[k], best[k]});
+    return {std::move(summary)};
+}
+
+study::Conclusion Optimisation::conclude(
     const std::vector<study::ItemAnswer>& answers) const {
     History history = start();
     follow(answers, history);
@@ -236,7 +247,7 @@ std::vector<study::Dataset> Optimisation::conclude(
     datasets.vector("at_bound", "parameter", at_bounds(goal_->parameters(), best));
     goal_->describe(best, datasets);
     datasets.failures(history.failures);
-    return datasets.take();
+    return {datasets.take(), summaries_of(name_, *goal_, best)};
 }
 
 }  // namespace

@@ -14,13 +14,27 @@ namespace bemcal::calibration {
 struct RowLayout {
     std::size_t n_periods = 0, n_meters = 0;
 
-    static constexpr std::size_t n_resolutions = 2, n_metrics = 6;
+    enum Metric : std::size_t {
+        cv_rmse,
+        nmbe,
+        mape,
+        monthly_cv_rmse,
+        monthly_nmbe,
+        monthly_mape,
+        n_metrics
+    };
+    static constexpr std::size_t n_resolutions = 2;
     static const char* metric_name(std::size_t metric);  ///< leaf of its dataset
     std::size_t n_verdicts() const { return n_periods * n_resolutions; }
     std::size_t n_fits() const { return n_periods * n_meters; }
     std::size_t verdicts() const { return 1; }
     std::size_t metric(std::size_t k) const { return 1 + n_verdicts() + k * n_fits(); }
     std::size_t width() const { return metric(n_metrics); }
+    /// Of a meter in a period.
+    double value(std::span<const double> row, Metric k, std::size_t period,
+                 std::size_t meter) const {
+        return row[metric(k) + period * n_meters + meter];
+    }
 };
 
 /// Fills one period's part of a row.

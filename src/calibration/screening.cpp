@@ -30,7 +30,7 @@ class Screening : public study::Stage {
         return sizeof(double) * n_rows * plan_.layout.width();
     }
     study::ItemAnswer run(int item) const override;
-    std::vector<study::Dataset> conclude(
+    study::Conclusion conclude(
         const std::vector<study::ItemAnswer>& answers) const override {
         return conclude_screening(plan_, answers);
     }

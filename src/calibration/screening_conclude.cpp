@@ -1,5 +1,5 @@
-/// Turns the items' answers into the datasets of a screening: counts, the best points,
-/// nominal against best, and with keep_points every point.
+/// Turns the items' answers into the result of a screening: counts, the best points,
+/// nominal against best, and with keep_points every point; and what it found, in short.
 /// Follows from the layout of a row in `ranking`.
 /// Only nominal and best are simulated again (`candidates`). Points have no weights.
 #include "calibration/candidates.hpp"
@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 namespace bemcal::calibration {
 namespace {
@@ -81,19 +82,30 @@ void add_points(const ScreeningPlan& plan, const std::vector<study::ItemAnswer>&
                    columns_of(rows, layout.verdicts(), layout.n_verdicts()));
 }
 
+/// [best x parameters]
+Matrix points_of(const ScreeningPlan& plan, const std::vector<Ranked>& best) {
+    Matrix points(0, plan.building.parameters.size());
+    for (const Ranked& ranked : best) {
+        const Matrix point = plan.points(static_cast<std::size_t>(ranked.point), 1);
+        points.values.insert(points.values.end(), point.values.begin(),
+                             point.values.end());
+        ++points.rows;
+    }
+    return points;
+}
+
 void add_best(const ScreeningPlan& plan, const std::vector<Ranked>& best,
               study::DatasetBuilder& datasets) {
     Matrix rows(best.size(), plan.layout.width());
-    std::vector<double> indices, parameters;
+    std::vector<double> indices;
     for (std::size_t rank = 0; rank < best.size(); ++rank) {
         indices.push_back(static_cast<double>(best[rank].point));
         std::ranges::copy(best[rank].row, rows.row(rank).begin());
-        const Matrix point = plan.points(static_cast<std::size_t>(best[rank].point), 1);
-        parameters.insert(parameters.end(), point.values.begin(), point.values.end());
     }
+    const Matrix points = points_of(plan, best);
     datasets.vector("best_point", "rank", std::move(indices));
-    datasets.array("best_parameters", {"rank", "parameter"},
-                   {best.size(), plan.building.parameters.size()}, std::move(parameters));
+    datasets.array("best_parameters", {"rank", "parameter"}, {points.rows, points.cols},
+                   points.values);
     add_rows(plan.layout, rows, "rank", "best_", datasets);
 }
 
@@ -109,10 +121,68 @@ Matrix candidates_of(const ScreeningPlan& plan, const std::vector<Ranked>& best)
     return candidates;
 }
 
+/// How far the best points reach in each parameter; the first is the best.
+std::vector<study::FoundValue> values_of(const ScreeningPlan& plan,
+                                         const Matrix& points) {
+    std::vector<study::FoundValue> values;
+    values.reserve(points.cols);
+    for (std::size_t k = 0; k < points.cols; ++k) {
+        study::FoundValue value{plan.building.parameters[k].name, points(0, k),
+                                points(0, k), points(0, k)};
+        for (std::size_t r = 1; r < points.rows; ++r) {
+            value.low = std::min(value.low, points(r, k));
+            value.high = std::max(value.high, points(r, k));
+        }
+        values.push_back(std::move(value));
+    }
+    return values;
+}
+
+/// \param nominal  the row of point 0; empty where it is not kept
+std::vector<study::FoundFit> fits_of(const RowLayout& layout,
+                                     std::span<const double> nominal,
+                                     std::span<const double> best) {
+    std::vector<study::FoundFit> fits;
+    for (std::size_t p = 0; p < layout.n_periods; ++p)
+        for (std::size_t m = 0; m < layout.n_meters; ++m)
+            fits.push_back(
+                {p, m,
+                 nominal.empty() ? nan : layout.value(nominal, layout.cv_rmse, p, m),
+                 layout.value(best, layout.cv_rmse, p, m),
+                 layout.value(best, layout.nmbe, p, m)});
+    return fits;
+}
+
+/// Where no point succeeded the values are the nominal ones.
+study::Summary summary_of(const ScreeningPlan& plan,
+                          const std::vector<study::ItemAnswer>& answers,
+                          const std::vector<Ranked>& best,
+                          const std::vector<study::Failure>& failures) {
+    study::Summary summary;
+    summary.study = plan.name;
+    if (best.empty()) {
+        summary.values = values_of(plan, plan.points(0, 1));
+        summary.failure =
+            "no point could be simulated: " +
+            (failures.empty() ? std::string("without a reason") : failures[0].reason);
+        return summary;
+    }
+    for (const physics::Parameter& parameter : plan.building.parameters)
+        summary.points.parameters.push_back(parameter.name);
+    summary.points.rows = points_of(plan, best);
+    summary.values = values_of(plan, summary.points.rows);
+    std::span<const double> nominal;
+    if (plan.options.keep_points && !answers[0].values.empty())
+        nominal = std::span(answers[0].values).first(plan.layout.width());
+    summary.fits = fits_of(plan.layout, nominal, best[0].row);
+    summary.score = best[0].row[0];
+    return summary;
+}
+
 }  // namespace
 
-std::vector<study::Dataset> conclude_screening(
-    const ScreeningPlan& plan, const std::vector<study::ItemAnswer>& answers) {
+study::Conclusion conclude_screening(const ScreeningPlan& plan,
+                                     const std::vector<study::ItemAnswer>& answers) {
     study::DatasetBuilder datasets(plan.name);
     add_names(plan, datasets);
     const Ranking ranking = ranking_of(plan, answers);
@@ -124,8 +194,9 @@ std::vector<study::Dataset> conclude_screening(
         add_candidates({plan.building, plan.models, plan.options.hourly_outputs},
                        candidates_of(plan, ranking.best()), datasets);
     if (plan.options.keep_points) add_points(plan, answers, datasets);
-    datasets.failures(failures_of(plan, answers));
-    return datasets.take();
+    const std::vector<study::Failure> failures = failures_of(plan, answers);
+    datasets.failures(failures);
+    return {datasets.take(), {summary_of(plan, answers, ranking.best(), failures)}};
 }
 
 }  // namespace bemcal::calibration

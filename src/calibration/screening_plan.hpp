@@ -39,7 +39,7 @@ struct ScreeningPlan {
     Matrix points(std::size_t first, std::size_t n) const;
 };
 
-std::vector<study::Dataset> conclude_screening(
-    const ScreeningPlan& plan, const std::vector<study::ItemAnswer>& answers);
+study::Conclusion conclude_screening(const ScreeningPlan& plan,
+                                     const std::vector<study::ItemAnswer>& answers);
 
 }  // namespace bemcal::calibration

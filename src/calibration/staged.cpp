@@ -150,7 +150,7 @@ class StagedCalibration : public study::Stage {
                       StagedOptions options);
 
     std::string name() const override { return name_; }
-    void see(const std::vector<study::Dataset>& concluded) override;
+    void see(const std::vector<study::Summary>& found) override;
     int n_items() const override { return static_cast<int>(items_of(points_.rows)); }
     long long n_simulations() const override;
     std::size_t answer_bytes() const override { return sizeof(double) * points_per_item; }
@@ -158,7 +158,7 @@ class StagedCalibration : public study::Stage {
     std::optional<study::Round> next_round(
         const std::vector<study::ItemAnswer>& answers) const override;
     void begin_round(int first_item, const study::Round& round) override;
-    std::vector<study::Dataset> conclude(
+    study::Conclusion conclude(
         const std::vector<study::ItemAnswer>& answers) const override;
 
   private:
@@ -211,35 +211,17 @@ long long StagedCalibration::n_simulations() const {
     return static_cast<long long>(n);
 }
 
-/// The values of a study above: a posterior's means, or the better of two candidates.
-std::vector<double> point_of(const std::vector<study::Dataset>& concluded,
-                             const std::string& study, const study::Case& building) {
-    const auto find = [&](const std::string& leaf) -> const study::Dataset* {
-        const auto found =
-            std::ranges::find(concluded, study + "/" + leaf, &study::Dataset::path);
-        return found == concluded.end() ? nullptr : &*found;
-    };
-    const study::Dataset* means = find("posterior_mean");
-    const study::Dataset* names = find(means != nullptr ? "unknown" : "parameter");
-    const study::Dataset* values =
-        means != nullptr ? means : find("candidate_parameters");
-    std::vector<double> point = study::nominal_point(building.parameters);
-    if (names == nullptr || values == nullptr) return {};
-    const std::size_t last_row = values->values.size() / names->texts.size() - 1;
-    for (std::size_t k = 0; k < point.size(); ++k) {
-        const auto at = std::ranges::find(names->texts, building.parameters[k].name);
-        const auto column = static_cast<std::size_t>(at - names->texts.begin());
-        if (at != names->texts.end())
-            point[k] = values->values[last_row * names->texts.size() + column];
-    }
-    return point;
-}
-
-void StagedCalibration::see(const std::vector<study::Dataset>& concluded) {
+void StagedCalibration::see(const std::vector<study::Summary>& found) {
     for (const std::string& study : options_.beside) {
-        std::vector<double> point =
-            point_of(concluded, building_.name + "/" + study, building_);
-        if (!point.empty()) beside_.push_back({study, std::move(point)});
+        const study::Summary* summary =
+            study::find_summary(found, building_.name + "/" + study, building_.name);
+        if (summary == nullptr || summary->values.empty()) continue;
+        std::vector<double> point = study::nominal_point(building_.parameters);
+        for (std::size_t k = 0; k < point.size(); ++k)
+            if (const auto* value =
+                    study::find_value(*summary, building_.parameters[k].name))
+                point[k] = value->value;
+        beside_.push_back({study, std::move(point)});
     }
 }
 
@@ -411,7 +393,7 @@ void StagedCalibration::add_comparisons(const StagedPath& path,
     }
 }
 
-std::vector<study::Dataset> StagedCalibration::conclude(
+study::Conclusion StagedCalibration::conclude(
     const std::vector<study::ItemAnswer>& answers) const {
     History history = start();
     follow(answers, history);
@@ -421,7 +403,7 @@ std::vector<study::Dataset> StagedCalibration::conclude(
     add_stages(history.path, datasets);
     add_comparisons(history.path, datasets);
     datasets.failures(history.failures);
-    return datasets.take();
+    return {datasets.take()};
 }
 
 }  // namespace

@@ -12,10 +12,11 @@
 #include "loop/moves.hpp"
 #include "loop/results.hpp"
 #include "loop/rivals.hpp"
-#include "study/packed_datasets.hpp"
+#include "study/packed_conclusion.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -259,8 +260,8 @@ class Search {
 };
 
 /// Everything of one building; empty where it cannot be simulated as described.
-std::vector<study::Dataset> searched(const std::string& name, const LoopData& data,
-                                     int hours_late = 0) {
+study::Conclusion searched(const std::string& name, const LoopData& data,
+                           int hours_late = 0) {
     LoopResult result;
     result.hours_late = hours_late;
     result.baseline = make_baseline(data);
@@ -279,7 +280,7 @@ std::vector<study::Dataset> searched(const std::string& name, const LoopData& da
     if (result.last.model.effects.empty()) result.last = result.baseline.chosen;
     result.after = localise(data, place, result.last);
     result.unexplained = unexplained_of(data, result.last);
-    return datasets_of(data.building.name + "/" + name, data, result);
+    return conclude_loop(data.building.name + "/" + name, data, result);
 }
 
 bool has_training(const study::Case& building, const LoopOptions& options) {
@@ -310,21 +311,22 @@ class Loop : public study::Stage {
     study::ItemAnswer run(int item) const override {
         study::ItemAnswer answer;
         const LoopData data(buildings_[static_cast<std::size_t>(item)], options_);
-        const auto datasets = searched(name_, data);
-        if (datasets.empty())
+        const study::Conclusion conclusion = searched(name_, data);
+        if (conclusion.datasets.empty())
             answer.error = data.building.name + " cannot be simulated as described";
         else
-            answer.values = study::pack(datasets);
+            answer.values = study::pack(conclusion);
         return answer;
     }
 
-    std::vector<study::Dataset> conclude(
+    study::Conclusion conclude(
         const std::vector<study::ItemAnswer>& answers) const override {
-        std::vector<study::Dataset> all;
+        study::Conclusion all;
         for (const study::ItemAnswer& answer : answers) {
             if (!answer.error.empty()) continue;
-            for (study::Dataset& dataset : study::unpack(answer.values))
-                all.push_back(std::move(dataset));
+            study::Conclusion one = study::unpack_conclusion(answer.values);
+            std::ranges::move(one.datasets, std::back_inserter(all.datasets));
+            std::ranges::move(one.summaries, std::back_inserter(all.summaries));
         }
         return all;
     }

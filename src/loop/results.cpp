@@ -18,6 +18,8 @@
 #include <limits>
 #include <map>
 
+#include <fmt/format.h>
+
 namespace bemcal::loop {
 namespace {
 
@@ -120,9 +122,12 @@ class Writer {
           result_(result),
           decisions_(data.building.decisions),
           out_(stage),
-          channels_(data.meters.size()) {}
+          channels_(data.meters.size()) {
+        summary_.study = stage;
+        summary_.has_page = true;
+    }
 
-    std::vector<study::Dataset> write() {
+    study::Conclusion write() {
         names();
         parameters();
         tables();
@@ -130,7 +135,7 @@ class Writer {
         power();
         fits();
         decisions();
-        return out_.take();
+        return {out_.take(), {std::move(summary_)}};
     }
 
   private:
@@ -174,6 +179,11 @@ class Writer {
                 values[at] = own[k].value(standings[m]->fit.at.x[k]);
                 deviation[at] = sds[k];
             }
+        }
+        for (std::size_t k = 0; k < n; ++k) {
+            const double value = values[2 * n + k];
+            const double half = half_of_90 * deviation[2 * n + k];
+            summary_.values.push_back({names[k], value, value - half, value + half});
         }
         out_.texts("parameter", "parameter", names);
         out_.texts("parameter_unit", "parameter", units);
@@ -285,6 +295,9 @@ class Writer {
             gain.push_back(result_.found[k].gain);
             doubt.push_back(result_.found[k].doubt);
             adequate.push_back(doubt.back().empty() ? 1 : 0);
+            summary_.findings.push_back(
+                {"loop", fmt::format("found: {}, {:.3g} {}", name.back(), c, unit.back()),
+                 doubt.back().empty() ? "accepted" : "accepted, not adequate"});
         }
         out_.texts("effect", "effect", name);
         out_.texts("effect_hook", "effect", hook);
@@ -382,6 +395,7 @@ class Writer {
             const std::vector<double> measured =
                 is_hourly ? meter.values : std::vector<double>(begins.size(), nan);
             std::vector<double> simulated;
+            study::FoundFit found{p, data_.meters[c]};
             for (std::size_t m = 0; m < 3; ++m) {
                 const auto& own = hours[m][c];
                 const auto stamped = by_late_clock_throughout(own, result_.hours_late);
@@ -391,7 +405,10 @@ class Writer {
                                           ? months_of(begins, own, measured, is_mean)
                                           : read_by_month(begins, own, meter, axis);
                 std::vector<double> metrics;
-                push(metrics, stats::metrics_of(own, measured));
+                const stats::FitMetrics hourly = stats::metrics_of(own, measured);
+                if (m == 0) found.before = hourly.cv_rmse;
+                if (m == 2) found.cv_rmse = hourly.cv_rmse, found.nmbe = hourly.nmbe;
+                push(metrics, hourly);
                 push(metrics, stats::metrics_of(months.simulated, months.measured));
                 for (std::size_t r = 0; r < 2; ++r)
                     for (std::size_t k = 0; k < 4; ++k)
@@ -401,6 +418,7 @@ class Writer {
                                 4 +
                             k] = metrics[4 * r + k];
             }
+            summary_.fits.push_back(found);
             const std::string folder = period.name + "/" + channel_names_[c] + "/";
             out_.vector(folder + "measured", "time",
                         by_late_clock(measured, result_.hours_late));
@@ -429,14 +447,15 @@ class Writer {
     std::vector<study::DataDecision>
         decisions_;  ///< of the data, of effects, then of periods
     study::DatasetBuilder out_;
+    study::Summary summary_;
     std::size_t channels_;
     std::vector<std::string> channel_names_;
 };
 
 }  // namespace
 
-std::vector<study::Dataset> datasets_of(const std::string& stage, const LoopData& data,
-                                        const LoopResult& result) {
+study::Conclusion conclude_loop(const std::string& stage, const LoopData& data,
+                                const LoopResult& result) {
     return Writer(stage, data, result).write();
 }
 

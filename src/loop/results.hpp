@@ -1,4 +1,4 @@
-/// What the loop found, and the datasets that say so.
+/// What the loop found, and the datasets and the summary that say so.
 #pragma once
 
 #include "loop/portrait.hpp"
@@ -40,7 +40,8 @@ struct LoopResult {
     int hours_late = 0;  ///< of the meters' clocks, which predictions follow
 };
 
-std::vector<study::Dataset> datasets_of(const std::string& stage, const LoopData& data,
-                                        const LoopResult& result);
+/// \param stage  "BUILDING/STUDY"
+study::Conclusion conclude_loop(const std::string& stage, const LoopData& data,
+                                const LoopResult& result);
 
 }  // namespace bemcal::loop

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
@@ -67,6 +68,11 @@ class Shared : public Arrangement {
         for (std::size_t f = 0; f < space_->n_free(); ++f)
             values[f] = all[space_->index_of(f)];
     }
+    std::vector<std::size_t> reported_of(std::size_t) const override {
+        std::vector<std::size_t> all(space_->n_free());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        return all;
+    }
 
   private:
     std::shared_ptr<const study::Space> space_;
@@ -113,6 +119,12 @@ class Hierarchical : public Arrangement {
     }
     std::vector<study::Coordinate> reported() const override;
     void read(std::span<const double> position, std::span<double> values) const override;
+    std::vector<std::size_t> reported_of(std::size_t building) const override {
+        std::vector<std::size_t> all(space_->n_free());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        for (std::size_t k = 0; k < own_.size(); ++k) all[own_[k]] = at(building, k);
+        return all;
+    }
 
   private:
     std::size_t spread(std::size_t k) const { return space_->n_free() + k; }

@@ -37,6 +37,8 @@ class Arrangement {
     virtual std::vector<study::Coordinate> reported() const = 0;
     virtual void read(std::span<const double> position,
                       std::span<double> values) const = 0;
+    /// Which of the reported are one building's own unknowns in their space. [n_free]
+    virtual std::vector<std::size_t> reported_of(std::size_t building) const = 0;
 };
 
 /// \param buildings  names

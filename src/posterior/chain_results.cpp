@@ -85,23 +85,37 @@ void add_convergence(const ConvergenceTable& table, study::DatasetBuilder& datas
     }
 }
 
-struct Level {
-    const char* leaf;
-    double p;
+/// Of every unknown, the log density last.
+struct Quantiles {
+    std::vector<double> q05, q50, q95;
 };
-constexpr Level levels[] = {
-    {"posterior_q05", 0.05}, {"posterior_q50", 0.5}, {"posterior_q95", 0.95}};
 
-void add_quantiles(const std::vector<Matrix>& unknowns, const ChainDraws& draws,
-                   study::DatasetBuilder& datasets) {
-    for (const Level& level : levels) {
-        std::vector<double> values;
-        values.reserve(unknowns.size() + 1);
-        for (const Matrix& unknown : unknowns)
-            values.push_back(quantile(unknown.values, level.p));
-        values.push_back(quantile(log_densities(draws).values, level.p));
-        datasets.vector(level.leaf, "unknown", std::move(values));
-    }
+Quantiles quantiles_of(const std::vector<Matrix>& unknowns, const ChainDraws& draws) {
+    Quantiles quantiles;
+    const auto add = [&](const std::vector<double>& values) {
+        quantiles.q05.push_back(quantile(values, 0.05));
+        quantiles.q50.push_back(quantile(values, 0.5));
+        quantiles.q95.push_back(quantile(values, 0.95));
+    };
+    for (const Matrix& unknown : unknowns) add(unknown.values);
+    add(log_densities(draws).values);
+    return quantiles;
+}
+
+void add_quantiles(const Quantiles& quantiles, study::DatasetBuilder& datasets) {
+    datasets.vector("posterior_q05", "unknown", quantiles.q05);
+    datasets.vector("posterior_q50", "unknown", quantiles.q50);
+    datasets.vector("posterior_q95", "unknown", quantiles.q95);
+}
+
+std::vector<study::FoundValue> values_of(const Posterior& posterior,
+                                         const ConvergenceTable& table,
+                                         const Quantiles& quantiles) {
+    std::vector<study::FoundValue> values;
+    for (std::size_t u = 0; u < posterior.unknowns().size(); ++u)
+        values.push_back({posterior.unknowns()[u].name, table.rows[u].mean,
+                          quantiles.q05[u], quantiles.q95[u]});
+    return values;
 }
 
 std::string chains_that_failed(const ChainDraws& draws) {
@@ -137,10 +151,8 @@ std::string shortfall_of(const ConvergenceTable& table, const ChainOptions& opti
         table.least_ess(), options.target_ess, chains_that_failed(draws));
 }
 
-std::vector<study::Dataset> chain_datasets(const std::string& stage,
-                                           const Posterior& posterior,
-                                           const ChainOptions& options,
-                                           const ChainDraws& draws) {
+study::Conclusion conclude_chains(const std::string& stage, const Posterior& posterior,
+                                  const ChainOptions& options, const ChainDraws& draws) {
     study::DatasetBuilder datasets(stage);
     add_names(posterior, datasets);
     const std::vector<Matrix> unknowns = draws_of_unknowns(posterior, draws);
@@ -149,14 +161,24 @@ std::vector<study::Dataset> chain_datasets(const std::string& stage,
     datasets.text("convergence", shortfall.empty() ? "converged" : shortfall);
     datasets.scalar("target_rhat", options.target_rhat);
     datasets.scalar("target_ess", options.target_ess);
-    if (draws.n_draws == 0) return datasets.take();
+    std::vector<study::Summary> summaries(1);
+    summaries[0].study = stage;
+    if (!shortfall.empty())
+        summaries[0].findings.push_back(
+            {"posterior", shortfall, "its values are doubtful"});
+    if (draws.n_draws == 0) {
+        summaries[0].failure = shortfall;
+        return {datasets.take(), std::move(summaries)};
+    }
     add_convergence(table, datasets);
-    add_quantiles(unknowns, draws, datasets);
+    const Quantiles quantiles = quantiles_of(unknowns, draws);
+    add_quantiles(quantiles, datasets);
+    summaries[0].values = values_of(posterior, table, quantiles);
     add_draws(posterior, unknowns, draws, datasets);
     Stream random(options.seed, prior_stream, 0);
     add_prior(posterior, draw_prior(posterior, n_prior_draws, random), datasets);
-    posterior.conclude(draws, datasets);
-    return datasets.take();
+    posterior.conclude(draws, datasets, summaries);
+    return {datasets.take(), std::move(summaries)};
 }
 
 }  // namespace bemcal::posterior

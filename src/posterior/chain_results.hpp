@@ -7,10 +7,9 @@
 
 namespace bemcal::posterior {
 
-std::vector<study::Dataset> chain_datasets(const std::string& stage,
-                                           const Posterior& posterior,
-                                           const ChainOptions& options,
-                                           const ChainDraws& draws);
+/// The first summary has the values of all unknowns.
+study::Conclusion conclude_chains(const std::string& stage, const Posterior& posterior,
+                                  const ChainOptions& options, const ChainDraws& draws);
 
 /// \return [n x unknowns] draws from the prior
 Matrix draw_prior(const Posterior& posterior, std::size_t n, Stream& random);

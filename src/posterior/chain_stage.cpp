@@ -39,10 +39,10 @@ class ChainStage : public study::Stage {
     void begin_round(int, const study::Round& round) override {
         states_ = unpack_states(round.needed);
     }
-    std::vector<study::Dataset> conclude(
+    study::Conclusion conclude(
         const std::vector<study::ItemAnswer>& answers) const override {
         const ChainDraws draws = draws_of(answers);
-        return chain_datasets(name_, *posterior_, options_, draws);
+        return conclude_chains(name_, *posterior_, options_, draws);
     }
     std::string shortfall(const std::vector<study::ItemAnswer>& answers) const override {
         const ChainDraws draws = draws_of(answers);

@@ -82,8 +82,8 @@ class KohPosterior : public Posterior {
     void read(std::span<const double> position, std::span<double> values) const override {
         std::ranges::copy(density_->values(position), values.begin());
     }
-    void conclude(const ChainDraws& draws,
-                  study::DatasetBuilder& datasets) const override {
+    void conclude(const ChainDraws& draws, study::DatasetBuilder& datasets,
+                  std::vector<study::Summary>&) const override {
         add_moves_of(draws, datasets);
         KohDensity density(data_, model_);
         add_koh_results(density, options_, draws, datasets);

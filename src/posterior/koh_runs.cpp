@@ -141,14 +141,14 @@ class KohRunsStage : public study::Stage {
         else
             chains_ = make_chains(round.needed);
     }
-    std::vector<study::Dataset> conclude(
+    study::Conclusion conclude(
         const std::vector<study::ItemAnswer>& answers) const override {
-        std::vector<study::Dataset> datasets;
-        if (chains_) datasets = chains_->conclude(of_chains(answers));
+        study::Conclusion conclusion;
+        if (chains_) conclusion = chains_->conclude(of_chains(answers));
         study::DatasetBuilder more(name_);
         add_runs(answers, more);
-        std::ranges::move(more.take(), std::back_inserter(datasets));
-        return datasets;
+        std::ranges::move(more.take(), std::back_inserter(conclusion.datasets));
+        return conclusion;
     }
     bool failures_may_pass() const override { return design_.failures_may_pass(); }
     std::string shortfall(const std::vector<study::ItemAnswer>& answers) const override {

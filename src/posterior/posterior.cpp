@@ -11,6 +11,7 @@
 #include "posterior/validation_results.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -92,16 +93,54 @@ class DirectPosterior : public Posterior {
     void read(std::span<const double> position, std::span<double> values) const override {
         parts_->arrangement->read(position, values);
     }
-    void conclude(const ChainDraws& draws,
-                  study::DatasetBuilder& datasets) const override {
+    void conclude(const ChainDraws& draws, study::DatasetBuilder& datasets,
+                  std::vector<study::Summary>& summaries) const override {
         Matrix values(draws.positions.rows, unknowns_.size());
         for (std::size_t r = 0; r < values.rows; ++r)
             read(draws.positions.row(r), values.row(r));
         add_moves(moves_of(reported_, values), datasets);
-        add_predictions({*parts_, unseen_, options_}, draws, datasets);
+        summaries[0].points = points_of(values, of_all());
+        for (std::size_t b = 0; b < n_apart(); ++b) {
+            study::Summary own;
+            own.study = summaries[0].study;
+            own.building = parts_->buildings[b]->building().name;
+            own.points = points_of(values, parts_->arrangement->reported_of(b));
+            summaries.push_back(std::move(own));
+        }
+        summaries[0].fits =
+            add_predictions({*parts_, unseen_, options_}, draws, datasets);
     }
 
   private:
+    /// Buildings with unknowns of their own.
+    std::size_t n_apart() const {
+        return options_.pooling == Pooling::partial ? parts_->buildings.size() : 0;
+    }
+    /// Of what is the same for all buildings, or what they scatter around.
+    std::vector<std::size_t> of_all() const {
+        std::vector<std::size_t> all(parts_->space->n_free());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        return all;
+    }
+    /// The draws of the parameters among some of the reported. \param values  [draws x
+    /// reported] \param reported  [n_free]
+    study::FoundPoints points_of(const Matrix& values,
+                                 const std::vector<std::size_t>& reported) const {
+        study::FoundPoints points;
+        std::vector<std::size_t> columns;
+        const study::Space& space = *parts_->space;
+        for (std::size_t f = 0; f < space.n_free(); ++f) {
+            if (space.index_of(f) >= parts_->n_parameters()) continue;
+            points.parameters.push_back(space.coordinates()[space.index_of(f)].name);
+            columns.push_back(reported[f]);
+        }
+        points.rows = Matrix(values.rows, columns.size());
+        for (std::size_t r = 0; r < values.rows; ++r)
+            for (std::size_t c = 0; c < columns.size(); ++c)
+                points.rows(r, c) = values(r, columns[c]);
+        return points;
+    }
+
     std::shared_ptr<const PosteriorParts> parts_;
     PosteriorOptions options_;
     std::vector<study::Case> unseen_;

@@ -108,18 +108,42 @@ MeterChoice choice_like(const BuildingModel& trained) {
     return choice;
 }
 
-class Conclusion {
+/// Each period and meter of a case, without errors.
+std::vector<study::FoundFit> no_fits(const study::Case& building) {
+    std::vector<study::FoundFit> fits;
+    for (std::size_t p = 0; p < building.periods.size(); ++p)
+        for (std::size_t m = 0; m < building.meters.size(); ++m) fits.push_back({p, m});
+    return fits;
+}
+
+/// Of the readings that train; where none do, of all.
+void set_errors(const std::vector<study::PartValidation>& parts, study::FoundFit& fit) {
+    for (const char* name : {"training", "all"}) {
+        const auto part = std::ranges::find(parts, name, &study::PartValidation::part);
+        if (part == parts.end()) continue;
+        const auto& own = part->validation.own;
+        fit.before = own.before.cv_rmse;
+        fit.cv_rmse = own.after.cv_rmse;
+        fit.nmbe = own.after.nmbe;
+        return;
+    }
+}
+
+class Predictions {
   public:
-    Conclusion(const CalibratedBuildings& of, const ChainDraws& draws,
-               study::DatasetBuilder& datasets)
+    Predictions(const CalibratedBuildings& of, const ChainDraws& draws,
+                study::DatasetBuilder& datasets)
         : of_(of),
           draws_(draws),
           datasets_(datasets),
-          rows_(study::chosen_rows(draws.positions.rows, of.options.n_predictive)) {}
+          rows_(study::chosen_rows(draws.positions.rows, of.options.n_predictive)) {
+        if (is_alone()) fits_ = no_fits(of.parts.buildings[0]->building());
+    }
 
-    void add_all() {
+    std::vector<study::FoundFit> add_all() {
         for (std::size_t b = 0; b < of_.parts.buildings.size(); ++b) add_seen(b);
         for (const study::Case& building : of_.unseen) add_unseen(building);
+        return std::move(fits_);
     }
 
   private:
@@ -190,11 +214,21 @@ class Conclusion {
         for (const MeterPrediction& meter :
              predict_meters(model, of_building, level_change_in(model, period), random)) {
             add_series(meter, folder + meter.name + "/", datasets_);
-            add_validation(meter, roles_of(model, meter, period),
-                           folder + meter.name + "/", datasets_);
+            const auto parts = add_validation(meter, roles_of(model, meter, period),
+                                              folder + meter.name + "/", datasets_);
+            if (is_alone()) set_errors(parts, fit_of(model.building(), period, meter));
             if (is_alone() && period.name == model.building().periods[0].name)
                 add_inference_data(meter, datasets_);
         }
+    }
+
+    study::FoundFit& fit_of(const study::Case& building, const study::Period& period,
+                            const MeterPrediction& meter) {
+        const auto fit = std::ranges::find_if(fits_, [&](const study::FoundFit& each) {
+            return building.periods[each.period].name == period.name &&
+                   building.meters[each.meter].name == meter.name;
+        });
+        return *fit;
     }
 
     bool is_seen(const BuildingModel& model) const {
@@ -232,6 +266,7 @@ class Conclusion {
     const ChainDraws& draws_;
     study::DatasetBuilder& datasets_;
     std::vector<std::size_t> rows_;
+    std::vector<study::FoundFit> fits_;  ///< of a building that is alone
     std::uint64_t n_streams_ = 0;
 };
 
@@ -267,9 +302,10 @@ MeterChoice training_choice(const study::Case& building, const study::Period& pe
     return choice;
 }
 
-void add_predictions(const CalibratedBuildings& buildings, const ChainDraws& draws,
-                     study::DatasetBuilder& datasets) {
-    Conclusion(buildings, draws, datasets).add_all();
+std::vector<study::FoundFit> add_predictions(const CalibratedBuildings& buildings,
+                                             const ChainDraws& draws,
+                                             study::DatasetBuilder& datasets) {
+    return Predictions(buildings, draws, datasets).add_all();
 }
 
 }  // namespace bemcal::posterior

@@ -13,8 +13,11 @@ struct CalibratedBuildings {
     const PosteriorOptions& options;
 };
 
-void add_predictions(const CalibratedBuildings& buildings, const ChainDraws& draws,
-                     study::DatasetBuilder& datasets);
+/// \return the errors of a building that is alone: each period and meter of its case, of
+/// the readings that train where some do
+std::vector<study::FoundFit> add_predictions(const CalibratedBuildings& buildings,
+                                             const ChainDraws& draws,
+                                             study::DatasetBuilder& datasets);
 
 const study::Period& training_period(const study::Case& building,
                                      const PosteriorOptions& options);

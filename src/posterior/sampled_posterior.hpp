@@ -5,6 +5,7 @@
 #include "base/matrix.hpp"
 #include "sampling/density.hpp"
 #include "study/datasets.hpp"
+#include "study/summary.hpp"
 
 #include <memory>
 #include <span>
@@ -35,9 +36,11 @@ class Posterior {
     /// A position in physical units. \param values  [unknowns]
     virtual void read(std::span<const double> position,
                       std::span<double> values) const = 0;
-    /// What follows from the draws beside the unknowns themselves: predictions.
-    virtual void conclude(const ChainDraws& draws,
-                          study::DatasetBuilder& datasets) const = 0;
+    /// What follows from the draws beside the unknowns themselves: predictions, errors,
+    /// and the draws of each building's parameters.
+    /// \param summaries  the first has been begun; buildings of their own may follow
+    virtual void conclude(const ChainDraws& draws, study::DatasetBuilder& datasets,
+                          std::vector<study::Summary>& summaries) const = 0;
 };
 
 }  // namespace bemcal::posterior

@@ -92,8 +92,10 @@ void add_coverage(const study::Validation& validation, const std::string& folder
 
 }  // namespace
 
-void add_validation(const MeterPrediction& meter, std::span<const study::Role> roles,
-                    const std::string& folder, study::DatasetBuilder& datasets) {
+std::vector<study::PartValidation> add_validation(const MeterPrediction& meter,
+                                                  std::span<const study::Role> roles,
+                                                  const std::string& folder,
+                                                  study::DatasetBuilder& datasets) {
     const study::Predicted predicted{meter.quantity,
                                      meter.interval,
                                      meter.begins,
@@ -101,7 +103,8 @@ void add_validation(const MeterPrediction& meter, std::span<const study::Role> r
                                      meter.nominal,
                                      meter.mean,
                                      meter.draws.rows > 0 ? &meter.draws : nullptr};
-    for (const study::PartValidation& part : study::validate_parts(predicted, roles)) {
+    std::vector<study::PartValidation> parts = study::validate_parts(predicted, roles);
+    for (const study::PartValidation& part : parts) {
         const std::string inner = folder + part.part + "/";
         add_fits(part.validation, inner, datasets);
         add_verdicts(part.validation, inner, datasets);
@@ -110,6 +113,7 @@ void add_validation(const MeterPrediction& meter, std::span<const study::Role> r
         add_days(part.validation.design_days, "design_day", inner, datasets);
         add_coverage(part.validation, inner, datasets);
     }
+    return parts;
 }
 
 void add_moves(const std::vector<ParameterMove>& moves, study::DatasetBuilder& datasets) {

@@ -9,9 +9,11 @@
 namespace bemcal::posterior {
 
 /// One group for each part of the readings below `folder`. \param roles  [readings], or
-/// empty
-void add_validation(const MeterPrediction& meter, std::span<const study::Role> roles,
-                    const std::string& folder, study::DatasetBuilder& datasets);
+/// empty. \return the parts
+std::vector<study::PartValidation> add_validation(const MeterPrediction& meter,
+                                                  std::span<const study::Role> roles,
+                                                  const std::string& folder,
+                                                  study::DatasetBuilder& datasets);
 
 /// A row for each unknown, and an empty one for the log density.
 void add_moves(const std::vector<ParameterMove>& moves, study::DatasetBuilder& datasets);

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
@@ -42,73 +41,6 @@ struct Variant {
     physics::Building building;
     kernel::Batch batch;
 };
-
-/// Points in a dataset, or nullptr.
-const study::Dataset* find(const std::vector<study::Dataset>& datasets,
-                           const std::string& path) {
-    const auto found = std::ranges::find(datasets, path, &study::Dataset::path);
-    return found == datasets.end() ? nullptr : &*found;
-}
-
-/// The draws of one parameter; of a partially pooled one the building's own.
-const study::Dataset* draws_of(const std::vector<study::Dataset>& datasets,
-                               const std::string& of, const std::string& parameter,
-                               const std::string& building) {
-    const std::string path = of + "/posterior/" + parameter;
-    const study::Dataset* own = find(datasets, path + "_" + building);
-    return own != nullptr ? own : find(datasets, path);
-}
-
-Matrix posterior_points(const std::vector<study::Dataset>& datasets,
-                        const std::string& of, const study::Case& building) {
-    Matrix points;
-    for (std::size_t k = 0; k < building.parameters.size(); ++k) {
-        const study::Dataset* draws =
-            draws_of(datasets, of, building.parameters[k].name, building.name);
-        if (draws == nullptr) continue;
-        if (points.rows == 0)
-            points = study::nominal_points(building.parameters, draws->values.size());
-        for (std::size_t r = 0; r < points.rows; ++r) points(r, k) = draws->values[r];
-    }
-    return points;
-}
-
-/// Rows of a dataset [.. x parameters] of a study; the parameters that it does not name
-/// are nominal.
-Matrix rows_of(const study::Dataset& table, std::span<const double> rows,
-               const std::vector<std::string>& names, const study::Case& building) {
-    Matrix points = study::nominal_points(building.parameters, rows.size());
-    for (std::size_t k = 0; k < building.parameters.size(); ++k) {
-        const auto found = std::ranges::find(names, building.parameters[k].name);
-        if (found == names.end()) continue;
-        const auto column = static_cast<std::size_t>(found - names.begin());
-        for (std::size_t r = 0; r < rows.size(); ++r)
-            points(r, k) =
-                table.values[static_cast<std::size_t>(rows[r]) * names.size() + column];
-    }
-    return points;
-}
-
-/// A screening's best points, or the neighbours in a grid's last stage.
-Matrix best_points(const std::vector<study::Dataset>& datasets, const std::string& of,
-                   const study::Case& building) {
-    const study::Dataset* names = find(datasets, of + "/parameter");
-    if (names == nullptr) return {};
-    if (const study::Dataset* best = find(datasets, of + "/best_parameters")) {
-        std::vector<double> rows(best->values.size() / names->texts.size());
-        std::iota(rows.begin(), rows.end(), 0.0);
-        return rows_of(*best, rows, names->texts, building);
-    }
-    Matrix points;
-    for (int stage = 1;; ++stage) {
-        const std::string folder = fmt::format("{}/stage_{}/", of, stage);
-        const study::Dataset* table = find(datasets, folder + "grid_points");
-        const study::Dataset* neighbours = find(datasets, folder + "neighbour");
-        if (table == nullptr || neighbours == nullptr) return points;
-        if (!neighbours->values.empty())
-            points = rows_of(*table, neighbours->values, names->texts, building);
-    }
-}
 
 /// [columns] of the rows that have no NaN.
 std::vector<double> quantiles_of(const Matrix& values, double p) {
@@ -155,8 +87,8 @@ class Retrofit : public study::Stage {
     std::size_t answer_bytes() const override {
         return sizeof(double) * points_per_item * width();
     }
-    void see(const std::vector<study::Dataset>& concluded) override {
-        const Matrix all = found_points(concluded, options_.of, building_);
+    void see(const std::vector<study::Summary>& found) override {
+        const Matrix all = found_points(found, options_.of, building_);
         found_ = Matrix(0, all.cols);
         for (const std::size_t row : study::chosen_rows(all.rows, options_.n_points)) {
             const auto point = all.row(row);
@@ -179,7 +111,7 @@ class Retrofit : public study::Stage {
         std::ranges::copy(round.needed, points.row(1).data());
         points_ = std::move(points);
     }
-    std::vector<study::Dataset> conclude(
+    study::Conclusion conclude(
         const std::vector<study::ItemAnswer>& answers) const override;
     std::string shortfall(const std::vector<study::ItemAnswer>& answers) const override {
         if (answers.size() > 1) return {};
@@ -339,7 +271,7 @@ Matrix saving_of(const Matrix& before, const Matrix& after, bool is_share) {
     return saving;
 }
 
-std::vector<study::Dataset> Retrofit::conclude(
+study::Conclusion Retrofit::conclude(
     const std::vector<study::ItemAnswer>& answers) const {
     study::DatasetBuilder datasets(name_);
     add_names(datasets);
@@ -377,15 +309,24 @@ std::vector<study::Dataset> Retrofit::conclude(
         study::append_failures(answers[k], {first_point(static_cast<int>(k)), 1},
                                failures);
     datasets.failures(failures);
-    return datasets.take();
+    return {datasets.take()};
 }
 
 }  // namespace
 
-Matrix found_points(const std::vector<study::Dataset>& datasets, const std::string& of,
+Matrix found_points(const std::vector<study::Summary>& found, const std::string& of,
                     const study::Case& building) {
-    const Matrix points = posterior_points(datasets, of, building);
-    return points.rows > 0 ? points : best_points(datasets, of, building);
+    const study::Summary* summary = study::find_summary(found, of, building.name);
+    if (summary == nullptr) return {};
+    const auto& [names, rows] = summary->points;
+    Matrix points = study::nominal_points(building.parameters, rows.rows);
+    for (std::size_t k = 0; k < points.cols; ++k) {
+        const auto name = std::ranges::find(names, building.parameters[k].name);
+        if (name == names.end()) continue;
+        const auto column = static_cast<std::size_t>(name - names.begin());
+        for (std::size_t r = 0; r < rows.rows; ++r) points(r, k) = rows(r, column);
+    }
+    return points;
 }
 
 std::unique_ptr<study::Stage> make_retrofit(std::string name, const study::Case& building,

@@ -28,10 +28,10 @@ std::unique_ptr<study::Stage> make_retrofit(std::string name, const study::Case&
                                             const study::Period& period,
                                             const RetrofitOptions& options);
 
-/// Points of the case's parameters in the datasets of the stage `of`: all draws of a
-/// posterior, or the best points of a screening or grid, best first. Parameters that were
-/// not calibrated are nominal. [0 x parameters] where there are none.
-Matrix found_points(const std::vector<study::Dataset>& datasets, const std::string& of,
+/// Points of the case's parameters that the stage `of` found: all draws of a posterior,
+/// or the best points of a screening or grid, best first. Parameters that were not
+/// calibrated are nominal. [0 x parameters] where there are none.
+Matrix found_points(const std::vector<study::Summary>& found, const std::string& of,
                     const study::Case& building);
 
 }  // namespace bemcal::retrofit

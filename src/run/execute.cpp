@@ -238,7 +238,7 @@ class Execution {
     /// \return false where it was stopped
     bool run_stage(int index) {
         study::Stage& stage = *work_.stages[static_cast<std::size_t>(index)];
-        if (is_first()) stage.see(result_.datasets);
+        if (is_first()) stage.see(found_);
         ProgressLine line(stage.name(), stage.n_simulations());
         RoundOptions rounds;
         rounds.distribute = distribute_options(index, line);
@@ -267,7 +267,9 @@ class Execution {
         verdict_.count(stage, answers);
         store::ResultFile part;
         part.attributes = result_.attributes;
-        part.datasets = stage.conclude(answers);
+        study::Conclusion conclusion = stage.conclude(answers);
+        part.datasets = std::move(conclusion.datasets);
+        std::ranges::move(conclusion.summaries, std::back_inserter(found_));
         const std::string missed = stage.shortfall(answers);
         if (!missed.empty()) part.datasets.push_back(shortfall_dataset(stage, missed));
         std::ranges::move(failed_item_datasets(stage, answers),
@@ -306,6 +308,7 @@ class Execution {
         comm_.barrier();
         if (is_first()) close_place(outcome.hash);
         outcome.code = agreed_code();
+        outcome.found = std::move(found_);
         return outcome;
     }
 
@@ -347,6 +350,7 @@ class Execution {
     std::optional<SyncedLog> log_;
     ThreadPlan threads_;
     store::ResultFile result_;
+    std::vector<study::Summary> found_;  ///< rank 0's
     Spent spent_;
     std::size_t n_resumed_ = 0;
     std::uint64_t start_ = 0;  ///< checksum of what this round starts from

@@ -51,7 +51,8 @@ struct Outcome {
     /// more_to_do after a signal or `stop_at`; data: too many points failed; not_reached:
     /// a stage missed its target. The same on all ranks.
     ExitCode code = ExitCode::ok;
-    std::string hash;  ///< rank 0, where a result was written
+    std::string hash;                     ///< rank 0, where a result was written
+    std::vector<study::Summary> found{};  ///< rank 0, by the stages that were done now
     /// run_job, rank 0: what a stock's night writes, or has written.
     std::optional<OutputNames> stock = std::nullopt;
 };

@@ -7,7 +7,6 @@
 #include "base/disk.hpp"
 #include "base/error.hpp"
 #include "run/output_names.hpp"
-#include "store/layout.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -92,11 +91,10 @@ std::string PageWriter::write_stock(const fs::path& result,
                        fmt::join(std::vector(words.begin() + 1, words.end()), " "));
 }
 
-std::vector<std::string> loops_in(const std::vector<study::Dataset>& datasets) {
+std::vector<std::string> loops_in(const std::vector<study::Summary>& found) {
     std::vector<std::string> loops;
-    for (const study::Dataset& dataset : datasets)
-        if (store::leaf_of(dataset.path) == "structure_chosen")
-            loops.push_back(store::group_of(dataset.path));
+    for (const study::Summary& summary : found)
+        if (summary.has_page) loops.push_back(summary.study);
     return loops;
 }
 

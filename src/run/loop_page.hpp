@@ -3,7 +3,7 @@
 /// said, and how to make the page.
 #pragma once
 
-#include "study/stage.hpp"
+#include "study/summary.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -12,8 +12,8 @@
 
 namespace bemcal::run {
 
-/// "BUILDING/STUDY" of every loop whose result is among the datasets.
-std::vector<std::string> loops_in(const std::vector<study::Dataset>& datasets);
+/// "BUILDING/STUDY" of everything that has a page.
+std::vector<std::string> loops_in(const std::vector<study::Summary>& found);
 
 struct PageWriter {
     /// scripts/loop_report; none: it was not found

@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
-#include <iterator>
 #include <memory>
 
 #include <fmt/format.h>
@@ -193,17 +192,12 @@ Outcome run_job(Comm& comm, const JobOptions& options) {
     work.frame.run["seconds_read"] = fmt::format("{:.3f}", seconds_read);
     work.frame.run["seconds_plan"] = fmt::format("{:.3f}", seconds_plan);
     const OutputNames names = agreed_output(comm, job, options);
-    std::vector<std::string> loops;  // rank 0's
-    const auto on_stage = [&](const store::ResultFile& part) {
-        std::ranges::copy(loops_in(part.datasets), std::back_inserter(loops));
-        if (options.on_stage) options.on_stage(part);
-    };
     Outcome outcome =
         execute(comm, std::move(work),
                 {names.result, options.existing, options.n_threads, options.item_seconds,
-                 options.stop_at, options.say, on_stage});
+                 options.stop_at, options.say, options.on_stage});
     if (!outcome.hash.empty()) {
-        write_pages(options, names.result, loops);
+        write_pages(options, names.result, loops_in(outcome.found));
         if (job.stock) outcome.stock = names;
     }
     return outcome;

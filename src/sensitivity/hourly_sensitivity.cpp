@@ -42,7 +42,7 @@ class HourlySensitivity : public study::Stage {
         return (1 + n_values()) * sizeof(double);
     }
     study::ItemAnswer run(int item) const override;
-    std::vector<study::Dataset> conclude(
+    study::Conclusion conclude(
         const std::vector<study::ItemAnswer>& answers) const override;
 
   private:
@@ -155,7 +155,7 @@ void add_blocks(study::DatasetBuilder& datasets,
     datasets.failures(failures);
 }
 
-std::vector<study::Dataset> HourlySensitivity::conclude(
+study::Conclusion HourlySensitivity::conclude(
     const std::vector<study::ItemAnswer>& answers) const {
     const Blocks blocks(answers, n_steps(), dimension());
     Steps steps;
@@ -166,7 +166,7 @@ std::vector<study::Dataset> HourlySensitivity::conclude(
     datasets.text("quantity", physics::name_of(quantity_));
     add_steps(datasets, axis_, dimension(), std::move(steps));
     add_blocks(datasets, answers);
-    return datasets.take();
+    return {datasets.take()};
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ class Sensitivity : public study::Stage {
         return block_size_ * rows_per_base_point() * n_outputs() * sizeof(double);
     }
     study::ItemAnswer run(int item) const override;
-    std::vector<study::Dataset> conclude(
+    study::Conclusion conclude(
         const std::vector<study::ItemAnswer>& answers) const override;
     bool failures_may_pass() const override { return simulator_->failures_may_pass(); }
 
@@ -158,7 +158,7 @@ void Sensitivity::add_indices(const Matrix& outputs,
     datasets.scalar("threshold", options_.threshold);
 }
 
-std::vector<study::Dataset> Sensitivity::conclude(
+study::Conclusion Sensitivity::conclude(
     const std::vector<study::ItemAnswer>& answers) const {
     study::DatasetBuilder datasets(name_);
     datasets.parameters(simulator_->parameters());
@@ -176,7 +176,7 @@ std::vector<study::Dataset> Sensitivity::conclude(
                    {options_.n_base, rows_per_base_point(), n_outputs()},
                    std::move(outputs.values));
     datasets.failures(failures_of(answers));
-    return datasets.take();
+    return {datasets.take()};
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace bemcal::stock {
 
 struct Calibrated {
     StockRecord record;
-    std::vector<study::Dataset> datasets;  ///< the building's whole result
+    study::Conclusion conclusion;  ///< the building's whole result
 };
 
 /// Everything a study does, one item after the other. Throws UserError where the data or

@@ -10,7 +10,7 @@
 #include "stock/calibration.hpp"
 #include "stock/drift.hpp"
 #include "stock/shared.hpp"
-#include "study/packed_datasets.hpp"
+#include "study/packed_conclusion.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -85,8 +85,7 @@ class StockStage : public study::Stage {
         for (const double line : round.needed) due_.push_back(static_cast<int>(line));
     }
 
-    std::vector<study::Dataset> conclude(
-        const std::vector<ItemAnswer>& answers) const override;
+    study::Conclusion conclude(const std::vector<ItemAnswer>& answers) const override;
 
   private:
     static std::size_t index(int k) { return static_cast<std::size_t>(k); }
@@ -166,7 +165,9 @@ class StockStage : public study::Stage {
             result.record.files.push_back({name_of(file.path), file.hash});
         answer.values = pack(result.record);
         if (stock_.options.keep_results && answer.failures.empty()) {
-            const auto whole = study::pack(result.datasets);
+            for (study::Summary& summary : result.conclusion.summaries)
+                summary.points = {};  // nothing goes on with them
+            const auto whole = study::pack(result.conclusion);
             answer.values.insert(answer.values.end(), whole.begin(), whole.end());
         }
         return answer;
@@ -238,7 +239,7 @@ class StockStage : public study::Stage {
     StockRecord record_of(int k, const std::string& cause,
                           const ItemAnswer* answer) const;
     /// With keep_results; else nothing.
-    static std::vector<study::Dataset> whole_result_in(const ItemAnswer& answer);
+    static study::Conclusion whole_result_in(const ItemAnswer& answer);
 
     const job::Job& job_;
     const job::Stock& stock_;
@@ -264,8 +265,7 @@ StockRecord StockStage::record_of(int k, const std::string& cause,
     return record;
 }
 
-std::vector<study::Dataset> StockStage::conclude(
-    const std::vector<ItemAnswer>& answers) const {
+study::Conclusion StockStage::conclude(const std::vector<ItemAnswer>& answers) const {
     const std::vector<std::string> causes = causes_in(answers);
     const std::vector<int> order = order_of(answers);
     std::vector<const ItemAnswer*> done(causes.size(), nullptr);
@@ -277,22 +277,26 @@ std::vector<study::Dataset> StockStage::conclude(
     std::vector<StockRecord> parts(causes.size());
     for (std::size_t k = 0; k < parts.size(); ++k) parts[k] = shared_part(record(k));
     find_shared_meters(parts);
-    auto datasets = datasets_of(causes.size(), [&](std::size_t k) {
+    study::Conclusion night;
+    night.datasets = datasets_of(causes.size(), [&](std::size_t k) {
         StockRecord whole = record(k);
         take_shared(std::exchange(parts[k], {}), whole);
         return whole;
     });
-    for (std::size_t at = index(n_items()); at < answers.size(); ++at)
-        std::ranges::move(whole_result_in(answers[at]), std::back_inserter(datasets));
-    return datasets;
+    for (std::size_t at = index(n_items()); at < answers.size(); ++at) {
+        study::Conclusion whole = whole_result_in(answers[at]);
+        std::ranges::move(whole.datasets, std::back_inserter(night.datasets));
+        std::ranges::move(whole.summaries, std::back_inserter(night.summaries));
+    }
+    return night;
 }
 
-std::vector<study::Dataset> StockStage::whole_result_in(const ItemAnswer& answer) {
+study::Conclusion StockStage::whole_result_in(const ItemAnswer& answer) {
     if (answer.values.empty()) return {};
     std::size_t used = 0;
     unpack_record(answer.values, used);
     if (used == answer.values.size()) return {};
-    return study::unpack(std::span(answer.values).subspan(used));
+    return study::unpack_conclusion(std::span(answer.values).subspan(used));
 }
 
 }  // namespace

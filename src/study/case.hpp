@@ -4,6 +4,7 @@
 
 #include "kernel/batch.hpp"
 #include "stats/prior.hpp"
+#include "study/decision.hpp"
 
 #include <memory>
 #include <string>
@@ -36,13 +37,6 @@ struct Period {
 struct Column {
     std::string name;  ///< of a profile of the case
     std::string unit;  ///< "" = not said
-};
-
-/// What was found in the data and what was done about it, in words.
-struct DataDecision {
-    std::string series;   ///< the meter or column
-    std::string finding;  ///< "46 h of zeros from 2013-04-02 00:00"
-    std::string action;   ///< "masked", "kept", "scaled by 11.2"
 };
 
 struct Case {

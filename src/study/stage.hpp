@@ -10,6 +10,7 @@
 #pragma once
 
 #include "base/matrix.hpp"
+#include "study/summary.hpp"
 
 #include <memory>
 #include <optional>
@@ -40,6 +41,12 @@ struct Dataset {
     std::string unit{};  ///< where the table's does not say it; empty = the table's
 };
 
+/// A stage's result: for the file, and for those that go on with it. Either may be empty.
+struct Conclusion {
+    std::vector<Dataset> datasets;
+    std::vector<Summary> summaries{};
+};
+
 /// The items that follow when all before are answered.
 struct Round {
     int n_items = 0;             ///< so many more
@@ -50,10 +57,8 @@ class Stage {
   public:
     virtual ~Stage() = default;
     virtual std::string name() const = 0;  ///< "office/sensitivity": unique in the job
-    /// On rank 0, before the first item: what the stages before it have concluded.
-    virtual void see(const std::vector<Dataset>& concluded) {
-        static_cast<void>(concluded);
-    }
+    /// On rank 0, before the first item: what the stages before it have found.
+    virtual void see(const std::vector<Summary>& found) { static_cast<void>(found); }
     virtual int n_items() const = 0;              ///< of the first round
     virtual long long n_simulations() const = 0;  ///< over all items
     /// What n_simulations and failed points count.
@@ -69,8 +74,7 @@ class Stage {
         static_cast<void>(first_item);
         static_cast<void>(round);
     }
-    virtual std::vector<Dataset> conclude(
-        const std::vector<ItemAnswer>& answers) const = 0;
+    virtual Conclusion conclude(const std::vector<ItemAnswer>& answers) const = 0;
     /// Whether a failed point may succeed when it is done again: not where its input
     /// alone decides. (A whole item that fails always may.)
     virtual bool failures_may_pass() const { return false; }

@@ -31,6 +31,7 @@ calibration::GridOptions made_options() {
 struct Finished {
     std::vector<ItemAnswer> answers;
     std::vector<Dataset> datasets;
+    std::vector<Summary> found;
     std::string shortfall;
     std::vector<int> items_of_rounds;
 };
@@ -49,7 +50,9 @@ Finished run_all(const calibration::GridOptions& options, double fails_above = 1
         count = round->n_items;
         stage->begin_round(first, *round);
     }
-    run.datasets = stage->conclude(run.answers);
+    Conclusion conclusion = stage->conclude(run.answers);
+    run.datasets = std::move(conclusion.datasets);
+    run.found = std::move(conclusion.summaries);
     run.shortfall = stage->shortfall(run.answers);
     return run;
 }
@@ -143,6 +146,22 @@ TEST(GridStudy, FixesAParameterThatKeepsOneValueAndRefinesTheOthers) {
         }
 }
 
+TEST(GridStudy, HandsOnTheNeighboursInItsLastStage) {
+    calibration::GridOptions options = made_options();
+    options.most_stages = 2;
+    const Finished run = run_all(options);
+    const FoundPoints& found = run.found.at(0).points;
+    EXPECT_EQ(run.found[0].study, "grid");
+    EXPECT_EQ(found.parameters, texts_of(run, "parameter"));
+    const Values& points = values_of(run, "stage_2/grid_points");
+    const Values& neighbours = values_of(run, "stage_2/neighbour");
+    ASSERT_EQ(found.rows.rows, neighbours.size());
+    for (std::size_t r = 0; r < neighbours.size(); ++r)
+        for (std::size_t k = 0; k < 5; ++k)
+            EXPECT_EQ(found.rows(r, k),
+                      points[static_cast<std::size_t>(neighbours[r]) * 5 + k]);
+}
+
 TEST(GridStudy, NeverSpendsMoreThanItsBudget) {
     for (const long long budget : {360LL, 400LL, 700LL}) {
         calibration::GridOptions options = made_options();
@@ -170,6 +189,7 @@ TEST(GridStudy, FailedPointsAreCountedAndNeverNearest) {
 TEST(GridStudy, EndsWhereEveryPointFails) {
     calibration::GridOptions options = made_options();
     const Finished run = run_all(options, 0.5);
+    EXPECT_EQ(run.found.at(0).points.rows.rows, 0U);
     EXPECT_EQ(texts_of(run, "ended_by")[0], "no point was answered");
     EXPECT_EQ(run.shortfall, "no point was answered");
 }

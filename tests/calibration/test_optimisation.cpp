@@ -20,7 +20,7 @@ using test::has;
 using test::measured_case;
 
 /// As `run` does it, on one rank: round after round.
-std::vector<Dataset> run(Stage& stage) {
+Conclusion conclusion_of(Stage& stage) {
     std::vector<ItemAnswer> answers;
     for (int first = 0, n = stage.n_items();;) {
         for (int item = first; item < first + n; ++item)
@@ -31,6 +31,10 @@ std::vector<Dataset> run(Stage& stage) {
         n = next->n_items;
         stage.begin_round(first, *next);
     }
+}
+
+std::vector<Dataset> run(Stage& stage) {
+    return conclusion_of(stage).datasets;
 }
 
 const std::vector<double>& truth = test::true_values;
@@ -47,9 +51,12 @@ calibration::OptimisationOptions options_of(std::size_t evaluations) {
 TEST(Optimisation, FindsTheTruthThatMadeTheReadings) {
     const auto stage =
         calibration::make_optimisation("s", measured_case(), options_of(1500));
-    const auto datasets = run(*stage);
+    const auto [datasets, summaries] = conclusion_of(*stage);
     const auto& best = find(datasets, "front_parameters").values;
-    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(best[k], truth[k], 0.02) << k;
+    for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_NEAR(best[k], truth[k], 0.02) << k;
+        EXPECT_EQ(summaries.at(0).values.at(k).value, best[k]) << k;
+    }
     EXPECT_EQ(find(datasets, "n_points").values[0], 1500);
     EXPECT_LT(find(datasets, "front_objective").values[0], 0.5);
     const auto& candidates = find(datasets, "candidate_parameters").values;
@@ -129,7 +136,7 @@ TEST(Optimisation, GoesOnWithoutAnItemThatFailedAsAWhole) {
     for (int item = 0; item < stage->n_items(); ++item)
         answers.push_back(stage->run(item));
     answers[1] = {{}, {}, "the node went away"};
-    const auto datasets = stage->conclude(answers);
+    const auto datasets = stage->conclude(answers).datasets;
     EXPECT_EQ(find(datasets, "n_failed").values[0], 5);
     EXPECT_EQ(find(datasets, "failed_point").values,
               (std::vector<double>{5, 6, 7, 8, 9}));

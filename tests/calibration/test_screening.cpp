@@ -18,10 +18,14 @@ using test::has;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-std::vector<Dataset> run(const Stage& stage) {
+Conclusion conclusion_of(const Stage& stage) {
     std::vector<ItemAnswer> answers;
     for (int item = 0; item < stage.n_items(); ++item) answers.push_back(stage.run(item));
     return stage.conclude(answers);
+}
+
+std::vector<Dataset> run(const Stage& stage) {
+    return conclusion_of(stage).datasets;
 }
 
 /// Gas (hourly) and electricity (daily) of the model itself at `point`, some readings
@@ -80,6 +84,35 @@ TEST(Screening, BeginsWithTheNominalPointAndFindsABetterOne) {
     EXPECT_EQ(find(datasets, "best_score").values[0], *best);
     EXPECT_LT(*best, score[0] / 4);
     EXPECT_TRUE(std::ranges::is_sorted(find(datasets, "best_score").values));
+}
+
+TEST(Screening, HandsOnItsBestPointsWithHowFarTheyReachAndTheirErrors) {
+    const auto stage = calibration::make_screening(
+        "small/screening", case_measured_at(truth), options_of(300, true));
+    const auto [datasets, summaries] = conclusion_of(*stage);
+    ASSERT_EQ(summaries.size(), 1U);
+    const Summary& found = summaries[0];
+    EXPECT_EQ(found.study, "small/screening");
+    EXPECT_EQ(found.failure, "");
+    EXPECT_EQ(found.points.parameters, find(datasets, "parameter").texts);
+    EXPECT_EQ(found.points.rows.values, find(datasets, "best_parameters").values);
+    EXPECT_EQ(found.points.rows.rows, 7U);
+    EXPECT_EQ(found.score, find(datasets, "best_score").values[0]);
+    for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_EQ(found.values[k].value, found.points.rows(0, k));
+        for (std::size_t r = 0; r < 7; ++r) {
+            EXPECT_LE(found.values[k].low, found.points.rows(r, k));
+            EXPECT_GE(found.values[k].high, found.points.rows(r, k));
+        }
+    }
+    ASSERT_EQ(found.fits.size(), 4U);  // two periods of two meters
+    for (std::size_t k = 0; k < 4; ++k) {
+        EXPECT_EQ(found.fits[k].period, k / 2);
+        EXPECT_EQ(found.fits[k].meter, k % 2);
+        EXPECT_EQ(found.fits[k].before, find(datasets, "cv_rmse").values[k]);
+        EXPECT_EQ(found.fits[k].cv_rmse, find(datasets, "best_cv_rmse").values[k]);
+        EXPECT_EQ(found.fits[k].nmbe, find(datasets, "best_nmbe").values[k]);
+    }
 }
 
 TEST(Screening, HasNoErrorWhereTheReadingsCameFrom) {
@@ -209,7 +242,7 @@ TEST(Screening, GoesOnWithoutAnItemThatFailedAsAWhole) {
     for (int item = 0; item < stage->n_items(); ++item)
         answers.push_back(stage->run(item));
     answers[1] = {{}, {}, "the node went away"};
-    const auto datasets = stage->conclude(answers);
+    const auto datasets = stage->conclude(answers).datasets;
     EXPECT_EQ(find(datasets, "n_failed").values[0], 100);
     EXPECT_TRUE(std::isnan(find(datasets, "score").values[150]));
     EXPECT_EQ(find(datasets, "failed_reason").texts[0], "the node went away");
@@ -219,8 +252,11 @@ TEST(Screening, ConcludesWhereEveryPointFails) {
     Case made = case_measured_at(truth);
     made.parameters.push_back(test::parameter(
         made.building, "zone.office.mass_area_ratio", 0.001, 0.002, 0.001));
-    const auto datasets =
-        run(*calibration::make_screening("s", made, options_of(20, false)));
+    const auto [datasets, summaries] =
+        conclusion_of(*calibration::make_screening("s", made, options_of(20, false)));
+    EXPECT_EQ(summaries.at(0).failure,
+              "no point could be simulated: " + find(datasets, "failed_reason").texts[0]);
+    EXPECT_EQ(summaries[0].points.rows.rows, 0U);
     EXPECT_EQ(find(datasets, "n_failed").values[0], 21);
     EXPECT_FALSE(has(datasets, "best_point"));
     EXPECT_TRUE(std::isnan(find(datasets, "training/gas/simulated").values[0]));

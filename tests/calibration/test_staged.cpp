@@ -29,7 +29,7 @@ std::vector<ItemAnswer> answers_of(Stage& stage, int failed = -1) {
 }
 
 std::vector<Dataset> run(Stage& stage) {
-    return stage.conclude(answers_of(stage));
+    return stage.conclude(answers_of(stage)).datasets;
 }
 
 constexpr const char* air = "zone.office.flow.air.air_change";
@@ -204,13 +204,13 @@ TEST(Staged, GoesOnFromItsAnswersAlone) {
     const std::vector<ItemAnswer> half(answers.begin(), answers.begin() + 33);
     const auto next = resumed->next_round(half);
     ASSERT_TRUE(next.has_value());
-    EXPECT_EQ(find(resumed->conclude(answers), "calibration_value").values,
-              find(whole->conclude(answers), "calibration_value").values);
+    EXPECT_EQ(find(resumed->conclude(answers).datasets, "calibration_value").values,
+              find(whole->conclude(answers).datasets, "calibration_value").values);
 }
 
 TEST(Staged, GoesOnWhereAnItemFailedAsAWhole) {
     const auto stage = calibration::make_staged("s", measured_case(), two_stages());
-    const auto datasets = stage->conclude(answers_of(*stage, 0));
+    const auto datasets = stage->conclude(answers_of(*stage, 0)).datasets;
     EXPECT_EQ(find(datasets, "n_failed").values[0], 16);
     EXPECT_EQ(find(datasets, "failed_point").values.back(), 15);
     EXPECT_NEAR(at(find(datasets, "calibration_value"), 2, 0), truth[0], 0.02);
@@ -221,11 +221,25 @@ TEST(Staged, JudgesTheStudiesBesideIt) {
     options.at_once = false;
     options.beside = {"belief"};
     const auto stage = calibration::make_staged("small/s", measured_case(), options);
-    stage->see({{"small/belief/unknown", {"unknown"}, {2}, {}, {glass, "noise"}},
-                {"small/belief/posterior_mean", {"unknown"}, {2}, {0.6, 9}, {}}});
+    Summary belief;
+    belief.study = "small/belief";
+    belief.values = {{glass, 0.6, 0.5, 0.7}, {"noise", 9, 8, 10}};
+    stage->see({belief});
     const auto datasets = run(*stage);
     EXPECT_EQ(find(datasets, "unseen/version").texts,
               (Texts{"initial", "second", "belief"}));
+}
+
+TEST(Staged, LeavesOutAStudyBesideItThatFoundNothing) {
+    calibration::StagedOptions options = two_stages();
+    options.at_once = false;
+    options.beside = {"belief", "no_study"};
+    const auto stage = calibration::make_staged("small/s", measured_case(), options);
+    Summary belief;
+    belief.study = "small/belief";
+    stage->see({belief});
+    const auto datasets = run(*stage);
+    EXPECT_EQ(find(datasets, "unseen/version").texts, (Texts{"initial", "second"}));
 }
 
 void expect_refusal(calibration::StagedOptions options, const std::string& words) {

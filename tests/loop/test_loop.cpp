@@ -25,7 +25,7 @@ LoopOptions quick() {
 std::vector<Dataset> searched(const Case& made, const LoopOptions& options = quick()) {
     const std::vector<Case> buildings = {made};
     const auto stage = make_loop("loop", buildings, options);
-    return stage->conclude({stage->run(0)});
+    return stage->conclude({stage->run(0)}).datasets;
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ std::vector<Dataset> run_all(Stage& stage) {
     for (const ItemAnswer& answer : answers)
         for (const Failure& failure : answer.failures)
             ADD_FAILURE() << "chain " << failure.point << ": " << failure.reason;
-    return stage.conclude(answers);
+    return stage.conclude(answers).datasets;
 }
 
 TEST(KohPosterior, FindsTheInputThatTheMeasurementsWereMadeWith) {

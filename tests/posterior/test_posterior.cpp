@@ -31,6 +31,7 @@ Case with_readings(Case made, const std::vector<double>& point) {
 struct Ran {
     std::vector<ItemAnswer> answers;
     std::vector<Dataset> datasets;
+    std::vector<Summary> found;
     std::string shortfall;
 };
 
@@ -46,7 +47,9 @@ Ran run_all(Stage& stage) {
         stage.begin_round(n_items, *round);
         n_items += round->n_items;
     }
-    ran.datasets = stage.conclude(ran.answers);
+    Conclusion conclusion = stage.conclude(ran.answers);
+    ran.datasets = std::move(conclusion.datasets);
+    ran.found = std::move(conclusion.summaries);
     ran.shortfall = stage.shortfall(ran.answers);
     return ran;
 }
@@ -129,6 +132,41 @@ TEST(Posterior, FindsTheParametersThatMadeTheData) {
     EXPECT_EQ(test::find(ran.datasets, "convergence").texts[0], "converged");
 }
 
+TEST(Posterior, HandsOnItsDrawsMeansQuantilesAndErrors) {
+    posterior::PosteriorOptions options = quick_options();
+    options.chains.sampler.n_warm_up = options.chains.most_draws =
+        options.chains.draws_per_round = 20;
+    const auto stage = posterior::make_posterior(
+        "p", {with_readings(fortnight(), {0.7, 0.45, 20.6})}, options);
+    const Ran ran = run_all(*stage);
+    ASSERT_EQ(ran.found.size(), 1U);
+    const Summary& found = ran.found[0];
+    ASSERT_EQ(found.points.parameters.size(), 3U);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto& draws =
+            test::find(ran.datasets, "posterior/" + found.points.parameters[k]).values;
+        ASSERT_EQ(found.points.rows.rows, draws.size());
+        for (std::size_t r = 0; r < draws.size(); ++r)
+            EXPECT_EQ(found.points.rows(r, k), draws[r]);
+        EXPECT_EQ(found.values[k].name, found.points.parameters[k]);
+        EXPECT_EQ(found.values[k].value,
+                  test::find(ran.datasets, "posterior_mean").values[k]);
+        EXPECT_EQ(found.values[k].low,
+                  test::find(ran.datasets, "posterior_q05").values[k]);
+        EXPECT_EQ(found.values[k].high,
+                  test::find(ran.datasets, "posterior_q95").values[k]);
+    }
+    const auto& fit = test::find(ran.datasets, "training/heating/all/validation_fit");
+    const auto& metrics = test::find(ran.datasets, "metric").texts;
+    const auto cv = std::ranges::find(metrics, "cv_rmse") - metrics.begin();
+    const auto after = static_cast<std::ptrdiff_t>(fit.shape[1] * fit.shape[2]) + cv;
+    const study::FoundFit& of_heating = found.fits.at(0);
+    EXPECT_EQ(of_heating.before, fit.values[static_cast<std::size_t>(cv)]);
+    EXPECT_EQ(of_heating.cv_rmse, fit.values[static_cast<std::size_t>(after)]);
+    ASSERT_EQ(found.findings.size(), 1U);  // so few draws do not suffice
+    EXPECT_EQ(found.findings[0].finding, ran.shortfall);
+}
+
 /// Mean width of a meter's 90 % interval over a period.
 double mean_width(const std::vector<Dataset>& datasets, const std::string& meter) {
     const Dataset& low = test::find(datasets, meter + "/predicted_q05");
@@ -203,6 +241,18 @@ TEST(Posterior, BuildingsOfAHierarchyAreEachCalibratedAndAnUnseenOneIsPredicted)
     EXPECT_FALSE(
         std::ranges::count(names, std::string("zone.office.flow.air.air_change_b3")));
     EXPECT_TRUE(test::has(ran.datasets, "b3/training/heating/predicted_q95"));
+    const std::string air = "zone.office.flow.air.air_change";
+    const auto draws_of = [&](const std::string& building) {
+        const FoundPoints& points = find_summary(ran.found, "p", building)->points;
+        EXPECT_EQ(points.parameters[0], air);
+        std::vector<double> draws;
+        for (std::size_t r = 0; r < points.rows.rows; ++r)
+            draws.push_back(points.rows(r, 0));
+        return draws;
+    };
+    EXPECT_EQ(draws_of("b2"),
+              test::find(ran.datasets, "posterior/" + air + "_b2").values);
+    EXPECT_EQ(draws_of("b3"), test::find(ran.datasets, "posterior/" + air).values);
 }
 
 TEST(Posterior, BuildingsThatShareMustHaveTheSameParameters) {

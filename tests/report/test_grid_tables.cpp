@@ -26,7 +26,7 @@ store::ResultFile result_of(const std::unique_ptr<study::Stage>& stage) {
         n = next->n_items;
         stage->begin_round(first, *next);
     }
-    result.datasets = stage->conclude(answers);
+    result.datasets = stage->conclude(answers).datasets;
     return result;
 }
 

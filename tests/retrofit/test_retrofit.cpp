@@ -49,28 +49,37 @@ double steady_heating(const Case& building, double u_value, double air_change) {
     return (1 / (1 / h_is + 1 / (h_opaque + h_windows)) + h_air) * (20 - 2);
 }
 
-/// A posterior's draws under the stage "house/fit", as its datasets have them.
-std::vector<Dataset> draws(std::vector<double> air_change, std::vector<double> u_value) {
-    const std::size_t n = air_change.size();
-    const std::string group = "house/fit/posterior/";
-    return {{group + "zone.office.flow.air.air_change",
-             {"chain", "draw"},
-             {1, n},
-             std::move(air_change),
-             {}},
-            {group + "construction.wall.u_value",
-             {"chain", "draw"},
-             {1, n},
-             std::move(u_value),
-             {}}};
+/// What the stage "house/fit" found. \param rows  [points][parameters]
+Summary points(std::vector<std::string> parameters,
+               const std::vector<std::vector<double>>& rows) {
+    Summary found;
+    found.study = "house/fit";
+    found.points.rows = Matrix(0, parameters.size());
+    found.points.parameters = std::move(parameters);
+    for (const auto& row : rows) {
+        ++found.points.rows.rows;
+        found.points.rows.values.insert(found.points.rows.values.end(), row.begin(),
+                                        row.end());
+    }
+    return found;
+}
+
+/// A posterior's draws.
+std::vector<Summary> draws(const std::vector<double>& air_change,
+                           const std::vector<double>& u_value) {
+    std::vector<std::vector<double>> rows;
+    for (std::size_t r = 0; r < air_change.size(); ++r)
+        rows.push_back({air_change[r], u_value[r]});
+    return {
+        points({"zone.office.flow.air.air_change", "construction.wall.u_value"}, rows)};
 }
 
 std::vector<Dataset> results_of(const Case& building,
                                 const retrofit::RetrofitOptions& options,
-                                const std::vector<Dataset>& concluded) {
+                                const std::vector<Summary>& found) {
     const auto stage =
         retrofit::make_retrofit("retrofit", building, building.periods[0], options);
-    stage->see(concluded);
+    stage->see(found);
     std::vector<ItemAnswer> answers;
     for (int k = 0; k < stage->n_items(); ++k) answers.push_back(stage->run(k));
     while (const auto round = stage->next_round(answers)) {
@@ -79,7 +88,7 @@ std::vector<Dataset> results_of(const Case& building,
         for (int k = 0; k < round->n_items; ++k) answers.push_back(stage->run(first + k));
     }
     EXPECT_EQ(stage->shortfall(answers), "");
-    return stage->conclude(answers);
+    return stage->conclude(answers).datasets;
 }
 
 retrofit::RetrofitOptions options_of(std::vector<retrofit::Scenario> scenarios) {
@@ -123,16 +132,15 @@ TEST(Retrofit, SavesWhatTheConductancesSay) {
 TEST(Retrofit, AScenarioWithoutChangesSavesExactlyNothing) {
     Case office = test::small_case();
     office.priors.clear();
-    std::vector<Dataset> found{
-        {"house/fit/parameter", {"parameter"}, {3}, {}, {}},
-        {"house/fit/best_parameters", {"rank", "parameter"}, {70, 3}, {}, {}}};
-    for (const auto& parameter : office.parameters)
-        found[0].texts.push_back(parameter.name);
+    std::vector<std::string> names;
+    for (const auto& parameter : office.parameters) names.push_back(parameter.name);
+    std::vector<std::vector<double>> rows(70);
     for (int r = 0; r < 70; ++r)
         for (const auto& parameter : office.parameters)
-            found[1].values.push_back(parameter.least +
-                                      (parameter.most - parameter.least) * r / 70.0);
-    const auto results = results_of(office, options_of({{"nothing", {}, {}}}), found);
+            rows[static_cast<std::size_t>(r)].push_back(
+                parameter.least + (parameter.most - parameter.least) * r / 70.0);
+    const auto results =
+        results_of(office, options_of({{"nothing", {}, {}}}), {points(names, rows)});
     const auto &before = test::find(results, "before").values,
                &after = test::find(results, "after").values;
     ASSERT_EQ(before.size(), 70 * n_outputs);
@@ -210,27 +218,20 @@ TEST(Retrofit, WithoutPointsItSaysSo) {
 TEST(FoundPoints, OfAPartlyPooledPosteriorAreTheBuildingsOwn) {
     Case house = steady_case();
     house.name = "a";
-    auto datasets = draws({0.5, 0.6}, {0.7, 0.8});
-    datasets.push_back({"house/fit/posterior/construction.wall.u_value_a",
-                        {"chain", "draw"},
-                        {1, 2},
-                        {0.9, 1.0},
-                        {}});
-    const Matrix points = retrofit::found_points(datasets, "house/fit", house);
-    EXPECT_EQ(points.values, (std::vector<double>{0.5, 0.9, 0.6, 1.0}));
+    auto found = draws({0.5, 0.6}, {0.7, 0.8});
+    found.push_back(draws({0.5, 0.6}, {0.9, 1.0})[0]);
+    found.back().building = "a";
+    EXPECT_EQ(retrofit::found_points(found, "house/fit", house).values,
+              (std::vector<double>{0.5, 0.9, 0.6, 1.0}));
+    house.name = "b";
+    EXPECT_EQ(retrofit::found_points(found, "house/fit", house).values,
+              (std::vector<double>{0.5, 0.7, 0.6, 0.8}));
 }
 
-TEST(FoundPoints, OfAGridAreTheNeighboursInItsLastStage) {
-    const Case house = steady_case();
-    const std::string u_value = "construction.wall.u_value";
-    const std::vector<Dataset> datasets{
-        {"grid/parameter", {"parameter"}, {1}, {}, {u_value}},
-        {"grid/stage_1/grid_points", {"grid_point", "parameter"}, {2, 1}, {1, 2}, {}},
-        {"grid/stage_1/neighbour", {"neighbour"}, {1}, {0}, {}},
-        {"grid/stage_2/grid_points", {"grid_point", "parameter"}, {3, 1}, {3, 4, 5}, {}},
-        {"grid/stage_2/neighbour", {"neighbour"}, {2}, {2, 0}, {}}};
-    const Matrix points = retrofit::found_points(datasets, "grid", house);
-    EXPECT_EQ(points.values, (std::vector<double>{0.8, 5, 0.8, 3}));
+TEST(FoundPoints, HaveTheNominalValueWhereAParameterWasNotVaried) {
+    const Summary grid = points({"construction.wall.u_value"}, {{5}, {3}});
+    EXPECT_EQ(retrofit::found_points({grid}, "house/fit", steady_case()).values,
+              (std::vector<double>{0.8, 5, 0.8, 3}));
 }
 
 }  // namespace

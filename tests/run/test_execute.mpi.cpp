@@ -67,7 +67,7 @@ std::string expected_hash(const SharedFolder& folder) {
                 answers.back().error = error.what();
             }
         }
-        for (auto& dataset : stage->conclude(answers))
+        for (auto& dataset : stage->conclude(answers).datasets)
             result.datasets.push_back(std::move(dataset));
         for (auto& dataset : failed_item_datasets(*stage, answers))
             result.datasets.push_back(std::move(dataset));

@@ -85,9 +85,11 @@ TEST_F(LoopPage, ThatCannotBeWrittenIsAnErrorAndLeavesNothing) {
 }
 
 TEST_F(LoopPage, IsOfEveryLoopThatIsInTheResult) {
-    const study::Dataset chosen{"a/loop/structure_chosen", {}, {}, {}, {"standard"}};
-    const study::Dataset another{"a/screening/parameter", {"parameter"}, {1}, {}, {"g"}};
-    EXPECT_EQ(loops_in({another, chosen}), Lines{"a/loop"});
+    study::Summary loop, another;
+    loop.study = "a/loop";
+    loop.has_page = true;
+    another.study = "a/screening";
+    EXPECT_EQ(loops_in({another, loop}), Lines{"a/loop"});
 }
 
 TEST_F(LoopPage, OfNoLoopIsNone) {

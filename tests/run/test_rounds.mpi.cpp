@@ -57,12 +57,12 @@ class Walk : public study::Stage {
         first_item_ = first_item;
         start_ = round.needed.at(0);
     }
-    std::vector<study::Dataset> conclude(
+    study::Conclusion conclude(
         const std::vector<study::ItemAnswer>& answers) const override {
         std::vector<double> scores;
         for (const auto& answer : answers) scores.push_back(answer.values.at(0));
         const std::size_t n = scores.size();
-        return {{name() + "/score", {"point"}, {n}, std::move(scores), {}}};
+        return {{{name() + "/score", {"point"}, {n}, std::move(scores), {}}}};
     }
     std::string shortfall(const std::vector<study::ItemAnswer>&) const override {
         return options_.shortfall;
@@ -84,7 +84,7 @@ std::vector<double> plain_scores(int n_rounds = 5) {
         while (static_cast<int>(answers.size()) < end)
             answers.push_back(stage.run(static_cast<int>(answers.size())));
         const auto next = stage.next_round(answers);
-        if (!next) return stage.conclude(answers)[0].values;
+        if (!next) return stage.conclude(answers).datasets[0].values;
         stage.begin_round(end, *next);
         end += next->n_items;
     }

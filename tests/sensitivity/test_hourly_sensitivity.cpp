@@ -48,7 +48,7 @@ void expect_equal_to_plain(physics::Quantity quantity, std::size_t n_base) {
     const Case made = small_case();
     const auto stage = sensitivity::make_hourly_sensitivity(
         "small/hourly", made, made.periods[0], quantity, options_of(n_base));
-    const auto datasets = stage->conclude(run_all(*stage));
+    const auto datasets = stage->conclude(run_all(*stage)).datasets;
     const auto &first = find(datasets, "hourly_first_order").values,
                &total = find(datasets, "hourly_total_order").values;
     const Matrix outputs = plain_outputs(
@@ -90,7 +90,7 @@ TEST(HourlySensitivity, LeavesFailedBasePointsOutAndCountsThem) {
         sensitivity::make_hourly_sensitivity("small/hourly", made, made.periods[0],
                                              physics::Quantity::heating, options_of(256));
     const auto answers = run_all(*stage);
-    const auto datasets = stage->conclude(answers);
+    const auto datasets = stage->conclude(answers).datasets;
     const double n_failed = find(datasets, "n_failed").values[0];
     double n_used = 0;
     for (const double n : find(datasets, "block_n_used").values) n_used += n;
@@ -110,7 +110,7 @@ TEST(HourlySensitivity, HasIntervalsThatHoldTheIndicesOfALargerDesign) {
         const auto stage = sensitivity::make_hourly_sensitivity(
             "small/hourly", made, made.periods[0], physics::Quantity::air_temperature,
             options_of(n));
-        return stage->conclude(run_all(*stage));
+        return stage->conclude(run_all(*stage)).datasets;
     };
     const auto small = of(128), large = of(2048);
     const auto &index = find(small, "hourly_total_order").values,

@@ -59,7 +59,7 @@ class Angles : public Simulator {
 std::vector<Dataset> run(const Stage& stage) {
     std::vector<ItemAnswer> answers;
     for (int item = 0; item < stage.n_items(); ++item) answers.push_back(stage.run(item));
-    return stage.conclude(answers);
+    return stage.conclude(answers).datasets;
 }
 
 sensitivity::SensitivityOptions options_of(std::size_t n_base) {
@@ -133,7 +133,7 @@ TEST(Sensitivity, DropsAnItemThatFailedAsAWhole) {
     std::vector<ItemAnswer> answers;
     for (int item = 0; item < 4; ++item) answers.push_back(stage->run(item));
     answers[2] = {{}, {}, "out of memory"};
-    const auto datasets = stage->conclude(answers);
+    const auto datasets = stage->conclude(answers).datasets;
     EXPECT_EQ(find(datasets, "n_used").values[0], 192);
     EXPECT_EQ(find(datasets, "n_failed").values[0], 64 * 5);
 }

@@ -67,7 +67,7 @@ std::vector<stock::StockRecord> night(const Stock3& stock,
     const Job job = stock.job();
     const auto stage = stock::make_stock_stage(job, {"1", std::move(before)});
     const auto answers = answers_of(*stage);
-    return stock::records_in(stage->conclude(answers));
+    return stock::records_in(stage->conclude(answers).datasets);
 }
 
 void expect_sound(const stock::StockRecord& record) {

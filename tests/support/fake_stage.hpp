@@ -41,7 +41,7 @@ class FakeStage : public study::Stage {
         return answer;
     }
 
-    std::vector<study::Dataset> conclude(
+    study::Conclusion conclude(
         const std::vector<study::ItemAnswer>& answers) const override {
         std::vector<double> scores, failed;
         std::vector<std::string> reasons;
@@ -56,9 +56,13 @@ class FakeStage : public study::Stage {
         }
         const std::size_t n_scores = scores.size(), n_failed = failed.size();
         return {
-            {name_ + "/score", {"point"}, {n_scores}, std::move(scores), {}},
-            {name_ + "/failed_point", {"failure"}, {n_failed}, std::move(failed), {}},
-            {name_ + "/failed_reason", {"failure"}, {n_failed}, {}, std::move(reasons)}};
+            {{name_ + "/score", {"point"}, {n_scores}, std::move(scores), {}},
+             {name_ + "/failed_point", {"failure"}, {n_failed}, std::move(failed), {}},
+             {name_ + "/failed_reason",
+              {"failure"},
+              {n_failed},
+              {},
+              std::move(reasons)}}};
     }
 
   private:

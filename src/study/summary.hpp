@@ -1,0 +1,61 @@
+/// What a study found, for the stages after it and for a stock: values with intervals,
+/// errors, points and findings. The datasets beside it say the same to the readers of a
+/// file.
+#pragma once
+
+#include "base/matrix.hpp"
+#include "study/decision.hpp"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace bemcal::study {
+
+/// A parameter or another unknown, with what agrees with the readings nearly as well.
+struct FoundValue {
+    std::string name;
+    double value = 0;  ///< of the best point, the posterior's mean, or the last fit
+    double low = 0;    ///< least of the best points, or 5 % quantile
+    double high = 0;   ///< largest of the best points, or 95 % quantile
+};
+
+/// A meter's errors in a period; NaN where nothing is predicted or read.
+struct FoundFit {
+    std::size_t period = 0, meter = 0;  ///< of the case
+    /// CV(RMSE) where the study began.
+    double before = std::numeric_limits<double>::quiet_NaN();
+    /// Where it ended.
+    double cv_rmse = std::numeric_limits<double>::quiet_NaN();
+    double nmbe = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// Points that agree with the readings: draws, all alike, or best points, best first.
+struct FoundPoints {
+    std::vector<std::string> parameters;  ///< [columns]; all others are nominal
+    Matrix rows;                          ///< [points x columns]
+};
+
+/// A study that cannot say one of these leaves it empty.
+struct Summary {
+    std::string study;     ///< name of the group of its datasets: "office/posterior"
+    std::string building;  ///< empty = whatever the study is of, as a whole
+    std::vector<FoundValue> values;
+    std::vector<FoundFit> fits;
+    FoundPoints points;
+    std::vector<DataDecision> findings;
+    /// By which two runs of the same study can be told apart: smaller is better.
+    double score = std::numeric_limits<double>::infinity();
+    std::string failure;    ///< why nothing was found; empty = something was
+    bool has_page = false;  ///< whether scripts/loop_report draws it
+};
+
+/// The summary of that study, the building's own where there is one; nullptr where
+/// there is none.
+const Summary* find_summary(const std::vector<Summary>& summaries,
+                            const std::string& study, const std::string& building);
+
+/// The value of that name; nullptr where there is none.
+const FoundValue* find_value(const Summary& summary, const std::string& name);
+
+}  // namespace bemcal::study
