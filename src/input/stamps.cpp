@@ -229,12 +229,14 @@ class Reader {
         if (!(is_24 ? !has_midnight() : closes && !site_has_whole_days())) return;
         rules_.at_end = true;
         refind_steps();
-        note(is_24
-                 ? "its midnights are written as 24:00"
-                 : fmt::format("its first stamp is {}, its last 00:00: they close whole "
-                               "days",
-                               clock_words(step_at(0))),
-             "read as ends of their intervals; stamp = \"start\" overrules it");
+        note(
+            is_24 ? "its midnights are written as 24:00"
+                  : fmt::format("its first stamp is {}, its last 00:00: they close whole "
+                                "days",
+                                clock_words(step_at(0))),
+            fmt::format("read as ends of their intervals, which begin {} before; stamp = "
+                        "\"start\" overrules it",
+                        words_of(step_at(0))));
     }
 
     /// Which row a change of the step begins at depends on what a stamp is.

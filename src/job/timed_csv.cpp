@@ -93,7 +93,7 @@ TimedCsv open_csv(const schema::Section& section, const char* key,
 void note_stamps(const TimedCsv& source, const std::string& series,
                  std::vector<study::DataDecision>& decisions) {
     for (const input::TimeNote& note : source.stamps.notes)
-        decisions.push_back({series, note.finding, note.action});
+        decisions.push_back({"stamps of " + series, note.finding, note.action});
 }
 
 input::RegularSeries series_of(const TimedCsv& source, const std::string& column,
