@@ -30,9 +30,6 @@ struct StampRules {
     bool is_mean = false;
 };
 
-/// Throws std::invalid_argument with a sentence that says what was expected.
-Stamp parse_stamp(std::string_view text, const std::string& format = "");
-
 /// What was found in the stamps, and what was done about it.
 struct TimeNote {
     std::string finding, action;

@@ -5,7 +5,6 @@
 #include "input/time_columns.hpp"
 
 #include "base/error.hpp"
-#include "input/stamps.hpp"
 
 #include <algorithm>
 #include <array>

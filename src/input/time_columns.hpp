@@ -3,7 +3,7 @@
 #pragma once
 
 #include "input/csv.hpp"
-#include "input/time_format.hpp"
+#include "input/time_text.hpp"
 
 #include <string>
 #include <vector>
