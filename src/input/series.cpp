@@ -1,13 +1,17 @@
 /// Lays rows of a CSV file on an even axis, absent ones as gaps; joins files in time;
 /// fills short gaps by straight lines.
 /// Follows from the commonest distance of the stamps (`stamps`).
-/// A row off that grid is an error. Nothing is resampled; gaps at the ends stay.
+/// A row off that grid is an error. Rows of two steps meet at the longer one; steps that
+/// begin beside those of the day are shared out. Gaps at the ends stay.
 #include "input/series.hpp"
 
 #include "base/error.hpp"
+#include "input/steps.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -22,33 +26,39 @@ constexpr long long most_steps = 20'000'000;
                     fmt::format("{}:{}: {}", csv.file, csv.lines[row], message));
 }
 
-/// Steps since the first row; an error where that is not whole.
-long long step_of_row(const Csv& csv, const Stamps& stamps, std::size_t row) {
-    const long long seconds = (stamps.begins[row] - stamps.begins[0]).count();
-    if (seconds % stamps.step_s != 0)
-        fail_row(csv, row,
-                 fmt::format(
-                     "{} is not a multiple of {} s after the first row; time steps must "
-                     "be even",
-                     physics::format_time(stamps.begins[row]), stamps.step_s));
-    if (seconds / stamps.step_s > most_steps)
-        fail_row(csv, row, "is too far from the first row; check the years");
-    return seconds / stamps.step_s;
-}
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-}  // namespace
+/// Rows [first, last) of one step.
+struct Rows {
+    const Csv& csv;
+    const Stamps& stamps;
+    std::size_t first, last;
+    int step_s;
 
-RegularSeries lay(const Csv& csv, const Stamps& stamps,
-                  const std::vector<double>& values) {
-    const std::size_t n_rows = stamps.begins.size();
+    /// Steps since the first row; an error where that is not whole.
+    long long step_of(std::size_t row) const {
+        const long long seconds = (stamps.begins[row] - stamps.begins[first]).count();
+        if (seconds % step_s != 0)
+            fail_row(
+                csv, row,
+                fmt::format(
+                    "{} is not a multiple of {} s after the first row; time steps must "
+                    "be even",
+                    physics::format_time(stamps.begins[row]), step_s));
+        if (seconds / step_s > most_steps)
+            fail_row(csv, row, "is too far from the first row; check the years");
+        return seconds / step_s;
+    }
+};
+
+RegularSeries lay_rows(const Rows& rows, const std::vector<double>& values) {
     RegularSeries series;
-    series.axis = {stamps.begins[0], stamps.step_s,
-                   static_cast<int>(step_of_row(csv, stamps, n_rows - 1)) + 1};
-    series.values.assign(static_cast<std::size_t>(series.axis.n_steps),
-                         std::numeric_limits<double>::quiet_NaN());
+    series.axis = {rows.stamps.begins[rows.first], rows.step_s,
+                   static_cast<int>(rows.step_of(rows.last - 1)) + 1};
+    series.values.assign(static_cast<std::size_t>(series.axis.n_steps), nan);
     int expected = 0;
-    for (std::size_t row = 0; row < n_rows; ++row) {
-        const int step = static_cast<int>(step_of_row(csv, stamps, row));
+    for (std::size_t row = rows.first; row < rows.last; ++row) {
+        const int step = static_cast<int>(rows.step_of(row));
         if (step > expected) series.gaps.push_back({expected, step - expected, row});
         series.values[static_cast<std::size_t>(step)] = values[row];
         expected = step + 1;
@@ -56,7 +66,90 @@ RegularSeries lay(const Csv& csv, const Stamps& stamps,
     return series;
 }
 
-void append(RegularSeries& series, const RegularSeries& next, const std::string& file) {
+/// Where rows of one step end and those of another begin.
+std::vector<Rows> parts_of(const Csv& csv, const Stamps& stamps) {
+    std::vector<Rows> parts;
+    for (std::size_t row = 0; row < stamps.steps.size(); ++row) {
+        if (row == 0 || stamps.steps[row] != stamps.steps[row - 1])
+            parts.push_back({csv, stamps, row, row, stamps.steps[row]});
+        parts.back().last = row + 1;
+    }
+    return parts;
+}
+
+/// The begin of a series, on whole steps after it.
+physics::Seconds whole_step_after(physics::Seconds time, int step_s) {
+    const long long phase = phase_of(time, step_s);
+    return phase == 0 ? time : time + std::chrono::seconds(step_s - phase);
+}
+
+/// A gap of the fine steps as one of the longer steps that it touches.
+Gap coarsened(const Gap& gap, int skipped, int per_step, int n_steps) {
+    const int first = std::max(gap.first - skipped, 0) / per_step;
+    const int last = (gap.first + gap.n - skipped + per_step - 1) / per_step;
+    return {first, std::min(last, n_steps) - first, gap.row};
+}
+
+}  // namespace
+
+RegularSeries lay(const Csv& csv, const Stamps& stamps, const std::vector<double>& values,
+                  Fold fold) {
+    if (stamps.steps.empty())
+        return lay_rows({csv, stamps, 0, stamps.begins.size(), stamps.step_s}, values);
+    int step_s = 1;
+    for (const int step : stamps.steps) step_s = std::lcm(step_s, step);
+    RegularSeries series;
+    for (const Rows& part : parts_of(csv, stamps)) {
+        const RegularSeries next =
+            coarsened(on_whole_steps(lay_rows(part, values)), step_s, fold);
+        if (next.axis.n_steps == 0) continue;
+        if (series.values.empty())
+            series = next;
+        else
+            append(series, next, fmt::format("{}:{}", csv.file, csv.lines[part.first]),
+                   part.first);
+    }
+    return series;
+}
+
+RegularSeries coarsened(const RegularSeries& fine, int step_s, Fold fold) {
+    if (fine.axis.step_s == step_s) return fine;
+    const int per_step = step_s / fine.axis.step_s;
+    RegularSeries coarse;
+    coarse.axis = {whole_step_after(fine.axis.start, step_s), step_s, 0};
+    const int skipped = fine.axis.step_of(coarse.axis.start);
+    coarse.axis.n_steps = std::max(0, fine.axis.n_steps - skipped) / per_step;
+    for (int k = 0; k < coarse.axis.n_steps; ++k) {
+        double sum = 0;
+        for (int i = 0; i < per_step; ++i)
+            sum += fine.values[static_cast<std::size_t>(skipped + k * per_step + i)];
+        coarse.values.push_back(fold == Fold::sum ? sum : sum / per_step);
+    }
+    for (const Gap& gap : fine.gaps)
+        if (const Gap whole = coarsened(gap, skipped, per_step, coarse.axis.n_steps);
+            whole.n > 0)
+            coarse.gaps.push_back(whole);
+    return coarse;
+}
+
+RegularSeries on_whole_steps(RegularSeries series) {
+    const int step_s = series.axis.step_s;
+    if (3600 % step_s != 0 || phase_of(series.axis.start, step_s) == 0) return series;
+    RegularSeries shared;
+    shared.axis = {whole_step_after(series.axis.start, step_s), step_s,
+                   std::max(0, series.axis.n_steps - 1)};
+    const double of_next =
+        static_cast<double>((shared.axis.start - series.axis.start).count()) / step_s;
+    for (std::size_t k = 0; k + 1 < series.values.size(); ++k)
+        shared.values.push_back((1 - of_next) * series.values[k] +
+                                of_next * series.values[k + 1]);
+    for (const Gap& gap : series.gaps)
+        shared.gaps.push_back({gap.first - 1, gap.n + 1, gap.row});
+    return shared;
+}
+
+void append(RegularSeries& series, const RegularSeries& next, const std::string& file,
+            std::size_t row) {
     const auto fail = [&](const std::string& what) {
         throw UserError(ExitCode::data, fmt::format("{}: {}", file, what));
     };
@@ -77,7 +170,7 @@ void append(RegularSeries& series, const RegularSeries& next, const std::string&
                         seconds, series.axis.step_s));
     const int between = static_cast<int>(seconds / series.axis.step_s);
     const int begin = series.axis.n_steps + between;
-    if (between > 0) series.gaps.push_back({series.axis.n_steps, between, 0});
+    if (between > 0) series.gaps.push_back({series.axis.n_steps, between, row});
     series.values.resize(static_cast<std::size_t>(begin),
                          std::numeric_limits<double>::quiet_NaN());
     series.values.insert(series.values.end(), next.values.begin(), next.values.end());

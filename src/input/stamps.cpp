@@ -1,16 +1,16 @@
 /// Turns time stamps of a CSV file into begins of intervals in local standard time. A
 /// clock change that the job does not explain is an error that says what to set.
-/// Source: ISO 8601, or a form of strptime; summer time of the EU or the USA.
-/// Leaves out other rules of summer time; drops fractions of a second. Uneven steps are
-/// found by `series`.
+/// Source: summer time of the EU or the USA; texts are read by `time_text`.
+/// Stamps that close whole days are ends, unless somebody says otherwise. Leaves out
+/// other rules of summer time.
 #include "input/stamps.hpp"
 
 #include "base/error.hpp"
+#include "input/steps.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
-#include <map>
+#include <cstdlib>
 #include <optional>
 #include <stdexcept>
 
@@ -25,166 +25,226 @@ using std::chrono::seconds;
 
 constexpr seconds hour{3600};
 constexpr seconds half_day{12 * 3600};
-
-/// Decimal digits from `at` on, -1 where one is not a digit.
-int digits(std::string_view text, std::size_t at, std::size_t n) {
-    if (at + n > text.size()) return -1;
-    int value = 0;
-    for (const char c : text.substr(at, n)) {
-        if (c < '0' || c > '9') return -1;
-        value = 10 * value + (c - '0');
-    }
-    return value;
-}
-
-[[noreturn]] void fail_stamp(std::string_view text) {
-    throw std::invalid_argument(fmt::format(
-        "\"{}\" is not a time; expected one like 2021-03-05 14:00", text.substr(0, 40)));
-}
-
-/// "Z", "+01:00", "-0530", "+01" at the end of a stamp [s]; nothing where there is none.
-std::optional<seconds> offset_of(std::string_view text) {
-    if (text == "Z" || text == "z" || text == " UTC") return seconds(0);
-    if (text.size() < 3 || (text[0] != '+' && text[0] != '-')) return std::nullopt;
-    const int hours = digits(text, 1, 2);
-    const bool colon = text.size() > 3 && text[3] == ':';
-    const std::size_t end = text.size() > 3 ? (colon ? 6 : 5) : 3;
-    const int minutes = end > 3 ? digits(text, end - 2, 2) : 0;
-    if (hours < 0 || hours > 14 || minutes < 0 || minutes > 59 || end != text.size())
-        return std::nullopt;
-    const seconds offset(hours * 3600 + minutes * 60);
-    return text[0] == '-' ? -offset : offset;
-}
-
-/// The part after "HH:MM": seconds and their fraction, then an offset.
-seconds seconds_part(std::string_view& rest) {
-    if (rest.size() < 3 || rest[0] != ':') return seconds(0);
-    const int value = digits(rest, 1, 2);
-    rest.remove_prefix(3);
-    if (!rest.empty() && rest[0] == '.') {
-        rest.remove_prefix(1);
-        while (!rest.empty() && rest[0] >= '0' && rest[0] <= '9') rest.remove_prefix(1);
-    }
-    return seconds(value);
-}
-
-Stamp parse_iso(std::string_view text) {
-    using namespace std::chrono;
-    const int y = digits(text, 0, 4), m = digits(text, 5, 2), d = digits(text, 8, 2);
-    const year_month_day date{year(y), month(static_cast<unsigned>(m)),
-                              day(static_cast<unsigned>(d))};
-    if (y < 1800 || y > 2500 || !date.ok() || text[4] != '-' || text[7] != '-')
-        fail_stamp(text);
-    Stamp stamp{sys_days(date), false};
-    if (text.size() == 10) return stamp;
-    const int hours = digits(text, 11, 2), minutes = digits(text, 14, 2);
-    if ((text[10] != ' ' && text[10] != 'T') || hours < 0 || hours > 24 || minutes < 0 ||
-        minutes > 59 || text[13] != ':')
-        fail_stamp(text);
-    std::string_view rest = text.substr(16);
-    const seconds second = seconds_part(rest);
-    if (second < seconds(0) || second > seconds(59)) fail_stamp(text);
-    stamp.time += seconds(hours * 3600 + minutes * 60) + second;
-    if (rest.empty()) return stamp;
-    const auto offset = offset_of(rest);
-    if (!offset) fail_stamp(text);
-    return {stamp.time - *offset, true};
-}
-
-/// By strptime, which knows every form that a spreadsheet writes.
-Stamp parse_format(std::string_view text, const std::string& format) {
-    using namespace std::chrono;
-    std::tm tm{};
-    tm.tm_mday = 1;
-    const std::string copy(text);
-    const char* end = strptime(copy.c_str(), format.c_str(), &tm);
-    const year_month_day date{year(tm.tm_year + 1900),
-                              month(static_cast<unsigned>(tm.tm_mon + 1)),
-                              day(static_cast<unsigned>(tm.tm_mday))};
-    if (end == nullptr || *end != '\0' || !date.ok() || tm.tm_year < -100 ||
-        tm.tm_year > 600)
-        throw std::invalid_argument(fmt::format("\"{}\" is not a time of the form \"{}\"",
-                                                text.substr(0, 40), format));
-    return {sys_days(date) + seconds(tm.tm_hour * 3600 + tm.tm_min * 60 + tm.tm_sec),
-            false};
-}
+constexpr int day_s = 86400;
 
 const char* rule_of(Clock clock) {
     return clock == Clock::us ? "us" : "eu";
 }
 
-/// One file's stamps on their way; `line` and `column` are for messages.
+seconds of_hours(double hours) {
+    return seconds(std::llround(hours * 3600));
+}
+
+/// "1 h", "15 min", "30 s"
+std::string words_of(long long s) {
+    return s % 3600 == 0 ? fmt::format("{} h", s / 3600)
+           : s % 60 == 0 ? fmt::format("{} min", s / 60)
+                         : fmt::format("{} s", s);
+}
+
+/// "00:15"
+std::string clock_words(long long s) {
+    return fmt::format("{:02}:{:02}", s / 3600, s / 60 % 60);
+}
+
+/// One file's stamps on their way.
 class Reader {
   public:
-    Reader(const Csv& csv, std::size_t column, const StampRules& rules)
-        : csv_(csv), column_(column), rules_(rules) {}
+    Reader(const Csv& csv, const TimeColumns& time, const StampRules& rules)
+        : csv_(csv), time_(time), rules_(rules) {}
 
     Stamps read(int fallback_step_s) {
         read_raw();
-        Stamps stamps;
-        stamps.step_s = commonest_step(fallback_step_s);
-        step_ = seconds(stamps.step_s);
+        find_steps(fallback_step_s);
+        if (!time_.found.empty()) note(time_.found, "read so; the key time overrules it");
+        if (!rules_.is_said) infer_end();
         if (rules_.clock == Clock::unstated) check_clock_change();
-        for (std::size_t row = 0; row < raw_.size(); ++row) {
-            stamps.begins.push_back(standard_time(row, begin_of(raw_[row].time)));
-            check_order(stamps.begins, row);
+        std::vector<Seconds> times = standard_times();
+        settle_all(times);
+        for (std::size_t row = 0; row < times.size(); ++row) {
+            if (rules_.at_end) times[row] = begin_of(row, times[row]);
+            check_order(times, row);
         }
-        return stamps;
+        found_.at_end = rules_.at_end;
+        found_.begins = std::move(times);
+        return std::move(found_);
     }
 
   private:
     [[noreturn]] void fail(std::size_t row, const std::string& message) const {
         throw UserError(ExitCode::data,
                         fmt::format("{}:{}:{}: {}", csv_.file, csv_.lines[row],
-                                    csv_.columns[column_], message));
+                                    names_of(csv_, time_), message));
+    }
+
+    /// The row's time as it stands there.
+    std::string shown(std::size_t row) const {
+        if (time_.form == TimeColumns::Form::text)
+            return std::string(csv_.cell(row, time_.columns[0]));
+        return physics::format_time(raw_[row].face);
+    }
+
+    void note(std::string finding, std::string action) {
+        found_.notes.push_back({std::move(finding), std::move(action)});
     }
 
     void read_raw() {
         raw_.reserve(csv_.n_rows());
         for (std::size_t row = 0; row < csv_.n_rows(); ++row) {
             try {
-                raw_.push_back(parse_stamp(csv_.cell(row, column_), rules_.format));
+                raw_.push_back(stamp_in(csv_, row, time_, rules_.format));
             } catch (const std::invalid_argument& error) {
                 fail(row, error.what());
             }
+            check_zone(row);
         }
     }
 
-    int commonest_step(int fallback_step_s) const {
-        std::map<long long, int> counts;
-        for (std::size_t row = 1; row < raw_.size(); ++row)
-            if (const auto d = (raw_[row].time - raw_[row - 1].time).count(); d > 0)
-                ++counts[d];
-        const auto most = std::max_element(
-            counts.begin(), counts.end(),
-            [](const auto& a, const auto& b) { return a.second < b.second; });
-        if (most == counts.end() || most->first > 400LL * 86400) return fallback_step_s;
-        return static_cast<int>(most->first);
+    /// CST is of America and of China; a name far from the site is another one.
+    void check_zone(std::size_t row) const {
+        const Stamp& stamp = raw_[row];
+        if (!stamp.is_zone) return;
+        const seconds off = *stamp.offset - of_hours(rules_.site_offset_h);
+        if (std::abs(off.count()) <= 3 * 3600) return;
+        fail(row,
+             fmt::format("{}: the zone is {:+g} h from UTC, the site's clock {:+g} h; "
+                         "write the offset as +01:00, or leave the zone out and set "
+                         "utc_offset",
+                         shown(row), static_cast<double>(stamp.offset->count()) / 3600,
+                         rules_.site_offset_h));
+    }
+
+    /// Distances of rows are those of their instants, as far as offsets tell them.
+    void find_steps(int fallback_step_s) {
+        std::vector<Seconds> instants;
+        instants.reserve(raw_.size());
+        for (const Stamp& stamp : raw_)
+            instants.push_back(stamp.face - stamp.offset.value_or(seconds(0)));
+        RowSteps steps = row_steps(instants, rules_.at_end);
+        found_.step_s = steps.step_s > 0 ? steps.step_s : fallback_step_s;
+        found_.steps = std::move(steps.steps);
+        for (std::size_t row = 1; row < found_.steps.size(); ++row)
+            if (found_.steps[row] != found_.steps[row - 1])
+                note(fmt::format("its rows are {} apart up to {}, then {}",
+                                 words_of(found_.steps[row - 1]), shown(row),
+                                 words_of(found_.steps[row])),
+                     "both read");
+    }
+
+    int step_at(std::size_t row) const {
+        return found_.steps.empty() ? found_.step_s : found_.steps[row];
     }
 
     /// A stamp at the end of a month or year is brought inside it; calendars do the rest.
-    Seconds begin_of(Seconds stamp) const {
+    Seconds begin_of(std::size_t row, Seconds stamp) const {
         if (!rules_.at_end) return stamp;
-        return step_ > seconds(86400) ? stamp - seconds(1) : stamp - step_;
+        const int step = step_at(row);
+        return step > day_s ? stamp - seconds(1) : stamp - seconds(step);
     }
 
-    Seconds standard_time(std::size_t row, Seconds wall) {
-        if (raw_[row].is_utc) return wall + hours_of(rules_.site_offset_h);
-        Seconds standard = wall;
-        if (rules_.clock == Clock::eu || rules_.clock == Clock::us)
-            standard = from_wall_clock(row, wall);
-        last_ = standard;
-        return standard + hours_of(rules_.site_offset_h - rules_.file_offset_h);
+    /// The first and the last stamp close whole days, or midnight is written as 24:00.
+    void infer_end() {
+        const std::size_t last = raw_.size() - 1;
+        if (rules_.at_end || step_at(0) > 3600 || last == 0) return;
+        const bool is_24 = std::ranges::any_of(raw_, &Stamp::is_24);
+        const bool closes = near_clock(0, step_at(0)) && near_clock(last, 0);
+        if (!(is_24 ? !has_midnight() : closes && !site_has_whole_days())) return;
+        rules_.at_end = true;
+        refind_steps();
+        note(
+            is_24 ? "its midnights are written as 24:00"
+                  : fmt::format("its first stamp is {}, its last 00:00: they close whole "
+                                "days",
+                                clock_words(step_at(0))),
+            fmt::format("read as ends of their intervals, which begin {} before; stamp = "
+                        "\"start\" overrules it",
+                        words_of(step_at(0))));
     }
 
-    static seconds hours_of(double hours) { return seconds(std::llround(hours * 3600)); }
+    /// Which row a change of the step begins at depends on what a stamp is.
+    void refind_steps() {
+        if (found_.steps.empty()) return;
+        found_.notes.erase(
+            std::remove_if(found_.notes.begin(), found_.notes.end(),
+                           [](const TimeNote& n) { return n.action == "both read"; }),
+            found_.notes.end());
+        find_steps(found_.step_s);
+    }
+
+    /// Whether the row shows this time of day, or a little beside.
+    bool near_clock(std::size_t row, long long clock_s) const {
+        const long long step = step_at(row);
+        long long beside = phase_of(raw_[row].face, day_s) - clock_s;
+        if (2 * beside > day_s) beside -= day_s;
+        return part_of_step * std::abs(beside) <= step;
+    }
+
+    bool has_midnight() const {
+        return std::ranges::any_of(raw_, [](const Stamp& stamp) {
+            return !stamp.is_24 && phase_of(stamp.face, day_s) == 0;
+        });
+    }
+
+    /// Days of another clock may be whole by the site's.
+    bool site_has_whole_days() const {
+        const auto at_site = [&](const Stamp& stamp) {
+            return stamp.face - offset_of(stamp) + of_hours(rules_.site_offset_h);
+        };
+        return phase_of(at_site(raw_.front()), day_s) == 0 &&
+               phase_of(at_site(raw_.back()), day_s) == day_s - step_at(raw_.size() - 1);
+    }
+
+    seconds offset_of(const Stamp& stamp) const {
+        return stamp.offset.value_or(of_hours(rules_.file_offset_h));
+    }
+
+    bool follows_wall_clock() const {
+        return (rules_.clock == Clock::eu || rules_.clock == Clock::us) &&
+               found_.step_s < day_s;
+    }
+
+    /// What the stamps say, in the site's local standard time. Ends by the wall clock are
+    /// instants, 01:45 then 03:00 in spring; some meters add a step to the wall clock's
+    /// begin, 02:00 then 03:15, which then has to hold for the whole file.
+    std::vector<Seconds> standard_times() {
+        if (!follows_wall_clock() || !rules_.at_end) return converted(seconds(0));
+        try {
+            return converted(seconds(0));
+        } catch (const UserError&) {
+            try {
+                return converted(seconds(found_.step_s));
+            } catch (const UserError&) {
+            }
+            throw;
+        }
+    }
+
+    /// \param ahead  of the wall clock: taken off before it is read, put on after it
+    std::vector<Seconds> converted(seconds ahead) const {
+        std::vector<Seconds> times;
+        times.reserve(raw_.size());
+        Seconds last{};  // by the file's standard time
+        for (std::size_t row = 0; row < raw_.size(); ++row) {
+            const Stamp& stamp = raw_[row];
+            Seconds standard = stamp.face;
+            if (!stamp.offset && follows_wall_clock()) {
+                const seconds back = ahead > seconds(0) ? seconds(step_at(row)) : ahead;
+                standard = from_wall_clock(row, stamp.face - back, last);
+                last = standard;
+                standard += back;
+            }
+            times.push_back(standard - offset_of(stamp) + of_hours(rules_.site_offset_h));
+            if (follows_wall_clock()) check_order(times, row);
+        }
+        return times;
+    }
 
     bool is_summer(Seconds standard, Clock clock) const {
         return physics::is_summer_time(standard, rule_of(clock), rules_.file_offset_h);
     }
 
     /// Of a repeated hour, the first pass is summer time and the second is not.
-    Seconds from_wall_clock(std::size_t row, Seconds wall) const {
+    Seconds from_wall_clock(std::size_t row, Seconds wall, Seconds last) const {
         const bool summer = is_summer(wall - hour, rules_.clock);
         const bool winter = !is_summer(wall, rules_.clock);
         if (!summer && !winter)
@@ -192,18 +252,17 @@ class Reader {
                           "{} does not exist on the wall clock (\"{}\" summer time "
                           "begins then); set clock = \"standard\" if the file has none",
                           physics::format_time(wall), rule_of(rules_.clock)));
-        const bool repeated = row > 0 && wall - hour <= last_;
+        const bool repeated = row > 0 && wall - hour <= last;
         return summer && !(winter && repeated) ? wall - hour : wall;
     }
 
-    void check_order(const std::vector<Seconds>& begins, std::size_t row) const {
-        if (row == 0 || begins[row] > begins[row - 1]) return;
-        const bool same = begins[row] == begins[row - 1];
-        fail(row,
-             fmt::format("{} {} the row before ({}); rows must be in order of time, each "
-                         "time once",
-                         csv_.cell(row, column_), same ? "repeats" : "is earlier than",
-                         csv_.cell(row - 1, column_)));
+    void check_order(const std::vector<Seconds>& times, std::size_t row) const {
+        if (row == 0 || times[row] > times[row - 1]) return;
+        const bool same = times[row] == times[row - 1];
+        fail(row, fmt::format(
+                      "{} {} the row before ({}); rows must be in order of time, each "
+                      "time once",
+                      shown(row), same ? "repeats" : "is earlier than", shown(row - 1)));
     }
 
     /// Whether the clock changes within half a day of `time`; if so, by which rule.
@@ -217,40 +276,79 @@ class Reader {
 
     void check_clock_change() const {
         for (std::size_t row = 1; row < raw_.size(); ++row) {
-            if (raw_[row].is_utc || raw_[row - 1].is_utc) continue;
-            const seconds distance = raw_[row].time - raw_[row - 1].time;
-            const bool skipped = distance == step_ + hour;
-            const bool repeated = distance == step_ - hour;
+            if (raw_[row].offset || raw_[row - 1].offset) continue;
+            const seconds distance = raw_[row].face - raw_[row - 1].face;
+            const seconds step(step_at(row));
+            const bool skipped = distance == step + hour;
+            const bool repeated = distance == step - hour;
             if (!skipped && !repeated) continue;
-            const auto clock = change_near(raw_[row].time, skipped);
-            if (!clock || physics::calendar_step(begin_of(raw_[row].time)).hour > 4)
+            const auto clock = change_near(raw_[row].face, skipped);
+            if (!clock || physics::calendar_step(begin_of(row, raw_[row].face)).hour > 4)
                 continue;
             fail(row, fmt::format(
                           "an hour is {} before {}: the clock changes {} summer time "
                           "here; set clock = \"{}\" if the file follows the wall clock, "
                           "or clock = \"standard\" if it does not",
-                          skipped ? "skipped" : "repeated", csv_.cell(row, column_),
+                          skipped ? "skipped" : "repeated", shown(row),
                           skipped ? "to" : "from", rule_of(*clock)));
         }
     }
 
+    /// Rows of one step after the other.
+    void settle_all(std::vector<Seconds>& times) {
+        for (std::size_t first = 0; first < times.size();) {
+            const int step = step_at(first);
+            std::size_t last = first;
+            while (last < times.size() && step_at(last) == step) ++last;
+            settle_rows(times, first, last, step);
+            first = last;
+        }
+    }
+
+    void settle_rows(std::vector<Seconds>& times, std::size_t first, std::size_t last,
+                     int step) {
+        const Phase phase = settle(times, first, last, step);
+        if (phase.n_moved > 0)
+            note(fmt::format("{} of {} stamps lie up to {} beside their step of {}",
+                             phase.n_moved, last - first, words_of(phase.furthest_s),
+                             words_of(step)),
+                 "moved to the nearest step");
+        if (phase.offset_s == 0 || step > 3600) return;
+        const std::string finding = fmt::format("its stamps lie {} after the steps of {}",
+                                                words_of(phase.offset_s), words_of(step));
+        if (!stands_inside(phase, first, step)) {
+            note(finding + " in local standard time",
+                 "readings shared out between the steps that they lie in");
+            return;
+        }
+        for (std::size_t row = first; row < last; ++row)
+            if (phase_of(times[row], step) == phase.offset_s)
+                times[row] -= seconds(phase.offset_s);
+        note(finding, "each read as of the step that it stands in; stamp overrules it");
+    }
+
+    /// A stamp in the middle of its step, or of an instant in it, and no begin or end.
+    bool stands_inside(const Phase& phase, std::size_t first, int step) const {
+        const long long on_face = phase_of(raw_[first].face, step);
+        const bool is_on_step = part_of_step * std::min(on_face, step - on_face) <= step;
+        const bool is_middle =
+            part_of_step * std::abs(2 * phase.offset_s - step) <= 2LL * step;
+        return !rules_.is_said && !rules_.at_end && !is_on_step &&
+               (rules_.is_mean || is_middle);
+    }
+
     const Csv& csv_;
-    std::size_t column_;
-    const StampRules& rules_;
+    const TimeColumns& time_;
+    StampRules rules_;
     std::vector<Stamp> raw_;
-    seconds step_{3600};
-    Seconds last_{};
+    Stamps found_;
 };
 
 }  // namespace
 
-Stamp parse_stamp(std::string_view text, const std::string& format) {
-    return format.empty() ? parse_iso(text) : parse_format(text, format);
-}
-
-Stamps stamps_in(const Csv& csv, std::size_t column, const StampRules& rules,
+Stamps stamps_in(const Csv& csv, const TimeColumns& time, const StampRules& rules,
                  int fallback_step_s) {
-    return Reader(csv, column, rules).read(fallback_step_s);
+    return Reader(csv, time, rules).read(fallback_step_s);
 }
 
 }  // namespace bemcal::input

@@ -59,7 +59,8 @@ study::Case read_case(const Sources& sources, input::InputFiles& files) {
     building.periods = read_periods(sources);
     read_run(sources, building);
     read_weather(sources, files, building);
-    building.profiles = read_profiles(sources, files, building.weather.site);
+    building.profiles =
+        read_profiles(sources, files, building.weather.site, building.decisions);
     building.columns = read_columns(sources);
     building.building = read_building(sources, building.profiles);
     building.building.name = building.name;

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -91,9 +92,13 @@ class MeterReader {
 
     std::vector<TimedCsv> open_files() {
         std::vector<TimedCsv> sources;
-        for (const std::string& file : section_.texts("file"))
+        const OpenOptions options{nominal_step(), fold() == input::Fold::mean, column_,
+                                  meter_.interval > Interval::hourly};
+        for (const std::string& file : section_.texts("file")) {
             sources.push_back(open_csv(section_, "file", file, files_,
-                                       building_.weather.site, nominal_step()));
+                                       building_.weather.site, options));
+            note_stamps(sources.back(), meter_.name, building_.decisions);
+        }
         if (sources.empty()) section_.fail("file", "is empty; expected a CSV file");
         return sources;
     }
@@ -108,10 +113,30 @@ class MeterReader {
             {meter_.name, std::move(finding), std::move(action)});
     }
 
+    /// Energies of finer rows add up; powers and temperatures are averaged.
+    input::Fold fold() const {
+        return unit_of(section_, meter_.quantity).kind == input::UnitKind::energy
+                   ? input::Fold::sum
+                   : input::Fold::mean;
+    }
+
+    /// Files one after the other, at the longest of their steps.
+    input::RegularSeries joined(const std::vector<TimedCsv>& sources) const {
+        std::vector<input::RegularSeries> parts;
+        int step_s = 1;
+        for (const TimedCsv& source : sources) {
+            parts.push_back(series_of(source, column_, fold()));
+            step_s = std::lcm(step_s, parts.back().axis.step_s);
+        }
+        input::RegularSeries series = input::coarsened(parts[0], step_s, fold());
+        for (std::size_t k = 1; k < parts.size(); ++k)
+            input::append(series, input::coarsened(parts[k], step_s, fold()),
+                          sources[k].csv->file);
+        return series;
+    }
+
     input::RegularSeries even_rows(const std::vector<TimedCsv>& sources) {
-        input::RegularSeries series = series_of(sources[0], column_);
-        for (std::size_t k = 1; k < sources.size(); ++k)
-            input::append(series, series_of(sources[k], column_), sources[k].csv->file);
+        input::RegularSeries series = joined(sources);
         note_gaps(series);
         correct(series);
         const input::CheckOptions options = check_options();
@@ -249,11 +274,22 @@ class MeterReader {
             }
             section_.fail(
                 "file",
-                fmt::format("{} has no reading of {} in the period {} ({} to "
-                            "{}); check stamp, clock and mask",
+                fmt::format("{} has no reading of {} in the period {} ({} to {}); {}",
                             file, column_, period.name, physics::format_time(period.from),
-                            physics::format_time(period.to)));
+                            physics::format_time(period.to), advice_on(period)));
         }
+    }
+
+    /// What to look at where a period has no reading.
+    std::string advice_on(const study::Period& period) const {
+        const Seconds from = meter_.axis.start, to = meter_.axis.end();
+        const bool has_rows = from < period.to && period.from < to;
+        return fmt::format(
+            "its rows are of {} to {} local standard time: {}",
+            physics::format_time(from), physics::format_time(to),
+            has_rows ? "those in the period are empty, masked or of intervals that are "
+                       "not whole; check mask, zeros, constant and interval"
+                     : "check the period, time_format, utc_offset, clock and stamp");
     }
 
     const schema::Section& section_;

@@ -131,8 +131,10 @@ physics::Profile read_schedule(const schema::Section& section,
 }
 
 physics::Profile read_series(const schema::Section& section, input::InputFiles& files,
-                             const physics::Site& site) {
+                             const physics::Site& site,
+                             std::vector<study::DataDecision>& decisions) {
     const TimedCsv source = open_csv(section, "file", section.text("file"), files, site);
+    note_stamps(source, section.text("name"), decisions);
     const input::RegularSeries series = series_of(source, section.text("column"));
     physics::Profile profile;
     profile.name = section.text("name");
@@ -158,7 +160,8 @@ void add(std::vector<physics::Profile>& profiles, physics::Profile profile,
 
 std::vector<physics::Profile> read_profiles(const Sources& sources,
                                             input::InputFiles& files,
-                                            const physics::Site& site) {
+                                            const physics::Site& site,
+                                            std::vector<study::DataDecision>& decisions) {
     const std::vector<physics::DateRange> holidays =
         read_dates(sources.with("holidays"), "holidays");
     std::vector<physics::Profile> profiles;
@@ -167,7 +170,7 @@ std::vector<physics::Profile> read_profiles(const Sources& sources,
         add(profiles, read_schedule(section, holidays, files), section);
     for (const schema::Section& section :
          sources.with("series").tables("series", "series"))
-        add(profiles, read_series(section, files, site), section);
+        add(profiles, read_series(section, files, site, decisions), section);
     return profiles;
 }
 

@@ -135,14 +135,18 @@ void extend(Weather& weather, const physics::TimeAxis& axis, const std::string& 
         static_cast<int>((axis.end() - weather.axis.start).count() / weather.axis.step_s);
 }
 
+/// \param at_end  gets whether stamps are the ends of their hours
 Weather read_csv_weather(const schema::Section& section, input::InputFiles& files,
-                         const physics::Site& site) {
+                         const physics::Site& site, bool& at_end,
+                         std::vector<study::DataDecision>& decisions) {
     const schema::Section names = section.table("columns", "weather.columns");
     names.node("outdoor_temperature");
     Weather weather;
     weather.site = site;
     for (const std::string& file : section.texts("files")) {
         const TimedCsv source = open_csv(section, "files", file, files, site);
+        note_stamps(source, "weather", decisions);
+        at_end = source.rules.at_end;
         bool first = true;
         for (const Column& column : columns) {
             if (!names.has(column.key)) continue;
@@ -281,9 +285,11 @@ void read_any_weather(const schema::Section& section, const schema::Section* sit
     physics::Site place;
     for (const char* key : {"latitude", "longitude", "utc_offset"}) site->node(key);
     read_site(*site, place);
-    building.weather = read_csv_weather(section, files, place);
+    bool at_end = false;
+    building.weather =
+        read_csv_weather(section, files, place, at_end, building.decisions);
     if (section.choice("temperature") == "hour_mean")
-        average(building.weather.theta_e, section.choice("stamp") == "end");
+        average(building.weather.theta_e, at_end);
 }
 
 }  // namespace

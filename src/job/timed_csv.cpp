@@ -6,6 +6,7 @@
 #include "job/timed_csv.hpp"
 
 #include "base/error.hpp"
+#include "job/readers.hpp"
 
 #include <fmt/format.h>
 
@@ -25,34 +26,84 @@ input::Clock clock_of(const schema::Section& section) {
 input::StampRules stamp_rules(const schema::Section& section, const physics::Site& site) {
     input::StampRules rules;
     rules.at_end = section.choice("stamp") == "end";
+    rules.is_said = section.has("stamp");
     rules.clock = clock_of(section);
     rules.site_offset_h = site.utc_offset_h;
     rules.file_offset_h = site.utc_offset_h;
     section.number_if("utc_offset", rules.file_offset_h);
     rules.format = section.text("time_format");
+    if (!rules.format.empty())
+        at_key(section, "time_format", [&] { input::check_time_format(rules.format); });
     return rules;
 }
 
+namespace {
+
+/// The columns of the time; a file with a day a line is rolled out before.
+input::TimeColumns open_time(const schema::Section& section, const OpenOptions& options,
+                             TimedCsv& source) {
+    const std::string& format = source.rules.format;
+    input::TimeColumns time =
+        input::time_columns(*source.csv, section.texts("time"), format);
+    if (options.days_of.empty()) return time;
+    auto rows = input::unrolled(*source.csv, options.days_of, time, format,
+                                options.days_by_clock);
+    if (!rows) return time;
+    source.own = std::make_shared<const input::Csv>(std::move(*rows));
+    source.csv = source.own.get();
+    source.rules.at_end = source.rules.at_end && !time.by_ends;
+    source.rules.is_said = true;
+    return time;
+}
+
+/// A column called time_utc by a job that does not say so.
+void doubt_clock(const schema::Section& section, const input::TimeColumns& time,
+                 TimedCsv& source) {
+    const std::string name = input::names_of(*source.csv, time);
+    const bool says_utc = name.find("utc") != std::string::npos ||
+                          name.find("UTC") != std::string::npos ||
+                          name.find("GMT") != std::string::npos;
+    if (!says_utc || section.has("utc_offset") || source.rules.site_offset_h == 0) return;
+    source.stamps.notes.push_back(
+        {fmt::format("its time stands in the column {}", name),
+         fmt::format("stamps without an offset read by the site's clock, {:+g} h; "
+                     "utc_offset = 0 would read them as UTC",
+                     source.rules.site_offset_h)});
+}
+
+}  // namespace
+
 TimedCsv open_csv(const schema::Section& section, const char* key,
                   const std::string& file, input::InputFiles& files,
-                  const physics::Site& site, int fallback_step_s) {
+                  const physics::Site& site, const OpenOptions& options) {
     TimedCsv source;
     source.csv = &files.csv(section.path(file), section.where(key));
     source.rules = stamp_rules(section, site);
-    const std::string time = section.text("time");
-    const std::size_t column = time.empty() ? 0 : source.csv->column(time);
-    source.stamps = input::stamps_in(*source.csv, column, source.rules, fallback_step_s);
+    source.rules.is_mean = options.is_mean;
+    const input::TimeColumns time = open_time(section, options, source);
+    source.stamps =
+        input::stamps_in(*source.csv, time, source.rules, options.fallback_step_s);
+    source.rules.at_end = source.stamps.at_end;
+    doubt_clock(section, time, source);
     source.decimal = section.choice("decimal")[0];
     source.gaps_are_missing = section.choice("gaps") == "missing";
     return source;
 }
 
-input::RegularSeries series_of(const TimedCsv& source, const std::string& column) {
+void note_stamps(const TimedCsv& source, const std::string& series,
+                 std::vector<study::DataDecision>& decisions) {
+    for (const input::TimeNote& note : source.stamps.notes)
+        decisions.push_back({"stamps of " + series, note.finding, note.action});
+}
+
+input::RegularSeries series_of(const TimedCsv& source, const std::string& column,
+                               input::Fold fold) {
     const input::Csv& csv = *source.csv;
-    input::RegularSeries series = input::lay(
-        csv, source.stamps, input::numbers_in(csv, csv.column(column), source.decimal));
+    input::RegularSeries series =
+        input::lay(csv, source.stamps,
+                   input::numbers_in(csv, csv.column(column), source.decimal), fold);
     if (!source.gaps_are_missing) input::refuse_gaps(csv, series);
-    return series;
+    return input::on_whole_steps(std::move(series));
 }
 
 input::RegularSeries hourly_means(const input::RegularSeries& series,

@@ -204,10 +204,13 @@ constexpr Key table[] = {
     {"column", "stamp", Type::choice, "start|end", "", 0, 0,
      "Where it differs from the file's."},
     // source
-    {"source", "time", Type::text, "", "", 0, 0,
-     "Column of the time stamps; default: the first one."},
+    {"source", "time", Type::texts, "", "", 0, 0,
+     "Column of the time stamps; default: the first one. Or those of date and clock, or "
+     "of the parts: [\"year\", \"month\", \"day\", \"hour\", \"minute\"]."},
     {"source", "stamp", Type::choice, "start|end", "start", 0, 0,
-     "Whether a stamp is the start or the end of its interval."},
+     "Whether a stamp is the start or the end of its interval. Left out: start, unless "
+     "the stamps close whole days (first 01:00, last 00:00) or stand inside their "
+     "steps."},
     {"source", "clock", Type::choice, "standard|eu|us", "", 0, 0,
      "eu, us: the stamps follow the wall clock, with that summer time. Left out: "
      "standard, "
@@ -215,7 +218,8 @@ constexpr Key table[] = {
     {"source", "utc_offset", Type::number, "h", "", -12, 14,
      "Of the file's clock (0 = UTC) where it is not the site's."},
     {"source", "time_format", Type::text, "", "", 0, 0,
-     "As of strptime, \"%d/%m/%Y %H:%M\"; default: 2021-03-05 14:00[:00][Z or +01:00]."},
+     "As of strptime, \"%d/%m/%Y %H:%M\", with %z for an offset and %s for seconds since "
+     "1970; default: 2021-03-05 14:00[:00][Z or +01:00]."},
     {"source", "decimal", Type::choice, ".|,", ".", 0, 0, "Decimal mark."},
     {"source", "gaps", Type::choice, "error|missing", "error", 0, 0,
      "What absent rows are; empty cells are missing readings in any case."},

@@ -67,6 +67,100 @@ TEST(Stamps, WallClockEndStampsBecomeTheSameHours) {
                      "2021-03-14 03:00"}));
 }
 
+std::string quarters(const std::vector<const char*>& stamps) {
+    std::string text = "t,x\n";
+    for (const char* stamp : stamps) text += std::string(stamp) + ",1\n";
+    return text;
+}
+
+// Ends of quarters as instants: in spring 01:45 is followed by 03:00, in autumn 02:45 of
+// summer time by 02:00.
+TEST(Stamps, EndsOfQuartersByTheWallClockAreInstants) {
+    input::StampRules rules;
+    rules.clock = input::Clock::eu;
+    rules.at_end = true;
+    rules.site_offset_h = rules.file_offset_h = 1;
+    EXPECT_EQ(begins(quarters({"2021-03-28 01:30", "2021-03-28 01:45", "2021-03-28 03:00",
+                               "2021-03-28 03:15"}),
+                     rules),
+              (Times{"2021-03-28 01:15", "2021-03-28 01:30", "2021-03-28 01:45",
+                     "2021-03-28 02:00"}));
+    EXPECT_EQ(begins(quarters({"2021-10-31 02:30", "2021-10-31 02:45", "2021-10-31 02:00",
+                               "2021-10-31 02:15", "2021-10-31 02:30", "2021-10-31 02:45",
+                               "2021-10-31 03:00", "2021-10-31 03:15"}),
+                     rules),
+              (Times{"2021-10-31 01:15", "2021-10-31 01:30", "2021-10-31 01:45",
+                     "2021-10-31 02:00", "2021-10-31 02:15", "2021-10-31 02:30",
+                     "2021-10-31 02:45", "2021-10-31 03:00"}));
+}
+
+// A meter that adds a quarter to the wall clock's begin: 02:00 in spring, and in autumn
+// 03:00 twice.
+TEST(Stamps, EndsThatAddAStepToTheWallClockAreReadAsWell) {
+    input::StampRules rules;
+    rules.clock = input::Clock::eu;
+    rules.at_end = true;
+    rules.site_offset_h = rules.file_offset_h = 1;
+    EXPECT_EQ(begins(quarters({"2021-03-28 01:45", "2021-03-28 02:00", "2021-03-28 03:15",
+                               "2021-03-28 03:30"}),
+                     rules),
+              (Times{"2021-03-28 01:30", "2021-03-28 01:45", "2021-03-28 02:00",
+                     "2021-03-28 02:15"}));
+    EXPECT_EQ(begins(quarters({"2021-10-31 02:45", "2021-10-31 03:00", "2021-10-31 02:15",
+                               "2021-10-31 02:30", "2021-10-31 02:45", "2021-10-31 03:00",
+                               "2021-10-31 03:15"}),
+                     rules),
+              (Times{"2021-10-31 01:30", "2021-10-31 01:45", "2021-10-31 02:00",
+                     "2021-10-31 02:15", "2021-10-31 02:30", "2021-10-31 02:45",
+                     "2021-10-31 03:00"}));
+}
+
+TEST(Stamps, OffsetsInAFormOfStrptimeAreApplied) {
+    input::StampRules rules;
+    rules.site_offset_h = rules.file_offset_h = 1;
+    rules.format = "%d.%m.%Y %H:%M %z";
+    EXPECT_EQ(begins("t,x\n28.03.2021 01:00 +0100,1\n28.03.2021 03:00 +0200,1\n"
+                     "28.03.2021 02:00 GMT,1\n",
+                     rules),
+              (Times{"2021-03-28 01:00", "2021-03-28 02:00", "2021-03-28 03:00"}));
+    rules.format = "%s";
+    EXPECT_EQ(begins("t,x\n1614952800,1\n1614956400,1\n", rules),
+              (Times{"2021-03-05 15:00", "2021-03-05 16:00"}));
+}
+
+TEST(Stamps, AZoneOfAnotherContinentIsNotGuessed) {
+    input::StampRules rules;
+    rules.site_offset_h = rules.file_offset_h = 8;  // China Standard Time is CST, too
+    EXPECT_THROW(begins("t,x\n2021-03-05 14:00 CST,1\n", rules), UserError);
+    rules.site_offset_h = rules.file_offset_h = -6;
+    EXPECT_EQ(begins("t,x\n2021-03-05 14:00 CST,1\n", rules),
+              (Times{"2021-03-05 14:00"}));
+}
+
+/// Whether stamps of a step from a first one on, n of them, are found to be ends.
+bool are_ends(const char* first, int step_s, int n, double utc_offset_h = 0) {
+    std::string text = "t,x\n";
+    const physics::Seconds start = physics::parse_time(first);
+    for (int k = 0; k < n; ++k)
+        text += format_time(start + std::chrono::seconds(k * step_s)) + ",1\n";
+    const input::Csv csv = input::parse_csv(text, "x.csv");
+    input::StampRules rules;
+    rules.is_said = false;
+    rules.site_offset_h = utc_offset_h;
+    return input::stamps_in(csv, 0, rules).at_end;
+}
+
+TEST(Stamps, StampsThatCloseWholeDaysAreEnds) {
+    EXPECT_TRUE(are_ends("2021-01-01 01:00", 3600, 72));
+    EXPECT_TRUE(are_ends("2021-01-01 00:15", 900, 96));
+    EXPECT_TRUE(are_ends("2021-01-01 00:59:59", 3600, 72));
+    EXPECT_FALSE(are_ends("2021-01-01 00:00", 3600, 72));
+    EXPECT_FALSE(are_ends("2021-01-01 01:00", 3600, 60));
+    EXPECT_FALSE(are_ends("2021-01-01 00:30", 900, 96));
+    // UTC whose days are whole by the site's clock, an hour before it.
+    EXPECT_FALSE(are_ends("2021-01-01 01:00", 3600, 72, -1));
+}
+
 TEST(Stamps, AnHourThatTheWallClockSkipsIsAnError) {
     input::StampRules rules;
     rules.clock = input::Clock::eu;
@@ -95,11 +189,19 @@ TEST(Stamps, FormatsOfSpreadsheetsAreReadByStrptime) {
                  std::invalid_argument);
 }
 
+TEST(Stamps, TheYearFirstIsReadWithoutAForm) {
+    for (const char* text :
+         {"2021-03-05 14:00", "2021-03-05T14:00:00.000", "2021-3-5 14:00",
+          "2021/03/05 14:00", "20210305T1400", "20210305:1400", "2021-03-05 14:00:00,5"})
+        EXPECT_EQ(format_time(input::parse_stamp(text).face), "2021-03-05 14:00:00")
+            << text;
+}
+
 TEST(Stamps, ThingsThatAreNoTimesAreRefused) {
     for (const char* text :
          {"", "2021", "2021-02-30", "2021-02-03 25:00", "2021-02-03 10:60",
           "2021-02-03 10:00:61", "2021-02-03 10:00 am", "2021-02-03X10:00",
-          "2021-02-03 10:00+99:00", "20210203"})
+          "2021-02-03 10:00+99:00", "20210203", "2021-02-03 24:30", "03/02/2021 10:00"})
         EXPECT_THROW(input::parse_stamp(text), std::invalid_argument) << text;
 }
 
