@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "run/comm.hpp"
 #include "run/output_names.hpp"
+#include "run/output_place.hpp"
 #include "run/part_folder.hpp"
 #include "store/result_file.hpp"
 #include "study/stage.hpp"
@@ -33,10 +34,6 @@ struct Work {
     double max_failed_share = 1;
 };
 
-/// What to do about a result, or an unfinished one, that is there already. rerun_failed:
-/// keeps the items that succeeded, does the others again, and replaces the result.
-enum class Existing { refuse, force, resume, rerun_failed };
-
 struct ExecuteOptions {
     std::filesystem::path output;
     Existing existing = Existing::refuse;
@@ -54,7 +51,8 @@ struct Outcome {
     /// more_to_do after a signal or `stop_at`; data: too many points failed; not_reached:
     /// a stage missed its target. The same on all ranks.
     ExitCode code = ExitCode::ok;
-    std::string hash;  ///< rank 0, where a result was written
+    std::string hash;                  ///< rank 0, where a result was written
+    bool is_complete_already = false;  ///< nothing was to do
     /// run_job, rank 0: what a stock's night writes, or has written.
     std::optional<OutputNames> stock = std::nullopt;
 };
