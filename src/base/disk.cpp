@@ -67,10 +67,6 @@ std::string ending() {
     return text;
 }
 
-fs::path folder_of(const fs::path& path) {
-    return path.has_parent_path() ? path.parent_path() : fs::path(".");
-}
-
 /// 0 or errno. Some disks cannot say whether a name is taken in the same step.
 int rename_to(const fs::path& from, const fs::path& to, Replace replace) {
     if (replace == Replace::no) {
@@ -104,6 +100,10 @@ std::optional<FileId> file_id(const fs::path& path) {
 bool is_taken(const fs::path& path) {
     struct stat state{};
     return ::lstat(path.c_str(), &state) == 0;
+}
+
+fs::path folder_of(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
 void fail_at(const fs::path& path, const char* doing, int error) {

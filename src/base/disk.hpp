@@ -26,6 +26,9 @@ std::optional<FileId> file_id(const std::filesystem::path& path);
 /// Whether the name is taken, by a link that leads nowhere too.
 bool is_taken(const std::filesystem::path& path);
 
+/// In which it lies: "." where it has none.
+std::filesystem::path folder_of(const std::filesystem::path& path);
+
 /// Throws UserError: what could not be done, and why (errno).
 [[noreturn]] void fail_at(const std::filesystem::path& path, const char* doing,
                           int error);

@@ -50,8 +50,7 @@ void write_stock_files(const run::OutputNames& names, const store::ResultFile& r
     const auto stocks = groups_with(result, "stock_building");
     if (stocks.empty()) return;
     const std::string night = names.result.stem().string();
-    const fs::path folder = names.result.parent_path();
-    Lock one_at_a_time(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
+    Lock one_at_a_time(folder_of(names.result), O_RDONLY | O_DIRECTORY);
     one_at_a_time.wait();
     content_behind(names.table, stock::table_head);
     replace_file(names.table, stock_csv(stocks[0]));

@@ -5,6 +5,7 @@
 #include "run/execute.hpp"
 
 #include "run/output_place.hpp"
+#include "run/part_files.hpp"
 #include "run/progress.hpp"
 #include "run/rounds.hpp"
 #include "run/run_record.hpp"
@@ -32,16 +33,18 @@ std::string counted(int n, const char* noun) {
     return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
 }
 
-/// An error on the way, a full disk say, does not lose what is finished; says so.
+/// An error on the way, a full disk say, does not lose what is finished; says so, where
+/// the error does not.
 template <class Result>
 Result keeping(const std::function<Result()>& step) {
     try {
         return step();
     } catch (const UserError& error) {
+        const std::string said = error.what();
+        if (said.find("--resume") != std::string::npos) throw;
         throw UserError(
             error.exit_code(),
-            fmt::format("{}; what is finished is kept: mend that and go on with --resume",
-                        error.what()));
+            said + "; what is finished is kept: mend that and go on with --resume");
     }
 }
 
@@ -65,7 +68,7 @@ class Execution {
         together(comm_, [&] {
             if (is_first()) open_place();
         });
-        if (is_complete_already()) return {agreed_code(), {}};
+        if (is_complete_already()) return {agreed_code(), {}, true};
         announce();
         together(comm_, [&] { open_log(); });
         for (std::size_t stage = 0; stage < work_.stages.size(); ++stage)
@@ -80,17 +83,20 @@ class Execution {
         if (is_first() && options_.say) options_.say(text);
     }
 
+    std::filesystem::path folder() const { return part_folder_of(options_.output); }
+
     void open_place() {
         place_ = prepare_output(options_.output, options_.existing, work_.identity);
+        if (place_.lock && !place_.lock->warning().empty()) say(place_.lock->warning());
+        for (const std::string& remark : place_.remarks) say(remark);
         if (place_.is_complete) {
             const store::ResultFile result = store::read_result(options_.output);
             verdict_.take_shortfalls(result.datasets);
             verdict_.take_stored(result.run);
-            drop_part();  // of a run that ended between its result and this
+            if (place_.lock)
+                drop_part();  // of a run that ended between its result and this
             return;
         }
-        lock_.emplace(part_folder_of(options_.output));
-        if (lock_->is_taken_by_another()) refuse_running(options_.output);
         drop_outdated();
         const auto n_failed =
             options_.existing == Existing::rerun_failed ? drop_failed() : 0;
@@ -178,13 +184,33 @@ class Execution {
     }
 
     void open_log() {
-        const auto folder = part_folder_of(options_.output);
-        if (!std::filesystem::exists(folder / "identity.txt"))
+        if (!std::filesystem::exists(folder() / identity_name))
             throw UserError(ExitCode::cannot_create,
-                            folder.string() +
+                            folder().string() +
                                 ": rank 0 made it, but it cannot be seen here; the "
                                 "output must lie on a disk that all hosts share");
-        log_.emplace(folder, comm_.rank());
+        log_.emplace(folder(), comm_.rank(), mark_of(work_.identity));
+    }
+
+    /// What others did to the run's files; empty = nothing.
+    std::string trouble() const {
+        if (is_first() && !has_identity(folder(), work_.identity))
+            return (folder() / identity_name).string() +
+                   ": was removed or changed while the run was going on";
+        if (is_first() && !place_.lock->is_still_there())
+            return (folder() / lock_name).string() +
+                   ": was removed while the run was going on, so that another may write "
+                   "there";
+        return log_->trouble();
+    }
+
+    /// What is lost then is not to be added to.
+    void check_part() {
+        const std::string said = trouble();
+        if (said.empty()) return;
+        throw UserError(ExitCode::io, said +
+                                          "; the run ends, as what it finishes would "
+                                          "be lost; what is left goes on with --resume");
     }
 
     /// Answers of an earlier run to items of a stage.
@@ -219,7 +245,9 @@ class Execution {
         options.on_finished = [this, stage](int item, const Bytes& packed) {
             log_->append({stage, item, start_}, packed);
         };
-        options.on_tick = [this] { log_->sync_if_due(); };
+        options.on_tick = [this] {
+            if (log_->sync_if_due()) check_part();
+        };
         options.on_hurry = [this] { log_->sync(); };
         options.on_progress = [&line](const Progress& progress) { line.show(progress); };
         options.on_stopping = [this, &line] {
@@ -280,9 +308,12 @@ class Execution {
     }
 
     Outcome stopped() {
-        together(comm_, [&] { log_->sync(); });
+        together(comm_, [&] {
+            check_part();
+            log_->close();
+        });
         say(fmt::format("stopped; what is finished is kept in {}; go on with {}",
-                        part_folder_of(options_.output).string(), how_to_go_on()));
+                        folder().string(), how_to_go_on()));
         return {ExitCode::more_to_do, {}};
     }
 
@@ -301,43 +332,60 @@ class Execution {
         keeping<void>([&] {
             together(comm_, [&] {
                 if (is_first())
-                    outcome.hash = store::write_result(options_.output, result_);
+                    outcome.hash = store::write_result(
+                        options_.output, result_,
+                        {is_taken(folder()) ? folder() : "", place_.replace});
             });
         });
+        const std::string said = trouble();
         log_.reset();
         comm_.barrier();
-        if (is_first()) close_place(outcome.hash);
+        if (is_first()) close_place(outcome.hash, said);
         outcome.code = agreed_code();
         outcome.found = std::move(found_);
         return outcome;
     }
 
-    /// The logs are kept where a failed item may succeed later.
-    void drop_part() const {
-        std::error_code ignored;
-        if (verdict_.n_to_rerun() == 0)
-            std::filesystem::remove_all(part_folder_of(options_.output), ignored);
+    /// The logs are kept where a failed item may succeed later, and those that hold what
+    /// is not this run's.
+    void drop_part() {
+        if (verdict_.n_to_rerun() == 0) {
+            for (const std::string& trouble :
+                 remove_part_files(folder(), place_.logs.foreign))
+                say(trouble);
+            const PartFiles left = part_files(folder());
+            if (!left.ours.empty() || !left.foreign.empty())
+                say(fmt::format("left as it is, as the run did not make it: {} in {}",
+                                names_of(left.ours.empty() ? left.foreign : left.ours),
+                                folder().string()));
+        }
+        place_.lock.reset();
     }
 
-    void close_place(const std::string& hash) {
-        lock_.reset();
+    /// \param trouble  what others did to the run's files by now; the result is whole
+    void close_place(const std::string& hash, const std::string& trouble) {
         drop_part();
         say(
             fmt::format("wrote {0}, result hash {1}; its tables again: bemcal-batch "
                         "report {0}",
                         options_.output.string(), hash));
+        if (!trouble.empty()) {
+            say(trouble + "; the result is whole");
+            is_intact_ = false;
+        }
         if (verdict_.n_to_rerun() > 0)
             say(
                 fmt::format("failed: {}; the others are kept in {}, and --rerun-failed "
                             "does only the failed again",
-                            counted(verdict_.n_to_rerun(), "item"),
-                            part_folder_of(options_.output).string()));
+                            counted(verdict_.n_to_rerun(), "item"), folder().string()));
     }
 
     /// Rank 0's verdict, on every rank: what failed must not look like success on any.
     ExitCode agreed_code() {
         for (const std::string& sentence : verdict_.sentences()) say(sentence);
-        const Bytes mine{static_cast<std::byte>(verdict_.code())};
+        const bool is_worse = !is_intact_ && verdict_.code() != ExitCode::data;
+        const Bytes mine{
+            static_cast<std::byte>(is_worse ? ExitCode::io : verdict_.code())};
         return static_cast<ExitCode>(comm_.all_gather(mine)[0][0]);
     }
 
@@ -346,7 +394,7 @@ class Execution {
     Work& work_;
     const ExecuteOptions& options_;
     OutputPlace place_;
-    std::optional<FolderLock> lock_;
+    bool is_intact_ = true;  ///< the run's files, as far as is known
     std::optional<SyncedLog> log_;
     ThreadPlan threads_;
     store::ResultFile result_;

@@ -52,6 +52,7 @@ struct Outcome {
     /// a stage missed its target. The same on all ranks.
     ExitCode code = ExitCode::ok;
     std::string hash;                     ///< rank 0, where a result was written
+    bool is_complete_already = false;     ///< nothing was to do
     std::vector<study::Summary> found{};  ///< rank 0, by the stages that were done now
     /// run_job, rank 0: what a stock's night writes, or has written.
     std::optional<OutputNames> stock = std::nullopt;

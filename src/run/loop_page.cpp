@@ -54,8 +54,7 @@ bool is_of_another(const fs::path& page) {
 /// Under a fresh name first. \param words  the command; one of them is the page's name
 /// \return whether it is there now
 bool makes(std::vector<std::string> words, const fs::path& page) {
-    const fs::path folder = page.has_parent_path() ? page.parent_path() : ".";
-    FreshFile fresh(folder, page.filename().string());
+    FreshFile fresh(folder_of(page), page.filename().string());
     std::ranges::replace(words, page.string(), fresh.path().string());
     const int code = code_of(std::move(words));
     if (code == static_cast<int>(ExitCode::io))

@@ -2,10 +2,15 @@
 /// whether it may go on, start anew, or must be refused. Rank 0 only.
 #pragma once
 
+#include "base/disk.hpp"
 #include "run/part_folder.hpp"
+#include "run/part_lock.hpp"
 #include "store/item_log.hpp"
 
 #include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace bemcal::run {
 
@@ -14,23 +19,21 @@ namespace bemcal::run {
 enum class Existing { refuse, force, resume, rerun_failed };
 
 struct OutputPlace {
-    bool is_complete = false;  ///< the same job's result is there: nothing to do
-    store::LogContent logs;    ///< of the run that is resumed
+    std::unique_ptr<PartLock> lock;    ///< held until the place is given up
+    bool is_complete = false;          ///< the same job's result is there: nothing to do
+    store::LogContent logs;            ///< of the run that is resumed
+    Replace replace = Replace::no;     ///< whether a result that is there may go
+    std::vector<std::string> remarks;  ///< for the user
 };
 
-/// Makes the part folder with its identity. Throws UserError where something is in the
-/// way, or the logs belong to another job, version or data; names the difference.
+/// Locks the place and makes the part folder with its identity. Throws UserError where
+/// something is in the way, another run holds it, or the logs belong to another job,
+/// version or data; names the difference.
 OutputPlace prepare_output(const std::filesystem::path& output, Existing existing,
                            const Identity& identity);
 
 /// Whether a run of that output has items to do: a part folder without, or not of, a
 /// complete result.
 bool is_unfinished(const std::filesystem::path& output);
-
-/// Throws UserError: another run holds the part folder.
-[[noreturn]] void refuse_running(const std::filesystem::path& output);
-
-/// One line for everything that must be the same when a run resumes.
-std::string hash_of(const Identity& identity);
 
 }  // namespace bemcal::run

@@ -1,31 +1,30 @@
-/// The folder of an unfinished run: its identity as text, safely on the disk, its lock,
-/// and how far it is, for `status`.
-/// Plain handling of files; the lock is flock's, which some network disks do not keep.
-/// The logs' records are item_log's.
+/// The folder of an unfinished run: its identity as text, safely on the disk, and how far
+/// it is, for `status`.
+/// Plain handling of files, without a source. The lock is part_lock's, the logs' records
+/// are item_log's.
 #include "run/part_folder.hpp"
 
+#include "base/disk.hpp"
 #include "base/error.hpp"
+#include "base/hash.hpp"
+#include "base/terminal.hpp"
+#include "run/part_files.hpp"
+#include "run/part_lock.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <fstream>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <string_view>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 namespace bemcal::run {
 namespace {
 
-constexpr const char* identity_name = "identity.txt";
+constexpr const char* seal_key = "seal";
 constexpr std::string_view stage_prefix = "stage ", file_prefix = "file ";
 
 /// What a changed entry means to a reader.
@@ -45,22 +44,19 @@ std::string value_of(const Identity& identity, const std::string& key) {
     return found == identity.end() ? std::string() : found->second;
 }
 
-[[noreturn]] void fail(const std::filesystem::path& path, const char* doing) {
-    throw UserError(
-        ExitCode::cannot_create,
-        fmt::format("{}: cannot {}: {}", path.string(), doing, std::strerror(errno)));
+/// As it is written: a line for each entry, whatever names hold.
+Identity in_lines(const Identity& identity) {
+    Identity lines;
+    for (const auto& [key, value] : identity)
+        lines.emplace_back(in_one_line(key), in_one_line(value));
+    return lines;
 }
 
-void write_and_sync(const std::filesystem::path& path, const std::string& text) {
-    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (file < 0) fail(path, "create the file");
-    const bool good =
-        ::write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
-        ::fsync(file) == 0;
-    const int error = errno;
-    ::close(file);
-    errno = error;
-    if (!good) fail(path, "write");
+std::string text_of(const Identity& identity) {
+    const Identity lines = in_lines(identity);
+    std::string text;
+    for (const auto& [key, value] : lines) text += fmt::format("{}\t{}\n", key, value);
+    return text + fmt::format("{}\t{}\n", seal_key, hash_of(lines));
 }
 
 struct StageDone {
@@ -100,7 +96,7 @@ std::string last_written(const std::filesystem::path& folder) {
     namespace fs = std::filesystem;
     std::optional<fs::file_time_type> last;
     for (const auto& entry : fs::directory_iterator(folder))
-        if (entry.path().extension() == ".log" && entry.file_size() > 0)
+        if (store::is_log_name(entry.path().filename().string()) && entry.file_size() > 0)
             last = std::max(last.value_or(fs::file_time_type::min()),
                             entry.last_write_time());
     if (!last) return {};
@@ -109,71 +105,86 @@ std::string last_written(const std::filesystem::path& folder) {
                        std::chrono::duration_cast<std::chrono::seconds>(age).count());
 }
 
+[[noreturn]] void fail_status(const std::filesystem::path& folder, const char* what) {
+    throw UserError(
+        ExitCode::data,
+        fmt::format("{}: {}: how far the run is cannot be told; --resume with its job "
+                    "goes on with the records that are its own",
+                    (folder / identity_name).string(), what));
+}
+
 }  // namespace
 
 std::filesystem::path part_folder_of(const std::filesystem::path& output) {
     return output.string() + ".part";
 }
 
+std::string hash_of(const Identity& identity) {
+    Hasher hasher;
+    for (const auto& [key, value] : identity) {
+        hasher.add(std::string_view(key));
+        hasher.add(std::string_view(value));
+    }
+    return hasher.hex();
+}
+
+store::RunMark mark_of(const Identity& identity) {
+    const std::string hash = hash_of(in_lines(identity));
+    return checksum64(hash.data(), hash.size());
+}
+
 std::string difference(const Identity& before, const Identity& now) {
-    for (const auto& [key, value] : before)
-        if (value_of(now, key) != value) return in_words(key, value, value_of(now, key));
-    for (const auto& [key, value] : now)
+    const Identity lines = in_lines(now);
+    for (const auto& [key, value] : in_lines(before))
+        if (value_of(lines, key) != value)
+            return in_words(key, value, value_of(lines, key));
+    for (const auto& [key, value] : lines)
         if (value_of(before, key).empty()) return in_words(key, "", value);
     return {};
 }
 
-Identity read_identity(const std::filesystem::path& folder) {
-    std::ifstream in(folder / identity_name);
-    if (!in)
-        throw UserError(ExitCode::no_input, fmt::format("{}: cannot read it: {}",
-                                                        (folder / identity_name).string(),
-                                                        std::strerror(errno)));
-    Identity identity;
+StoredIdentity read_identity(const std::filesystem::path& folder) {
+    std::istringstream in(read_regular(folder / identity_name));
+    StoredIdentity stored;
+    std::string seal;
     for (std::string line; std::getline(in, line);) {
-        const std::size_t tab = line.find('\t');
-        if (tab != std::string::npos)
-            identity.emplace_back(line.substr(0, tab), line.substr(tab + 1));
+        const std::size_t tab = std::min(line.find('\t'), line.size());
+        const std::string key = line.substr(0, tab);
+        const std::string value = tab < line.size() ? line.substr(tab + 1) : "";
+        if (key == seal_key)
+            seal = value;
+        else
+            stored.entries.emplace_back(key, value);
     }
-    return identity;
+    stored.is_sound = seal == hash_of(stored.entries);
+    return stored;
 }
 
 void write_identity(const std::filesystem::path& folder, const Identity& identity) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        throw UserError(
-            ExitCode::cannot_create,
-            fmt::format("{}: cannot create the folder: {}; choose another place with -o",
-                        folder.string(), error.message()));
-    std::string text;
-    for (const auto& [key, value] : identity) text += fmt::format("{}\t{}\n", key, value);
-    const auto temporary = folder / "identity.writing";
-    write_and_sync(temporary, text);
-    std::filesystem::rename(temporary, folder / identity_name);
+    replace_file(folder / identity_name, text_of(identity));
 }
 
-FolderLock::FolderLock(const std::filesystem::path& folder)
-    : file_(::open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-    taken_ = file_ >= 0 && ::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-}
-
-FolderLock::~FolderLock() {
-    if (file_ >= 0) ::close(file_);
+bool has_identity(const std::filesystem::path& folder, const Identity& identity) {
+    try {
+        return read_regular(folder / identity_name) == text_of(identity);
+    } catch (const UserError&) {
+        return false;
+    }
 }
 
 std::string part_status(const std::filesystem::path& folder) {
-    const Identity identity = read_identity(folder);
-    const store::LogContent logs = store::read_logs(folder);
-    const bool is_running = FolderLock(folder).is_taken_by_another();
+    if (!part_files(folder).has_identity) fail_status(folder, "is missing or damaged");
+    const StoredIdentity identity = read_identity(folder);
+    if (!identity.is_sound) fail_status(folder, "is damaged");
+    const store::LogContent logs = store::read_logs(folder, mark_of(identity.entries));
     std::map<int, StageDone> done = items_by_stage(logs);
-    std::string text = is_running ? "not complete: a run is writing it now\n"
-                                  : fmt::format(
-                                        "not complete: `bemcal-batch run JOB -o {} "
-                                        "--resume` goes on\n",
-                                        (folder.parent_path() / folder.stem()).string());
+    std::string text =
+        is_running(folder)
+            ? "not complete: a run is writing it now\n"
+            : fmt::format("not complete: `bemcal-batch run JOB -o {} --resume` goes on\n",
+                          (folder.parent_path() / folder.stem()).string());
     int stage = 0;
-    for (const auto& [key, value] : identity)
+    for (const auto& [key, value] : identity.entries)
         if (key.starts_with(stage_prefix))
             text += fmt::format("  {}: {}\n", key.substr(stage_prefix.size()),
                                 stage_status(done[stage++], value));
@@ -181,6 +192,9 @@ std::string part_status(const std::filesystem::path& folder) {
     if (logs.n_damaged > 0)
         text += fmt::format("  {} damaged record{} in the logs: to be done again\n",
                             logs.n_damaged, logs.n_damaged == 1 ? "" : "s");
+    if (logs.n_foreign > 0)
+        text += fmt::format("  records of another run, which are refused: {}, in {}\n",
+                            logs.n_foreign, names_of(logs.foreign));
     return text;
 }
 

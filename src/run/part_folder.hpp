@@ -2,8 +2,9 @@
 /// item logs.
 ///
 /// `identity.txt` says what the logs are answers to: program version, job, every input
-/// file, every stage. A run that resumes must be identical in all of it. It is locked
-/// while a run writes.
+/// file, every stage, and a seal by which damage to it is noticed. A run that resumes
+/// must be identical in all of it; every record is marked with it. The folder is locked
+/// while a run writes (part_lock.hpp).
 #pragma once
 
 #include "store/item_log.hpp"
@@ -21,31 +22,30 @@ using Identity = std::vector<std::pair<std::string, std::string>>;
 
 std::filesystem::path part_folder_of(const std::filesystem::path& output);
 
+/// One line for everything that must be the same when a run resumes.
+std::string hash_of(const Identity& identity);
+/// The mark of the run's records.
+store::RunMark mark_of(const Identity& identity);
+
+struct StoredIdentity {
+    Identity entries;
+    bool is_sound = false;  ///< the seal is there and holds
+};
+
 /// Names the first difference in words; empty = none.
 std::string difference(const Identity& before, const Identity& now);
 
 /// Throws UserError where the file is missing or unreadable.
-Identity read_identity(const std::filesystem::path& folder);
+StoredIdentity read_identity(const std::filesystem::path& folder);
 
-/// Creates the folder with its identity, safely on the disk when it returns. Throws
-/// UserError.
+/// On the disk when it returns. Throws UserError.
 void write_identity(const std::filesystem::path& folder, const Identity& identity);
 
-/// Held while a run writes into a folder.
-class FolderLock {
-  public:
-    explicit FolderLock(const std::filesystem::path& folder);
-    ~FolderLock();
-    FolderLock(const FolderLock&) = delete;
-    FolderLock& operator=(const FolderLock&) = delete;
-    bool is_taken_by_another() const { return taken_; }
+/// Whether that identity stands there still.
+bool has_identity(const std::filesystem::path& folder, const Identity& identity);
 
-  private:
-    int file_ = -1;
-    bool taken_ = false;
-};
-
-/// How far an unfinished run is, as text for `status`.
+/// How far an unfinished run is, as text for `status`. Throws UserError (data) where its
+/// identity is missing or damaged.
 std::string part_status(const std::filesystem::path& folder);
 
 }  // namespace bemcal::run

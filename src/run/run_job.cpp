@@ -198,8 +198,9 @@ Outcome run_job(Comm& comm, const JobOptions& options) {
                  options.stop_at, options.say, options.on_stage});
     if (!outcome.hash.empty()) {
         write_pages(options, names.result, loops_in(outcome.found));
-        if (job.stock) outcome.stock = names;
     }
+    const bool is_there = !outcome.hash.empty() || outcome.is_complete_already;
+    if (is_there && job.stock && comm.rank() == 0) outcome.stock = names;
     return outcome;
 }
 

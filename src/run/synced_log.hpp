@@ -7,22 +7,29 @@
 
 #include <chrono>
 #include <filesystem>
+#include <string>
 
 namespace bemcal::run {
 
 class SyncedLog {
   public:
-    SyncedLog(const std::filesystem::path& folder, int rank) : log_(folder, rank) {}
+    SyncedLog(const std::filesystem::path& folder, int rank, store::RunMark run)
+        : log_(folder, rank, run) {}
 
     void append(const store::ItemKey& key, const Bytes& packed) {
         const Timer timer(seconds_);
         log_.append(key, packed);
         is_dirty_ = true;
     }
-    void sync_if_due() {
-        if (is_dirty_ &&
-            std::chrono::steady_clock::now() - synced_ >= std::chrono::seconds(1))
+    /// \return whether it was
+    bool sync_if_due() {
+        const auto now = std::chrono::steady_clock::now();
+        if (now - synced_ < std::chrono::seconds(1)) return false;
+        if (is_dirty_)
             sync();
+        else
+            synced_ = now;
+        return true;
     }
     void sync() {
         const Timer timer(seconds_);
@@ -30,6 +37,11 @@ class SyncedLog {
         synced_ = std::chrono::steady_clock::now();
         is_dirty_ = false;
     }
+    void close() {
+        const Timer timer(seconds_);
+        log_.close();
+    }
+    std::string trouble() const { return log_.trouble(); }
     double seconds() const { return seconds_; }
 
   private:

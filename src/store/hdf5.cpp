@@ -47,16 +47,20 @@ Result checked(Result result, const char* doing, const std::string& what) {
     return result;
 }
 
-/// Owns one identifier.
+/// Owns one identifier. A dataset is written when it is closed: `close` says whether that
+/// went well.
 class Handle {
   public:
     using Close = herr_t (*)(hid_t);
-    Handle(hid_t id, Close close, const char* doing, const std::string& what)
-        : id_(checked(id, doing, what)), close_(close) {}
+    Handle(hid_t id, Close closing, const char* doing, const std::string& what)
+        : id_(checked(id, doing, what)), close_(closing) {}
     Handle(Handle&& other) noexcept
         : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
     ~Handle() {
         if (id_ >= 0) close_(id_);
+    }
+    void close(const std::string& what) {
+        checked(close_(std::exchange(id_, H5I_INVALID_HID)), "close", what);
     }
     Handle& operator=(Handle&&) = delete;
     operator hid_t() const { return id_; }
@@ -340,31 +344,35 @@ bool File::has(const std::string& path) const {
 void File::make_group(const std::string& path) {
     if (has(path)) return;
     const Handle links = link_properties();
-    const Handle group(H5Gcreate2(id_, path.c_str(), links, H5P_DEFAULT, H5P_DEFAULT),
-                       H5Gclose, "create group", path);
+    Handle group(H5Gcreate2(id_, path.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
+                 "create group", path);
+    group.close(path);
 }
 
 void File::write_attribute(const std::string& object, const std::string& name,
                            const std::string& text) {
-    const Handle owner = open_object(id_, object);
+    Handle owner = open_object(id_, object);
     const Handle type = text_type();
     const Handle space = space_of({});
-    const Handle attribute(
+    Handle attribute(
         H5Acreate2(owner, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
         "create attribute", name);
     const char* raw = text.c_str();
     checked(H5Awrite(attribute, type, static_cast<const void*>(&raw)), "write attribute",
             name);
+    attribute.close(name);
+    owner.close(object);
 }
 
 void File::write(const std::string& path, const Shape& shape,
                  std::span<const double> values) {
     const Handle space = space_of(shape);
-    const Handle dataset = make_dataset(id_, path, H5T_IEEE_F64LE, space);
-    if (values.empty()) return;
-    checked(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                     values.data()),
-            "write", path);
+    Handle dataset = make_dataset(id_, path, H5T_IEEE_F64LE, space);
+    if (!values.empty())
+        checked(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                         values.data()),
+                "write", path);
+    dataset.close(path);
 }
 
 void File::write(const std::string& path, const Shape& shape,
@@ -374,30 +382,35 @@ void File::write(const std::string& path, const Shape& shape,
                    [](const std::string& text) { return text.c_str(); });
     const Handle space = space_of(shape);
     const Handle type = text_type();
-    const Handle dataset = make_dataset(id_, path, type, space);
-    if (raw.empty()) return;
+    Handle dataset = make_dataset(id_, path, type, space);
     const void* const buffer = static_cast<const void*>(raw.data());
-    checked(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer), "write",
-            path);
+    if (!raw.empty())
+        checked(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer), "write",
+                path);
+    dataset.close(path);
 }
 
 void File::write_bare_dimension(const std::string& path, std::size_t size) {
     const Handle space = space_of({size});
-    const Handle dataset = make_dataset(id_, path, H5T_IEEE_F32BE, space);
+    Handle dataset = make_dataset(id_, path, H5T_IEEE_F32BE, space);
     const std::string mark = fmt::format("{}{:10}", bare_mark, size);
     checked(H5DSset_scale(dataset, mark.c_str()), "make a dimension of", path);
+    dataset.close(path);
 }
 
 void File::make_scale(const std::string& path) {
-    const Handle dataset = open_dataset(id_, path);
+    Handle dataset = open_dataset(id_, path);
     checked(H5DSset_scale(dataset, leaf_of(path).c_str()), "make a dimension of", path);
+    dataset.close(path);
 }
 
 void File::attach_scale(const std::string& path, unsigned axis,
                         const std::string& scale) {
-    const Handle dataset = open_dataset(id_, path);
-    const Handle dimension = open_dataset(id_, scale);
+    Handle dataset = open_dataset(id_, path);
+    Handle dimension = open_dataset(id_, scale);
     checked(H5DSattach_scale(dataset, dimension, axis), "attach a dimension to", path);
+    dimension.close(scale);
+    dataset.close(path);
 }
 
 std::map<std::string, std::string> File::attributes(const std::string& object) const {

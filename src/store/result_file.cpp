@@ -5,6 +5,7 @@
 /// result_reading's.
 #include "store/result_file.hpp"
 
+#include "base/disk.hpp"
 #include "base/error.hpp"
 #include "base/hash.hpp"
 #include "store/hdf5.hpp"
@@ -114,23 +115,21 @@ void write_content(hdf5::File& file, const ResultFile& result) {
         file.write_attribute(run_group, name, text);
 }
 
-void sync_path(const std::filesystem::path& path, int flags) {
-    const int file = ::open(path.c_str(), flags | O_CLOEXEC);
-    const bool failed = file < 0 || ::fsync(file) != 0;
-    const int error = errno;
-    if (file >= 0) ::close(file);
-    if (failed && error != EINVAL)
-        throw UserError(ExitCode::io, fmt::format("{}: cannot write to the disk: {}",
-                                                  path.string(), std::strerror(error)));
+/// To the disk, without the names of its content.
+void sync_file(const std::filesystem::path& path) {
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    int error = file < 0 || ::fsync(file) != 0 ? errno : 0;
+    if (file >= 0 && ::close(file) != 0 && error == 0) error = errno;
+    if (error != 0 && error != EINVAL) fail_at(path, "write to the disk", error);
 }
 
-void write_and_sync(const std::filesystem::path& file, const ResultFile& result,
-                    const std::string& hash) {
+void write_file(const std::filesystem::path& file, const ResultFile& result,
+                const std::string& hash) {
     const auto begin = std::chrono::steady_clock::now();
     hdf5::File out = hdf5::File::create(file);
     write_content(out, result);
     out.flush();
-    sync_path(file, O_RDONLY);
+    sync_file(file);
     const std::chrono::duration<double> seconds =
         std::chrono::steady_clock::now() - begin;
     out.write_attribute(run_group, "seconds_store",
@@ -138,36 +137,53 @@ void write_and_sync(const std::filesystem::path& file, const ResultFile& result,
     out.write_attribute("/", hash_mark, hash);
     out.write_attribute("/", complete_mark, "yes");
     out.close();
-    sync_path(file, O_RDONLY);
+}
+
+void hash_attributes(Hasher& hasher, const ResultFile& result) {
+    for (const auto& [name, text] : result.attributes) {
+        hasher.add(std::string_view(name));
+        hasher.add(std::string_view(text));
+    }
+}
+
+/// As result_hash of what a file of ours holds, a dataset at a time.
+std::string hash_on_disk(const std::filesystem::path& file) {
+    Hasher hasher;
+    read_each_here(
+        file, [&](const ResultFile& head) { hash_attributes(hasher, head); },
+        [&](const Dataset& dataset) { hash_dataset(hasher, dataset); });
+    return hasher.hex();
 }
 
 }  // namespace
 
 std::string result_hash(const ResultFile& result) {
     Hasher hasher;
-    for (const auto& [name, text] : result.attributes) {
-        hasher.add(std::string_view(name));
-        hasher.add(std::string_view(text));
-    }
+    hash_attributes(hasher, result);
     for (const Dataset* dataset : by_path(result.datasets))
         hash_dataset(hasher, *dataset);
     return hasher.hex();
 }
 
-std::string write_result(const std::filesystem::path& file, const ResultFile& result) {
-    const std::filesystem::path temporary = file.string() + ".writing";
+bool is_sound(const ResultFile& result) {
+    return result.complete && result.hash == result_hash(result);
+}
+
+std::string write_result(const std::filesystem::path& file, const ResultFile& result,
+                         const Placing& placing) {
     const std::string hash = result_hash(result);
+    const bool is_beside = placing.folder.empty();
+    FreshFile fresh(is_beside ? folder_of(file) : placing.folder,
+                    is_beside ? file.filename().string() : "result");
     try {
-        write_and_sync(temporary, result, hash);
-        std::filesystem::rename(temporary, file);
-    } catch (const std::runtime_error& error) {
-        std::error_code ignored;
-        std::filesystem::remove(temporary, ignored);
+        write_file(fresh.path(), result, hash);
+        if (hash_on_disk(fresh.path()) != hash)
+            throw hdf5::Error("what was written reads back as something else");
+    } catch (const hdf5::Error& error) {
         throw UserError(ExitCode::io, fmt::format("{}: cannot write the result: {}",
                                                   file.string(), error.what()));
     }
-    const auto folder = file.parent_path();
-    sync_path(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
+    fresh.move_to(file, placing.replace);
     return hash;
 }
 
@@ -184,6 +200,10 @@ ResultFile read_result(const std::filesystem::path& file, const std::string& gro
             ExitCode::no_input,
             fmt::format("{}: is no regular file; expected a result file", file.string()));
     return read_apart(file, group);
+}
+
+ResultFile read_head(const std::filesystem::path& file) {
+    return read_result(file, no_group);
 }
 
 }  // namespace bemcal::store

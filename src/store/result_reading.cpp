@@ -269,4 +269,10 @@ ResultFile read_here(const fs::path& file, const std::string& group) {
     return result;
 }
 
+void read_each_here(const fs::path& file,
+                    const std::function<void(const ResultFile&)>& head,
+                    const std::function<void(const Dataset&)>& each) {
+    read_all(file, "", head, each);
+}
+
 }  // namespace bemcal::store

@@ -382,6 +382,104 @@ TEST(Execute, ADiskThatFillsUpOnTheLastRankEndsAllAndLosesNothing) {
                                     options_of(folder / "a.h5", Existing::resume)));
 }
 
+/// Calls something in the middle of a run, once, on rank 0.
+class Disturbed : public FakeStage {
+  public:
+    explicit Disturbed(std::function<void()> disturb)
+        : FakeStage("a", {1000, std::chrono::milliseconds(10), -1}),
+          disturb_(std::move(disturb)) {}
+    study::ItemAnswer run(int item) const override {
+        if (is_first() && item >= 20 && !is_done_.exchange(true)) disturb_();
+        return FakeStage::run(item);
+    }
+
+  private:
+    std::function<void()> disturb_;
+    mutable std::atomic<bool> is_done_ = false;
+};
+
+TEST(Execute, NoticesWhatOthersDoToItsFilesAndSaysIt) {
+    namespace fs = std::filesystem;
+    const SharedFolder folder;
+    const fs::path part = folder / "a.h5.part";
+    const std::pair<std::function<void()>, const char*> disturbances[] = {
+        {[&] { fs::remove_all(part); }, "was removed"},
+        {[&] { fs::remove(part / "identity.txt"); }, "identity.txt: was removed"},
+        {[&] { std::ofstream(part / "identity.txt") << "version\t9\n"; },
+         "identity.txt: was removed or changed"},
+        {[&] { fs::remove(part / "lock"); }, "lock: was removed"},
+        {[&] { fs::remove(part / "rank-0.log"); }, "rank-0.log: was removed"},
+        {[&] { fs::resize_file(part / "rank-0.log", 3); }, "rank-0.log: was changed"}};
+    for (const auto& [disturb, words] : disturbances) {
+        Work work;
+        work.stages.push_back(std::make_unique<Disturbed>(disturb));
+        work.identity = {{"version", "1"}};
+        std::string message;
+        const auto begin = std::chrono::steady_clock::now();
+        ExecuteOptions options = options_of(folder / "a.h5", Existing::force);
+        EXPECT_EQ(code_of(std::move(work), options, &message), ExitCode::io) << words;
+        EXPECT_NE(message.find(words), std::string::npos) << message;
+        EXPECT_EQ(message.find("what is finished is kept"), std::string::npos) << message;
+        EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+        world().barrier();
+    }
+}
+
+TEST(Execute, WhatIsNoticedAtTheEndIsACodeAndTheResultIsWhole) {
+    const SharedFolder folder;
+    class Late : public FakeStage {
+      public:
+        explicit Late(std::filesystem::path part)
+            : FakeStage("a", {20, {}, -1}), part_(std::move(part)) {}
+        std::vector<study::Dataset> conclude(
+            const std::vector<study::ItemAnswer>& answers) const override {
+            std::filesystem::remove_all(part_);
+            return FakeStage::conclude(answers);
+        }
+
+      private:
+        std::filesystem::path part_;
+    };
+    Work work;
+    work.stages.push_back(std::make_unique<Late>(folder / "a.h5.part"));
+    work.identity = {{"version", "1"}};
+    work.frame.attributes = {{"program", "bemcal-batch"}};
+    EXPECT_EQ(code_of(std::move(work), options_of(folder / "a.h5", Existing::refuse)),
+              ExitCode::io);
+    if (is_first()) {
+        EXPECT_TRUE(store::is_sound(store::read_result(folder / "a.h5")));
+        EXPECT_FALSE(std::filesystem::exists(folder / "a.h5.part"));
+    }
+}
+
+TEST(Execute, AFileThatAppearsUnderTheResultsNameIsKept) {
+    const SharedFolder folder;
+    class Appearing : public FakeStage {
+      public:
+        explicit Appearing(std::filesystem::path file)
+            : FakeStage("a", {20, {}, -1}), file_(std::move(file)) {}
+        std::vector<study::Dataset> conclude(
+            const std::vector<study::ItemAnswer>& answers) const override {
+            std::ofstream(file_) << "somebody's";
+            return FakeStage::conclude(answers);
+        }
+
+      private:
+        std::filesystem::path file_;
+    };
+    Work work;
+    work.stages.push_back(std::make_unique<Appearing>(folder / "a.h5"));
+    work.identity = {{"version", "1"}};
+    std::string message;
+    EXPECT_EQ(
+        code_of(std::move(work), options_of(folder / "a.h5", Existing::refuse), &message),
+        ExitCode::cannot_create);
+    EXPECT_NE(message.find("what is finished is kept"), std::string::npos) << message;
+    if (is_first()) {
+        EXPECT_EQ(read_regular(folder / "a.h5"), "somebody's");
+    }
+}
+
 TEST(Execute, MoreFailuresThanTheJobAcceptsAreNoSuccessButTheResultIsThere) {
     const SharedFolder folder;
     Work work = work_of();

@@ -112,6 +112,37 @@ TEST(ResultFile, NoFileOfThatNameAndOtherFilesAreUserErrors) {
         EXPECT_THROW(read_result(folder / name), UserError) << name;
 }
 
+TEST(ResultFile, ASealSaysWhetherTheContentIsWhatWasWritten) {
+    const test::TemporaryFolder folder;
+    const std::string hash = write_result(folder / "a.h5", example());
+    EXPECT_EQ(read_head(folder / "a.h5").hash, hash);
+    EXPECT_TRUE(read_head(folder / "a.h5").datasets.empty());
+    EXPECT_TRUE(is_sound(read_result(folder / "a.h5")));
+    std::fstream file(folder / "a.h5", std::ios::in | std::ios::out | std::ios::binary);
+    const std::string bytes(std::istreambuf_iterator<char>(file), {});
+    const double value = example().datasets[2].values[0];
+    const std::string number(reinterpret_cast<const char*>(&value), sizeof value);
+    const std::size_t at = bytes.find(number);
+    ASSERT_NE(at, std::string::npos);
+    file.clear();
+    file.seekp(static_cast<std::streamoff>(at));
+    file.put(static_cast<char>(number[0] ^ 1));
+    file.close();
+    EXPECT_FALSE(is_sound(read_result(folder / "a.h5")));
+}
+
+TEST(ResultFile, ANameThatWasTakenMeanwhileIsKept) {
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "part");
+    folder.write("a.h5", "somebody's");
+    EXPECT_THROW(write_result(folder / "a.h5", example(), {folder / "part", Replace::no}),
+                 UserError);
+    EXPECT_EQ(read_regular(folder / "a.h5"), "somebody's");
+    EXPECT_TRUE(std::filesystem::is_empty(folder / "part"));
+    write_result(folder / "a.h5", example(), {folder / "part", Replace::yes});
+    EXPECT_TRUE(is_sound(read_result(folder / "a.h5")));
+}
+
 TEST(ResultFile, AFolderThatIsNotThereIsAUserError) {
     const test::TemporaryFolder folder;
     EXPECT_THROW(write_result(folder / "no" / "a.h5", example()), UserError);
