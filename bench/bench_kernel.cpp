@@ -4,6 +4,8 @@
 /// Instructions are the difference of two runs of this program, so that start-up and plan
 /// cancel; everything else counts: coefficients, time loop, answers.
 #include "bench_office.hpp"
+#include "kernel/batch.hpp"
+#include "physics/parameters.hpp"
 
 namespace bemcal::physics {
 

@@ -6,7 +6,7 @@
 #include "job/timed_csv.hpp"
 
 #include "base/error.hpp"
-#include "job/readers.hpp"
+#include "job/building_readers.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 /// The table of kinds of study, and what a [[study]] with a wrong kind or key gets.
 #include "job/kinds.hpp"
 #include "job/small_office.hpp"
+#include "physics/quantities.hpp"
 #include "schema/document.hpp"
 
 #include <set>
@@ -72,6 +73,18 @@ TEST(Kinds, StagesOfAGridAndOfACalibrationHaveKeysOfTheirOwn) {
     EXPECT_TRUE(grid.keys_of("study.stage").empty());
     EXPECT_FALSE(stages.find("study.stage")->takes_any_key);
     EXPECT_NE(stages.find("study.stage", "periods"), nullptr);
+}
+
+TEST(Kinds, QuantitiesOfKindsStandInTheOrderOfTheirTable) {
+    const std::vector<std::string> words(physics::quantity_names.begin(),
+                                         physics::quantity_names.end());
+    const schema::Key* of_hours =
+        table_of(*find_kind("hourly_sensitivity")).find("study", "quantity");
+    const schema::Key* of_targets =
+        table_of(*find_kind("grid")).find("study.target", "quantity");
+    ASSERT_TRUE(of_hours != nullptr && of_targets != nullptr);
+    EXPECT_EQ(schema::choices_of(*of_hours), words);
+    EXPECT_EQ(schema::choices_of(*of_targets), words);
 }
 
 TEST(Kinds, AWordThatIsNoneGetsAllOfThemAndAMissingOneToo) {

@@ -431,7 +431,7 @@ TEST(Execute, WhatIsNoticedAtTheEndIsACodeAndTheResultIsWhole) {
       public:
         explicit Late(std::filesystem::path part)
             : FakeStage("a", {20, {}, -1}), part_(std::move(part)) {}
-        std::vector<study::Dataset> conclude(
+        study::Conclusion conclude(
             const std::vector<study::ItemAnswer>& answers) const override {
             std::filesystem::remove_all(part_);
             return FakeStage::conclude(answers);
@@ -458,7 +458,7 @@ TEST(Execute, AFileThatAppearsUnderTheResultsNameIsKept) {
       public:
         explicit Appearing(std::filesystem::path file)
             : FakeStage("a", {20, {}, -1}), file_(std::move(file)) {}
-        std::vector<study::Dataset> conclude(
+        study::Conclusion conclude(
             const std::vector<study::ItemAnswer>& answers) const override {
             std::ofstream(file_) << "somebody's";
             return FakeStage::conclude(answers);
@@ -470,10 +470,12 @@ TEST(Execute, AFileThatAppearsUnderTheResultsNameIsKept) {
     Work work;
     work.stages.push_back(std::make_unique<Appearing>(folder / "a.h5"));
     work.identity = {{"version", "1"}};
+    work.frame.attributes = {{"program", "bemcal-batch"}};
     std::string message;
     EXPECT_EQ(
         code_of(std::move(work), options_of(folder / "a.h5", Existing::refuse), &message),
-        ExitCode::cannot_create);
+        ExitCode::cannot_create)
+        << message;
     EXPECT_NE(message.find("what is finished is kept"), std::string::npos) << message;
     if (is_first()) {
         EXPECT_EQ(read_regular(folder / "a.h5"), "somebody's");

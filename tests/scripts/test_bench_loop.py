@@ -70,7 +70,7 @@ class Names(unittest.TestCase):
         self.assertEqual(loop_names.ALWAYS_THERE - catalogue, set())
 
     def test_places_are_hooks_and_drivers(self):
-        words = (ROOT / "src/effects/names.cpp").read_text()
+        words = "".join((ROOT / "src/effects" / file).read_text() for file in ("hooks.cpp", "drivers.cpp"))
         for right in loop_names.RIGHT.values():
             for place in right.places:
                 for word in place:
