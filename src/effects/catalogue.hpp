@@ -42,13 +42,13 @@ Effect closed_days(std::vector<Days> days);
 
 /// Every effect that can enter this building and has a say in this period: the
 /// catalogue's with all of their shapes, facades and meters; not those on found days.
-/// \param meters  Quantities that are measured
+/// \param meters  that are measured
 std::vector<Effect> named_candidates(const Surroundings& surroundings,
-                                     std::span<const int> meters);
+                                     std::span<const physics::Quantity> meters);
 /// Those of the grammar beside it: admissible hook x driver x shape x gate that the
 /// catalogue does not name.
 std::vector<Effect> generic_candidates(const Surroundings& surroundings,
-                                       std::span<const int> meters);
+                                       std::span<const physics::Quantity> meters);
 
 /// The catalogue's row; nullptr for an effect of the grammar.
 const Entry* entry_of(const Effect& effect);

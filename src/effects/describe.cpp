@@ -1,8 +1,10 @@
 /// The catalogue and the grammar as text, for `describe effects`: where an effect enters,
 /// what it follows, what it leaves in residuals, what tells it apart.
-/// Made from the catalogue's rows. The grammar's summary is written by hand and has to be
-/// kept like the table in candidates; of many shapes only some are printed.
+/// Made from the rows of the catalogue, of hooks and of the grammar's groups.
+/// Of many shapes only some are printed.
 #include "effects/catalogue.hpp"
+#include "effects/grammar.hpp"
+#include "effects/hooks.hpp"
 
 #include <fmt/format.h>
 
@@ -54,10 +56,14 @@ std::string lines_of(const Entry& entry) {
 
 std::string hooks() {
     std::string text;
-    for (int k = 0; k <= static_cast<int>(Hook::meter_factor); ++k) {
-        const auto hook = static_cast<Hook>(k);
-        text += fmt::format("    {:22} {}\n", name_of(hook), unit_of(hook));
-    }
+    for (const HookRow& row : hook_rows())
+        text += fmt::format("    {:22} {}\n", row.name, row.unit);
+    return text;
+}
+
+std::string groups() {
+    std::string text;
+    for (const GroupRow& row : group_rows) text += fmt::format("    {}\n", row.words);
     return text;
 }
 
@@ -71,12 +77,9 @@ std::string describe() {
         "factor of 1.5\nis refused.\n\n";
     for (const Entry& entry : catalogue()) text += lines_of(entry);
     text +=
-        "Beside them a loop tries what has no name: a grammar of hooks x drivers,\n"
-        "  hour of the day (windows of 3 h on weekdays), weekends and their days,\n"
-        "  seasons (2 months), outdoor temperature (hinges at 5 to 25 degC), wind,\n"
-        "  sun, moisture, absence of people, a trend, steps at every month, and the\n"
-        "  job's own columns,\nwhere they make sense. Hooks and units of their "
-        "coefficients:\n\n";
+        "Beside them a loop tries what has no name, wherever it makes sense: a grammar\n"
+        "of hooks x drivers. Drivers:\n\n";
+    text += groups() + "\nHooks and units of their coefficients:\n\n";
     return text + hooks();
 }
 

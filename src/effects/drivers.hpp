@@ -1,26 +1,47 @@
-/// What an effect reads at every step, before its shape: driver and gate.
+/// What an effect may follow: ONE row for each driver. Names, series, moves of thresholds
+/// and the grammar's candidates all come from it.
+///
+/// A new driver is an enumerator (effect.hpp) and a row in drivers.cpp, at the same
+/// place.
 #pragma once
 
+#include "effects/grammar.hpp"
 #include "effects/surroundings.hpp"
+#include "physics/weather.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
 
 namespace bemcal::effects {
+
+/// What a driver brings to a group of the grammar.
+struct Cells {
+    unsigned group = 0;                        ///< of Follows; 0 = nothing
+    std::vector<Shape> (*shapes)() = nullptr;  ///< each is a candidate
+    Gate gate = Gate::always;
+};
+
+struct DriverRow {
+    Driver driver;
+    const char* name;
+    const char* unit;  ///< of its differences; "" = none
+    /// How far a search moves a threshold first [unit]; 0 = it stays where it is.
+    double first_move;
+    /// Its series by the weather alone, hour by hour, or by all that surrounds the effect
+    /// [n_steps]: exactly one of the two. Empty where they lack what it takes.
+    std::vector<double> (*of_weather)(const physics::Weather&) = nullptr;
+    std::vector<double> (*of_steps)(const Effect&, const Surroundings&) = nullptr;
+    const char* unit_of_threshold = nullptr;  ///< where it is another than `unit`
+    std::array<Cells, 2> grammar{};
+};
+
+/// In the order of Driver.
+std::span<const DriverRow> driver_rows();
+const DriverRow& row_of(Driver driver);
 
 /// The driver [n_steps]; empty where the surroundings lack it. Of another_day and
 /// shifted_hours: 1, since their profiles are those of each input (schedules.hpp).
 std::vector<double> driver_of(const Effect& effect, const Surroundings& surroundings);
-
-/// Share of the step in which the gate, the weekday and the hours let it through
-/// [n_steps]; empty where the surroundings lack what the gate asks for.
-std::vector<double> gate_of(const Effect& effect, const Surroundings& surroundings);
-
-/// Share of the step's time that lies in these hours of the day.
-double share_of(const Hours& hours, const Surroundings& surroundings, int step);
-
-/// Density of people over its largest [n_steps]: of the loads named people or occupants,
-/// else of all that follow a profile; empty where there are none.
-std::vector<double> occupation_of(const Surroundings& surroundings);
-
-/// Whether two planes face the same way.
-bool same_facade(const physics::Building& building, int plane, int other);
 
 }  // namespace bemcal::effects

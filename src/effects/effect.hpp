@@ -5,9 +5,14 @@
 /// coefficient x shape(driver) x gate. Nothing here is code of its own: the catalogue
 /// (catalogue.hpp) is a table of named effects, the grammar (candidates.cpp) lists the
 /// others, and place (placement.hpp) turns any of them into changes of a building and one
-/// parameter, so that plain and fast simulation and the adjoint know of inputs only.
+/// parameter, so that plain and fast simulation and the adjoint know of inputs only. What
+/// is known of a hook stands in its row (hooks.cpp), of a driver in its own
+/// (drivers.cpp).
 #pragma once
 
+#include "physics/quantities.hpp"
+
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -125,18 +130,20 @@ struct Effect {
     Shape shape{};
     Gate gate = Gate::always;
     std::vector<Days> days{};  ///< of Gate::on_days
-    /// Facade (plane) or meter (Quantity) of the hook; -1 = every facade, each by the sun
-    /// that it sees itself.
-    int place = -1;
-    std::string place_name{};    ///< in words: "south facade", "gas meter"
+    /// Its only facade (a plane); none = every one, each by the sun that it sees itself.
+    std::optional<int> facade{};
+    std::optional<physics::Quantity> meter{};  ///< of a hook at a meter
+    std::string place_name{};    ///< of these in words: "south facade", "gas meter"
     std::string column{};        ///< of Driver::column
     double least = 0, most = 1;  ///< plausible coefficients
     double typical = 0.5;        ///< a middling one: where secants are taken
     int weekday = -1;            ///< only on this one, 0 = Monday; -1 = on all
     Hours hours{};               ///< only in these
+
+    bool is_named() const { return number != 0; }
 };
 
-/// Whether they bring the same: hook, driver, shape, gate, days, hours and place.
+/// Whether they bring the same: hook, driver, shape, gate, days, hours, facade and meter.
 bool are_equal(const Effect& a, const Effect& b);
 
 /// Whether it enters at one meter, which the others do not see.
@@ -150,6 +157,9 @@ const char* unit_of(Hook hook);
 const char* unit_of(Driver driver);  ///< "" where it has none
 /// Of the coefficient: "1/h per m/s".
 std::string unit_of(const Effect& effect);
+/// How far the first move of its threshold, date or hour goes where a search moves it, in
+/// the driver's unit; 0 = it stays where it is.
+double first_move(const Effect& effect);
 /// "wind above 3 m/s, at night, south facade": driver, shape, gate and place in words.
 std::string sentence_of(const Effect& effect);
 

@@ -22,11 +22,6 @@ struct Placed {
     std::vector<physics::Parameter> parameters;
 };
 
-/// What multiplies conductances, set-points or air flows (everything but heat that is
-/// added and outdoor temperatures) is rounded to this many levels, so that the fast
-/// simulation has as many regimes only.
-constexpr int most_levels = 12;
-
 /// Throws std::invalid_argument where an effect cannot enter this building (no cooling,
 /// no such facade, more than physics::most_changes at one input), saying why.
 Placed place(std::span<const Effect> effects, const Surroundings& surroundings);

@@ -4,6 +4,7 @@
 /// no building: the checks of readings find them. Envelope and use have rows of their
 /// own.
 #include "effects/rows.hpp"
+#include "effects/shapes.hpp"
 
 namespace bemcal::effects {
 namespace {

@@ -1,9 +1,12 @@
 /// The profile of an effect: shape(driver) x gate at every step, which a coefficient
 /// multiplies. A lag is a running mean with exponential weights.
 /// Plain definitions, our own. A lag starts from the mean of its first time constant.
-/// Levels are left to levels, drivers and gates to drivers.
+/// Levels, drivers and gates have files of their own.
+#include "effects/profiles.hpp"
+
 #include "effects/drivers.hpp"
-#include "effects/surroundings.hpp"
+#include "effects/gates.hpp"
+#include "effects/steps.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,8 @@
 /// the unit of its coefficient.
 /// Plain text without a source. Dates of a year are those of 2021, no leap year. What an
 /// effect means is left to the catalogue's sentences.
-#include "effects/effect.hpp"
+#include "effects/drivers.hpp"
+#include "effects/hooks.hpp"
 #include "physics/calendar.hpp"
 
 #include <algorithm>
@@ -29,7 +30,8 @@ std::string with_unit(double value, const char* unit) {
 
 /// The unit of a driver's thresholds: of a temperature not that of its differences.
 const char* unit_of_threshold(const Effect& effect) {
-    return effect.driver == Driver::theta_e ? "degC" : unit_of(effect.driver);
+    const char* own = row_of(effect.driver).unit_of_threshold;
+    return own != nullptr ? own : unit_of(effect.driver);
 }
 
 /// A day of the year as a date of a year that is no leap year: "1 May".
@@ -53,10 +55,9 @@ std::string window_of(const Effect& effect) {
                        with_unit(shape.until, unit_of_threshold(effect)));
 }
 
-std::string driver_of(const Effect& effect) {
-    if (effect.driver == Driver::column) return fmt::format("'{}'", effect.column);
-    if (effect.driver == Driver::theta_e) return "outdoor temperature";
-    return name_of(effect.driver);
+std::string words_of_driver(const Effect& effect) {
+    return effect.driver == Driver::column ? fmt::format("'{}'", effect.column)
+                                           : name_of(effect.driver);
 }
 
 /// Drivers whose shape is what they are themselves.
@@ -74,7 +75,7 @@ std::string named_driver(const Effect& effect) {
         case Driver::constant_temperature:
             return fmt::format("to {:.6g} degC", at);
         default:
-            return driver_of(effect);
+            return words_of_driver(effect);
     }
 }
 
@@ -87,15 +88,17 @@ std::string shape_of(const Effect& effect) {
         case Form::within:
             return window_of(effect);
         case Form::lagged:
-            return fmt::format("{} lagged by {:.6g} h", driver_of(effect), shape.at);
+            return fmt::format("{} lagged by {:.6g} h", words_of_driver(effect),
+                               shape.at);
         case Form::over:
             if (effect.driver == Driver::elapsed)
                 return fmt::format("after {:.3g} years", shape.at);
-            return fmt::format("where {} is above {}", driver_of(effect), at);
+            return fmt::format("where {} is above {}", words_of_driver(effect), at);
         case Form::under:
-            return fmt::format("where {} is below {}", driver_of(effect), at);
+            return fmt::format("where {} is below {}", words_of_driver(effect), at);
         default:
-            return fmt::format("{} {} {}", driver_of(effect), name_of(shape.form), at);
+            return fmt::format("{} {} {}", words_of_driver(effect), name_of(shape.form),
+                               at);
     }
 }
 
@@ -147,7 +150,8 @@ std::string sentence_of(const Effect& effect) {
 std::string unit_of(const Effect& effect) {
     std::string unit = unit_of(effect.hook);
     const std::string per = unit_of(effect.driver);
-    if (per.empty() || !is_graded(effect.shape.form) || effect.hook == Hook::neighbour)
+    if (per.empty() || !is_graded(effect.shape.form) ||
+        !row_of(effect.hook).is_per_driver)
         return unit;
     if (unit == "-") return fmt::format("1/({})", per);
     return fmt::format("{} per {}", unit, per);

@@ -3,6 +3,7 @@
 /// Ranges and shapes are judgement, without a source. Holidays take days that a caller
 /// finds. Envelope and plant have rows of their own.
 #include "effects/rows.hpp"
+#include "effects/shapes.hpp"
 
 namespace bemcal::effects {
 namespace {

@@ -4,8 +4,7 @@
 /// split. Days that are found, and data, have no variants here.
 #include "effects/variants.hpp"
 
-#include "effects/drivers.hpp"
-#include "physics/meters.hpp"
+#include "effects/sites.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +14,8 @@
 
 namespace bemcal::effects {
 namespace {
+
+using physics::Quantity;
 
 std::vector<int> facades_of(const physics::Building& building) {
     std::vector<int> facades;
@@ -43,20 +44,19 @@ std::vector<Effect> on_facades(const Effect& effect, const physics::Building& bu
     if (facades.size() < 2) return all;
     for (const int plane : facades) {
         all.push_back(effect);
-        all.back().place = plane;
+        all.back().facade = plane;
         all.back().place_name =
             name_of_facade(building.planes[static_cast<std::size_t>(plane)]);
     }
     return all;
 }
 
-std::vector<Effect> on_meters(const Effect& effect, std::span<const int> meters) {
+std::vector<Effect> on_meters(const Effect& effect, std::span<const Quantity> meters) {
     std::vector<Effect> all;
-    for (const int meter : meters) {
+    for (const Quantity meter : meters) {
         all.push_back(effect);
-        all.back().place = meter;
-        all.back().place_name = fmt::format(
-            "{} meter", physics::name_of(static_cast<physics::Quantity>(meter)));
+        all.back().meter = meter;
+        all.back().place_name = fmt::format("{} meter", physics::name_of(meter));
     }
     return all;
 }
@@ -76,18 +76,16 @@ std::vector<Effect> in_summer_time(const Effect& effect) {
 }
 
 /// The meter of cooling, where it is measured.
-std::vector<Effect> on_cooling(const Effect& effect, std::span<const int> meters) {
+std::vector<Effect> on_cooling(const Effect& effect, std::span<const Quantity> meters) {
     std::vector<Effect> all = on_meters(effect, meters);
-    std::erase_if(all, [](const Effect& one) {
-        return one.place != static_cast<int>(physics::Quantity::cooling);
-    });
+    std::erase_if(all, [](const Effect& one) { return one.meter != Quantity::cooling; });
     return all;
 }
 
 }  // namespace
 
 std::vector<Effect> variants(const Effect& effect, Each each, const Surroundings& around,
-                             std::span<const int> meters) {
+                             std::span<const physics::Quantity> meters) {
     switch (each) {
         case Each::once:
             return {effect};

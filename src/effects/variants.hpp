@@ -8,6 +8,6 @@ namespace bemcal::effects {
 /// The effect on each of what `each` says; none for found days and data.
 std::vector<Effect> variants(const Effect& effect, Each each,
                              const Surroundings& surroundings,
-                             std::span<const int> meters);
+                             std::span<const physics::Quantity> meters);
 
 }  // namespace bemcal::effects

@@ -87,7 +87,7 @@ ErrorChange error_change_of(const Standing& before, const Refitted& candidate) {
 /// mean, but what happens there is seen there alone.
 bool mends_small_meter(const Standing& before, const Refitted& candidate) {
     constexpr double much = 0.15;
-    if (candidate.effect.number == 0) return false;
+    if (!candidate.effect.is_named()) return false;
     for (std::size_t c = 0; c < candidate.error.size(); ++c)
         if (before.noise[c].share < matters && candidate.error[c] < -much) return true;
     return false;
@@ -97,8 +97,7 @@ bool mends_small_meter(const Standing& before, const Refitted& candidate) {
 /// it, and a mean over all would ask for more the more there are.
 bool mends_its_meter(const Refitted& candidate, double threshold, double lowest) {
     constexpr double much = 0.05;
-    return candidate.effect.number != 0 &&
-           effects::is_at_a_meter(candidate.effect.hook) &&
+    return candidate.effect.is_named() && effects::is_at_a_meter(candidate.effect.hook) &&
            is_overwhelming(candidate.gain, threshold) && lowest < -much;
 }
 
@@ -107,7 +106,7 @@ bool mends_its_meter(const Refitted& candidate, double threshold, double lowest)
 bool is_certain_if_small(const Refitted& candidate, double threshold, double highest) {
     constexpr double much = 150;  ///< of evidence: half of it is seen in buildings that
                                   ///< lack nothing
-    return candidate.effect.number != 0 && candidate.gain > much &&
+    return candidate.effect.is_named() && candidate.gain > much &&
            is_overwhelming(candidate.gain, threshold) && highest <= 0;
 }
 
@@ -120,7 +119,7 @@ struct Demand {
           is_seen_often(candidate.consistency >= 2),  // standard errors
           is_certain(candidate.gain > 8 * threshold) {
         constexpr double more_of_grammar = 3, less_if_certain = 0.7;
-        least = options.least_gain * (candidate.effect.number == 0 ? more_of_grammar : 1);
+        least = options.least_gain * (candidate.effect.is_named() ? 1 : more_of_grammar);
         if (is_certain_if_small(candidate, threshold, change.highest))
             least *= less_if_certain;
         const double in_exchange = is_certain ? 0.3 : 0.15;  // of the best meter's gain
@@ -160,7 +159,7 @@ const char* objection_of_time(const LoopData& data, const Standing& before,
 
 /// What drifts without a known cause is not carried on beyond the training period.
 bool is_nameless_drift(const effects::Effect& effect) {
-    return effect.number == 0 && effect.driver == effects::Driver::elapsed &&
+    return !effect.is_named() && effect.driver == effects::Driver::elapsed &&
            effect.shape.form == effects::Form::linear;
 }
 

@@ -26,8 +26,8 @@ namespace {
 
 /// A term of the grammar is called by what it says.
 std::string label_of(const effects::Effect& effect) {
-    return effect.number == 0 ? effect.name
-                              : effect.name + ": " + effects::sentence_of(effect);
+    return effect.is_named() ? effect.name + ": " + effects::sentence_of(effect)
+                             : effect.name;
 }
 
 void log_step(const Step& step, std::vector<LoggedStep>& log) {
@@ -110,7 +110,7 @@ class Search {
     /// Why an effect's name may be the nearest one only, before its alarm is looked at.
     std::string doubt_of(const Refitted& chosen, const EffectClass& near,
                          double threshold) const {
-        if (chosen.effect.number == 0) return "it says where and when, not why";
+        if (!chosen.effect.is_named()) return "it says where and when, not why";
         if (!near.is_told) return "others do nearly as well";
         if (!is_overwhelming(chosen.gain, threshold))
             return "its evidence is less than three times what noise shows";

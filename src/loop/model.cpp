@@ -5,6 +5,7 @@
 /// independent.
 #include "loop/model.hpp"
 
+#include "effects/make_surroundings.hpp"
 #include "physics/interval_hours.hpp"
 
 #include <algorithm>
@@ -342,11 +343,11 @@ std::shared_ptr<const physics::Drive> LoopData::drive_over(
     return std::make_shared<physics::Drive>(study::drive_of(building, period));
 }
 
-std::vector<int> LoopData::quantities() const {
-    std::vector<int> quantities;
+std::vector<physics::Quantity> LoopData::quantities() const {
+    std::vector<physics::Quantity> quantities;
     quantities.reserve(targets.n_channels());
     for (const kernel::Channel& channel : targets.channels)
-        quantities.push_back(static_cast<int>(channel.quantity));
+        quantities.push_back(channel.quantity);
     return quantities;
 }
 

@@ -36,7 +36,7 @@ struct LoopData {
     const study::Period& training() const;
     /// With the planes of every refinement.
     std::shared_ptr<const physics::Drive> drive_over(const study::Period& period) const;
-    std::vector<int> quantities() const;  ///< [channels] as effects name meters
+    std::vector<physics::Quantity> quantities() const;  ///< [channels]
     /// Whether a meter is read by the month.
     bool reads_months() const;
     bool reads_months_only() const;

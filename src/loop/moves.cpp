@@ -17,31 +17,6 @@ namespace {
 
 constexpr double clearly = 6;  ///< of evidence
 
-/// How far a threshold or a date is moved first.
-double first_move(const effects::Effect& effect) {
-    using effects::Driver;
-    if (effect.hook == effects::Hook::venting) return 1.5;  // opens above [degC]
-    switch (effect.driver) {
-        case Driver::day_of_year:
-            return 14;
-        case Driver::elapsed:
-            return 0.04;
-        case Driver::hour:
-        case Driver::shifted_hours:
-            return 1;
-        case Driver::sun_on_facade:
-        case Driver::bright:
-        case Driver::sun_horizontal:
-            return 50;
-        case Driver::theta_e:
-        case Driver::temperature_to_base:
-        case Driver::constant_temperature:
-            return 2;
-        default:
-            return 0;
-    }
-}
-
 constexpr double two_weeks = 0.04;  ///< [a]
 
 /// Where a shape begins at the earliest: readings before a date tell what changes on it.
@@ -56,7 +31,7 @@ std::vector<effects::Effect> moved_shapes(const effects::Effect& effect, double 
         moved.push_back(effect);
         change(moved.back());
     };
-    const double move = first_move(effect) * part;
+    const double move = effects::first_move(effect) * part;
     for (const double sign : {1.0, -1.0}) {
         if (move > 0)
             add([&](effects::Effect& e) {
@@ -178,9 +153,9 @@ int swap(const LoopData& data, const Place& place, Standing& standing, std::size
     double most = clearly;
     Standing chosen;
     const std::size_t unknown = standing.built.first_effect() + effect;
-    const bool has_name = standing.model.effects[effect].number != 0;
+    const bool has_name = standing.model.effects[effect].is_named();
     for (std::size_t k = 0; k < rivals.size(); ++k) {
-        if (has_name && rivals[k].number == 0) continue;  // says less
+        if (has_name && !rivals[k].is_named()) continue;  // says less
         std::vector<double> start = standing.fit.at.x;
         start[unknown] = rivals[k].most > 0 ? 0.5 : -0.5;
         Standing tried = with_in_place(data, place, standing,

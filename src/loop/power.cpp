@@ -100,7 +100,7 @@ void find_bias(const Standing& standing, const Screened& screened, Power& power)
 }  // namespace
 
 bool are_of_one_row(const effects::Effect& a, const effects::Effect& b) {
-    return a.name == b.name && (!effects::is_at_a_meter(a.hook) || a.place == b.place);
+    return a.name == b.name && (!effects::is_at_a_meter(a.hook) || a.meter == b.meter);
 }
 
 bool is_in_parameters(const Power& power) {

@@ -33,7 +33,7 @@ std::vector<double> losses_of(const LoopData& data, const Standing& before,
 /// Only what has most of the evidence, too; a term of the grammar, which often says the
 /// same with other words, where it has clearly more.
 bool is_near(const Refitted& other, const Refitted& chosen) {
-    const double share = other.effect.number != 0 ? of_a_rival : 1.1;
+    const double share = other.effect.is_named() ? of_a_rival : 1.1;
     return other.gain > share * chosen.gain;
 }
 
@@ -67,7 +67,7 @@ EffectClass class_of(const LoopData& data, const Standing& before, const Step& s
             !is_as_good(losses_of(data, before, other.left_out), own))
             continue;
         found.is_told = false;
-        if (other.effect.number != 0 && found.names.size() < most_names &&
+        if (other.effect.is_named() && found.names.size() < most_names &&
             std::ranges::find(found.names, other.effect.name) == found.names.end())
             found.names.push_back(other.effect.name);
     }

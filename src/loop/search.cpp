@@ -57,8 +57,8 @@ std::vector<const Screened*> shortlist(const std::vector<Screened>& screened) {
     for (const Screened* candidate : sorted) {
         const auto& effect = candidate->effect;
         const std::pair key{
-            effect.number != 0 ? effect.number : -1 - static_cast<int>(effect.hook),
-            effect.number != 0 ? effect.name : ""};
+            effect.is_named() ? effect.number : -1 - static_cast<int>(effect.hook),
+            effect.is_named() ? effect.name : ""};
         if (list.size() >= most_refitted || candidate->gain <= 0) break;
         if (++of_kind[key] <= most_of_a_kind) list.push_back(candidate);
     }
@@ -90,7 +90,7 @@ double occam(const Screened& screened) {
     const double typical = screened.effect.typical;
     return std::log1p(screened.information * typical * typical) +
            of_a_run * static_cast<double>(screened.effect.days.size()) +
-           (screened.effect.number == 0 ? generic_penalty : 0);
+           (screened.effect.is_named() ? 0 : generic_penalty);
 }
 
 /// Residuals of unseen blocks of the model before, found once for all candidates.
@@ -207,7 +207,7 @@ void finish(const LoopData& data, const Standing& before, Refitted& candidate) {
 /// Whether other dates may make a candidate the best.
 bool may_lead_by_dates(const Refitted& candidate, double best_gain) {
     constexpr double share = 0.3, enough = 100;
-    return candidate.effect.number != 0 && is_dated(candidate.effect) &&
+    return candidate.effect.is_named() && is_dated(candidate.effect) &&
            candidate.gain > std::max(share * best_gain, enough);
 }
 
@@ -266,7 +266,7 @@ int choice_of(std::vector<Refitted>& ranking) {
         }
         if (first < 0) first = static_cast<int>(k);
         const double best = ranking[static_cast<std::size_t>(first)].gain;
-        if (ranking[k].effect.number != 0 && ranking[k].gain > near * best)
+        if (ranking[k].effect.is_named() && ranking[k].gain > near * best)
             return static_cast<int>(k);
     }
     return first;

@@ -1,6 +1,7 @@
 /// An office that has everything an effect may ask for, under a made-up year of weather.
 #pragma once
 
+#include "effects/make_surroundings.hpp"
 #include "effects/placement.hpp"
 #include "physics/meters.hpp"
 #include "physics/simulate.hpp"
@@ -124,7 +125,7 @@ struct Office {
             physics::parse_time(from), physics::parse_time(to), step_s, 14 * 24);
         around = effects::make_surroundings(building, drive, weather,
                                             physics::parse_time(from));
-        around.columns["rain"] = around.wind;
+        around.columns["rain"] = around.weather.at(effects::Driver::wind);
         const physics::Trajectory before = physics::simulate(building, drive);
         const auto n_warm_up = static_cast<std::size_t>(drive.n_warm_up);
         around.model.heating.assign(n_warm_up, 0);

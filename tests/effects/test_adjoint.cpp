@@ -14,7 +14,9 @@ namespace {
 
 using test::Office;
 
-constexpr int meters[] = {0, 2, 3, 4};
+constexpr physics::Quantity meters[] = {
+    physics::Quantity::air_temperature, physics::Quantity::cooling,
+    physics::Quantity::electricity, physics::Quantity::gas};
 
 /// Checks an effect at its typical size; says whether it moves a meter and no set-point
 /// or limit switches nearby, so that there was something to check.

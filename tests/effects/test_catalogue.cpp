@@ -1,4 +1,6 @@
 #include "effects/catalogue.hpp"
+#include "effects/grammar.hpp"
+#include "effects/hooks.hpp"
 #include "office.hpp"
 
 #include <set>
@@ -16,7 +18,9 @@ const Office& office() {
     return one;
 }
 
-constexpr int meters[] = {0, 3, 4};  ///< temperature, electricity, gas
+constexpr physics::Quantity meters[] = {physics::Quantity::air_temperature,
+                                        physics::Quantity::electricity,
+                                        physics::Quantity::gas};
 
 const std::vector<Effect>& named() {
     static const std::vector<Effect> all = named_candidates(office().around, meters);
@@ -35,9 +39,14 @@ TEST(Catalogue, HasEveryNumberAndNoNameTwice) {
         numbers.insert(entry.effect.number);
         EXPECT_TRUE(names.insert(entry.effect.name).second) << entry.effect.name;
     }
-    EXPECT_EQ(numbers.size(), 45u);
+    EXPECT_GE(numbers.size(), 45u);
     EXPECT_EQ(*numbers.begin(), 1);
-    EXPECT_EQ(*numbers.rbegin(), 45);
+    EXPECT_EQ(*numbers.rbegin(), static_cast<int>(numbers.size()));
+}
+
+TEST(Catalogue, StandsByNumber) {
+    EXPECT_TRUE(std::ranges::is_sorted(
+        catalogue(), {}, [](const Entry& entry) { return entry.effect.number; }));
 }
 
 TEST(Catalogue, EveryRowSaysAllOfItsTexts) {
@@ -109,25 +118,27 @@ TEST(Catalogue, TypicalEffectsAreSeen) {
 }
 
 TEST(Candidates, ExpandShapesFacadesAndMeters) {
-    const auto count = [](const char* name, int place) {
-        return std::count_if(named().begin(), named().end(), [&](const Effect& effect) {
-            return effect.name == name && effect.place == place;
+    const auto count = [](const char* name, std::optional<int> facade,
+                          std::optional<Quantity> meter) {
+        return std::ranges::count_if(named(), [&](const Effect& effect) {
+            return effect.name == name && effect.facade == facade &&
+                   effect.meter == meter;
         });
     };
-    EXPECT_EQ(count("blinds", -1), 5);
-    EXPECT_EQ(count("blinds", 0), 5);
-    EXPECT_EQ(count("blinds", 1), 5);
-    EXPECT_EQ(count("blinds", 2), 0);
-    EXPECT_EQ(count("standing losses", static_cast<int>(Quantity::gas)), 1);
-    EXPECT_EQ(count("standing losses", static_cast<int>(Quantity::electricity)), 1);
-    EXPECT_EQ(count("standing losses", static_cast<int>(Quantity::air_temperature)), 0);
-    EXPECT_EQ(count("a free weekday", -1), 5);
-    EXPECT_EQ(count("summer time not applied", -1), 4);
-    EXPECT_EQ(count("retrofit of walls", -1), 11);
+    EXPECT_EQ(count("blinds", {}, {}), 5);
+    EXPECT_EQ(count("blinds", 0, {}), 5);
+    EXPECT_EQ(count("blinds", 1, {}), 5);
+    EXPECT_EQ(count("blinds", 2, {}), 0);
+    EXPECT_EQ(count("standing losses", {}, Quantity::gas), 1);
+    EXPECT_EQ(count("standing losses", {}, Quantity::electricity), 1);
+    EXPECT_EQ(count("standing losses", {}, Quantity::air_temperature), 0);
+    EXPECT_EQ(count("a free weekday", {}, {}), 5);
+    EXPECT_EQ(count("summer time not applied", {}, {}), 4);
+    EXPECT_EQ(count("retrofit of walls", {}, {}), 11);
 }
 
 TEST(Candidates, AMeterOfCoolingSeesLatentLoad) {
-    constexpr int of_cooling[] = {static_cast<int>(Quantity::cooling)};
+    constexpr Quantity of_cooling[] = {Quantity::cooling};
     const auto with = named_candidates(office().around, of_cooling);
     EXPECT_EQ(std::count_if(with.begin(), with.end(),
                             [](const Effect& effect) {
@@ -203,7 +214,10 @@ TEST(Catalogue, DescribeNamesEveryRowAndHook) {
     const std::string text = describe();
     for (const Entry& entry : catalogue())
         EXPECT_NE(text.find(entry.effect.name), std::string::npos);
-    EXPECT_NE(text.find("plant operation"), std::string::npos);
+    for (const HookRow& row : hook_rows())
+        EXPECT_NE(text.find(row.name), std::string::npos);
+    for (const GroupRow& row : group_rows)
+        EXPECT_NE(text.find(row.words), std::string::npos);
     EXPECT_NE(text.find("H_op (exact)"), std::string::npos);
 }
 

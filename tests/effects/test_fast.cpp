@@ -12,7 +12,9 @@ namespace {
 using test::Office;
 using test::Quantity;
 
-constexpr int meters[] = {0, 2, 3, 4};
+constexpr physics::Quantity meters[] = {
+    physics::Quantity::air_temperature, physics::Quantity::cooling,
+    physics::Quantity::electricity, physics::Quantity::gas};
 const std::vector<Quantity> quantities = {Quantity::air_temperature, Quantity::cooling,
                                           Quantity::electricity, Quantity::gas};
 

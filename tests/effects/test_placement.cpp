@@ -1,4 +1,6 @@
-#include "effects/drivers.hpp"
+#include "effects/hooks.hpp"
+#include "effects/levels.hpp"
+#include "effects/profiles.hpp"
 #include "office.hpp"
 
 #include <cmath>
@@ -36,15 +38,12 @@ const double before_heating =
 /// One of each hook, as drivers can move it.
 std::vector<Effect> one_of_each() {
     std::vector<Effect> all;
-    for (int hook = 0; hook <= static_cast<int>(Hook::meter_factor); ++hook) {
-        Effect effect{.name = name_of(static_cast<Hook>(hook))};
-        effect.hook = static_cast<Hook>(hook);
-        if (effect.hook == Hook::operation || effect.hook == Hook::occupation ||
-            effect.hook == Hook::plant_operation)
+    for (const HookRow& row : hook_rows()) {
+        Effect effect{.name = row.name, .hook = row.hook};
+        if (row.kind == physics::ChangeKind::schedule)
             effect.driver = Driver::another_day;
         if (effect.hook == Hook::neighbour) effect.driver = Driver::ground;
-        if (effect.hook == Hook::meter_addition || effect.hook == Hook::meter_factor)
-            effect.place = static_cast<int>(Quantity::gas);
+        if (row.is_at_a_meter) effect.meter = Quantity::gas;
         all.push_back(effect);
     }
     return all;
@@ -104,7 +103,7 @@ TEST(Placement, WindInfiltrationRaisesHeatingWhenItIsWindy) {
     for (std::size_t k = 0; k < with.size(); ++k) {
         const double theta_e = office().drive.theta_e[warm_up + k];
         if (without[k] <= 0 || theta_e > 5) continue;
-        const double wind = office().around.wind[warm_up + k];
+        const double wind = office().around.weather.at(Driver::wind)[warm_up + k];
         const bool blows = wind > 5;
         (blows ? at_wind : at_calm) += with[k] - without[k];
         (blows ? asked_wind : asked_calm) += wind * (20 - theta_e);
@@ -192,9 +191,9 @@ TEST(Placement, ASecondMassSmoothsAndKeepsTheSum) {
 TEST(Placement, ShadeOnOneFacadeLeavesTheOther) {
     Effect shade{.name = "shade", .hook = Hook::aperture};
     const double all = cooling(shade, -0.5);
-    shade.place = 0;
+    shade.facade = 0;
     const double south = cooling(shade, -0.5);
-    shade.place = 1;
+    shade.facade = 1;
     const double west = cooling(shade, -0.5);
     EXPECT_LT(all, south);
     EXPECT_LT(south, 0);
@@ -209,8 +208,8 @@ TEST(Placement, BlindsOnAllFacadesFollowEachItsOwnSun) {
                         .shape = {Form::over, 200}};
     const Placed all = placed(blinds);
     Effect south = blinds, west = blinds;
-    south.place = 0;
-    west.place = 1;
+    south.facade = 0;
+    west.facade = 1;
     const Placed each = place(std::vector{south, west}, office().around);
     EXPECT_EQ(shown(all, {-0.6}, Quantity::cooling),
               shown(each, {-0.6, -0.6}, Quantity::cooling));
@@ -222,7 +221,7 @@ TEST(Placement, GainsHeatAndMeterAdditionsDoNot) {
     EXPECT_LT(heating(people, 5), -100);
     EXPECT_GT(cooling(people, 5), 100);
     Effect standing{.name = "standing", .hook = Hook::meter_addition};
-    standing.place = static_cast<int>(Quantity::gas);
+    standing.meter = Quantity::gas;
     EXPECT_EQ(heating(standing, 2), 0);
     const double hours =
         static_cast<double>(office().drive.n_steps() - office().drive.n_warm_up);
@@ -253,7 +252,7 @@ TEST(Placement, ConversionFactors) {
     EXPECT_NEAR(raised(office(), worse, -0.1, Quantity::gas),
                 before_heating / 0.9 * (1 / 0.9 - 1), 1e-6 * before_heating);
     Effect scale{.name = "scale", .hook = Hook::meter_factor};
-    scale.place = static_cast<int>(Quantity::electricity);
+    scale.meter = Quantity::electricity;
     const Placed unit = placed(scale);
     EXPECT_NEAR(raised(office(), scale, 0.1, Quantity::electricity),
                 0.1 * total(shown(unit, {0}, Quantity::electricity)), 1e-6);
@@ -341,7 +340,7 @@ TEST(Placement, ProfilesThatShapeRegimesHaveFewLevels) {
     const Placed exact = placed(sun);
     const auto sun_row = exact.drive.profiles.row(exact.drive.profiles.rows - 1);
     EXPECT_TRUE(std::equal(sun_row.begin(), sun_row.end(),
-                           office().around.sun_horizontal.begin()));
+                           office().around.weather.at(Driver::sun_horizontal).begin()));
 }
 
 /// 24 levels of a uniform driver are off by 1 / (24 sqrt 12) of its range, rms: 1.2 %.
@@ -350,7 +349,8 @@ TEST(Placement, LevelsCostLittleOfWhatTheEffectBrings) {
         .name = "wind", .hook = Hook::infiltration, .driver = Driver::wind};
     const Placed levels = placed(windy);
     Placed exact = levels;
-    std::copy(office().around.wind.begin(), office().around.wind.end(),
+    std::copy(office().around.weather.at(Driver::wind).begin(),
+              office().around.weather.at(Driver::wind).end(),
               exact.drive.profiles.row(exact.drive.profiles.rows - 1).begin());
     const auto without = shown(levels, {0}, Quantity::heating);
     const auto few = shown(levels, {0.1}, Quantity::heating);
@@ -394,11 +394,11 @@ TEST(Objections, SayWhatIsMissing) {
     EXPECT_EQ(why({.hook = Hook::cooling_set_point}),
               "there is no cooling by a thermostat and a plant");
     EXPECT_EQ(why({.hook = Hook::ventilation}), "no air flow follows a schedule");
-    EXPECT_EQ(why({.hook = Hook::meter_addition, .place = 1}),
+    EXPECT_EQ(why({.hook = Hook::meter_addition, .meter = Quantity::heating}),
               "it needs a meter of electricity, gas or district heat as its place");
     EXPECT_EQ(why({.hook = Hook::meter_factor}),
               "it needs a meter of energy as its place");
-    EXPECT_EQ(why({.hook = Hook::aperture, .place = 2}),
+    EXPECT_EQ(why({.hook = Hook::aperture, .facade = 2}),
               "there is no window on this facade");
     EXPECT_EQ(why({.hook = Hook::neighbour, .gate = Gate::night}),
               "a conductance to another temperature is always there: it takes no gate");

@@ -1,5 +1,6 @@
 #include "effects/air.hpp"
 #include "effects/levels.hpp"
+#include "effects/profiles.hpp"
 #include "effects/schedules.hpp"
 #include "office.hpp"
 
@@ -67,17 +68,18 @@ TEST(Surroundings, WeatherIsLaidOnTheDrivesSteps) {
     const Office half_hours("2021-03-01", "2021-04-01", 1800);
     const std::size_t step = at("2021-03-05 14:30", half_hours);
     const std::size_t hour = 24 * (31 + 28 + 4) + 14;
-    EXPECT_EQ(half_hours.around.wind[step], half_hours.weather.wind_speed[hour]);
-    EXPECT_EQ(half_hours.around.sun_horizontal[step],
+    EXPECT_EQ(half_hours.around.weather.at(Driver::wind)[step],
+              half_hours.weather.wind_speed[hour]);
+    EXPECT_EQ(half_hours.around.weather.at(Driver::sun_horizontal)[step],
               half_hours.weather.global_horizontal[hour]);
-    EXPECT_EQ(half_hours.around.wind.size(),
+    EXPECT_EQ(half_hours.around.weather.at(Driver::wind).size(),
               static_cast<std::size_t>(half_hours.drive.n_steps()));
 }
 
 TEST(Surroundings, BeforeTheWeatherItsFirstDayRepeats) {
     const Office new_year("2021-01-01", "2021-02-01");
     EXPECT_EQ(new_year.drive.n_warm_up, 14 * 24);
-    EXPECT_EQ(new_year.around.wind[at("2020-12-25 07:00", new_year)],
+    EXPECT_EQ(new_year.around.weather.at(Driver::wind)[at("2020-12-25 07:00", new_year)],
               new_year.weather.wind_speed[7]);
 }
 
@@ -88,8 +90,8 @@ TEST(Surroundings, GapsHoldTheLastValueAndALackIsALack) {
     const Surroundings around = make_surroundings(office().building, office().drive,
                                                   weather, office().around.from);
     const std::size_t gap = at("2021-04-11 00:00");
-    EXPECT_EQ(around.wind[gap], weather.wind_speed[24 * 100 - 1]);
-    EXPECT_TRUE(around.moisture.empty());
+    EXPECT_EQ(around.weather.at(Driver::wind)[gap], weather.wind_speed[24 * 100 - 1]);
+    EXPECT_TRUE(around.weather.at(Driver::moisture).empty());
     Effect latent{.name = "latent", .driver = Driver::moisture};
     EXPECT_FALSE(is_known(latent, around));
     EXPECT_TRUE(is_known(latent, office().around));
@@ -97,7 +99,7 @@ TEST(Surroundings, GapsHoldTheLastValueAndALackIsALack) {
 }
 
 TEST(Profiles, ShapesOfWind) {
-    const double wind = office().around.wind[at("2021-03-05 14:00")];
+    const double wind = office().around.weather.at(Driver::wind)[at("2021-03-05 14:00")];
     const auto value = [&](Shape shape) {
         return profile({.driver = Driver::wind, .shape = shape})[at("2021-03-05 14:00")];
     };
@@ -230,7 +232,7 @@ TEST(Schedules, AScheduleRepeatsAndASeriesDoesNot) {
     const physics::Drive& drive = office().drive;
     EXPECT_TRUE(is_schedule(drive.profiles.row(test::office_hours_row), drive));
     EXPECT_TRUE(is_schedule(drive.profiles.row(test::night_row), drive));
-    EXPECT_FALSE(is_schedule(office().around.wind, drive));
+    EXPECT_FALSE(is_schedule(office().around.weather.at(Driver::wind), drive));
 }
 
 TEST(Schedules, AnotherDayPassesOverClosedDays) {
@@ -250,7 +252,7 @@ TEST(Schedules, OfAFewDaysAreSchedulesTooByTheDaysBefore) {
     drive.n_warm_up = drive.n_steps() - 5 * 24;
     const auto own = drive.profiles.row(test::office_hours_row);
     EXPECT_TRUE(is_schedule(own, drive));
-    EXPECT_FALSE(is_schedule(office().around.wind, drive));
+    EXPECT_FALSE(is_schedule(office().around.weather.at(Driver::wind), drive));
     for (int weekday = 0; weekday < 7; ++weekday) {
         const std::vector<double> other = as_on(weekday, own, drive);
         const auto last = std::span(other).last(5 * 24);

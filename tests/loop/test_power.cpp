@@ -62,13 +62,16 @@ TEST(LoopPower, EachMetersStepIsARow) {
 }
 
 TEST(LoopPower, FacadesShareARowMetersDoNot) {
-    for (const auto& [name, is_one] :
-         {std::pair{"shade in a season", true}, {"step of a meter", false}}) {
-        effects::Effect here = test::named(name), there = here;
-        there.place = here.place + 1;
-        EXPECT_TRUE(are_of_one_row(here, here));
-        EXPECT_EQ(are_of_one_row(here, there), is_one);
-    }
+    effects::Effect north = test::named("shade in a season"), south = north;
+    north.facade = 0;
+    south.facade = 1;
+    EXPECT_TRUE(are_of_one_row(north, north));
+    EXPECT_TRUE(are_of_one_row(north, south));
+    effects::Effect gas = test::named("step of a meter"), heating = gas;
+    gas.meter = physics::Quantity::gas;
+    heating.meter = physics::Quantity::heating;
+    EXPECT_TRUE(are_of_one_row(gas, gas));
+    EXPECT_FALSE(are_of_one_row(gas, heating));
 }
 
 TEST(LoopPower, ARowIsOfTheMeterInItsName) {

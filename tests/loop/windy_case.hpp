@@ -2,6 +2,7 @@
 #pragma once
 
 #include "effects/catalogue.hpp"
+#include "effects/make_surroundings.hpp"
 #include "effects/placement.hpp"
 #include "physics/simulate.hpp"
 #include "sampling/normal.hpp"

@@ -2,9 +2,9 @@
 /// the value before them; before the weather begins its first day repeats.
 /// Plain bookkeeping without a source. A series of which more than a tenth is missing
 /// stays empty. Columns and the model's own series are left to the caller.
-#include "effects/surroundings.hpp"
+#include "effects/make_surroundings.hpp"
 
-#include "effects/air.hpp"
+#include "effects/drivers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,14 +51,6 @@ Series lay(const Series& hourly, const physics::Weather& weather,
     return steps;
 }
 
-/// 0 of none.
-double mean_of_known(const Series& values) {
-    double sum = 0, n = 0;
-    for (const double value : values)
-        if (!std::isnan(value)) sum += value, ++n;
-    return n > 0 ? sum / n : 0;
-}
-
 std::vector<physics::CalendarStep> calendar_of(const physics::TimeAxis& axis) {
     std::vector<physics::CalendarStep> calendar;
     calendar.reserve(static_cast<std::size_t>(axis.n_steps));
@@ -76,12 +68,9 @@ Surroundings make_surroundings(const physics::Building& building,
     around.building = &building;
     around.drive = &drive;
     around.calendar = calendar_of(drive.axis);
-    around.wind = lay(weather.wind_speed, weather, drive);
-    around.mean_wind = mean_of_known(weather.wind_speed);
-    around.moisture = lay(moisture_series(weather), weather, drive);
-    around.sky_difference = lay(sky_difference_series(weather), weather, drive);
-    around.sun_horizontal = lay(weather.global_horizontal, weather, drive);
-    around.ground = lay(ground_series(weather), weather, drive);
+    for (const DriverRow& row : driver_rows())
+        if (row.of_weather != nullptr)
+            around.weather[row.driver] = lay(row.of_weather(weather), weather, drive);
     around.from = from;
     return around;
 }

@@ -1,0 +1,73 @@
+/// Keeps a building, profiles and coefficients while effects are put into it.
+/// Follows from physics::Change.
+/// What a hook does with these steps is left to entering.
+#include "effects/placer.hpp"
+
+#include "effects/sites.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace bemcal::effects {
+
+int Placer::profile_row(std::vector<double> series) {
+    const auto found = std::find(rows_.begin(), rows_.end(), series);
+    const auto row = static_cast<std::size_t>(found - rows_.begin());
+    if (found == rows_.end()) rows_.push_back(std::move(series));
+    return static_cast<int>(around_.drive->profiles.rows + row);
+}
+
+void Placer::change(physics::Target target, physics::ChangeKind kind, int row) {
+    auto& changes = physics::input_at(building_, target)->changes;
+    const auto free = std::find_if(changes.begin(), changes.end(),
+                                   [](const auto& one) { return one.profile < 0; });
+    if (free == changes.end())
+        throw std::invalid_argument(fmt::format(
+            "{} effects change the same input already", physics::most_changes));
+    *free = {0, row, kind};
+    target.change = static_cast<int>(free - changes.begin());
+    parameters_.back().targets.push_back(target);
+}
+
+void Placer::set(physics::Target part, const double& number) {
+    parameters_.back().targets.push_back(target_of(building_, part, number));
+}
+
+void Placer::set(physics::Target part, const physics::Input& input) {
+    physics::Target target = target_of(building_, part, input);
+    target.slot = physics::Slot::value;
+    parameters_.back().targets.push_back(target);
+}
+
+std::string Placer::new_name() const {
+    return fmt::format("effect_{}", parameters_.size());
+}
+
+bool Placer::has(const std::string& name) const {
+    return std::any_of(parameters_.begin(), parameters_.end(),
+                       [&](const auto& parameter) { return parameter.name == name; });
+}
+
+bool Placer::acts() const {
+    const auto is_zero = [](double x) { return x == 0; };
+    return acts_always_ || std::any_of(rows_.begin(), rows_.end(), [&](const auto& row) {
+               return !std::all_of(row.begin(), row.end(), is_zero);
+           });
+}
+
+physics::Drive Placer::drive() const {
+    physics::Drive drive = *around_.drive;
+    Matrix profiles(drive.profiles.rows + rows_.size(),
+                    static_cast<std::size_t>(drive.n_steps()));
+    std::copy(drive.profiles.values.begin(), drive.profiles.values.end(),
+              profiles.values.begin());
+    for (std::size_t k = 0; k < rows_.size(); ++k)
+        std::copy(rows_[k].begin(), rows_[k].end(),
+                  profiles.row(drive.profiles.rows + k).begin());
+    drive.profiles = std::move(profiles);
+    return drive;
+}
+
+}  // namespace bemcal::effects
