@@ -25,6 +25,9 @@ import time
 import h5py
 import large_job
 
+sys.path.insert(0, str(large_job.ROOT / "scripts"))
+from report import studies  # noqa: E402
+
 JOBS = large_job.ROOT / "jobs"
 STOCK = JOBS / "cambridge_loops"
 SHARED = large_job.ROOT.parent / "shared"
@@ -77,13 +80,10 @@ def run(job, result):
 def print_effects(result):
     """Lines that no reader of numbers takes for one."""
     with h5py.File(result) as file:
-        found = []
-        file.visititems(lambda name, item: found.append(item)
-                        if name.endswith("/structure_chosen") else None)
-        for chosen in found:
-            names = chosen.parent["effect"].asstr()[:]
-            print(f"{chosen.parent.name[1:]}: structure: {chosen.asstr()[()]}; effects: "
-                  f"{'; '.join(names) or 'none'}")
+        for path in studies.of_kind(file, "loop"):
+            loop = file[path]
+            print(f"{path}: structure: {loop['structure_chosen'].asstr()[()]}; effects: "
+                  f"{'; '.join(loop['effect'].asstr()[:]) or 'none'}")
 
 
 def print_errors(errors):

@@ -7,17 +7,11 @@ from dataclasses import dataclass
 import h5py
 import numpy as np
 
+from report import studies
+
 PLAIN, BEFORE, AFTER = range(3)
 HOURLY, MONTHLY = range(2)
 LEAST_READINGS = 168           # fewer make no picture
-
-
-def stages_in(file):
-    """Paths of the loops in an open HDF5 file."""
-    found = []
-    file.visit(lambda path: found.append(path.rpartition("/")[0])
-               if path.rpartition("/")[2] == "structure_chosen" else None)
-    return found
 
 
 @dataclass
@@ -142,7 +136,7 @@ class Loop:
 def read(path, stage=None):
     """The loop of that name in a file; without a name the only one."""
     file = h5py.File(path)
-    stages = stages_in(file)
+    stages = studies.of_kind(file, "loop")
     if stage is None and len(stages) == 1:
         stage = stages[0]
     if stage not in stages:

@@ -123,6 +123,7 @@ std::vector<study::Dataset> grid_datasets(const std::string& name,
                                           const std::vector<std::string>& units,
                                           const std::vector<study::Failure>& failures) {
     study::DatasetBuilder datasets(name);
+    datasets.kind("grid");
     datasets.parameters(rounds.parameters());
     add_targets(rounds, units, datasets);
     add_stages(rounds, datasets);

@@ -229,6 +229,7 @@ study::Conclusion Optimisation::conclude(
     History history = start();
     follow(answers, history);
     study::DatasetBuilder datasets(name_);
+    datasets.kind("optimisation");
     datasets.parameters(goal_->parameters());
     datasets.texts("objective", "objective", goal_->objectives());
     datasets.texts("objective_unit", "objective", goal_->units());

@@ -184,6 +184,7 @@ study::Summary summary_of(const ScreeningPlan& plan,
 study::Conclusion conclude_screening(const ScreeningPlan& plan,
                                      const std::vector<study::ItemAnswer>& answers) {
     study::DatasetBuilder datasets(plan.name);
+    datasets.kind("screening");
     add_names(plan, datasets);
     const Ranking ranking = ranking_of(plan, answers);
     datasets.array("guideline_14_count", {"period", "resolution"},

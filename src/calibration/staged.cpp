@@ -398,6 +398,7 @@ study::Conclusion StagedCalibration::conclude(
     History history = start();
     follow(answers, history);
     study::DatasetBuilder datasets(name_);
+    datasets.kind("stages");
     datasets.parameters(building_.parameters);
     datasets.scalar("accuracy", options_.accuracy);
     add_stages(history.path, datasets);

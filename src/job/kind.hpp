@@ -1,8 +1,13 @@
 /// A kind of study: one row of the table in kinds.cpp.
 ///
 /// A kind stands in a file of its own, WORD_kind.cpp: its keys, their reader, and what
-/// follows from them. All others that work with studies go through the row. A row says
-/// what may be left out by leaving it out.
+/// follows from them. All others that work with studies go through the row. What a kind
+/// does not need, its row leaves out.
+///
+/// A new kind is five files: its stage's header and source, whose `conclude` stores the
+/// word (`DatasetBuilder::kind`), its WORD_kind.cpp, its line in kinds.cpp, and the rows
+/// of its datasets in store/layout.cpp. `report` shows it as it is stored; tables of its
+/// own are a source in report/, named in sections.hpp and tables.cpp.
 #pragma once
 
 #include "input/input_files.hpp"
@@ -57,7 +62,8 @@ struct Effort {
 };
 
 struct Kind {
-    const char* word;  ///< in a job; in a result the study's dataset `kind`
+    const char* word;  ///< in a job, and in a result, where the study's dataset `kind` is
+                       ///< written by its stages
     /// "study" itself, which says what the kind is for, then the sections in it.
     Rows<schema::SectionInfo> sections;
     Rows<schema::Key> keys;  ///< beside `kind` and `name`, which all have

@@ -17,7 +17,8 @@ constexpr schema::SectionInfo sections[] = {
     {"study", "[[study]] kind = \"office_hour_sensitivity\"", "",
      "Which inputs matter in paper 1's single hour of an office; it needs no building."},
     {"study.fixed", "[study.fixed]", "",
-     "Inputs held at a value, one for each case: T_out = [5, 30]; the names are those of "
+     "Inputs held at a value, one for each case: theta_ext = [10, 30]; the names are "
+     "those of "
      "the model.",
      true}};
 

@@ -14,16 +14,20 @@ namespace {
 /// Beside the buildings in a result.
 constexpr const char* of_result[] = {"run", "inputs", "input_file"};
 /// Beside the periods of a posterior, and the buildings of a pooled one.
-constexpr const char* of_posterior[] = {
-    "unknown",        "unknown_unit",  "posterior",
-    "posterior_mean", "posterior_sd",  "posterior_q05",
-    "posterior_q50",  "posterior_q95", "posterior_predictive",
-    "observed_data",  "prior",         "sample_stats",
-    "gelman_rubin",   "rhat_split",    "rhat_rank",
-    "ess_bulk",       "ess_tail",      "mcse_mean",
-    "convergence",    "shortfall",     "target_rhat",
-    "target_ess",     "contraction",   "shift",
-    "range_share",    "data_finding",  "data_words"};
+constexpr const char* of_posterior[] = {"kind",           "unknown",
+                                        "unknown_unit",   "posterior",
+                                        "posterior_mean", "posterior_sd",
+                                        "posterior_q05",  "posterior_q50",
+                                        "posterior_q95",  "posterior_predictive",
+                                        "observed_data",  "prior",
+                                        "sample_stats",   "gelman_rubin",
+                                        "rhat_split",     "rhat_rank",
+                                        "ess_bulk",       "ess_tail",
+                                        "mcse_mean",      "convergence",
+                                        "shortfall",      "target_rhat",
+                                        "target_ess",     "contraction",
+                                        "shift",          "range_share",
+                                        "data_finding",   "data_words"};
 /// Beside the studies of a building.
 constexpr const char* of_building[] = {"data"};
 /// Beside the periods of a screening: its datasets and dimensions. A test holds the list

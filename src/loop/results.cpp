@@ -203,6 +203,7 @@ class Writer {
         out_.texts("structure", "structure", structures);
         out_.vector("structure_score", "structure", scores);
         out_.scalar("misfit", result_.misfit);
+        out_.kind("loop");
         out_.text("structure_chosen", name_of(result_.baseline.chosen.model.structure));
         steps();
         localisation();

@@ -154,6 +154,7 @@ std::string shortfall_of(const ConvergenceTable& table, const ChainOptions& opti
 study::Conclusion conclude_chains(const std::string& stage, const Posterior& posterior,
                                   const ChainOptions& options, const ChainDraws& draws) {
     study::DatasetBuilder datasets(stage);
+    datasets.kind(posterior.kind());
     add_names(posterior, datasets);
     const std::vector<Matrix> unknowns = draws_of_unknowns(posterior, draws);
     const ConvergenceTable table = convergence_table(posterior, draws);

@@ -75,6 +75,7 @@ class KohPosterior : public Posterior {
         name_unknowns();
     }
 
+    const char* kind() const override { return koh_kind; }
     std::unique_ptr<sampling::Density> make_density() const override {
         return std::make_unique<KohDensity>(data_, model_);
     }

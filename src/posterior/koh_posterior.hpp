@@ -12,6 +12,8 @@
 
 namespace bemcal::posterior {
 
+inline constexpr const char* koh_kind = "kennedy_ohagan";  ///< as the result says it
+
 /// Throws std::invalid_argument where data, priors and form do not fit together.
 std::shared_ptr<const Posterior> make_koh_posterior(const KohOptions& options);
 std::unique_ptr<study::Stage> make_koh_stage(std::string name, const KohOptions& options);

@@ -146,6 +146,7 @@ class KohRunsStage : public study::Stage {
         study::Conclusion conclusion;
         if (chains_) conclusion = chains_->conclude(of_chains(answers));
         study::DatasetBuilder more(name_);
+        if (!chains_) more.kind(koh_kind);
         add_runs(answers, more);
         std::ranges::move(more.take(), std::back_inserter(conclusion.datasets));
         return conclusion;

@@ -86,6 +86,7 @@ class DirectPosterior : public Posterior {
             unknowns_.push_back({coordinate.name, coordinate.unit});
     }
 
+    const char* kind() const override { return "posterior"; }
     std::unique_ptr<sampling::Density> make_density() const override {
         return make_posterior_density(parts_);
     }

@@ -31,6 +31,7 @@ struct ChainDraws {
 class Posterior {
   public:
     virtual ~Posterior() = default;
+    virtual const char* kind() const = 0;  ///< of study, as the result says it
     virtual std::unique_ptr<sampling::Density> make_density() const = 0;
     virtual const std::vector<Unknown>& unknowns() const = 0;
     /// A position in physical units. \param values  [unknowns]

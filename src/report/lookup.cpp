@@ -41,6 +41,13 @@ std::vector<std::size_t> Group::shape(const std::string& leaf) const {
     return dataset ? dataset->shape : std::vector<std::size_t>{};
 }
 
+std::vector<const Dataset*> Group::datasets() const {
+    std::vector<const Dataset*> own;
+    for (const Dataset& dataset : result_->datasets)
+        if (group_of(dataset.path) == path_) own.push_back(&dataset);
+    return own;
+}
+
 std::vector<Group> Group::groups_below(const std::string& leaf) const {
     std::vector<Group> below = groups_with(*result_, leaf);
     std::erase_if(below, [&](const Group& group) {

@@ -69,6 +69,8 @@ class Group {
     Numbers values(const std::string& leaf) const;
     Texts texts(const std::string& leaf) const;
     std::vector<std::size_t> shape(const std::string& leaf) const;
+    /// Those in this group itself, in the order of the file.
+    std::vector<const study::Dataset*> datasets() const;
     /// Groups anywhere below this one that have a dataset of that name.
     std::vector<Group> groups_below(const std::string& leaf) const;
     const std::string& unit(const std::string& leaf) const;  ///< as it is stored

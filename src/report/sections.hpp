@@ -51,6 +51,9 @@ std::string grid_section(const Group& study);
 /// and on those that none has seen, computed again from the stored series.
 std::string staged_section(const Group& study);
 
+/// Any study as it is stored: for kinds without a section of their own.
+std::string plain_section(const Group& study);
+
 /// What was found in a building's data, and what was done about it.
 std::string decision_section(const Group& data);
 

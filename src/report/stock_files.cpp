@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/lock.hpp"
 #include "report/stock_tables.hpp"
+#include "report/studies.hpp"
 #include "stock/record.hpp"
 
 #include <sstream>
@@ -47,7 +48,7 @@ std::string other_nights(const fs::path& history, const std::string& night) {
 }  // namespace
 
 void write_stock_files(const run::OutputNames& names, const store::ResultFile& result) {
-    const auto stocks = groups_with(result, "stock_building");
+    const std::vector<Group> stocks = studies_of_kind(result, "stock");
     if (stocks.empty()) return;
     const std::string night = names.result.stem().string();
     Lock one_at_a_time(folder_of(names.result), O_RDONLY | O_DIRECTORY);

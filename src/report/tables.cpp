@@ -1,13 +1,15 @@
 /// Everything a result holds as text: the sections of its studies one after another,
 /// failures by reason, missed targets, and `status`.
-/// Plain text without a source. Which sections there are is told by the datasets that are
-/// there; the sections themselves are in files of their own.
+/// Plain text without a source. A study's section is that of its kind; the sections
+/// themselves are in files of their own.
 #include "report/tables.hpp"
 
 #include "report/sections.hpp"
 #include "report/stock_tables.hpp"
+#include "report/studies.hpp"
 #include "report/text_table.hpp"
 
+#include <algorithm>
 #include <map>
 #include <sstream>
 
@@ -78,31 +80,52 @@ std::string shortfall_lines(const store::ResultFile& result) {
     return text;
 }
 
+namespace {
+
+/// The section of each kind of study, in the order in which they are shown.
+struct KindSection {
+    const char* kind;
+    std::string (*section)(const Group& study);
+};
+constexpr KindSection kind_sections[] = {{"sensitivity", sensitivity_section},
+                                         {"office_hour_sensitivity", sensitivity_section},
+                                         {"hourly_sensitivity", hourly_section},
+                                         {"screening", screening_section},
+                                         {"optimisation", optimisation_section},
+                                         {"posterior", posterior_section},
+                                         {"kennedy_ohagan", posterior_section},
+                                         {"loop", loop_section},
+                                         {"grid", grid_section},
+                                         {"retrofit", retrofit_section},
+                                         {"stages", staged_section}};
+
+bool has_section(const std::string& kind) {
+    return kind == "stock" || std::ranges::any_of(kind_sections, [&](const auto& row) {
+               return kind == row.kind;
+           });
+}
+
+std::string sections_of(const std::vector<StoredStudy>& studies, const std::string& kind,
+                        std::string (*section)(const Group&)) {
+    std::string text;
+    for (const StoredStudy& study : studies)
+        if (study.kind == kind) text += section(study.group);
+    return text;
+}
+
+}  // namespace
+
 std::string tables_of(const store::ResultFile& result) {
     store::check_layout(result);
-    std::string text = shortfall_lines(result);
-    for (const Group& stock : groups_with(result, "stock_building"))
-        text += stock_section(stock);
+    const std::vector<StoredStudy> studies = studies_in(result);
+    std::string text =
+        shortfall_lines(result) + sections_of(studies, "stock", stock_section);
     for (const Group& data : groups_with(result, "finding"))
         text += decision_section(data);
-    for (const Group& study : groups_with(result, "total_order"))
-        text += sensitivity_section(study);
-    for (const Group& study : groups_with(result, "series_total_order"))
-        text += hourly_section(study);
-    for (const Group& study : groups_with(result, "guideline_14_count"))
-        text += screening_section(study);
-    for (const Group& study : groups_with(result, "objective"))
-        text += optimisation_section(study);
-    for (const Group& study : groups_with(result, "unknown"))
-        text += posterior_section(study);
-    for (const Group& study : groups_with(result, "structure_chosen"))
-        text += loop_section(study);
-    for (const Group& study : groups_with(result, "stage_points"))
-        text += grid_section(study);
-    for (const Group& study : groups_with(result, "saving_quantile"))
-        text += retrofit_section(study);
-    for (const Group& study : groups_with(result, "calibration_stage"))
-        text += staged_section(study);
+    for (const KindSection& row : kind_sections)
+        text += sections_of(studies, row.kind, row.section);
+    for (const StoredStudy& study : studies)
+        if (!has_section(study.kind)) text += plain_section(study.group);
     return text;
 }
 

@@ -274,6 +274,7 @@ Matrix saving_of(const Matrix& before, const Matrix& after, bool is_share) {
 study::Conclusion Retrofit::conclude(
     const std::vector<study::ItemAnswer>& answers) const {
     study::DatasetBuilder datasets(name_);
+    datasets.kind("retrofit");
     add_names(datasets);
     const Matrix rows = rows_of(answers);
     const std::size_t n_scenarios = options_.scenarios.size();

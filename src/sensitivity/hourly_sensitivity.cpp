@@ -162,6 +162,7 @@ study::Conclusion HourlySensitivity::conclude(
     for (std::size_t step = 0; step < n_steps(); ++step)
         steps.add(blocks.at(step), blocks.shift(step));
     study::DatasetBuilder datasets(name_);
+    datasets.kind("hourly_sensitivity");
     datasets.parameters(batch_.parameters());
     datasets.text("quantity", physics::name_of(quantity_));
     add_steps(datasets, axis_, dimension(), std::move(steps));

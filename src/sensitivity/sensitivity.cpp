@@ -161,6 +161,7 @@ void Sensitivity::add_indices(const Matrix& outputs,
 study::Conclusion Sensitivity::conclude(
     const std::vector<study::ItemAnswer>& answers) const {
     study::DatasetBuilder datasets(name_);
+    datasets.kind(options_.kind);
     datasets.parameters(simulator_->parameters());
     std::vector<std::string> names, units;
     for (const study::Output& output : simulator_->outputs()) {

@@ -283,6 +283,7 @@ study::Conclusion StockStage::conclude(const std::vector<ItemAnswer>& answers) c
         take_shared(std::exchange(parts[k], {}), whole);
         return whole;
     });
+    night.datasets.push_back({"stock/kind", {}, {}, {}, {"stock"}});
     for (std::size_t at = index(n_items()); at < answers.size(); ++at) {
         study::Conclusion whole = whole_result_in(answers[at]);
         std::ranges::move(whole.datasets, std::back_inserter(night.datasets));

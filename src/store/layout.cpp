@@ -35,6 +35,8 @@ constexpr LayoutRow own_rows[] = {
     {"parameter_unit", "parameter", text, "", "their units"},
     {"parameter_least", "parameter", number, own, "lower end of the range"},
     {"parameter_most", "parameter", number, own, "upper end of the range"},
+    {"kind", "", text, "",
+     "what kind of study it is, by the word of the job; stock: many buildings"},
     {"n_failed", "", number, "1", "simulations that failed"},
     {"failed_point", "failure", number, "1", "index in the study of each that failed"},
     {"failed_reason", "failure", text, "", "why it failed"},

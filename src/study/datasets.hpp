@@ -24,6 +24,8 @@ class DatasetBuilder {
                std::vector<std::size_t> shape, std::vector<double> values,
                std::string unit = {});
 
+    /// What kind of study it is: in the group of every one, by the word of the job file.
+    void kind(const char* word) { text("kind", word); }
     /// Names, units and ranges.
     void parameters(const std::vector<physics::Parameter>& parameters);
     /// Begins of steps [s since 1970, local standard time].

@@ -140,6 +140,7 @@ store::ResultFile loop_result(bool is_held_out = true, bool is_adequate = true) 
          {}});
     add(texts("structure", "structure", {"standard", "second mass"}));
     add(numbers("structure_score", "structure", {1.31, 0.94}));
+    add({"office/loop/kind", {}, {}, {}, {"loop"}});
     add({"office/loop/structure_chosen", {}, {}, {}, {"second mass"}});
     add(texts("decision_series", "decision", {"gas", "ground"}));
     add(texts("decision_finding", "decision",

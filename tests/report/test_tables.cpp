@@ -18,6 +18,7 @@ store::ResultFile sensitivity_result() {
     store::ResultFile result;
     const std::string g = "office/sa/";
     result.datasets = {
+        {g + "kind", {}, {}, {}, {"sensitivity"}},
         {g + "output", {"output"}, {1}, {}, {"heating"}},
         {g + "output_unit", {"output"}, {1}, {}, {"kWh"}},
         {g + "parameter", {"parameter"}, {3}, {}, {"U_wall", "set_point", "lights"}},
@@ -61,6 +62,7 @@ store::ResultFile screening_result() {
     store::ResultFile result;
     const std::string g = "office/screen/";
     result.datasets = {
+        {g + "kind", {}, {}, {}, {"screening"}},
         {g + "meter", {"meter"}, {1}, {}, {"gas"}},
         {g + "meter_unit", {"meter"}, {1}, {}, {"kWh"}},
         {g + "period", {"period"}, {1}, {}, {"training"}},
@@ -96,6 +98,7 @@ store::ResultFile posterior_result(double distance) {
     result.attributes = {{"job", "seed = 1"}};
     const std::string g = "office/posterior/", m = g + "training/gas/";
     result.datasets = {
+        {g + "kind", {}, {}, {}, {"posterior"}},
         {g + "unknown", {"unknown"}, {2}, {}, {"U_wall", "log_density"}},
         {g + "unknown_unit", {"unknown"}, {2}, {}, {"W/(m2 K)", "-"}},
         {g + "target_rhat", {}, {}, {1.01}, {}},

@@ -168,6 +168,7 @@ def write(path, channels=CHANNELS, held_out=True, found=2, stage="office/loop", 
     with h5py.File(path, "w") as file:
         file.attrs.update(program="bemcal-batch", title=stage.split("/")[0], seed=str(seed))
         study = file.create_group(stage)
+        text(study, "kind", "loop")
         text(study, "channel", list(channels))
         text(study, "channel_unit", list(channels.values()))
         text(study, "model", MODELS)
