@@ -4,6 +4,7 @@
 /// Readings over an hour apart are not checked, and of months only one file is read.
 /// Stamps are read by `stamps`.
 #include "base/error.hpp"
+#include "input/bills.hpp"
 #include "input/checks.hpp"
 #include "input/intervals.hpp"
 #include "input/suggest.hpp"
@@ -64,10 +65,8 @@ class MeterReader {
         if (!section_.has("file")) return without_readings();
         section_.node("column");
         const std::vector<TimedCsv> sources = open_files();
-        const Interval rows = input::interval_of_rows(sources[0].stamps.step_s);
-        input::RegularSeries series = rows < Interval::monthly
-                                          ? even_rows(sources)
-                                          : rows_by_calendar(sources, rows);
+        input::RegularSeries series =
+            sources[0].stamps.step_s <= day_s ? even_rows(sources) : billed_rows(sources);
         meter_.axis = series.axis;
         meter_.values = std::move(series.values);
         check_readings(sources[0].csv->file);
@@ -92,8 +91,12 @@ class MeterReader {
 
     std::vector<TimedCsv> open_files() {
         std::vector<TimedCsv> sources;
-        const OpenOptions options{nominal_step(), fold() == input::Fold::mean, column_,
-                                  meter_.interval > Interval::hourly};
+        const OpenOptions options{nominal_step(),
+                                  fold() == input::Fold::mean,
+                                  column_,
+                                  meter_.interval > Interval::hourly,
+                                  section_.text("from"),
+                                  section_.text("to")};
         for (const std::string& file : section_.texts("file")) {
             sources.push_back(open_csv(section_, "file", file, files_,
                                        building_.weather.site, options));
@@ -105,7 +108,7 @@ class MeterReader {
 
     int nominal_step() const {
         constexpr int steps[] = {3600, 3600, day_s, 31 * day_s, 365 * day_s};
-        return steps[static_cast<int>(meter_.interval)];
+        return steps[static_cast<int>(meter_.interval.kind)];
     }
 
     void decide(std::string finding, std::string action) {
@@ -149,25 +152,66 @@ class MeterReader {
         return on_intervals(std::move(series));
     }
 
-    input::RegularSeries rows_by_calendar(const std::vector<TimedCsv>& sources,
-                                          Interval rows) {
+    /// Months and years of the calendar, and bills between any reads.
+    input::RegularSeries billed_rows(const std::vector<TimedCsv>& sources) {
         if (sources.size() > 1)
             section_.fail("file",
                           "has several files of months or years; put them into one");
-        const TimedCsv& source = sources[0];
-        if (rows != meter_.interval) refuse_rows(source.stamps.step_s);
-        const input::Csv& csv = *source.csv;
-        input::RegularSeries series = input::calendar_rows(
-            csv, source.stamps,
-            input::numbers_in(csv, csv.column(column_), source.decimal), rows,
-            source.rules.at_end);
+        check_step_of_bills(sources[0].stamps.step_s);
+        std::vector<input::TimeNote> notes;
+        const std::vector<input::Bill> bills = read_bills(sources[0], notes);
+        if (bills.empty())
+            section_.fail("file", sources[0].csv->file +
+                                      " has one row, and not when it ends; give columns "
+                                      "from and to");
+        if (!input::are_of_calendar(bills, meter_.interval)) {
+            meter_.interval.bounds = input::bounds_of(bills);
+            notes.push_back(
+                {"its rows are no intervals of the calendar",
+                 fmt::format("read as {} bills, each over its own time", bills.size())});
+        }
+        input::RegularSeries series = input::series_of(bills, notes);
+        for (input::TimeNote& note : notes)
+            decide(std::move(note.finding), std::move(note.action));
         correct(series);
+        convert(series);
+        return series;
+    }
+
+    void check_step_of_bills(int step_s) const {
+        constexpr int longest_month = 130 * day_s, shortest_year = 300 * day_s;
+        if (meter_.interval < Interval::monthly ||
+            (meter_.interval == Interval::monthly ? step_s > longest_month
+                                                  : step_s < shortest_year))
+            refuse_rows(step_s);
         if (unit_of(section_, meter_.quantity).kind == input::UnitKind::power)
             section_.fail_value("unit",
                                 "is a power, but the rows are months or years; convert "
                                 "them to energies");
-        convert(series);
-        return series;
+    }
+
+    std::vector<input::Bill> read_bills(const TimedCsv& source,
+                                        std::vector<input::TimeNote>& notes) const {
+        const input::Csv& csv = *source.csv;
+        const std::vector<double> values =
+            input::numbers_in(csv, csv.column(column_), source.decimal);
+        std::vector<input::Bill> bills = bills_of(source, values, notes);
+        if (!section_.has("estimated")) return bills;
+        input::mark_estimated(csv, section_.text("estimated"), bills);
+        return input::merged(bills, meter_.quantity == Quantity::air_temperature, notes);
+    }
+
+    std::vector<input::Bill> bills_of(const TimedCsv& source,
+                                      const std::vector<double>& values,
+                                      std::vector<input::TimeNote>& notes) const {
+        if (section_.has("from") && section_.has("to"))
+            return input::bills_from_to(*source.csv, source.stamps,
+                                        stamps_of(source, section_.text("to")), values,
+                                        notes);
+        if (auto bills = input::bills_by_calendar(source.stamps, values, meter_.interval,
+                                                  source.rules.is_said, notes))
+            return std::move(*bills);
+        return input::bills_between(*source.csv, source.stamps, values, notes);
     }
 
     void note_gaps(const input::RegularSeries& series) {
@@ -233,16 +277,36 @@ class MeterReader {
                    fmt::format("scaled by {:.4g} kWh ({})", unit.factor, unit.source));
     }
 
-    input::RegularSeries on_intervals(input::RegularSeries series) const {
+    input::RegularSeries on_intervals(input::RegularSeries series) {
         const int step_s = series.axis.step_s;
         const Interval rows = input::interval_of_rows(step_s);
-        const bool even = rows == Interval::step ? 3600 % step_s == 0
-                                                 : step_s == 3600 || step_s == day_s;
-        if (!even) refuse_rows(step_s);
+        if ((rows == Interval::step ? 3600 : day_s) % step_s != 0) refuse_rows(step_s);
         if (meter_.interval == Interval::step) return series;
         if (rows > meter_.interval) refuse_rows(step_s);
+        return step_s == day_s ? on_days(std::move(series)) : summed(series);
+    }
+
+    input::RegularSeries summed(const input::RegularSeries& series) const {
         return input::sum_intervals(series, meter_.interval,
                                     physics::is_temperature(meter_.quantity));
+    }
+
+    /// Days that begin at another hour than midnight, such as those of gas, stay as they
+    /// are.
+    input::RegularSeries on_days(input::RegularSeries series) {
+        const Seconds midnight = std::chrono::floor<std::chrono::days>(series.axis.start);
+        const auto late =
+            std::chrono::round<std::chrono::hours>(series.axis.start - midnight);
+        series.axis.start = midnight;
+        input::RegularSeries days = summed(series);
+        if (late.count() == 0) return days;
+        meter_.interval.bounds = input::bounds_of(days.axis, meter_.interval);
+        for (Seconds& bound : meter_.interval.bounds) bound += late;
+        days.axis.start += late;
+        decide(
+            fmt::format("its days begin at {:02}:00 local standard time", late.count()),
+            "held against the same hours of the model");
+        return days;
     }
 
     [[noreturn]] void refuse_rows(int step_s) const {

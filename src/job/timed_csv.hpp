@@ -32,6 +32,7 @@ struct OpenOptions {
     bool is_mean = true;         ///< rows are means or instants, not sums
     std::string days_of;         ///< column that may be the first of a day's; "" = none
     bool days_by_clock = false;  ///< only where it is named after a time of day
+    std::string from, to;        ///< columns of begins and ends; "" = the key time
 };
 
 /// Opens the file that stands at `key` and reads its stamps. Throws UserError as csv.hpp
@@ -39,6 +40,9 @@ struct OpenOptions {
 TimedCsv open_csv(const schema::Section& section, const char* key,
                   const std::string& file, input::InputFiles& files,
                   const physics::Site& site, const OpenOptions& options = {});
+
+/// Another column of the file's times, each as it stands there.
+input::Stamps stamps_of(const TimedCsv& source, const std::string& column);
 
 /// What was found in the stamps of a file, as decisions on a series.
 void note_stamps(const TimedCsv& source, const std::string& series,

@@ -34,7 +34,7 @@ InstructionSet choose_instruction_set();
 /// Readings of a meter over a period, one for each of its intervals; NaN = missing.
 struct Readings {
     physics::Quantity quantity = physics::Quantity::heating;
-    physics::Interval interval = physics::Interval::hourly;
+    physics::Intervals interval;
     std::vector<double> values;  ///< [kWh] or [degC]
 };
 

@@ -22,7 +22,7 @@ namespace bemcal::kernel {
 /// A meter that is to be predicted over the batch's period.
 struct Channel {
     physics::Quantity quantity = physics::Quantity::heating;
-    physics::Interval interval = physics::Interval::hourly;
+    physics::Intervals interval;
 };
 
 /// Whether there is a way back: none for a building that runs plain, nor for one with
