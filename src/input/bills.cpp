@@ -220,6 +220,28 @@ std::vector<Bill> bills_from_to(const Csv& csv, const Stamps& from, const Stamps
     return bills;
 }
 
+std::vector<Bill> bills_in(const Csv& csv, const BillColumns& columns,
+                           const Stamps& stamps, const StampRules& rules,
+                           const std::vector<double>& values, Interval interval,
+                           bool is_mean, std::vector<TimeNote>& notes) {
+    std::vector<Bill> bills;
+    if (!columns.from.empty() && !columns.to.empty()) {
+        StampRules of_ends = rules;
+        of_ends.at_end = false;
+        const Stamps ends =
+            stamps_in(csv, csv.column(columns.to), of_ends, stamps.step_s);
+        bills = bills_from_to(csv, stamps, ends, values, notes);
+    } else if (auto found =
+                   bills_by_calendar(stamps, values, interval, rules.is_said, notes)) {
+        bills = std::move(*found);
+    } else {
+        bills = bills_between(csv, stamps, values, notes);
+    }
+    if (columns.estimated.empty()) return bills;
+    mark_estimated(csv, columns.estimated, bills);
+    return merged(bills, is_mean, notes);
+}
+
 void mark_estimated(const Csv& csv, const std::string& column, std::vector<Bill>& bills) {
     const std::size_t at = csv.column(column);
     for (Bill& bill : bills) {

@@ -41,6 +41,21 @@ std::vector<Bill> bills_from_to(const Csv& csv, const Stamps& from, const Stamps
                                 const std::vector<double>& values,
                                 std::vector<TimeNote>& notes);
 
+/// What tells of bills in a file, besides their readings.
+struct BillColumns {
+    std::string from, to;   ///< "" = the stamps alone
+    std::string estimated;  ///< "" = none
+};
+
+/// The bills of a column, by its from and to, by the calendar or from stamp to stamp, in
+/// this order; estimated ones merged.
+/// \param stamps  of `from`, or of the time, or of `to` alone
+/// \param rules  of the stamps  \param is_mean  of the values
+std::vector<Bill> bills_in(const Csv& csv, const BillColumns& columns,
+                           const Stamps& stamps, const StampRules& rules,
+                           const std::vector<double>& values, physics::Interval interval,
+                           bool is_mean, std::vector<TimeNote>& notes);
+
 /// Marks bills by a column that says yes or no, E or A. Throws UserError (data) where it
 /// says something else.
 void mark_estimated(const Csv& csv, const std::string& column, std::vector<Bill>& bills);

@@ -172,7 +172,9 @@ class MeterReader {
         }
         input::RegularSeries series = input::series_of(bills, notes);
         for (input::TimeNote& note : notes)
-            decide(std::move(note.finding), std::move(note.action));
+            building_.decisions.push_back({"stamps of " + meter_.name,
+                                           std::move(note.finding),
+                                           std::move(note.action)});
         correct(series);
         convert(series);
         return series;
@@ -193,25 +195,11 @@ class MeterReader {
     std::vector<input::Bill> read_bills(const TimedCsv& source,
                                         std::vector<input::TimeNote>& notes) const {
         const input::Csv& csv = *source.csv;
-        const std::vector<double> values =
-            input::numbers_in(csv, csv.column(column_), source.decimal);
-        std::vector<input::Bill> bills = bills_of(source, values, notes);
-        if (!section_.has("estimated")) return bills;
-        input::mark_estimated(csv, section_.text("estimated"), bills);
-        return input::merged(bills, meter_.quantity == Quantity::air_temperature, notes);
-    }
-
-    std::vector<input::Bill> bills_of(const TimedCsv& source,
-                                      const std::vector<double>& values,
-                                      std::vector<input::TimeNote>& notes) const {
-        if (section_.has("from") && section_.has("to"))
-            return input::bills_from_to(*source.csv, source.stamps,
-                                        stamps_of(source, section_.text("to")), values,
-                                        notes);
-        if (auto bills = input::bills_by_calendar(source.stamps, values, meter_.interval,
-                                                  source.rules.is_said, notes))
-            return std::move(*bills);
-        return input::bills_between(*source.csv, source.stamps, values, notes);
+        return input::bills_in(
+            csv, {section_.text("from"), section_.text("to"), section_.text("estimated")},
+            source.stamps, source.rules,
+            input::numbers_in(csv, csv.column(column_), source.decimal), meter_.interval,
+            meter_.quantity == Quantity::air_temperature, notes);
     }
 
     void note_gaps(const input::RegularSeries& series) {

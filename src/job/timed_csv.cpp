@@ -97,13 +97,6 @@ TimedCsv open_csv(const schema::Section& section, const char* key,
     return source;
 }
 
-input::Stamps stamps_of(const TimedCsv& source, const std::string& column) {
-    input::StampRules rules = source.rules;
-    rules.at_end = false;
-    return input::stamps_in(*source.csv, source.csv->column(column), rules,
-                            source.stamps.step_s);
-}
-
 void note_stamps(const TimedCsv& source, const std::string& series,
                  std::vector<study::DataDecision>& decisions) {
     for (const input::TimeNote& note : source.stamps.notes)

@@ -41,9 +41,6 @@ TimedCsv open_csv(const schema::Section& section, const char* key,
                   const std::string& file, input::InputFiles& files,
                   const physics::Site& site, const OpenOptions& options = {});
 
-/// Another column of the file's times, each as it stands there.
-input::Stamps stamps_of(const TimedCsv& source, const std::string& column);
-
 /// What was found in the stamps of a file, as decisions on a series.
 void note_stamps(const TimedCsv& source, const std::string& series,
                  std::vector<study::DataDecision>& decisions);
