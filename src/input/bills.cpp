@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -162,6 +163,43 @@ void note_gaps(const std::vector<Bill>& bills, std::vector<TimeNote>& notes) {
                          "taken as missing"});
 }
 
+/// Another column of times, as they stand there.
+Stamps ends_in(const Csv& csv, std::size_t column, const Stamps& stamps,
+               StampRules rules) {
+    rules.at_end = false;
+    rules.is_said = true;
+    return stamps_in(csv, column, rules, stamps.step_s);
+}
+
+/// Whether every row has a time there that is later than its begin, within half a year.
+bool holds_ends(const Csv& csv, std::size_t column, const Stamps& stamps,
+                const std::string& format) {
+    for (std::size_t row = 0; row < csv.n_rows(); ++row) {
+        try {
+            const Seconds end = parse_stamp(csv.cell(row, column), format).face;
+            const seconds length = end - stamps.begins[row];
+            if (length < days(1) || length > days(183)) return false;
+        } catch (const std::invalid_argument&) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Of stamps that nobody called ends or begins.
+std::optional<std::size_t> column_of_ends(const Csv& csv, const Stamps& stamps,
+                                          const StampRules& rules) {
+    for (std::size_t column = 1; column < csv.columns.size() && !rules.is_said; ++column)
+        if (holds_ends(csv, column, stamps, rules.format)) return column;
+    return std::nullopt;
+}
+
+void note_ends(const Csv& csv, std::size_t column, std::vector<TimeNote>& notes) {
+    notes.push_back(
+        {fmt::format("its column {} holds the ends of its bills", csv.columns[column]),
+         "read so; the keys from and to overrule it"});
+}
+
 }  // namespace
 
 std::optional<std::vector<Bill>> bills_by_calendar(const Stamps& stamps,
@@ -225,15 +263,18 @@ std::vector<Bill> bills_in(const Csv& csv, const BillColumns& columns,
                            const std::vector<double>& values, Interval interval,
                            bool is_mean, std::vector<TimeNote>& notes) {
     std::vector<Bill> bills;
+    const auto with_ends = [&](std::size_t column) {
+        return bills_from_to(csv, stamps, ends_in(csv, column, stamps, rules), values,
+                             notes);
+    };
     if (!columns.from.empty() && !columns.to.empty()) {
-        StampRules of_ends = rules;
-        of_ends.at_end = false;
-        const Stamps ends =
-            stamps_in(csv, csv.column(columns.to), of_ends, stamps.step_s);
-        bills = bills_from_to(csv, stamps, ends, values, notes);
+        bills = with_ends(csv.column(columns.to));
     } else if (auto found =
                    bills_by_calendar(stamps, values, interval, rules.is_said, notes)) {
         bills = std::move(*found);
+    } else if (const auto column = column_of_ends(csv, stamps, rules)) {
+        note_ends(csv, *column, notes);
+        bills = with_ends(*column);
     } else {
         bills = bills_between(csv, stamps, values, notes);
     }

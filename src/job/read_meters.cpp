@@ -69,7 +69,7 @@ class MeterReader {
             sources[0].stamps.step_s <= day_s ? even_rows(sources) : billed_rows(sources);
         meter_.axis = series.axis;
         meter_.values = std::move(series.values);
-        check_readings(sources[0].csv->file);
+        check_readings(sources);
         return std::move(meter_);
     }
 
@@ -317,7 +317,7 @@ class MeterReader {
     }
 
     /// The training period needs readings; what else was not measured is predicted only.
-    void check_readings(const std::string& file) {
+    void check_readings(const std::vector<TimedCsv>& sources) {
         for (const study::Period& period : building_.periods) {
             if (has_reading_in(period)) continue;
             if (&period != &building_.periods.front()) {
@@ -327,17 +327,20 @@ class MeterReader {
             section_.fail(
                 "file",
                 fmt::format("{} has no reading of {} in the period {} ({} to {}); {}",
-                            file, column_, period.name, physics::format_time(period.from),
-                            physics::format_time(period.to), advice_on(period)));
+                            sources[0].csv->file, column_, period.name,
+                            physics::format_time(period.from),
+                            physics::format_time(period.to), advice_on(period, sources)));
         }
     }
 
     /// What to look at where a period has no reading.
-    std::string advice_on(const study::Period& period) const {
+    std::string advice_on(const study::Period& period,
+                          const std::vector<TimedCsv>& sources) const {
         const Seconds from = meter_.axis.start, to = meter_.axis.end();
         const bool has_rows = from < period.to && period.from < to;
         return fmt::format(
-            "its rows are of {} to {} local standard time: {}",
+            "its stamps {} to {} are {} to {} local standard time: {}",
+            sources.front().stamps.first, sources.back().stamps.last,
             physics::format_time(from), physics::format_time(to),
             has_rows ? "those in the period are empty, masked or of intervals that are "
                        "not whole; check mask, zeros, constant and interval"

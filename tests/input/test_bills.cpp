@@ -115,6 +115,14 @@ TEST(Bills, WithFromAndToAreEachOnItsOwn) {
     EXPECT_EQ(one.bills, "2021-01-01 2021-02-01 1; ");
 }
 
+TEST(Bills, ASecondColumnOfLaterTimesHoldsTheirEnds) {
+    const Read found = read(
+        "start,end,x\n2021-01-04,2021-02-02,1\n2021-02-03,2021-04-04,2\n", {}, unsaid());
+    EXPECT_EQ(found.bills, "2021-01-04 2021-02-03 1; 2021-02-03 2021-04-05 2; ");
+    ASSERT_EQ(found.notes.size(), 2U);
+    EXPECT_EQ(found.notes[0].finding, "its column end holds the ends of its bills");
+}
+
 TEST(Bills, GapsAreToldAndOverlapsRefused) {
     const BillColumns columns{"from", "to", ""};
     const std::string first =
