@@ -1,15 +1,11 @@
 /// Puts readings on the intervals of a meter: finer ones are summed (temperatures
-/// averaged), monthly and annual rows laid out by calendar, each at its first hour.
-/// Follows from the calendar; a row may be 36 h off its month's or year's begin.
+/// averaged), each at the first hour of its interval.
+/// Follows from the calendar. Months, years and bills are read by `bills`.
 /// Coarse readings are not split. An interval that is cut or has a gap is missing.
 #include "input/intervals.hpp"
 
-#include "base/error.hpp"
-
 #include <cmath>
 #include <limits>
-
-#include <fmt/format.h>
 
 namespace bemcal::input {
 
@@ -79,33 +75,13 @@ RegularSeries sum_intervals(const RegularSeries& fine, Interval interval, bool m
     return hours;
 }
 
-RegularSeries calendar_rows(const Csv& csv, const Stamps& stamps,
-                            const std::vector<double>& values, Interval interval,
-                            bool stamps_at_end) {
-    constexpr seconds slack{36 * 3600};
-    const auto refuse = [&](std::size_t row, const char* what) {
-        throw UserError(
-            ExitCode::data,
-            fmt::format("{}:{}: {} {}; expected one row for each {} of the calendar",
-                        csv.file, csv.lines[row],
-                        physics::format_date(stamps.begins[row]), what,
-                        interval == Interval::monthly ? "month" : "year"));
-    };
-    RegularSeries hours =
-        empty_hours(stamps.begins.front(), stamps.begins.back(), interval);
-    Seconds last = Seconds::min();
-    for (std::size_t row = 0; row < values.size(); ++row) {
-        const Seconds begin = interval_begin(stamps.begins[row], interval);
-        const seconds off = stamps_at_end
-                                ? next_interval(begin, interval) - stamps.begins[row]
-                                : stamps.begins[row] - begin;
-        if (off > slack)
-            refuse(row, stamps_at_end ? "is not its end" : "is not its begin");
-        if (begin == last) refuse(row, "falls into the same as the row before");
-        last = begin;
-        value_at(hours, begin) = values[row];
-    }
-    return hours;
+std::vector<Seconds> bounds_of(const physics::TimeAxis& hours, Interval interval) {
+    std::vector<Seconds> bounds;
+    for (Seconds time = hours.start; time < hours.end();
+         time = next_interval(time, interval))
+        bounds.push_back(time);
+    bounds.push_back(hours.end());
+    return bounds;
 }
 
 }  // namespace bemcal::input

@@ -1,5 +1,5 @@
-/// Readings on the intervals of a meter: finer ones summed, monthly and annual ones by
-/// calendar. A reading stands at the first step of its interval; all other steps are NaN.
+/// Readings on the intervals of a meter: finer ones summed by calendar. A reading stands
+/// at the first step of its interval; all other steps are NaN.
 #pragma once
 
 #include "input/series.hpp"
@@ -21,10 +21,8 @@ physics::Seconds next_interval(physics::Seconds begin, physics::Interval interva
 RegularSeries sum_intervals(const RegularSeries& fine, physics::Interval interval,
                             bool mean);
 
-/// Monthly or annual rows on an hourly axis. Throws UserError (data) where a row does not
-/// begin with its month or year (within 36 h), or two fall into the same.
-RegularSeries calendar_rows(const Csv& csv, const Stamps& stamps,
-                            const std::vector<double>& values, physics::Interval interval,
-                            bool stamps_at_end);
+/// The begins of the intervals of such an axis, and the end of the last one.
+std::vector<physics::Seconds> bounds_of(const physics::TimeAxis& hours,
+                                        physics::Interval interval);
 
 }  // namespace bemcal::input

@@ -56,7 +56,9 @@ class Reader {
     Stamps read(int fallback_step_s) {
         read_raw();
         find_steps(fallback_step_s);
-        if (!time_.found.empty()) note(time_.found, "read so; the key time overrules it");
+        if (!time_.found.empty())
+            note(time_.found, time_.per_day > 0 ? "each read as of its part of the day"
+                                                : "read so; the key time overrules it");
         if (!rules_.is_said) infer_end();
         if (rules_.clock == Clock::unstated) check_clock_change();
         std::vector<Seconds> times = standard_times();
@@ -94,10 +96,26 @@ class Reader {
             try {
                 raw_.push_back(stamp_in(csv_, row, time_, rules_.format));
             } catch (const std::invalid_argument& error) {
-                fail(row, error.what());
+                fail(row, error.what() + hint_of_column(row));
             }
             check_zone(row);
         }
+        found_.first = shown(0);
+        found_.last = shown(raw_.size() - 1);
+    }
+
+    /// A column that holds a time where the one that was looked at holds none.
+    std::string hint_of_column(std::size_t row) const {
+        if (row > 0) return {};
+        for (std::size_t column = 0; column < csv_.columns.size(); ++column) {
+            try {
+                stamp_in(csv_, row, TimeColumns(column), rules_.format);
+                return fmt::format("; the column {} holds one: set time = \"{}\"",
+                                   csv_.columns[column], csv_.columns[column]);
+            } catch (const std::invalid_argument&) {
+            }
+        }
+        return {};
     }
 
     /// CST is of America and of China; a name far from the site is another one.
@@ -148,7 +166,7 @@ class Reader {
         if (rules_.at_end || step_at(0) > 3600 || last == 0) return;
         const bool is_24 = std::ranges::any_of(raw_, &Stamp::is_24);
         const bool closes = near_clock(0, step_at(0)) && near_clock(last, 0);
-        if (!(is_24 ? !has_midnight() : closes && !site_has_whole_days())) return;
+        if (!(is_24 ? !has_midnight() : closes && !begin_whole_days())) return;
         rules_.at_end = true;
         refind_steps();
         note(
@@ -185,13 +203,19 @@ class Reader {
         });
     }
 
-    /// Days of another clock may be whole by the site's.
-    bool site_has_whole_days() const {
-        const auto at_site = [&](const Stamp& stamp) {
-            return stamp.face - offset_of(stamp) + of_hours(rules_.site_offset_h);
+    /// As begins they may be whole days of another clock: of the site's, or of UTC where
+    /// an offset stands in them.
+    bool begin_whole_days() const {
+        return begin_days_of(of_hours(rules_.site_offset_h)) ||
+               (raw_.front().offset && begin_days_of(seconds(0)));
+    }
+
+    bool begin_days_of(seconds clock) const {
+        const auto shown_by = [&](const Stamp& stamp) {
+            return stamp.face - offset_of(stamp) + clock;
         };
-        return phase_of(at_site(raw_.front()), day_s) == 0 &&
-               phase_of(at_site(raw_.back()), day_s) == day_s - step_at(raw_.size() - 1);
+        return phase_of(shown_by(raw_.front()), day_s) == 0 &&
+               phase_of(shown_by(raw_.back()), day_s) == day_s - step_at(raw_.size() - 1);
     }
 
     seconds offset_of(const Stamp& stamp) const {

@@ -38,8 +38,9 @@ struct TimeNote {
 struct Stamps {
     std::vector<physics::Seconds> begins;  ///< [n_rows] increasing, local standard time
     int step_s = 3600;                     ///< the commonest distance [s]
-    std::vector<int> steps;  ///< [n_rows] where the distance changes; else empty [s]
-    bool at_end = false;     ///< as said, or as found
+    std::vector<int> steps;   ///< [n_rows] where the distance changes; else empty [s]
+    bool at_end = false;      ///< as said, or as found
+    std::string first, last;  ///< stamps as they stand there
     std::vector<TimeNote> notes;
 };
 

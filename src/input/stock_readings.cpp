@@ -5,15 +5,22 @@
 /// Leaves out gaps and clocks, and steps below 20 of the finest ones.
 #include "input/stock_readings.hpp"
 
+#include "base/error.hpp"
+#include "input/steps.hpp"
 #include "physics/calendar.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
+
+#include <fmt/format.h>
 
 namespace bemcal::input {
 
 namespace {
+
+using physics::Seconds;
 
 constexpr double least_multiples = 0.9, half_width = 0.08;
 
@@ -79,9 +86,10 @@ double usual_distance(const std::map<long long, int>& counts, std::size_t n_read
     return distances[distances.size() / 2];
 }
 
-std::string day_before(const std::string& day) {
-    return physics::format_time(physics::parse_time(day) - std::chrono::days(1))
-        .substr(0, 10);
+/// The last day that is whole at this time.
+std::string day_before(Seconds end) {
+    return physics::format_date(std::chrono::floor<std::chrono::days>(end) -
+                                std::chrono::days(1));
 }
 
 }  // namespace
@@ -105,24 +113,71 @@ ReadingsLook look_for_quantum(const std::vector<double>& values) {
     return look;
 }
 
-ReadingsLook look_at(const Csv& csv, const std::string& column) {
-    const std::size_t at = csv.column(column);
-    const std::vector<double> values = numbers_in(csv, at);
-    ReadingsLook look = look_for_quantum(values);
-    std::size_t first = values.size(), last = 0;
-    for (std::size_t row = 0; row < values.size(); ++row) {
-        if (std::isnan(values[row])) continue;
-        first = std::min(first, row);
-        last = row;
-        look.hours += 1;
-        look.total += values[row];
+namespace {
+
+Seconds time_in(const Csv& csv, std::size_t row) {
+    try {
+        return parse_stamp(csv.cell(row, 0)).face;
+    } catch (const std::invalid_argument& error) {
+        throw UserError(ExitCode::data,
+                        fmt::format("{}:{}:{}: {}", csv.file, csv.lines[row],
+                                    csv.columns[0], error.what()));
     }
-    if (first == values.size()) return look;
-    look.first_day = csv.cell(first, 0).substr(0, 10);
-    const std::string_view end = csv.cell(last, 0);
-    look.last_day = end.substr(0, 10);
-    if (end.size() >= 13 && end.substr(11, 2) < "23")
-        look.last_day = day_before(look.last_day);
+}
+
+/// What a row of even ones stands for.
+std::chrono::seconds step_in(const Csv& csv) {
+    if (csv.n_rows() < 2) return std::chrono::hours(1);
+    return std::chrono::seconds(
+        std::max(usual_step((time_in(csv, 1) - time_in(csv, 0)).count()), 1LL));
+}
+
+/// Days that are whole, from the first reading to the last.
+void look_at_rows(const Csv& csv, const std::vector<double>& values, ReadingsLook& look) {
+    const auto has_reading = [](double value) { return !std::isnan(value); };
+    const auto first = std::ranges::find_if(values, has_reading);
+    if (first == values.end()) return;
+    std::size_t last = values.size() - 1;
+    while (std::isnan(values[last])) --last;
+    const auto step = step_in(csv);
+    look.hours = static_cast<double>(std::ranges::count_if(values, has_reading)) *
+                 static_cast<double>(step.count()) / 3600;
+    look.first_day = physics::format_date(
+        time_in(csv, static_cast<std::size_t>(first - values.begin())));
+    look.last_day = day_before(time_in(csv, last) + step);
+}
+
+void look_at_bills(const Csv& csv, const LookColumns& columns,
+                   const std::vector<double>& values, ReadingsLook& look) {
+    StampRules rules;
+    rules.is_said = !columns.bills.from.empty() || !columns.bills.to.empty();
+    rules.at_end = columns.bills.from.empty() && rules.is_said;
+    const std::string& time = rules.at_end ? columns.bills.to : columns.bills.from;
+    const Stamps stamps =
+        stamps_in(csv, time.empty() ? 0 : csv.column(time), rules, 31 * 86400);
+    std::vector<TimeNote> notes;
+    std::vector<Bill> bills = bills_in(csv, columns.bills, stamps, rules, values,
+                                       columns.interval, false, notes);
+    std::erase_if(bills, [](const Bill& bill) { return std::isnan(bill.value); });
+    if (bills.empty()) return;
+    look.bounds = bounds_of(bills);
+    for (const Bill& bill : bills)
+        look.hours += static_cast<double>((bill.to - bill.from).count()) / 3600;
+    look.first_day = physics::format_date(bills.front().from);
+    look.last_day = day_before(bills.back().to);
+}
+
+}  // namespace
+
+ReadingsLook look_at(const Csv& csv, const LookColumns& columns) {
+    const std::vector<double> values = numbers_in(csv, csv.column(columns.column));
+    ReadingsLook look = look_for_quantum(values);
+    for (const double value : values)
+        if (!std::isnan(value)) look.total += value;
+    if (columns.interval < physics::Interval::monthly)
+        look_at_rows(csv, values, look);
+    else
+        look_at_bills(csv, columns, values, look);
     return look;
 }
 

@@ -2,24 +2,35 @@
 /// begin and end, how much they are, and by which steps they rise.
 #pragma once
 
+#include "input/bills.hpp"
 #include "input/csv.hpp"
 
 #include <string>
+#include <vector>
 
 namespace bemcal::input {
 
+/// Where a meter's readings stand in its file.
+struct LookColumns {
+    std::string column;
+    BillColumns bills;  ///< of months and bills
+    physics::Interval interval = physics::Interval::hourly;
+};
+
 struct ReadingsLook {
     std::string first_day, last_day;  ///< whole days, "2018-01-01"; "" = no reading
-    double hours = 0;                 ///< with a reading, at one an hour
+    double hours = 0;                 ///< with a reading
     double total = 0;
     /// Readings are whole multiples of it, though no round number: they are a share of
     /// another meter's pulses, or converted. 0 = nothing of the kind.
     double quantum = 0;
     double quantum_share = 0;  ///< of the readings that are multiples
+    /// Of months and bills that have a reading: their begins and ends.
+    std::vector<physics::Seconds> bounds;
 };
 
-/// Times in the first column, in ISO form.
-ReadingsLook look_at(const Csv& csv, const std::string& column);
+/// Times in the first column, in ISO form. Throws UserError (data) where they are none.
+ReadingsLook look_at(const Csv& csv, const LookColumns& columns);
 
 /// The same of the readings alone. \return quantum and share, or zeros
 ReadingsLook look_for_quantum(const std::vector<double>& values);

@@ -10,6 +10,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -248,6 +249,15 @@ Stamp stamp_of_parts(const Csv& csv, std::size_t row, const TimeColumns& time) {
             clock == 24h};
 }
 
+Stamp stamp_of_row(const Csv& csv, std::size_t row, const TimeColumns& time,
+                   const std::string& format) {
+    const std::string_view first = csv.cell(row, time.columns[0]);
+    if (time.form == Form::parts) return stamp_of_parts(csv, row, time);
+    if (time.form == Form::date_and_clock)
+        return stamp_of_two(first, csv.cell(row, time.columns[1]), format);
+    return parse_stamp(first, format);
+}
+
 /// The time of day that a column's name ends with: "h00", "Hour 1", "00:15", "v0015";
 /// in minutes, a bare number as it is.
 struct NamedStep {
@@ -260,8 +270,10 @@ NamedStep step_named(std::string_view name) {
         std::string_view clock =
             name.substr(begin == std::string_view::npos ? 0 : begin + 1);
         clock = clock.substr(0, clock.find_first_not_of("0123456789:"));
-        if (const auto time = read_clock(clock))
-            return {static_cast<int>(time->count() / 60), true};
+        for (const std::string_view text :
+             {name.substr(static_cast<std::size_t>(clock.data() - name.data())), clock})
+            if (const auto time = read_clock(text))
+                return {static_cast<int>(time->count() / 60), true};
         return {};
     }
     const std::size_t last = name.find_last_not_of("0123456789");
@@ -296,12 +308,11 @@ bool are_steps(const Csv& csv, std::size_t first, int n, int from) {
 
 /// Whether the rows are days, one after the other, by dates without a time.
 bool are_days(const Csv& csv, const TimeColumns& time, const std::string& format) {
-    if (time.form != Form::text && time.form != Form::parts) return false;
     std::optional<physics::Seconds> before;
     for (std::size_t row = 0; row < std::min(csv.n_rows(), looked_at); ++row) {
         Stamp stamp;
         try {
-            stamp = stamp_in(csv, row, time, format);
+            stamp = stamp_of_row(csv, row, time, format);
         } catch (const std::invalid_argument&) {
             return false;
         }
@@ -342,6 +353,23 @@ void refuse_longer_days(const Csv& csv, std::size_t next, const StepColumns& ste
                             csv.file, csv.lines[row], csv.columns[next], steps.n));
 }
 
+/// Columns that stay, and one for n of which each line has a row.
+Csv rolled_out(const Csv& csv, const std::vector<std::size_t>& kept, std::size_t first,
+               std::size_t n) {
+    Csv rows;
+    rows.file = csv.file;
+    for (const std::size_t column : kept) rows.columns.push_back(csv.columns[column]);
+    rows.columns.push_back(csv.columns[first]);
+    for (std::size_t row = 0; row < csv.n_rows(); ++row)
+        for (std::size_t k = 0; k < n; ++k) {
+            rows.lines.push_back(csv.lines[row]);
+            for (const std::size_t column : kept)
+                rows.cells.push_back(csv.cell(row, column));
+            rows.cells.push_back(csv.cell(row, first + k));
+        }
+    return rows;
+}
+
 }  // namespace
 
 TimeColumns time_columns(const Csv& csv, const std::vector<std::string>& names,
@@ -357,15 +385,10 @@ TimeColumns time_columns(const Csv& csv, const std::vector<std::string>& names,
 
 Stamp stamp_in(const Csv& csv, std::size_t row, const TimeColumns& time,
                const std::string& format) {
-    const std::string_view first = csv.cell(row, time.columns[0]);
-    if (time.form == Form::parts) return stamp_of_parts(csv, row, time);
-    if (time.form == Form::date_and_clock)
-        return stamp_of_two(first, csv.cell(row, time.columns[1]), format);
-    Stamp stamp = parse_stamp(first, format);
-    if (time.form == Form::day_rows) {
-        const auto n = static_cast<std::size_t>(time.per_day);
-        stamp.face += seconds(86400 / time.per_day * static_cast<int>(row % n));
-    }
+    Stamp stamp = stamp_of_row(csv, row, time, format);
+    if (time.per_day == 0) return stamp;
+    const auto n = static_cast<std::size_t>(time.per_day);
+    stamp.face += seconds(86400 / time.per_day * static_cast<int>(row % n));
     return stamp;
 }
 
@@ -381,25 +404,16 @@ std::optional<Csv> unrolled(const Csv& csv, const std::string& first, TimeColumn
     const auto column = static_cast<std::size_t>(at);
     const StepColumns steps = step_columns(csv, column);
     if (steps.n == 0 || (by_clock && !step_named(first).is_clock) ||
-        time.form != Form::text || !are_days(csv, time, format))
+        !are_days(csv, time, format))
         return std::nullopt;
     refuse_longer_days(csv, column + static_cast<std::size_t>(steps.n), steps);
-    Csv rows;
-    rows.file = csv.file;
-    rows.columns = {csv.columns[time.columns[0]], first};
-    for (std::size_t row = 0; row < csv.n_rows(); ++row)
-        for (std::size_t k = 0; k < static_cast<std::size_t>(steps.n); ++k) {
-            rows.lines.push_back(csv.lines[row]);
-            rows.cells.push_back(csv.cell(row, time.columns[0]));
-            rows.cells.push_back(csv.cell(row, column + k));
-        }
-    time = TimeColumns(0);
-    time.form = Form::day_rows;
-    time.per_day = steps.n;
-    time.by_ends = steps.by_ends;
     time.found = fmt::format(
         "it has a day a line, its {} readings in the columns {} to {}", steps.n, first,
         csv.columns[column + static_cast<std::size_t>(steps.n) - 1]);
+    Csv rows = rolled_out(csv, time.columns, column, static_cast<std::size_t>(steps.n));
+    std::iota(time.columns.begin(), time.columns.end(), 0U);
+    time.per_day = steps.n;
+    time.by_ends = steps.by_ends;
     return rows;
 }
 

@@ -13,7 +13,7 @@ namespace bemcal::input {
 enum class TimePart { year, month, day, day_of_year, hour, minute, second };
 
 struct TimeColumns {
-    enum class Form { text, date_and_clock, parts, day_rows };
+    enum class Form { text, date_and_clock, parts };
 
     TimeColumns(std::size_t column = 0) : columns{column} {}
 
@@ -21,8 +21,8 @@ struct TimeColumns {
     std::vector<std::size_t> columns;
     std::vector<TimePart> parts;  ///< [columns] where each is a part
     bool minutes_to_60 = false;   ///< hours 1 to 24, minutes up to 60, as in EPW
-    int per_day = 0;              ///< of day_rows: readings of each line, in order
-    bool by_ends = false;         ///< of day_rows: the columns are named after ends
+    int per_day = 0;              ///< readings of each line that was a day; else 0
+    bool by_ends = false;         ///< their columns are named after ends
     std::string found;            ///< how it was found, where nobody said; else ""
 };
 

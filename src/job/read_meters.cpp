@@ -4,6 +4,7 @@
 /// Readings over an hour apart are not checked, and of months only one file is read.
 /// Stamps are read by `stamps`.
 #include "base/error.hpp"
+#include "input/bills.hpp"
 #include "input/checks.hpp"
 #include "input/intervals.hpp"
 #include "input/suggest.hpp"
@@ -64,13 +65,11 @@ class MeterReader {
         if (!section_.has("file")) return without_readings();
         section_.node("column");
         const std::vector<TimedCsv> sources = open_files();
-        const Interval rows = input::interval_of_rows(sources[0].stamps.step_s);
-        input::RegularSeries series = rows < Interval::monthly
-                                          ? even_rows(sources)
-                                          : rows_by_calendar(sources, rows);
+        input::RegularSeries series =
+            sources[0].stamps.step_s <= day_s ? even_rows(sources) : billed_rows(sources);
         meter_.axis = series.axis;
         meter_.values = std::move(series.values);
-        check_readings(sources[0].csv->file);
+        check_readings(sources);
         return std::move(meter_);
     }
 
@@ -92,8 +91,12 @@ class MeterReader {
 
     std::vector<TimedCsv> open_files() {
         std::vector<TimedCsv> sources;
-        const OpenOptions options{nominal_step(), fold() == input::Fold::mean, column_,
-                                  meter_.interval > Interval::hourly};
+        const OpenOptions options{nominal_step(),
+                                  fold() == input::Fold::mean,
+                                  column_,
+                                  meter_.interval > Interval::hourly,
+                                  section_.text("from"),
+                                  section_.text("to")};
         for (const std::string& file : section_.texts("file")) {
             sources.push_back(open_csv(section_, "file", file, files_,
                                        building_.weather.site, options));
@@ -105,7 +108,7 @@ class MeterReader {
 
     int nominal_step() const {
         constexpr int steps[] = {3600, 3600, day_s, 31 * day_s, 365 * day_s};
-        return steps[static_cast<int>(meter_.interval)];
+        return steps[static_cast<int>(meter_.interval.kind)];
     }
 
     void decide(std::string finding, std::string action) {
@@ -149,25 +152,54 @@ class MeterReader {
         return on_intervals(std::move(series));
     }
 
-    input::RegularSeries rows_by_calendar(const std::vector<TimedCsv>& sources,
-                                          Interval rows) {
+    /// Months and years of the calendar, and bills between any reads.
+    input::RegularSeries billed_rows(const std::vector<TimedCsv>& sources) {
         if (sources.size() > 1)
             section_.fail("file",
                           "has several files of months or years; put them into one");
-        const TimedCsv& source = sources[0];
-        if (rows != meter_.interval) refuse_rows(source.stamps.step_s);
-        const input::Csv& csv = *source.csv;
-        input::RegularSeries series = input::calendar_rows(
-            csv, source.stamps,
-            input::numbers_in(csv, csv.column(column_), source.decimal), rows,
-            source.rules.at_end);
+        check_step_of_bills(sources[0].stamps.step_s);
+        std::vector<input::TimeNote> notes;
+        const std::vector<input::Bill> bills = read_bills(sources[0], notes);
+        if (bills.empty())
+            section_.fail("file", sources[0].csv->file +
+                                      " has one row, and not when it ends; give columns "
+                                      "from and to");
+        if (!input::are_of_calendar(bills, meter_.interval)) {
+            meter_.interval.bounds = input::bounds_of(bills);
+            notes.push_back(
+                {"its rows are no intervals of the calendar",
+                 fmt::format("read as {} bills, each over its own time", bills.size())});
+        }
+        input::RegularSeries series = input::series_of(bills, notes);
+        for (input::TimeNote& note : notes)
+            building_.decisions.push_back({"stamps of " + meter_.name,
+                                           std::move(note.finding),
+                                           std::move(note.action)});
         correct(series);
+        convert(series);
+        return series;
+    }
+
+    void check_step_of_bills(int step_s) const {
+        constexpr int longest_month = 130 * day_s, shortest_year = 300 * day_s;
+        if (meter_.interval < Interval::monthly ||
+            (meter_.interval == Interval::monthly ? step_s > longest_month
+                                                  : step_s < shortest_year))
+            refuse_rows(step_s);
         if (unit_of(section_, meter_.quantity).kind == input::UnitKind::power)
             section_.fail_value("unit",
                                 "is a power, but the rows are months or years; convert "
                                 "them to energies");
-        convert(series);
-        return series;
+    }
+
+    std::vector<input::Bill> read_bills(const TimedCsv& source,
+                                        std::vector<input::TimeNote>& notes) const {
+        const input::Csv& csv = *source.csv;
+        return input::bills_in(
+            csv, {section_.text("from"), section_.text("to"), section_.text("estimated")},
+            source.stamps, source.rules,
+            input::numbers_in(csv, csv.column(column_), source.decimal), meter_.interval,
+            meter_.quantity == Quantity::air_temperature, notes);
     }
 
     void note_gaps(const input::RegularSeries& series) {
@@ -233,16 +265,36 @@ class MeterReader {
                    fmt::format("scaled by {:.4g} kWh ({})", unit.factor, unit.source));
     }
 
-    input::RegularSeries on_intervals(input::RegularSeries series) const {
+    input::RegularSeries on_intervals(input::RegularSeries series) {
         const int step_s = series.axis.step_s;
         const Interval rows = input::interval_of_rows(step_s);
-        const bool even = rows == Interval::step ? 3600 % step_s == 0
-                                                 : step_s == 3600 || step_s == day_s;
-        if (!even) refuse_rows(step_s);
+        if ((rows == Interval::step ? 3600 : day_s) % step_s != 0) refuse_rows(step_s);
         if (meter_.interval == Interval::step) return series;
         if (rows > meter_.interval) refuse_rows(step_s);
+        return step_s == day_s ? on_days(std::move(series)) : summed(series);
+    }
+
+    input::RegularSeries summed(const input::RegularSeries& series) const {
         return input::sum_intervals(series, meter_.interval,
                                     physics::is_temperature(meter_.quantity));
+    }
+
+    /// Days that begin at another hour than midnight, such as those of gas, stay as they
+    /// are.
+    input::RegularSeries on_days(input::RegularSeries series) {
+        const Seconds midnight = std::chrono::floor<std::chrono::days>(series.axis.start);
+        const auto late =
+            std::chrono::round<std::chrono::hours>(series.axis.start - midnight);
+        series.axis.start = midnight;
+        input::RegularSeries days = summed(series);
+        if (late.count() == 0) return days;
+        meter_.interval.bounds = input::bounds_of(days.axis, meter_.interval);
+        for (Seconds& bound : meter_.interval.bounds) bound += late;
+        days.axis.start += late;
+        decide(
+            fmt::format("its days begin at {:02}:00 local standard time", late.count()),
+            "held against the same hours of the model");
+        return days;
     }
 
     [[noreturn]] void refuse_rows(int step_s) const {
@@ -265,7 +317,7 @@ class MeterReader {
     }
 
     /// The training period needs readings; what else was not measured is predicted only.
-    void check_readings(const std::string& file) {
+    void check_readings(const std::vector<TimedCsv>& sources) {
         for (const study::Period& period : building_.periods) {
             if (has_reading_in(period)) continue;
             if (&period != &building_.periods.front()) {
@@ -275,17 +327,20 @@ class MeterReader {
             section_.fail(
                 "file",
                 fmt::format("{} has no reading of {} in the period {} ({} to {}); {}",
-                            file, column_, period.name, physics::format_time(period.from),
-                            physics::format_time(period.to), advice_on(period)));
+                            sources[0].csv->file, column_, period.name,
+                            physics::format_time(period.from),
+                            physics::format_time(period.to), advice_on(period, sources)));
         }
     }
 
     /// What to look at where a period has no reading.
-    std::string advice_on(const study::Period& period) const {
+    std::string advice_on(const study::Period& period,
+                          const std::vector<TimedCsv>& sources) const {
         const Seconds from = meter_.axis.start, to = meter_.axis.end();
         const bool has_rows = from < period.to && period.from < to;
         return fmt::format(
-            "its rows are of {} to {} local standard time: {}",
+            "its stamps {} to {} are {} to {} local standard time: {}",
+            sources.front().stamps.first, sources.back().stamps.last,
             physics::format_time(from), physics::format_time(to),
             has_rows ? "those in the period are empty, masked or of intervals that are "
                        "not whole; check mask, zeros, constant and interval"

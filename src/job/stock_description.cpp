@@ -12,6 +12,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -155,13 +158,15 @@ class Writer {
     void add_meter(const MeterKind& kind) {
         const std::string name = kind.name;
         const std::string column = word(name + "_column", line_.name);
-        const input::ReadingsLook look = input::look_at(files_.csv(path(name)), column);
+        const input::LookColumns columns{column, bill_columns(name), interval()};
+        const input::ReadingsLook look = input::look_at(files_.csv(path(name)), columns);
         if (look.last_day.empty())
             fail(name,
                  fmt::format("{} has no reading of {}", path(name).string(), column));
         first_day_ = std::max(first_day_, look.first_day);
         last_day_ =
             last_day_.empty() ? look.last_day : std::min(last_day_, look.last_day);
+        if (bounds_.empty()) bounds_ = look.bounds;
         if (name == "electricity" && look.total > 0)
             mean_load_ =
                 std::clamp(1000 * look.total / look.hours / floor_area_, 2.0, 500.0);
@@ -179,6 +184,28 @@ class Writer {
             "\"{}\"\n"
             "unit = \"{}\"\n",
             name, physics::name_of(kind.quantity), word(name, ""), column, unit);
+        if (interval() != physics::Interval::hourly)
+            meters_ += fmt::format("interval = \"{}\"\n", physics::name_of(interval()));
+        for (const auto& [key, value] :
+             {std::pair("from", columns.bills.from), std::pair("to", columns.bills.to),
+              std::pair("estimated", columns.bills.estimated)})
+            if (!value.empty()) meters_ += fmt::format("{} = \"{}\"\n", key, value);
+    }
+
+    /// Of the line's readings.
+    physics::Interval interval() const {
+        using physics::Interval;
+        const std::string name = word("interval", "hourly");
+        for (const Interval known :
+             {Interval::hourly, Interval::daily, Interval::monthly})
+            if (name == physics::name_of(known)) return known;
+        fail("interval", fmt::format("\"{}\": expected hourly, daily or monthly", name));
+    }
+
+    input::BillColumns bill_columns(const std::string& meter) const {
+        if (interval() != physics::Interval::monthly) return {};
+        return {word(meter + "_from", ""), word(meter + "_to", ""),
+                word("estimated", "")};
     }
 
     /// By a year's gas of a square metre; says what the others would make of it.
@@ -223,6 +250,8 @@ class Writer {
             site_ += "utc_offset = 0\n";
         if (!site_.empty()) text_ += "[site]\n" + site_;
         text_ += fmt::format("[weather]\nfiles = [\"{}\"]\n", file);
+        if (const double year = number("year", 0); year != 0)
+            text_ += fmt::format("year = {}\n", year);
         if (temperature.empty()) return;
         text_ += "format = \"csv\"\ntemperature = \"hour_mean\"\nfill_gaps = 48\n";
         text_ +=
@@ -248,15 +277,38 @@ class Writer {
         return physics::format_time(time).substr(0, 10);
     }
 
+    /// The last days; of months and bills the last of them, as many as are nearest.
+    std::chrono::days recent_days(physics::Seconds from, physics::Seconds last) const {
+        using std::chrono::days;
+        const days wanted(static_cast<int>(stock_.options.recent_days));
+        if (bounds_.empty() || wanted.count() == 0) return wanted;
+        days nearest = wanted;
+        std::int64_t off = std::numeric_limits<std::int64_t>::max();
+        for (const physics::Seconds bound : bounds_) {
+            if (bound <= from || bound > last) continue;
+            const days kept = std::chrono::floor<days>(last + days(1) - bound);
+            const std::int64_t apart = std::abs((kept - wanted).count());
+            if (apart < off) off = apart, nearest = kept;
+        }
+        return nearest;
+    }
+
+    /// The begin of the first bill from that day on.
+    physics::Seconds bill_from(physics::Seconds day) const {
+        for (const physics::Seconds bound : bounds_)
+            if (bound >= day) return bound;
+        return day;
+    }
+
     /// The last days are kept, and a window before them is calibrated on.
     void add_periods() {
         using std::chrono::days;
         physics::Seconds from = day_in("from", first_day_);
         const physics::Seconds last = day_in("to", last_day_);
-        const auto recent = days(static_cast<int>(stock_.options.recent_days));
         const auto window = days(static_cast<int>(stock_.options.window_days));
-        const physics::Seconds end = last - recent;
-        from = std::max(from, end - window + days(1));
+        const physics::Seconds end = last - recent_days(from, last);
+        from = std::max(from, bill_from(end - window + days(1)));
+        const auto recent = last - end;
         if (from >= end)
             fail("to", fmt::format("readings from {} to {} are too few for a calibration",
                                    day_of(from), day_of(last)));
@@ -359,6 +411,7 @@ class Writer {
     int n_meters_ = 0;
     bool has_gas_ = false;
     std::string first_day_, last_day_, site_, text_, meters_;
+    std::vector<physics::Seconds> bounds_;  ///< of months and bills; else empty
     std::vector<study::DataDecision> decisions_;
 };
 

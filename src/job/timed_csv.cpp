@@ -43,8 +43,11 @@ namespace {
 input::TimeColumns open_time(const schema::Section& section, const OpenOptions& options,
                              TimedCsv& source) {
     const std::string& format = source.rules.format;
-    input::TimeColumns time =
-        input::time_columns(*source.csv, section.texts("time"), format);
+    const std::string& column = options.from.empty() ? options.to : options.from;
+    input::TimeColumns time = input::time_columns(
+        *source.csv,
+        column.empty() ? section.texts("time") : std::vector<std::string>{column},
+        format);
     if (options.days_of.empty()) return time;
     auto rows = input::unrolled(*source.csv, options.days_of, time, format,
                                 options.days_by_clock);
@@ -80,6 +83,10 @@ TimedCsv open_csv(const schema::Section& section, const char* key,
     source.csv = &files.csv(section.path(file), section.where(key));
     source.rules = stamp_rules(section, site);
     source.rules.is_mean = options.is_mean;
+    if (!options.from.empty() || !options.to.empty()) {
+        source.rules.is_said = true;
+        source.rules.at_end = options.from.empty();
+    }
     const input::TimeColumns time = open_time(section, options, source);
     source.stamps =
         input::stamps_in(*source.csv, time, source.rules, options.fallback_step_s);

@@ -32,6 +32,7 @@ struct OpenOptions {
     bool is_mean = true;         ///< rows are means or instants, not sums
     std::string days_of;         ///< column that may be the first of a day's; "" = none
     bool days_by_clock = false;  ///< only where it is named after a time of day
+    std::string from, to;        ///< columns of begins and ends; "" = the key time
 };
 
 /// Opens the file that stands at `key` and reads its stamps. Throws UserError as csv.hpp

@@ -27,8 +27,11 @@ struct BatchPlan {
     std::vector<Span> months, chunks;  ///< of the period, in steps of the drive
     std::vector<ZonePlan> zones;       ///< empty where plain
     std::array<MeterPlan, n_quantities> meters;
-    std::array<std::vector<int>, n_intervals> bounds;  ///< in steps of the period
+    std::array<std::vector<int>, n_intervals> bounds;  ///< the calendar's, in steps of
+                                                       ///< the period
 
+    /// First steps of the intervals, and the period's number of steps.
+    std::vector<int> bounds_of(const physics::Intervals& intervals) const;
     int n_months() const { return static_cast<int>(months.size()); }
     /// A meter can be read while the powers are in registers.
     bool is_metered_in_one_pass(physics::Quantity quantity) const {

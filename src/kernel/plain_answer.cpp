@@ -48,7 +48,7 @@ void add_errors(const std::vector<double>& steps, const physics::TimeAxis& perio
     const std::vector<int> months = month_of_steps(period);
     std::vector<int> month_of_interval;
     for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
-        month_of_interval.push_back(months[static_cast<std::size_t>(bounds[k])]);
+        month_of_interval.push_back(months[static_cast<std::size_t>(bounds[k + 1] - 1)]);
     answer.monthly_errors.back() =
         compare_months(simulated, readings, month_of_interval, months.back() + 1);
 }

@@ -11,7 +11,7 @@ namespace bemcal::kernel {
 /// Readings of a meter over a period, one for each of its intervals; NaN = missing.
 struct Readings {
     physics::Quantity quantity = physics::Quantity::heating;
-    physics::Interval interval = physics::Interval::hourly;
+    physics::Intervals interval;
     std::vector<double> values;  ///< [kWh] or [degC]
 };
 
@@ -45,7 +45,7 @@ struct PointAnswer {
 /// A meter that is to be predicted over the batch's period.
 struct Channel {
     physics::Quantity quantity = physics::Quantity::heating;
-    physics::Interval interval = physics::Interval::hourly;
+    physics::Intervals interval;
 };
 
 }  // namespace bemcal::kernel

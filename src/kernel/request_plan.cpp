@@ -40,8 +40,7 @@ ReadingPlan plan_reading(const Readings& readings, const BatchPlan& batch) {
     plan.quantity = readings.quantity;
     plan.by_month = is_finer_than_month(readings.interval);
     plan.closes.assign(static_cast<std::size_t>(batch.drive.n_steps()), -1);
-    const std::vector<int>& bounds =
-        batch.bounds[static_cast<std::size_t>(readings.interval)];
+    const std::vector<int> bounds = batch.bounds_of(readings.interval);
     require(readings.values.size() + 1 == bounds.size(), "a reading for each interval");
     for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
         lay_interval(plan, batch, bounds[k], bounds[k + 1], readings.values[k]);

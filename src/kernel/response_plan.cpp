@@ -14,8 +14,7 @@ namespace {
 
 ChannelPlan plan_channel(const Channel& channel, const BatchPlan& batch) {
     const physics::Drive& drive = batch.drive;
-    const std::vector<int>& bounds =
-        batch.bounds[static_cast<std::size_t>(channel.interval)];
+    const std::vector<int> bounds = batch.bounds_of(channel.interval);
     ChannelPlan plan;
     plan.quantity = channel.quantity;
     plan.interval.assign(static_cast<std::size_t>(drive.n_warm_up), -1);

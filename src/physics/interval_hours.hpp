@@ -6,8 +6,12 @@
 namespace bemcal::physics {
 
 /// Mean length [h]; of a simulation's step that of `step_s`.
-inline double hours_of(Interval interval, int step_s) {
-    switch (interval) {
+inline double hours_of(const Intervals& intervals, int step_s) {
+    const auto& bounds = intervals.bounds;
+    if (bounds.size() > 1)
+        return static_cast<double>((bounds.back() - bounds.front()).count()) / 3600 /
+               static_cast<double>(bounds.size() - 1);
+    switch (intervals.kind) {
         case Interval::step:
             return step_s / 3600.0;
         case Interval::hourly:

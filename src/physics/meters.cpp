@@ -64,6 +64,16 @@ Seconds end_of_interval(Seconds time, Interval interval) {
     return sys_days((date.year() + years(1)) / January / 1);
 }
 
+std::vector<int> own_bounds(const TimeAxis& period, const std::vector<Seconds>& times) {
+    std::vector<int> bounds{0};
+    for (const Seconds time : times) {
+        const int step = period.step_of(time);
+        if (step > bounds.back() && step < period.n_steps) bounds.push_back(step);
+    }
+    if (period.n_steps > 0) bounds.push_back(period.n_steps);
+    return bounds;
+}
+
 double mean_air_temperature(const Building& building, const Trajectory& trajectory,
                             std::size_t step) {
     double sum = 0;
@@ -89,8 +99,10 @@ const char* name_of(Interval interval) {
     return names[static_cast<std::size_t>(interval)];
 }
 
-std::vector<int> interval_bounds(const TimeAxis& period, Interval interval) {
+std::vector<int> interval_bounds(const TimeAxis& period, const Intervals& intervals) {
+    const Interval interval = intervals;
     if (interval == Interval::step) return every_step(period.n_steps);
+    if (intervals.are_own()) return own_bounds(period, intervals.bounds);
     std::vector<int> bounds;
     Seconds end = period.start;
     for (int step = 0; step < period.n_steps; ++step) {

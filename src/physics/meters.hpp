@@ -4,6 +4,7 @@
 #include "physics/simulate.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bemcal::physics {
@@ -12,10 +13,23 @@ namespace bemcal::physics {
 enum class Interval { step, hourly, daily, monthly, annual };
 const char* name_of(Interval interval);
 
+/// Intervals of a meter over all time: the calendar's, or its own, such as those between
+/// the reads of a bill. Their kind says what limits and what memory their readings have.
+struct Intervals {
+    Interval kind = Interval::hourly;
+    std::vector<Seconds> bounds;  ///< rising, each the end of one; empty = the calendar's
+
+    Intervals(Interval of_calendar = Interval::hourly) : kind(of_calendar) {}
+    Intervals(Interval of_kind, std::vector<Seconds> own)
+        : kind(of_kind), bounds(std::move(own)) {}
+    operator Interval() const { return kind; }
+    bool are_own() const { return !bounds.empty(); }
+};
+
 /// First steps of each interval within [0, n), and n as the last entry. Daily, monthly
-/// and annual ones are the calendar's; a cut first or last one counts as an interval of
-/// its own.
-std::vector<int> interval_bounds(const TimeAxis& period, Interval interval);
+/// and annual ones are the calendar's unless they are the meter's own; a cut first or
+/// last one, and time outside of all bounds, counts as an interval of its own.
+std::vector<int> interval_bounds(const TimeAxis& period, const Intervals& intervals);
 
 /// What a meter shows for every step of the period: energy of the step [kWh], or the
 /// floor-area-weighted mean air temperature [degC].

@@ -11,7 +11,7 @@ namespace bemcal::posterior {
 struct MeterPrediction {
     std::string name, unit;
     physics::Quantity quantity = physics::Quantity::heating;
-    physics::Interval interval = physics::Interval::hourly;
+    physics::Intervals interval;
     std::vector<physics::Seconds> begins;
     std::vector<double> measured;  ///< NaN = missing
     std::vector<double> nominal;   ///< of the building as described

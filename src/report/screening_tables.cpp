@@ -3,6 +3,7 @@
 /// Errors are computed again from the stored series (metrics: ASHRAE Guideline 14); the
 /// counts are as stored. Days are left out: own interval and months only.
 #include "physics/calendar.hpp"
+#include "report/interval_name.hpp"
 #include "report/sections.hpp"
 #include "report/text_table.hpp"
 #include "stats/metrics.hpp"
@@ -70,20 +71,6 @@ FitMetrics monthly_metrics(const Series& series) {
     return stats::metrics_of(simulated, measured);
 }
 
-double shortest_interval(const Series& series) {
-    return series.begins.size() < 2 ? 0 : series.begins[1] - series.begins[0];
-}
-
-const char* interval_name(const Series& series) {
-    const double seconds = shortest_interval(series);
-    return seconds <= 0           ? "once"
-           : seconds < 3600       ? "steps"
-           : seconds < 7200       ? "hourly"
-           : seconds < 2 * 86400  ? "daily"
-           : seconds < 40 * 86400 ? "monthly"
-                                  : "annual";
-}
-
 /// "12.3 -> 4.5 %"
 std::string change(double nominal, double best) {
     const auto number = [](double share) {
@@ -118,10 +105,9 @@ void add_meter(TextTable& table, const Group& study, const std::string& period,
     const Series nominal = series_of(group, 0, is_mean),
                  best = series_of(group, 1, is_mean);
     if (nominal.begins.empty()) return;
-    const bool is_finer =
-        shortest_interval(nominal) < 27 * 86400 && nominal.begins.size() > 1;
+    const bool is_finer = !is_by_month(nominal.begins);
     const auto own = is_finer ? stats::Resolution::hourly : stats::Resolution::monthly;
-    add_row(table, period, name, interval_name(nominal),
+    add_row(table, period, name, interval_name(nominal.begins),
             stats::metrics_of(nominal.simulated, nominal.measured),
             stats::metrics_of(best.simulated, best.measured), own);
     if (is_finer)

@@ -2,6 +2,7 @@
 /// what was held out of it and in the other periods, with coverage of the intervals.
 /// Made from the stored `validation_fit` and `coverage`, which are not computed again.
 /// Guideline 14's verdicts are as stored, too.
+#include "report/interval_name.hpp"
 #include "report/sections.hpp"
 #include "report/text_table.hpp"
 
@@ -68,16 +69,6 @@ Pair metric_of(const Group& part, Resolution resolution, const std::string& name
     return {number(0), number(1)};
 }
 
-const char* interval_name(const std::vector<double>& begins) {
-    const double seconds = begins.size() < 2 ? 0 : begins[1] - begins[0];
-    return seconds <= 0           ? "once"
-           : seconds < 3600       ? "steps"
-           : seconds < 7200       ? "hourly"
-           : seconds < 2 * 86400  ? "daily"
-           : seconds < 40 * 86400 ? "monthly"
-                                  : "annual";
-}
-
 /// "12.3 -> 4.5"
 std::string change(const Pair& share) {
     const auto number = [](double value) {
@@ -106,7 +97,8 @@ void add_row(TextTable& table, const Part& of, Resolution resolution,
 void add_fits(TextTable& table, const Part& of) {
     const std::string interval = interval_name(of.meter.values("time"));
     const bool is_fine = interval == "steps" || interval == "hourly";
-    const bool is_coarse = interval == "monthly" || interval == "annual";
+    const bool is_coarse =
+        interval == "monthly" || interval == "billed" || interval == "annual";
     add_row(table, of, own, interval, verdict(of.part, is_coarse ? 1 : 0));
     if (is_fine) add_row(table, of, daily, "daily", "");
     if (!is_coarse) add_row(table, of, monthly, "monthly", verdict(of.part, 1));

@@ -322,11 +322,20 @@ constexpr Key table[] = {
     {"meter", "quantity", Type::choice, quantities, required, 0, 0,
      "What of the model it is held against."},
     {"meter", "interval", Type::choice, "step|hourly|daily|monthly|annual", "hourly", 0,
-     0, "Of a reading; finer readings are summed (temperatures averaged)."},
+     0,
+     "Of a reading; finer readings are summed (temperatures averaged). monthly: bills "
+     "between any read dates, too."},
     {"meter", "file", Type::texts, "", "", 0, 0,
      "CSV, may be gzipped; several, [\"2021.csv\", \"2022.csv\"], follow one another in "
      "time. Left out: it has no readings and is predicted only."},
     {"meter", "column", Type::text, "", "", 0, 0, "Needed with a file."},
+    {"meter", "from", Type::text, "", "", 0, 0,
+     "In place of time: column of the begins of rows, such as the dates of a bill."},
+    {"meter", "to", Type::text, "", "", 0, 0,
+     "Column of their ends: the next bill's begin, or the last day before it."},
+    {"meter", "estimated", Type::text, "", "", 0, 0,
+     "Of months and bills: column that says which reads are estimated (1, true, E); each "
+     "is merged with the next that was read."},
     {"meter", "unit", Type::text, "", required, 0, 0,
      "kWh, Wh, MWh, MJ, GJ, J, kW, W, m3 (of gas), ft3, 100 ft3, kBtu, therm; degC, K, "
      "degF."},

@@ -18,11 +18,12 @@ constexpr std::chrono::hours a_day{24};
 
 /// Bounds of the intervals that lie whole within the period; a cut last one has no
 /// reading.
-std::vector<int> whole_intervals(physics::TimeAxis axis, physics::Interval interval) {
-    std::vector<int> bounds = physics::interval_bounds(axis, interval);
+std::vector<int> whole_intervals(physics::TimeAxis axis,
+                                 const physics::Intervals& intervals) {
+    std::vector<int> bounds = physics::interval_bounds(axis, intervals);
     axis.n_steps += 1;
     const bool last_is_whole =
-        physics::interval_bounds(axis, interval).size() > bounds.size();
+        physics::interval_bounds(axis, intervals).size() > bounds.size();
     if (!last_is_whole) bounds.pop_back();
     return bounds;
 }
@@ -91,8 +92,8 @@ physics::TimeAxis axis_of(const Case& building, const Period& period) {
 }
 
 std::vector<physics::Seconds> begins_of(const physics::TimeAxis& axis,
-                                        physics::Interval interval) {
-    const std::vector<int> bounds = physics::interval_bounds(axis, interval);
+                                        const physics::Intervals& intervals) {
+    const std::vector<int> bounds = physics::interval_bounds(axis, intervals);
     std::vector<physics::Seconds> begins;
     begins.reserve(bounds.size());
     for (std::size_t k = 0; k + 1 < bounds.size(); ++k)

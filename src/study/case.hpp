@@ -15,7 +15,7 @@ namespace bemcal::study {
 struct Meter {
     std::string name;
     physics::Quantity quantity = physics::Quantity::heating;
-    physics::Interval interval = physics::Interval::hourly;
+    physics::Intervals interval;
     physics::TimeAxis axis;  ///< steps of the readings (hourly, daily: 3600 s steps are
                              ///< used and a day's reading stands at its first step)
     std::vector<double> values;  ///< [axis.n_steps] kWh or degC; NaN = missing or masked
@@ -61,7 +61,7 @@ physics::TimeAxis axis_of(const Case& building, const Period& period);
 
 /// Where the intervals of the steps begin.
 std::vector<physics::Seconds> begins_of(const physics::TimeAxis& axis,
-                                        physics::Interval interval);
+                                        const physics::Intervals& intervals);
 
 /// Whether data before a period, or the room's temperature at its begin, tell what state
 /// the building was in; else its warm-up repeats the first days.

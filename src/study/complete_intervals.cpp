@@ -42,12 +42,23 @@ double hours_of_step(std::span<const Seconds> begins) {
     return static_cast<double>(shortest.count()) / 3600;
 }
 
+/// Bills between reads of their own are whole as they are.
+std::vector<CompleteInterval> each_its_own(std::span<const Seconds> begins,
+                                           std::span<const double> measured) {
+    std::vector<CompleteInterval> intervals;
+    for (std::size_t k = 0; k < begins.size(); ++k)
+        if (!std::isnan(measured[k])) intervals.push_back({begins[k], {k}});
+    return intervals;
+}
+
 }  // namespace
 
 std::vector<CompleteInterval> complete_intervals(std::span<const Seconds> begins,
                                                  std::span<const double> measured,
-                                                 Interval own, Interval by) {
+                                                 const physics::Intervals& own,
+                                                 Interval by) {
     if (own > by) return {};
+    if (own.are_own() && own == by) return each_its_own(begins, measured);
     const double step = hours_of_step(begins);
     std::vector<CompleteInterval> intervals;
     for (std::size_t k = 0; k < begins.size(); ++k) {

@@ -2,8 +2,9 @@
 ///
 /// A day or month counts where readings of at least 90 % of its hours (`complete_share`)
 /// are there; predictions are then summed over the hours of those readings only, so that
-/// both sides stand for the same time. A period's cut first and last month seldom count,
-/// nor do days of which every fourth hour is held out.
+/// both sides stand for the same time. A bill counts as a month of its own. A period's
+/// cut first and last month seldom count, nor do days of which every fourth hour is held
+/// out.
 #pragma once
 
 #include "base/matrix.hpp"
@@ -26,7 +27,7 @@ struct CompleteInterval {
 /// than what is asked for. \param by  daily or monthly
 std::vector<CompleteInterval> complete_intervals(std::span<const physics::Seconds> begins,
                                                  std::span<const double> measured,
-                                                 physics::Interval own,
+                                                 const physics::Intervals& own,
                                                  physics::Interval by);
 
 /// Sums over each, or means for temperature. \param values  [readings]

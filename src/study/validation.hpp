@@ -21,7 +21,7 @@ namespace bemcal::study {
 /// A meter over a period; before and after may be empty, as may the draws.
 struct Predicted {
     physics::Quantity quantity = physics::Quantity::heating;
-    physics::Interval interval = physics::Interval::hourly;
+    physics::Intervals interval;
     std::span<const physics::Seconds> begins;  ///< [n] rising
     std::span<const double> measured;          ///< [n] NaN = missing
     std::span<const double> before;            ///< [n] of the building as described

@@ -138,15 +138,17 @@ TEST(Stamps, AZoneOfAnotherContinentIsNotGuessed) {
 }
 
 /// Whether stamps of a step from a first one on, n of them, are found to be ends.
-bool are_ends(const char* first, int step_s, int n, double utc_offset_h = 0) {
+bool are_ends(const char* first, int step_s, int n, double utc_offset_h = 0,
+              const std::string& offset = "") {
     std::string text = "t,x\n";
     const physics::Seconds start = physics::parse_time(first);
     for (int k = 0; k < n; ++k)
-        text += format_time(start + std::chrono::seconds(k * step_s)) + ",1\n";
+        text += format_time(start + std::chrono::seconds(k * step_s)) + offset + ",1\n";
     const input::Csv csv = input::parse_csv(text, "x.csv");
     input::StampRules rules;
     rules.is_said = false;
     rules.site_offset_h = utc_offset_h;
+    rules.file_offset_h = offset.empty() ? 0 : utc_offset_h;
     return input::stamps_in(csv, 0, rules).at_end;
 }
 
@@ -159,6 +161,9 @@ TEST(Stamps, StampsThatCloseWholeDaysAreEnds) {
     EXPECT_FALSE(are_ends("2021-01-01 00:30", 900, 96));
     // UTC whose days are whole by the site's clock, an hour before it.
     EXPECT_FALSE(are_ends("2021-01-01 01:00", 3600, 72, -1));
+    // Whole days of UTC, written by the clock of Paris.
+    EXPECT_FALSE(are_ends("2021-01-01 01:00", 3600, 72, 1, "+01:00"));
+    EXPECT_TRUE(are_ends("2021-01-01 01:00", 3600, 72, 1));
 }
 
 TEST(Stamps, AnHourThatTheWallClockSkipsIsAnError) {

@@ -106,6 +106,35 @@ TEST(TimeColumns, ADayALineBecomesItsHoursAndHalfHours) {
     EXPECT_EQ(halves.values.size(), 96U);
 }
 
+TEST(TimeColumns, ADayOfColumnsMayBeNamedByTheClock) {
+    std::string text = "Year,Month,Day";
+    for (int k = 1; k <= 24; ++k)
+        text += "," + std::to_string((k + 11) % 12 + 1) + ":00 " +
+                (k / 12 == 1 ? "PM" : "AM");
+    text += "\n2021,3,5";
+    for (int k = 0; k < 24; ++k) text += "," + std::to_string(k);
+    text += "\n";
+    const Csv csv = parse_csv(text, "x.csv");
+    TimeColumns time = time_columns(csv, {}, "");
+    const auto rows = unrolled(csv, "1:00 AM", time, "", true);
+    ASSERT_TRUE(rows);
+    EXPECT_TRUE(time.by_ends);
+    const Stamps stamps = stamps_in(*rows, time, {});
+    EXPECT_EQ(format_time(stamps.begins[23]), "2021-03-05 23:00:00");
+    EXPECT_EQ(numbers_in(*rows, 3)[23], 23);
+}
+
+TEST(TimeColumns, AColumnThatHoldsTimesIsNamedWhereTheFirstHoldsNone) {
+    try {
+        times_of("meter,when,x\n7,2021-03-05 13:00,1\n7,2021-03-05 14:00,2\n");
+        FAIL() << "was read";
+    } catch (const UserError& error) {
+        EXPECT_NE(std::string(error.what()).find("set time = \"when\""),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
 TEST(TimeColumns, ADayOfColumnsNeedsNamesOfAWholeDayAndRowsOfDays) {
     EXPECT_TRUE(unrolled_series(day_rows("h", 0, 23), "h0").values.empty());
     EXPECT_TRUE(unrolled_series(day_rows("h", 0, 24), "h1").values.empty());

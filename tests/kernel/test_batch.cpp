@@ -35,7 +35,7 @@ std::vector<kernel::InstructionSet> supported_sets() {
 
 /// Readings that are the building's own with some error, every ninth missing, one zero.
 kernel::Readings readings_for(const RandomCase& made, Quantity quantity,
-                              Interval interval) {
+                              const Intervals& interval) {
     const Trajectory trajectory = simulate(made.building, made.drive);
     kernel::Readings readings{
         quantity, interval,
@@ -49,12 +49,22 @@ kernel::Readings readings_for(const RandomCase& made, Quantity quantity,
     return readings;
 }
 
+/// Of 9 and 20 days from the second of the 36 days on.
+Intervals bills_of(const RandomCase& made) {
+    Intervals bills(Interval::monthly);
+    for (const int day : {1, 10, 30})
+        bills.bounds.push_back(kernel::period_of(made.drive).start +
+                               std::chrono::days(day));
+    return bills;
+}
+
 kernel::Request everything_of(const RandomCase& made) {
     kernel::Request request;
     request.annual.assign(std::begin(all_quantities), std::end(all_quantities));
     request.monthly = request.annual;
-    for (Interval interval :
-         {Interval::step, Interval::hourly, Interval::daily, Interval::monthly})
+    for (const Intervals& interval :
+         {Intervals(Interval::step), Intervals(Interval::hourly),
+          Intervals(Interval::daily), Intervals(Interval::monthly), bills_of(made)})
         for (Quantity quantity :
              {Quantity::gas, Quantity::electricity, Quantity::air_temperature})
             request.readings.push_back(readings_for(made, quantity, interval));

@@ -58,6 +58,11 @@ std::vector<kernel::Channel> all_channels() {
         for (Interval interval : {Interval::step, Interval::hourly, Interval::daily,
                                   Interval::monthly, Interval::annual})
             channels.push_back({quantity, interval});
+    // Bills that begin within the 36 days of these cases, one of which ends beyond them.
+    channels.push_back({Quantity::gas,
+                        {Interval::monthly,
+                         {parse_time("2021-02-03"), parse_time("2021-02-10 06:00"),
+                          parse_time("2021-03-20")}}});
     return channels;
 }
 

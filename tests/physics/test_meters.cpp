@@ -1,4 +1,5 @@
 /// Meters: the plant's conversion, loads by carrier, and the calendar's intervals.
+#include "physics/interval_hours.hpp"
 #include "physics/meters.hpp"
 #include "support/simple_building.hpp"
 
@@ -127,6 +128,23 @@ TEST(Meters, KnowTheMonthsOfALeapYear) {
     const auto bounds = interval_bounds(axis_from("2020-01-01", 8784), Interval::monthly);
     ASSERT_EQ(bounds.size(), 13u);
     EXPECT_EQ(bounds[2] - bounds[1], 29 * 24);
+}
+
+// Bills of 5 and 9 January and 2 February, over all of January.
+TEST(Meters, KnowBillsOfAnyLength) {
+    const Intervals bills(Interval::monthly,
+                          {parse_time("2021-01-05"), parse_time("2021-01-09 06:00"),
+                           parse_time("2021-02-02")});
+    EXPECT_EQ(interval_bounds(axis_from("2021-01-01", 744), bills),
+              (std::vector<int>{0, 96, 198, 744}));
+    EXPECT_EQ(interval_bounds(axis_from("2021-01-05", 24), bills),
+              (std::vector<int>{0, 24}));
+    EXPECT_EQ(interval_bounds(axis_from("2021-03-01", 24), bills),
+              (std::vector<int>{0, 24}));
+    EXPECT_EQ(interval_bounds(axis_from("2021-01-01", 0), bills), (std::vector<int>{0}));
+    EXPECT_EQ(bills, Interval::monthly);
+    EXPECT_DOUBLE_EQ(hours_of(bills, 3600), 14 * 24);
+    EXPECT_DOUBLE_EQ(hours_of(Interval::monthly, 3600), 730);
 }
 
 TEST(Meters, SumEnergyAndAverageTemperature) {

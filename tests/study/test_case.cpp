@@ -72,6 +72,22 @@ TEST(Readings, OfAWholeMonthAreKept) {
               (std::vector<double>{0}));
 }
 
+// Bills of 3, 4 and 7 days; the period begins inside of the first.
+TEST(Readings, OfBillsAreThoseThatLieWholeInThePeriod) {
+    Meter meter = counting_meter(physics::Interval::hourly, 2, 16);
+    meter.interval = {physics::Interval::monthly,
+                      {test::day(2), test::day(5), test::day(9), test::day(16)}};
+    const auto all = readings(meter, {"p", test::day(3), test::day(16)});
+    ASSERT_EQ(all.size(), 3U);
+    EXPECT_TRUE(std::isnan(all[0]));
+    EXPECT_EQ(all[1], 3 * 24);  // the bill stands at its first hour
+    EXPECT_EQ(all[2], 7 * 24);
+    const auto cut = readings(meter, {"p", test::day(5), test::day(15)});
+    ASSERT_EQ(cut.size(), 2U);
+    EXPECT_EQ(cut[0], 3 * 24);
+    EXPECT_TRUE(std::isnan(cut[1]));
+}
+
 TEST(Readings, AtAnotherStepThanTheSimulationsAreRefused) {
     EXPECT_NO_THROW(readings(counting_meter(physics::Interval::step, 0, 2),
                              {"p", test::day(0), test::day(1)}));

@@ -60,6 +60,21 @@ TEST(CompleteIntervals, AreDaysAndMonthsWithNineTenthsOfTheirHours) {
     EXPECT_EQ(months[2].readings.size(), 31U * 24 - 5);
 }
 
+// Two bills that begin in January stay two.
+TEST(CompleteIntervals, OfBillsAreTheBills) {
+    const std::vector<Seconds> begins = {physics::parse_time("2021-01-01"),
+                                         physics::parse_time("2021-01-05"),
+                                         physics::parse_time("2021-01-31")};
+    const std::vector<double> measured = {nan, 5, 6};
+    const physics::Intervals bills(
+        Interval::monthly, {begins[1], begins[2], begins[2] + std::chrono::days(30)});
+    const auto months = complete_intervals(begins, measured, bills, Interval::monthly);
+    ASSERT_EQ(months.size(), 2U);
+    EXPECT_EQ(months[0].begin, begins[1]);
+    EXPECT_EQ(months[1].readings, (std::vector<std::size_t>{2}));
+    EXPECT_TRUE(complete_intervals(begins, measured, bills, Interval::daily).empty());
+}
+
 TEST(CompleteIntervals, LeaveOutCutMonths) {
     const Series s("2021-01-05", 24 * 60);  // to 6 March
     const auto months =

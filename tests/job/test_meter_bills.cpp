@@ -1,0 +1,154 @@
+/// [[meter]] with interval = "monthly": months, bills between read dates, estimated
+/// reads; and days that begin at another hour.
+#include "job/small_office.hpp"
+#include "study/case.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+namespace bemcal::job {
+namespace {
+
+using physics::Interval;
+using physics::parse_time;
+
+const std::string meter_keys =
+    "file = \"measured.csv\"\ncolumn = \"elec_kWh\"\nunit = \"kWh\"\nstamp = \"end\"\n"
+    "mask = [\"2021-01-20/2021-01-21\"]\n";
+
+study::Case read_with(const std::string& file_text, const std::string& keys,
+                      const std::string& interval = "monthly") {
+    const Folder folder;
+    folder.write("bills.csv", file_text);
+    const std::string text =
+        replaced(small_office_text(), meter_keys,
+                 "file = \"bills.csv\"\ncolumn = \"x\"\nunit = \"kWh\"\ninterval = \"" +
+                     interval + "\"\n" + keys);
+    return read_job(write_small_office(folder, text)).buildings[0];
+}
+
+/// What the training period, January 2021, holds of the first meter.
+std::vector<double> readings_of(const study::Case& building) {
+    return study::readings_of(building, building.periods[0])[0].values;
+}
+
+TEST(MeterBills, OfTheCalendarAreMonths) {
+    const auto building = read_with("t,x\n2021-01-01,310\n2021-02-01,280\n", "");
+    EXPECT_FALSE(building.meters[0].interval.are_own());
+    EXPECT_EQ(readings_of(building), (std::vector<double>{310}));
+}
+
+TEST(MeterBills, BetweenReadDatesAreHeldAgainstTheirOwnTime) {
+    const auto building = read_with(
+        "from,to,x\n2020-12-20,2021-01-04,9\n2021-01-04,2021-01-13,90\n"
+        "2021-01-13,2021-01-27,140\n2021-01-27,2021-02-03,70\n",
+        "from = \"from\"\nto = \"to\"\n");
+    const study::Meter& meter = building.meters[0];
+    ASSERT_TRUE(meter.interval.are_own());
+    EXPECT_EQ(meter.interval, Interval::monthly);
+    EXPECT_EQ(meter.interval.bounds.size(), 5U);
+    const auto found = readings_of(building);
+    ASSERT_EQ(found.size(), 4U);  // the first and the last are cut by the period
+    EXPECT_TRUE(std::isnan(found[0]));
+    EXPECT_EQ(found[1], 90);
+    EXPECT_EQ(found[2], 140);
+    EXPECT_TRUE(std::isnan(found[3]));
+}
+
+TEST(MeterBills, OfOneColumnAreReadFromStampToStampAndTold) {
+    const auto building =
+        read_with("t,x\n2020-12-12,1\n2021-01-03,2\n2021-01-29,3\n2021-03-05,\n", "");
+    EXPECT_EQ(building.meters[0].interval.bounds,
+              (std::vector{parse_time("2020-12-12"), parse_time("2021-01-03"),
+                           parse_time("2021-01-29"), parse_time("2021-03-05")}));
+    EXPECT_TRUE(std::ranges::any_of(building.decisions, [](const auto& decision) {
+        return decision.series == "stamps of electricity" &&
+               decision.finding == "its rows are no intervals of the calendar" &&
+               decision.action == "read as 3 bills, each over its own time";
+    }));
+}
+
+TEST(MeterBills, EstimatedMonthsBecomeOneWithTheNextThatWasRead) {
+    const auto building =
+        read_with("t,x,estimated\n2020-12-01,1,0\n2021-01-01,100,1\n2021-02-01,200,0\n",
+                  "estimated = \"estimated\"\n");
+    EXPECT_EQ(building.meters[0].interval.bounds.size(), 3U);
+    // January and February together reach beyond the period.
+    EXPECT_TRUE(std::isnan(readings_of(building)[0]));
+}
+
+TEST(MeterBills, DaysOfGasBeginAtSix) {
+    std::string file = "t,x\n";
+    for (int day = 0; day < 59; ++day)
+        file += fmt::format(
+            "{},{}\n",
+            physics::format_time(parse_time("2021-01-01 06:00") + std::chrono::days(day)),
+            day);
+    const auto building = read_with(file, "", "daily");
+    ASSERT_TRUE(building.meters[0].interval.are_own());
+    const auto found = readings_of(building);
+    ASSERT_EQ(found.size(), 32U);  // six hours, 30 days, 18 hours
+    EXPECT_TRUE(std::isnan(found[0]));
+    EXPECT_EQ(found[1], 0);
+    EXPECT_EQ(found[30], 29);
+    EXPECT_TRUE(std::isnan(found[31]));
+}
+
+TEST(MeterBills, RowsLongerThanTheIntervalAreRefused) {
+    const Folder folder;
+    folder.write("bills.csv", "t,x\n2021-01-01,310\n2021-02-01,280\n");
+    const std::string text =
+        replaced(small_office_text(), meter_keys,
+                 "file = \"bills.csv\"\ncolumn = \"x\"\nunit = \"kWh\"\n");
+    EXPECT_NE(
+        message_of(write_small_office(folder, text)).find("meter.interval: is hourly"),
+        std::string::npos);
+}
+
+/// Months by their last days, of which some are estimated: a building of New York.
+TEST(MeterBills, OfNewYorkAreReadWithTheirEstimates) {
+    const std::filesystem::path path =
+        BEMCAL_ROOT "/../shared/data/nyc_bills/retrofit_monthly.csv";
+    if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not here";
+    std::istringstream lines(text_of(path));
+    std::string line, file = "end_date,x,estimated\n";
+    while (std::getline(lines, line)) {
+        std::vector<std::string> cells;
+        std::istringstream row(line);
+        for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+        if (cells[0] == "846152" && cells[1] == "Elec" && cells[2] == "2015")
+            file += cells[3] + "," + cells[4] + "," + cells[7] + "\n";
+    }
+    const Folder folder;
+    folder.write("bills.csv", file);
+    std::string text = replaced(
+        small_office_text(), meter_keys,
+        "file = \"bills.csv\"\ncolumn = \"x\"\nunit = \"kWh\"\ninterval = \"monthly\"\n");
+    text = replaced(text, "training = [\"2021-01-01\", \"2021-01-31\"]",
+                    "training = [\"2015-01-01\", \"2015-01-31\"]");
+    text = replaced(text, "held_out = [\"2021-02-01\", \"2021-02-28\"]\n", "");
+    const auto job = write_small_office(folder, text);
+    std::string weather = small_weather();
+    for (std::size_t at = weather.find("\n2021"); at != std::string::npos;
+         at = weather.find("\n2021"))
+        weather.replace(at, 5, "\n2015");
+    folder.write("weather.csv", weather);
+    std::string measured = small_readings();
+    for (std::size_t at = measured.find("\n2021"); at != std::string::npos;
+         at = measured.find("\n2021"))
+        measured.replace(at, 5, "\n2015");
+    folder.write("measured.csv", measured);
+    const study::Case building = read_job(job).buildings[0];
+    EXPECT_FALSE(building.meters[0].interval.are_own());
+    EXPECT_EQ(building.meters[0].axis.start, parse_time("2014-10-01"));
+    EXPECT_NEAR(building.meters[0].values[0], 1537.81979978, 1e-6);
+    EXPECT_TRUE(std::ranges::any_of(building.decisions, [](const auto& decision) {
+        return decision.finding == "its stamps are the last days of months";
+    }));
+}
+
+}  // namespace
+}  // namespace bemcal::job
