@@ -1,0 +1,31 @@
+"""The studies of a result, by the kind that each says it is: the word of the job file."""
+import h5py
+
+# What one kind alone stored in version 0.1.0, whose studies do not say their kind.
+MARKS_OF_0_1_0 = {"structure_chosen": "loop", "guideline_14_count": "screening", "objective": "optimisation"}
+
+
+def groups(file):
+    found = []
+    file.visititems(lambda name, item: found.append(name) if isinstance(item, h5py.Group) else None)
+    return found
+
+
+def kind_of(group):
+    """A word of the job file; none where the group is no study."""
+    said = group.get("kind")
+    if not isinstance(said, h5py.Dataset) or said.shape != () or not h5py.check_string_dtype(said.dtype):
+        return None
+    return said.asstr()[()]
+
+
+def kind_of_0_1_0(group):
+    return next((kind for mark, kind in MARKS_OF_0_1_0.items() if mark in group), None)
+
+
+def of_kind(file, *kinds):
+    """Paths of the studies of these kinds in an open HDF5 file."""
+    paths = groups(file)
+    says = any(kind_of(file[path]) for path in paths)
+    kind = kind_of if says else kind_of_0_1_0
+    return [path for path in paths if kind(file[path]) in kinds]
