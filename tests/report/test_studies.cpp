@@ -6,6 +6,9 @@
 #include "report/tables.hpp"
 #include "store/layout.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include <gtest/gtest.h>
 
 namespace bemcal::report {
@@ -24,7 +27,8 @@ constexpr const char* chains =
 constexpr Sample samples[] = {
     {"sensitivity", "n_base = 4\nn_bootstrap = 0\n"},
     {"hourly_sensitivity", "n_base = 64\n"},
-    {"office_hour_sensitivity", "n_base = 4\nn_bootstrap = 0\nfixed = {DayNum = [1, 2]}\n"},
+    {"office_hour_sensitivity",
+     "n_base = 4\nn_bootstrap = 0\nfixed = {DayNum = [1, 2]}\n"},
     {"screening", "n_points = 8\n"},
     {"posterior", chains},
     {"kennedy_ohagan",
@@ -76,10 +80,12 @@ store::ResultFile result_of(const std::string& kind) {
     folder.write("runs.csv", "y,x,t\n1,0,0\n2,0.5,0\n3,1,0\n2,0,1\n3,0.5,1\n5,1,1\n");
     const job::Job job = job::read_job(job::write_small_office(folder, text_with(kind)));
     store::ResultFile result;
+    std::vector<study::Summary> found;
     for (const auto& stage : job::make_plan(job)) {
-        stage->see(result.datasets);
-        for (Dataset& dataset : stage->conclude(answers_of(*stage)))
-            result.datasets.push_back(std::move(dataset));
+        stage->see(found);
+        study::Conclusion conclusion = stage->conclude(answers_of(*stage));
+        std::ranges::move(conclusion.datasets, std::back_inserter(result.datasets));
+        std::ranges::move(conclusion.summaries, std::back_inserter(found));
     }
     return result;
 }
@@ -144,7 +150,7 @@ TEST(Studies, OfAKindWithoutTablesOfItsOwnAreShownAsTheyAreStored) {
     EXPECT_EQ(tables_of(result),
               "\noffice/dream: dream\n"
               "  n_points: 12\n"
-              "  output    output_mean [kWh]\n"
+              "  output   output_mean [kWh]\n"
               "  heating               2.50\n"
               "  gas                      7\n"
               "  total_order   walls\n"
