@@ -40,7 +40,7 @@ std::vector<Target> sites_of(const HookRow& row, const Effect& effect,
 }
 
 /// Few levels where the hook shapes regimes.
-Series levelled_for(const HookRow& row, Series profile) {
+Series levelled_for(const HookRow& row, const Series& profile) {
     return row.shapes_regimes ? levelled(profile, most_levels) : profile;
 }
 

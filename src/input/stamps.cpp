@@ -113,6 +113,7 @@ class Reader {
                 return fmt::format("; the column {} holds one: set time = \"{}\"",
                                    csv_.columns[column], csv_.columns[column]);
             } catch (const std::invalid_argument&) {
+                continue;
             }
         }
         return {};
@@ -121,7 +122,7 @@ class Reader {
     /// CST is of America and of China; a name far from the site is another one.
     void check_zone(std::size_t row) const {
         const Stamp& stamp = raw_[row];
-        if (!stamp.is_zone) return;
+        if (!stamp.is_zone || !stamp.offset) return;
         const seconds off = *stamp.offset - of_hours(rules_.site_offset_h);
         if (std::abs(off.count()) <= 3 * 3600) return;
         fail(row,
@@ -234,12 +235,12 @@ class Reader {
         if (!follows_wall_clock() || !rules_.at_end) return converted(seconds(0));
         try {
             return converted(seconds(0));
-        } catch (const UserError&) {
+        } catch (const UserError& first) {
             try {
                 return converted(seconds(found_.step_s));
             } catch (const UserError&) {
+                throw first;
             }
-            throw;
         }
     }
 

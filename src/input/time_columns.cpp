@@ -136,6 +136,7 @@ TimeColumns date_and_clock(std::size_t date, std::size_t clock) {
 
 TimeColumns named_columns(const Csv& csv, const std::vector<std::string>& names) {
     std::vector<std::size_t> columns;
+    columns.reserve(names.size());
     for (const std::string& name : names) columns.push_back(csv.column(name));
     if (columns.size() == 1) return {columns[0]};
     const std::vector<TimePart> parts = parts_of(names);
@@ -394,6 +395,7 @@ Stamp stamp_in(const Csv& csv, std::size_t row, const TimeColumns& time,
 
 std::string names_of(const Csv& csv, const TimeColumns& time) {
     std::vector<std::string> names;
+    names.reserve(time.columns.size());
     for (const std::size_t column : time.columns) names.push_back(csv.columns[column]);
     return fmt::format("{}", fmt::join(names, ", "));
 }

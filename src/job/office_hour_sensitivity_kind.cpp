@@ -87,6 +87,7 @@ Stages stages(const StudySpec& spec, const Job&) {
     Stages stages;
     for (std::size_t c = 0; c < study.n_cases(); ++c) {
         std::vector<std::pair<std::string, double>> fixed;
+        fixed.reserve(study.fixed.size());
         for (const auto& [input, values] : study.fixed)
             fixed.emplace_back(input, values[c]);
         stages.push_back(

@@ -180,6 +180,7 @@ RetrofitOptions options_of(const StudyPlace& place, const study::Case& building)
 /// Scenarios name numbers of a building, so each building has options of its own.
 void check(const StudyPlace& place, StudySpec& study) {
     std::vector<RetrofitOptions> options;
+    options.reserve(place.job.buildings.size());
     for (const study::Case& building : place.job.buildings)
         options.push_back(options_of(place, building));
     study.options = std::move(options);

@@ -112,6 +112,7 @@ std::vector<study::FoundValue> values_of(const Posterior& posterior,
                                          const ConvergenceTable& table,
                                          const Quantiles& quantiles) {
     std::vector<study::FoundValue> values;
+    values.reserve(posterior.unknowns().size());
     for (std::size_t u = 0; u < posterior.unknowns().size(); ++u)
         values.push_back({posterior.unknowns()[u].name, table.rows[u].mean,
                           quantiles.q05[u], quantiles.q95[u]});

@@ -201,7 +201,7 @@ class Execution {
             return (folder() / lock_name).string() +
                    ": was removed while the run was going on, so that another may write "
                    "there";
-        return log_->trouble();
+        return log_ ? log_->trouble() : std::string();
     }
 
     /// What is lost then is not to be added to.

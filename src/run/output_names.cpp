@@ -147,7 +147,7 @@ fs::path numbered(const std::string& name) {
 
 fs::path result_of(const job::Job& job, const OutputWish& wish, const Inputs& inputs) {
     const std::string name = shortened(job.name);
-    const fs::path named = wish.named.empty() ? job.output : wish.named;
+    fs::path named = wish.named.empty() ? job.output : wish.named;
     if (named.empty())
         return wish.is_numbered ? numbered(name) : free_name(name, inputs, "");
     if (const std::string said = complaint(named, inputs); !said.empty())

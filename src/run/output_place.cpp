@@ -163,10 +163,12 @@ OutputPlace prepare_output(const fs::path& output, Existing existing,
         return existing == Existing::resume && is_done(output, hash_of(identity));
     };
     // A result that is whole needs no folder beside it, which may be one to read only.
-    if (!is_taken(folder) && (place.is_complete = is_complete())) return place;
+    if (!is_taken(folder)) place.is_complete = is_complete();
+    if (place.is_complete) return place;
     place.lock = std::make_unique<PartLock>(folder);
     if (existing == Existing::refuse) refuse_result(output);
-    if ((place.is_complete = is_complete())) return place;
+    place.is_complete = is_complete();
+    if (place.is_complete) return place;
     const PartFiles files = part_files(folder);
     if (existing == Existing::refuse) refuse_unfinished(folder, files);
     refuse_foreign(folder, files);

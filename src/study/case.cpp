@@ -35,7 +35,12 @@ double reading_at(const Meter& meter, physics::Seconds time) {
     return meter.values[static_cast<std::size_t>(step)];
 }
 
-/// A cut first interval needs no care: its reading stands before the period.
+/// Whether an interval begins with a period that begins then; days and months cut at
+/// their begin have their reading before it.
+bool begins_at(const physics::Intervals& intervals, physics::Seconds time) {
+    return !intervals.are_own() || std::ranges::binary_search(intervals.bounds, time);
+}
+
 kernel::Readings readings_of(const Meter& meter, const physics::TimeAxis& axis) {
     if (meter.interval == physics::Interval::step && meter.axis.step_s != axis.step_s)
         throw std::invalid_argument("meter " + meter.name +
@@ -45,7 +50,9 @@ kernel::Readings readings_of(const Meter& meter, const physics::TimeAxis& axis) 
                            missing);
     const std::vector<int> bounds = whole_intervals(axis, meter.interval);
     for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
-        readings.values[k] = reading_at(meter, axis.begin_of(bounds[k]));
+        if (const physics::Seconds begin = axis.begin_of(bounds[k]);
+            begins_at(meter.interval, begin))
+            readings.values[k] = reading_at(meter, begin);
     return readings;
 }
 
