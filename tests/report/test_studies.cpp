@@ -20,6 +20,7 @@ using study::Dataset;
 /// A study of every kind, small.
 struct Sample {
     const char *kind, *keys;
+    bool was_in_0_1_0 = true;
 };
 constexpr const char* chains =
     "n_chains = 2\nwarm_up = 2\ndraws_per_round = 2\nmost_draws = 2\nn_predictive = 2\n"
@@ -110,14 +111,16 @@ TEST_P(EveryKind, SaysItsWordInItsResultAndIsShownWithoutItTheSame) {
     EXPECT_EQ(kinds, std::vector<std::string>(n, kind));
     const std::string text = tables_of(result);
     EXPECT_NE(text.find("sample"), std::string::npos) << text;
-    EXPECT_EQ(tables_of(of_0_1_0(result)), text);
+    if (GetParam().was_in_0_1_0) {
+        EXPECT_EQ(tables_of(of_0_1_0(result)), text);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Studies, EveryKind, testing::ValuesIn(samples),
                          [](const auto& each) { return std::string(each.param.kind); });
 
 TEST(Studies, HaveASampleOfEveryKindHere) {
-    for (const job::Kind* kind : job::kinds()) EXPECT_NE(keys_of(kind->word), "");
+    for (const job::Kind* kind : job::kinds()) EXPECT_NO_THROW(keys_of(kind->word));
 }
 
 TEST(Studies, OfOneResultMayBeOfManyKindsAndGroupsBelowAreNone) {

@@ -16,7 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "scripts"), str(pathlib.Path(__file__).parent)]
 
 import fake_loop_result  # noqa: E402
-from report import page, pictures, result, words  # noqa: E402
+from report import page, pictures, result, studies, words  # noqa: E402
 
 THREE = {"air": "degC", "electricity": "kWh", "gas": "kWh"}
 ONE = {"gas": "kWh"}
@@ -160,6 +160,19 @@ class LoopReport(unittest.TestCase):
     def test_names_of_a_job_are_text_and_not_markup(self):
         loop = self.small("markup.h5", stage="a <b> & c/loop")
         self.assertIn("a &lt;b&gt; &amp; c: what", page.html_of(loop))
+
+    def test_a_study_is_known_by_its_kind_and_in_version_0_1_0_by_what_it_stores(self):
+        with h5py.File(self.folder / "kinds.h5", "w") as file:
+            for path, kind in (("a/first", "loop"), ("a/second", "screening"), ("b/posterior", "dream")):
+                fake_loop_result.text(file.create_group(path), "kind", kind)
+            file["a/second/structure_chosen"] = "a dataset that another kind stores"
+            file["b/posterior/posterior/kind"] = [1.0, 2.0]
+            self.assertEqual(studies.of_kind(file, "loop"), ["a/first"])
+            self.assertEqual(studies.of_kind(file, "loop", "screening"), ["a/first", "a/second"])
+            for path in ("a/first", "a/second", "b/posterior"):
+                del file[path]["kind"]
+            del file["b/posterior/posterior/kind"]
+            self.assertEqual(studies.of_kind(file, "loop"), ["a/second"])
 
     def test_the_command_writes_the_page_and_says_which_loops_there_are(self):
         def run(*arguments):
