@@ -19,6 +19,7 @@ from case_folder import COLUMNS as CHANNELS, YEAR, error   # noqa: E402
 from cases import loop_result                              # noqa: E402
 from effects import EFFECTS                                # noqa: E402
 from loop_names import ALWAYS_THERE, CLOCK, RIGHT, is_in_class, is_right  # noqa: E402
+from report.result import OF_CLASS                         # noqa: E402
 
 DETECTABLE = 5
 AIR = CHANNELS["air"]
@@ -136,11 +137,11 @@ def coverage(found, planted, truth):
 def score(file, case, kind):
     """The record of one case."""
     truth, loop = json.loads((case / "truth.json").read_text()), file[case.name]["loop"]
-    found = loop_result.records(loop, loop_result.EFFECT)
+    found = loop_result.effects(loop)
     errors, planted = errors_of(loop, held_out(case)), truth["effects"]
     steps = (("plain", "before"), ("before", "after"), ("plain", "after"))
     return Scored(case.name, kind, planted, found,
-                  loop_result.records(loop, loop_result.DECISION), errors,
+                  loop_result.decisions(loop, ("series", "finding", "action", "kind")), errors,
                   {step: closed(errors, truth, *step) for step in steps},
                   detectability(loop, truth), parameter_errors(loop, truth, case, found),
                   coverage(found, planted, truth))
@@ -168,7 +169,7 @@ def is_named(scored, planted):
 def put_with_parameters(scored):
     """Names of which a decision says that they and calibrated parameters are one class."""
     return {decision["series"] for decision in scored.decisions
-            if decision["finding"].startswith("one class with ")}
+            if decision["kind"] == OF_CLASS}
 
 
 def is_put_with_parameters(scored, planted):

@@ -8,39 +8,34 @@ import numpy as np
 
 from cases.folder import CaseError
 from cases.meters import CHANNELS
+from report import result as stored
 
 HOUR = 3600
 HELD_OUT = "held_out"
 COLUMNS = {meter: column for column, (meter, _, _) in CHANNELS.items()}
-# key in effects.json: dataset
-EFFECT = {"name": "effect", "hook": "effect_hook", "driver": "effect_driver",
-          "shape": "effect_shape", "gate": "effect_gate", "coefficient": "effect_coefficient",
-          "interval": ("effect_least", "effect_most"), "unit": "effect_unit",
-          "class": "effect_class", "adequate": "effect_adequate", "gain": "effect_gain",
-          "separates": "effect_separates", "doubt": "effect_doubt"}
-DECISION = {"series": "decision_series", "finding": "decision_finding",
-            "action": "decision_action"}
-CONVERT = {"class": lambda text: text.split("; "), "adequate": bool}
 
 
 def texts(group, name):
     return list(group[name].asstr()[:])
 
 
-def values(group, name):
-    """A dataset as plain Python values; of two, their pairs."""
-    if isinstance(name, tuple):
-        return list(zip(*(values(group, part) for part in name)))
-    if h5py.check_string_dtype(group[name].dtype):
-        return texts(group, name)
-    return group[name][:].tolist()
+def effect_record(effect):
+    return {"name": effect.name, "hook": effect.hook, "driver": effect.driver, "shape": effect.shape,
+            "gate": effect.gate, "coefficient": effect.coefficient,
+            "interval": (effect.least, effect.most), "unit": effect.unit, "class": effect.members,
+            "adequate": effect.is_adequate, "gain": effect.gain, "separates": effect.separates,
+            "doubt": effect.doubt}
 
 
-def records(group, table):
-    """A list of dictionaries, one for each row of the table's datasets."""
-    columns = [[CONVERT.get(key, lambda value: value)(value) for value in values(group, name)]
-               for key, name in table.items()]
-    return [dict(zip(table, row)) for row in zip(*columns)]
+def effects(loop):
+    """What was found, as effects.json has it."""
+    return [effect_record(effect) for effect in stored.effects_in(loop)]
+
+
+def decisions(loop, keys=("series", "finding", "action")):
+    """What was found in the data, as decisions.json has it."""
+    return [{key: getattr(decision, key) for key in keys}
+            for decision in stored.decisions_in(loop)]
 
 
 def stamps(begins):
@@ -101,8 +96,8 @@ def write_files(result, building, folder, study="loop"):
         loop = loop_of(file, building, study)
         for model in texts(loop, "model"):
             write_predictions(os.path.join(folder, f"{model}.csv"), loop, model)
-        write_json(os.path.join(folder, "effects.json"), records(loop, EFFECT))
-        write_json(os.path.join(folder, "decisions.json"), records(loop, DECISION))
+        write_json(os.path.join(folder, "effects.json"), effects(loop))
+        write_json(os.path.join(folder, "decisions.json"), decisions(loop))
 
 
 def cut_out(result, building, others, path):

@@ -4,7 +4,7 @@ import pathlib
 import jinja2
 
 from report import pictures, theme, words
-from report.result import AFTER, BEFORE, PLAIN
+from report.result import AFTER, BEFORE, OF_CLASS, PLAIN
 
 MOST_POWER_ROWS = 15
 
@@ -19,34 +19,25 @@ def error_rows(loop):
 
 def power_rows(loop):
     """Of the effects that the data can show, the most clearly seen first."""
-    rows = [{"effect": name, "d": loop.value("power_detectability", k),
-             "visibility": loop.value("power_visibility", k), "alias": loop.texts("power_alias")[k],
-             "correlation": loop.value("power_alias_correlation", k),
-             "parameter": loop.texts("power_bias_parameter")[k],
-             "bias": loop.value("power_bias", k)}
-            for k, name in enumerate(loop.texts("power_effect"))]
-    seen = [row for row in rows if row["d"] >= words.LEAST_SEEN]
-    return sorted(seen, key=lambda row: -row["d"])
+    seen = [effect for effect in loop.power if words.can_be_seen(loop, effect)]
+    return sorted(seen, key=lambda effect: -effect.detectability)
 
 
 def decision_rows(loop):
     """Of the data: classes of effects and parameters stand with the power table."""
-    rows = side_by_side(loop, "decision_series", "decision_finding", "decision_action")
-    effects = loop.texts("power_effect")
-    return [row for row in rows
-            if not (row[0] in effects and row[1].startswith("one class with "))]
+    return [(decision.series, decision.finding, decision.action) for decision in loop.decisions
+            if decision.kind != OF_CLASS]
 
 
 def parameter_rows(loop):
     def shown(p, model):
-        return words.plus_minus(loop.value("parameter_value", model, p),
-                                loop.value("parameter_sd", model, p))
+        return words.plus_minus(loop.value_of(model, p), loop.sd_of(model, p))
     rows = []
-    for p, name in enumerate(loop.parameters):
-        mean, sd = loop.value("parameter_prior_mean", p), loop.value("parameter_prior_sd", p)
-        moved = loop.value("parameter_value", AFTER, p) - loop.value("parameter_value", BEFORE, p)
-        rows.append({"name": name, "unit": loop.texts("parameter_unit")[p],
-                     "prior": words.plus_minus(mean, sd),
+    for p, parameter in enumerate(loop.of_parameters):
+        moved = loop.value_of(AFTER, p) - loop.value_of(BEFORE, p)
+        sd = parameter.sd
+        rows.append({"name": parameter.name, "unit": parameter.unit,
+                     "prior": words.plus_minus(parameter.mean, sd),
                      "values": [shown(p, model) for model in (PLAIN, BEFORE, AFTER)],
                      "moved": words.signed(moved / sd if sd > 0 else float("nan"), 2)})
     return rows
@@ -54,42 +45,29 @@ def parameter_rows(loop):
 
 def effect_rows(loop):
     """The effects, each with what is said of it."""
-    return [{"name": name, "hook": loop.texts("effect_hook")[k],
-             "follows": loop.texts("effect_shape")[k],
-             "coefficient": words.coefficient(loop, k),
-             "gain": words.number(loop.value("effect_gain", k)),
-             "adequate": loop.value("effect_adequate", k) == 1, "doubt": words.doubt(loop, k),
-             "others": "; ".join(words.others(loop, k)),
-             "separates": loop.texts("effect_separates")[k]}
-            for k, name in enumerate(loop.texts("effect"))]
+    return [{"name": effect.name, "hook": effect.hook, "follows": effect.shape,
+             "coefficient": words.coefficient(effect), "gain": words.number(effect.gain),
+             "adequate": effect.is_adequate, "doubt": effect.doubt,
+             "others": "; ".join(effect.others), "separates": effect.separates}
+            for effect in loop.effects]
 
 
 def step_rows(loop):
-    return [{"effect": name, "gain": words.number(loop.value("step_gain", k)),
-             "needed": words.number(loop.value("step_threshold", k)),
-             "score": words.number(loop.value("step_score", k)),
-             "errors": [words.signed(100 * loop.value("step_error", k, c), 1)
+    return [{"effect": step.effect, "gain": words.number(step.gain),
+             "needed": words.number(step.threshold), "score": words.number(step.score),
+             "errors": [words.signed(100 * loop.error_of_step(k, c), 1)
                         for c in range(len(loop.channels))],
-             "verdict": loop.texts("step_verdict")[k]}
-            for k, name in enumerate(loop.texts("step_effect"))]
-
-
-def side_by_side(loop, *names):
-    """Rows of several lists of texts."""
-    return list(zip(*(loop.texts(name) for name in names)))
+             "verdict": step.verdict} for k, step in enumerate(loop.steps)]
 
 
 def contents(loop):
     """Everything that page.html names."""
     power = power_rows(loop)
-    structures = [(name, words.number(loop.value("structure_score", k)),
-                   name == loop.text("structure_chosen"))
-                  for k, name in enumerate(loop.texts("structure"))]
-    ranking = [(name, words.number(loop.value("candidate_gain", k)))
-               for k, name in enumerate(loop.texts("candidate")[:10])]
-    left = [(channel, words.percent(loop.value("unexplained", c), 1),
-             (loop.texts("unexplained_where") or [""] * len(loop.channels))[c])
-            for c, channel in enumerate(loop.channels)]
+    structures = [(tried.name, words.number(tried.score), tried.name == loop.structure)
+                  for tried in loop.structures]
+    ranking = [(candidate.name, words.number(candidate.gain)) for candidate in loop.candidates[:10]]
+    left = [(channel.name, words.percent(channel.unexplained, 1), channel.where)
+            for channel in loop.of_channels]
     channels = [(channel, pictures.of_channel(loop, c)) for c, channel in enumerate(loop.channels)]
     return dict(
         study=loop, words=words, structure_words=words.structure(loop),

@@ -206,7 +206,7 @@ def cumulative(series, channel, unit):
 
 def of_channel(loop, c):
     """All pictures of a channel; none where it is not read by the hour."""
-    channel, unit = loop.channels[c], loop.units[c].replace("degC", "°C")
+    channel, unit = loop.channels[c], loop.of_channels[c].unit.replace("degC", "°C")
     series = loop.series(channel)
     if not series.is_drawn:
         return []
@@ -249,7 +249,8 @@ def errors(loop):
 
 def parameters(loop):
     """In standard deviations of each prior from its mean."""
-    means, sds = loop.values("parameter_prior_mean"), loop.values("parameter_prior_sd")
+    means, sds = (np.array([getattr(parameter, field) for parameter in loop.of_parameters])
+                  for field in ("mean", "sd"))
     shown = [p for p in range(len(loop.parameters)) if np.isfinite(means[p]) and sds[p] > 0]
     if not shown:
         return None
@@ -259,8 +260,8 @@ def parameters(loop):
     said = []
     for model, shift in ((BEFORE, -0.16), (AFTER, 0.16)):
         name, colour = MODELS[model]
-        middle = (loop.values("parameter_value")[model][shown] - means[shown]) / sds[shown]
-        half = np.nan_to_num(1.645 * loop.values("parameter_sd")[model][shown] / sds[shown])
+        middle = (loop.parameter_value[model][shown] - means[shown]) / sds[shown]
+        half = np.nan_to_num(1.645 * loop.parameter_sd[model][shown] / sds[shown])
         axis.errorbar(middle, np.arange(len(shown)) + shift, xerr=half, fmt="o", markersize=4,
                       color=colour, label=name, elinewidth=1.6)
         said.append(middle)
@@ -279,7 +280,7 @@ def parameters(loop):
 
 def alarms(loop):
     """Hook x driver maps before and after, of the hooks and drivers that raise an alarm."""
-    maps = [loop.values("localisation"), loop.values("localisation_after")]
+    maps = [loop.localisation, loop.localisation_after]
     if maps[0].ndim != 2 or maps[0].shape != maps[1].shape or not maps[0].size:
         return None
     most = np.nan_to_num(np.fmax(*maps))
@@ -292,10 +293,10 @@ def alarms(loop):
                     interpolation="nearest")
         for h, d in zip(*np.nonzero(cells > 1)):
             axis.text(d, h, fixed(cells[h, d], 1), ha="center", va="center", fontsize=7)
-        axis.set_yticks(range(hooks.size), [loop.texts("hook")[h] for h in hooks])
+        axis.set_yticks(range(hooks.size), [loop.hooks[h] for h in hooks])
         axis.set_title(MODELS[model][0])
         axis.grid(False)
-    axes[1].set_xticks(range(drivers.size), [loop.texts("driver")[d] for d in drivers],
+    axes[1].set_xticks(range(drivers.size), [loop.drivers[d] for d in drivers],
                        rotation=40, ha="right", rotation_mode="anchor")
     counts = [int((values > 1).sum()) for values in maps]
     others = "" if maps[0].size == hooks.size * drivers.size else " The places and drivers with " \
@@ -303,7 +304,7 @@ def alarms(loop):
     h, d = np.unravel_index(np.nanargmax(np.nan_to_num(maps[0])), maps[0].shape)
     return picture(figure, "Where the residual comes from",
                    f"Map of alarms by hook and driver: {counts[0]} before, {counts[1]} after; the "
-                   f"strongest before is {loop.texts('hook')[h]} by {loop.texts('driver')[d]}, "
+                   f"strongest before is {loop.hooks[h]} by {loop.drivers[d]}, "
                    f"{fixed(maps[0][h, d], 1)}.",
                    "How the residual, seen from each place of the model, fluctuates with what may "
                    "drive it, over its 99 % quantile without effects; numbers: alarms, above 1."

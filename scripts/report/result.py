@@ -1,8 +1,11 @@
-"""What a loop wrote to a result file; `bemcal-batch describe results` names the datasets.
+"""What a loop wrote to a result file. Here alone are its datasets called by their names, which
+`bemcal-batch describe results` lists.
 
 Residuals are simulated - measured. A temperature's errors are in K, the others' in %.
 """
+import math
 from dataclasses import dataclass
+from types import SimpleNamespace
 
 import h5py
 import numpy as np
@@ -12,6 +15,100 @@ from report import studies
 PLAIN, BEFORE, AFTER = range(3)
 HOURLY, MONTHLY = range(2)
 LEAST_READINGS = 168           # fewer make no picture
+OF_CLASS = "class"             # a kind of decisions: effects that are one with parameters
+OF_PARAMETERS = "parameters"   # a kind of aliases: other values of what is calibrated
+# What results of 0.1.0 have in words only, and the limits that they do not say.
+CLASS_OF_0_1_0, PARAMETERS_OF_0_1_0 = "one class with ", "the calibrated parameters themselves"
+LIMITS_OF_0_1_0 = {"least_detectability": 5.0, "same_signature": 0.98}
+
+
+@dataclass(frozen=True)
+class Column:
+    """A dataset of a list, and what stands for its elements where a result lacks it."""
+    name: str
+    missing: object
+
+    def read(self, group):
+        return texts_of(group, self.name) if self.missing == "" else \
+            [float(value) for value in np.atleast_1d(group[self.name][()])] \
+            if self.name in group else []
+
+
+def text(name):
+    return Column(name, "")
+
+
+def number(name):
+    return Column(name, math.nan)
+
+
+# The lists of a loop: fields of their rows. The first tells how many there are.
+EFFECT = {"name": text("effect"), "hook": text("effect_hook"), "driver": text("effect_driver"),
+          "shape": text("effect_shape"), "gate": text("effect_gate"), "unit": text("effect_unit"),
+          "coefficient": number("effect_coefficient"), "least": number("effect_least"),
+          "most": number("effect_most"), "gain": number("effect_gain"),
+          "adequate": number("effect_adequate"), "doubt": text("effect_doubt"),
+          "separates": text("effect_separates"), "class_in_words": text("effect_class")}
+MEMBER = {"name": text("effect_class_member"), "effect": number("effect_class_of")}
+POWER = {"effect": text("power_effect"), "detectability": number("power_detectability"),
+         "visibility": number("power_visibility"), "alias": text("power_alias"),
+         "alias_kind": text("power_alias_kind"), "correlation": number("power_alias_correlation"),
+         "parameter": text("power_bias_parameter"), "bias": number("power_bias")}
+DECISION = {"series": text("decision_series"), "finding": text("decision_finding"),
+            "action": text("decision_action"), "kind": text("decision_kind")}
+STEP = {"effect": text("step_effect"), "verdict": text("step_verdict"), "gain": number("step_gain"),
+        "threshold": number("step_threshold"), "score": number("step_score")}
+CANDIDATE = {"name": text("candidate"), "gain": number("candidate_gain")}
+TRIED = {"name": text("structure"), "score": number("structure_score")}
+PARAMETER = {"name": text("parameter"), "unit": text("parameter_unit"),
+             "mean": number("parameter_prior_mean"), "sd": number("parameter_prior_sd")}
+CHANNEL = {"name": text("channel"), "unit": text("channel_unit"),
+           "unexplained": number("unexplained"), "where": text("unexplained_where"),
+           "floor": number("noise_floor")}
+
+
+def texts_of(group, name):
+    """A list of texts; [] where the dataset is not there."""
+    return [str(one) for one in np.atleast_1d(group[name].asstr()[()])] if name in group else []
+
+
+def rows_in(group, columns):
+    """An object for each element of the first column, with the fields of `columns`."""
+    lists = {field: column.read(group) for field, column in columns.items()}
+    n = len(next(iter(lists.values())))
+    return [SimpleNamespace(**{field: values[k] if k < len(values) else columns[field].missing
+                               for field, values in lists.items()}) for k in range(n)]
+
+
+def effects_in(group):
+    """The effects found, each with the members of its class."""
+    effects, members = rows_in(group, EFFECT), rows_in(group, MEMBER)
+    for k, effect in enumerate(effects):
+        effect.members = [member.name for member in members if member.effect == k] \
+            or effect.class_in_words.split("; ")
+        effect.others = [name for name in effect.members if name not in ("", effect.name)]
+        effect.is_adequate = effect.adequate == 1
+    return effects
+
+
+def decisions_in(group):
+    decisions = rows_in(group, DECISION)
+    for decision in decisions:
+        if not decision.kind and decision.finding.startswith(CLASS_OF_0_1_0):
+            decision.kind = OF_CLASS
+    return decisions
+
+
+def power_in(group):
+    power = rows_in(group, POWER)
+    for effect in power:
+        if not effect.alias_kind and effect.alias == PARAMETERS_OF_0_1_0:
+            effect.alias_kind = OF_PARAMETERS
+    return power
+
+
+def limit_in(group, name):
+    return float(group[name][()]) if name in group else LIMITS_OF_0_1_0[name]
 
 
 @dataclass
@@ -66,27 +163,41 @@ class Loop:
         self.stage, self.group = stage, file[stage]
         self.attributes = {name: str(value) for name, value in file.attrs.items()}
         self.building = stage.split("/")[0]
-        self.channels, self.units = self.texts("channel"), self.texts("channel_unit")
-        self.periods, self.resolutions = self.texts("period"), self.texts("resolution")
-        self.metrics, self.parameters = self.texts("metric"), self.texts("parameter")
+        rows = [rows_in(self.group, columns) for columns in
+                (CHANNEL, PARAMETER, STEP, CANDIDATE, TRIED)]
+        self.of_channels, self.of_parameters, self.steps, self.candidates, self.structures = rows
+        self.power, self.decisions = power_in(self.group), decisions_in(self.group)
+        self.channels = [channel.name for channel in self.of_channels]
+        self.parameters = [parameter.name for parameter in self.of_parameters]
+        self.effects = effects_in(self.group)
+        self.periods, self.resolutions, self.metrics, self.hooks, self.drivers = (
+            texts_of(self.group, name)
+            for name in ("period", "resolution", "metric", "hook", "driver"))
+        self.localisation, self.localisation_after, self.parameter_value, self.parameter_sd = (
+            self.values(name) for name in
+            ("localisation", "localisation_after", "parameter_value", "parameter_sd"))
+        self.structure = (texts_of(self.group, "structure_chosen") or [""])[0]
+        self.least_detectability = limit_in(self.group, "least_detectability")
+        self.same_signature = limit_in(self.group, "same_signature")
         self.judged = self._judged()
-
-    def texts(self, name):
-        """A list of texts; [] where the dataset is not there."""
-        return [str(text) for text in np.atleast_1d(self.group[name].asstr()[()])] \
-            if name in self.group else []
-
-    def text(self, name):
-        return (self.texts(name) or [""])[0]
 
     def values(self, name):
         return self.group[name][()] if name in self.group else np.array([])
 
     def value(self, name, *place):
         """An element; NaN where it is not there."""
-        values = self.values(name)
+        values = np.asarray(self.values(name))
         inside = values.ndim == len(place) and all(p < n for p, n in zip(place, values.shape))
         return float(values[place]) if inside else np.nan
+
+    def value_of(self, model, parameter):
+        return self.value("parameter_value", model, parameter)
+
+    def sd_of(self, model, parameter):
+        return self.value("parameter_sd", model, parameter)
+
+    def error_of_step(self, step, channel):
+        return self.value("step_error", step, channel)
 
     @property
     def has_held_out(self):
@@ -103,13 +214,14 @@ class Loop:
         def metric(name):
             return np.array([self.value("fit", m, period, resolution, channel,
                                         self.metrics.index(name)) for m in range(3)])
-        is_temperature = self.units[channel] == "degC"
+        of_channel = self.of_channels[channel]
+        is_temperature = of_channel.unit == "degC"
         with np.errstate(invalid="ignore", divide="ignore"):
             mean = metric("rmse") / metric("cv_rmse")
         error = metric("rmse") if is_temperature else 100 * metric("cv_rmse")
         bias = metric("nmbe") * (mean if is_temperature else 100)
-        floor = self.value("noise_floor", channel) * (1 if is_temperature else 100)
-        return Error(self.channels[channel], self.periods[period], self.resolutions[resolution],
+        floor = of_channel.floor * (1 if is_temperature else 100)
+        return Error(of_channel.name, self.periods[period], self.resolutions[resolution],
                      metric("n")[PLAIN], error, bias, "K" if is_temperature else "%",
                      floor if resolution == HOURLY else np.nan)
 

@@ -1,12 +1,9 @@
 """Numbers and findings in words."""
 import math
 
-from report.result import AFTER, BEFORE, PLAIN
+from report.result import AFTER, BEFORE, OF_PARAMETERS, PLAIN
 
 DASH = "–"
-LEAST_SEEN = 5                 # detectability
-SAME_SIGNATURE = 0.98          # correlation
-PARAMETERS = "the calibrated parameters themselves"   # as an alias
 SMALL = 0.005                  # changes below this share are none
 LARGE = 0.02                   # unexplained shares below it are not listed
 
@@ -52,12 +49,14 @@ def listed(texts, last="and"):
         if texts else ""
 
 
-def coefficient(loop, k):
+def size(effect):
+    """"0.083 1/h per m/s"."""
+    return number(effect.coefficient) + ("" if effect.unit in ("", "-") else " " + effect.unit)
+
+
+def coefficient(effect):
     """"0.083 1/h per m/s, 90 % interval 0.079 to 0.087"."""
-    unit = loop.texts("effect_unit")[k]
-    of = "" if unit in ("", "-") else " " + unit
-    return f"{number(loop.value('effect_coefficient', k))}{of}, 90 % interval " \
-           f"{number(loop.value('effect_least', k))} to {number(loop.value('effect_most', k))}"
+    return f"{size(effect)}, 90 % interval {number(effect.least)} to {number(effect.most)}"
 
 
 def in_words(count):
@@ -65,41 +64,26 @@ def in_words(count):
     return few[count] if count < len(few) else str(count)
 
 
-def others(loop, k):
-    """Effects that the data cannot tell from it."""
-    members = loop.texts("effect_class")[k].split("; ")
-    return [name for name in members if name and name != loop.texts("effect")[k]]
-
-
-def found_one(loop, k):
-    like = others(loop, k)
-    unit = loop.texts("effect_unit")[k]
-    size = number(loop.value("effect_coefficient", k)) + ("" if unit in ("", "-") else " " + unit)
-    return f"{loop.texts('effect')[k]} ({size}" + \
-        (f"; or else {listed(like, 'or')}" if like else "") + ")"
+def found_one(effect):
+    return f"{effect.name} ({size(effect)}" + \
+        (f"; or else {listed(effect.others, 'or')}" if effect.others else "") + ")"
 
 
 def found(loop):
     """What was found."""
-    names = loop.texts("effect")
-    if not names:
+    if not loop.effects:
         return f"No effect was found that the description of {loop.building} lacks: no candidate " \
                "predicted better what was kept from it."
-    text = ("One effect was" if len(names) == 1 else f"{in_words(len(names))} effects were") + \
+    n = len(loop.effects)
+    text = ("One effect was" if n == 1 else f"{in_words(n)} effects were") + \
         f" found that the description of {loop.building} lacks: " + \
-        listed(found_one(loop, k) for k in range(len(names))) + "."
-    if any(others(loop, k) for k in range(len(names))):
+        listed(found_one(effect) for effect in loop.effects) + "."
+    if any(effect.others for effect in loop.effects):
         text += " Where it says or else, these data cannot tell."
-    unsure = [f"{name} ({doubt(loop, k)})" for k, name in enumerate(names)
-              if loop.value("effect_adequate", k) != 1]
+    unsure = [effect.name + (f" ({effect.doubt})" if effect.doubt else "")
+              for effect in loop.effects if not effect.is_adequate]
     return text + (f" Not adequate, the name only the nearest one: {listed(unsure)}."
                    if unsure else "")
-
-
-def doubt(loop, k):
-    """Why an effect is not adequate; results of before that was written say nothing."""
-    doubts = loop.texts("effect_doubt")
-    return doubts[k] if k < len(doubts) and doubts[k] else "the alarm that raised it stays with it"
 
 
 def change_of(row, since, until):
@@ -130,9 +114,9 @@ def changes(rows, since, until):
 def judged(loop):
     """What the effects did to the errors where the model was judged."""
     rows = loop.judged_errors()
-    if not rows or not loop.texts("effect"):
+    if not rows or not loop.effects:
         return "" if rows else "No channel has readings, so that there is no error."
-    where = f"With {'it' if len(loop.texts('effect')) == 1 else 'them'}, in {loop.judged}, which " \
+    where = f"With {'it' if len(loop.effects) == 1 else 'them'}, in {loop.judged}, which " \
         "the search has not seen, " if loop.has_held_out else \
         "No readings were held out, so that nothing here shows how well the model predicts; in " \
         "training, where any effect lowers it, "
@@ -142,19 +126,17 @@ def judged(loop):
 def structure(loop):
     """What the choice of the structure had done to them."""
     rows = loop.judged_errors()
-    chosen = loop.text("structure_chosen")
-    return f"Before any effect, from the plain model to the structure chosen ({chosen}), in " \
+    return f"Before any effect, from the plain model to the structure chosen ({loop.structure}), in " \
            f"{loop.judged} {changes(rows, PLAIN, BEFORE)}." if rows else ""
 
 
 def unexplained(loop):
     """What is left."""
-    known = [(share, c) for c, share in enumerate(loop.values("unexplained"))
-             if math.isfinite(share)]
-    where = loop.texts("unexplained_where")
-    large = [f"{percent(share)} for {loop.channels[c]}"
-             + (f" ({where[c]})" if c < len(where) and where[c] else "")
-             for share, c in sorted(known, reverse=True) if share >= LARGE]
+    known = [channel for channel in loop.of_channels if math.isfinite(channel.unexplained)]
+    known.sort(key=lambda channel: -channel.unexplained)
+    large = [f"{percent(channel.unexplained)} for {channel.name}"
+             + (f" ({channel.where})" if channel.where else "")
+             for channel in known if channel.unexplained >= LARGE]
     if large:
         return "Not explained: of the variance that remains, hour, weekday and season still predict " + \
             listed(large) + "."
@@ -162,26 +144,28 @@ def unexplained(loop):
         if known else ""
 
 
+def can_be_seen(loop, effect):
+    """Whether the data can show it."""
+    return effect.detectability >= loop.least_detectability
+
+
 def unseen(loop):
-    names = loop.texts("power_effect")
-    return [name for k, name in enumerate(names)
-            if not loop.value("power_detectability", k) >= LEAST_SEEN]
+    return [effect.effect for effect in loop.power if not can_be_seen(loop, effect)]
 
 
 def same_signatures(loop):
-    return [(name, loop.texts("power_alias")[k]) for k, name in
-            enumerate(loop.texts("power_effect"))
-            if abs(loop.value("power_alias_correlation", k)) >= SAME_SIGNATURE]
+    return [effect for effect in loop.power if abs(effect.correlation) >= loop.same_signature]
 
 
 def aliases(loop):
     """Pairs with the same signature, each once."""
-    pairs = [(a, b) for a, b in same_signatures(loop) if b != PARAMETERS]
+    pairs = [(effect.effect, effect.alias) for effect in same_signatures(loop)
+             if effect.alias_kind != OF_PARAMETERS]
     return [f"{a} and {b}" for k, (a, b) in enumerate(pairs)
             if (b, a) not in pairs[:k] and (a, b) not in pairs[:k]]
 
 
 def followed(loop):
     """Effects that could be seen, and that other values of the parameters do nearly the same as."""
-    hidden = unseen(loop)
-    return [a for a, b in same_signatures(loop) if b == PARAMETERS and a not in hidden]
+    return [effect.effect for effect in same_signatures(loop)
+            if effect.alias_kind == OF_PARAMETERS and can_be_seen(loop, effect)]

@@ -4,6 +4,8 @@
 /// Nothing is renamed: a refused name is the user's to change.
 #include "job/result_names.hpp"
 
+#include "loop/stored_loop.hpp"
+
 #include <algorithm>
 #include <span>
 
@@ -71,63 +73,16 @@ constexpr const char* of_screening[] = {"parameter",
                                         "fit",
                                         "monthly_fit",
                                         "n_points"};
-/// Beside the periods of a loop, likewise.
-constexpr const char* of_loop[] = {"channel",
-                                   "channel_unit",
-                                   "model",
-                                   "parameter_prior_mean",
-                                   "parameter_prior_sd",
-                                   "parameter_value",
-                                   "parameter_sd",
-                                   "structure",
-                                   "structure_score",
-                                   "structure_chosen",
-                                   "decision",
-                                   "decision_series",
-                                   "decision_finding",
-                                   "decision_action",
-                                   "power",
-                                   "power_effect",
-                                   "power_detectability",
-                                   "power_visibility",
-                                   "power_alias",
-                                   "power_alias_correlation",
-                                   "power_bias_parameter",
-                                   "power_bias",
-                                   "hook",
-                                   "driver",
-                                   "localisation",
-                                   "localisation_after",
-                                   "step",
-                                   "step_effect",
-                                   "step_verdict",
-                                   "step_gain",
-                                   "step_threshold",
-                                   "step_score",
-                                   "step_error",
-                                   "effect",
-                                   "effect_hook",
-                                   "effect_driver",
-                                   "effect_shape",
-                                   "effect_gate",
-                                   "effect_unit",
-                                   "effect_coefficient",
-                                   "effect_least",
-                                   "effect_most",
-                                   "effect_gain",
-                                   "effect_adequate",
-                                   "effect_doubt",
-                                   "effect_class",
-                                   "effect_separates",
-                                   "candidate_gain",
-                                   "unexplained",
-                                   "unexplained_where",
-                                   "misfit",
-                                   "noise_floor"};
 /// Beside the meters of a period.
 constexpr const char* of_period[] = {"hourly", "time", "outdoor_temperature"};
 
 bool has(std::span<const char* const> names, const std::string& name) {
+    return std::ranges::find(names, name) != names.end();
+}
+
+/// Beside the periods of a loop.
+bool is_of_loop(const std::string& name) {
+    static const std::vector<std::string> names = loop::stored_names();
     return std::ranges::find(names, name) != names.end();
 }
 
@@ -153,7 +108,7 @@ std::string refusal_of_name(Named kind, const std::string& name) {
     const bool in_posterior = kind == Named::building || kind == Named::period;
     if (name == "." || name == ".." || has(taken(kind), name) ||
         (in_posterior && has(of_posterior, name)) ||
-        (kind == Named::period && has(of_loop, name)))
+        (kind == Named::period && is_of_loop(name)))
         return "something else in a result has this name; expected another name";
     return {};
 }

@@ -19,9 +19,6 @@
 #include <iterator>
 #include <stdexcept>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 namespace bemcal::loop {
 namespace {
 
@@ -86,8 +83,7 @@ class Search {
         const EffectClass near = class_of(data_, result_.last, step);
         Refitted& chosen = step.ranking[static_cast<std::size_t>(step.chosen)];
         const std::string doubt = doubt_of(chosen, near, step.threshold);
-        result_.found.push_back({fmt::format("{}", fmt::join(near.names, "; ")), doubt,
-                                 chosen.gain, near.rivals});
+        result_.found.push_back({near.names, doubt, chosen.gain, near.rivals});
         const double before = alarm_of(data_, place, result_.last, chosen.effect);
         const std::size_t newest = chosen.standing.model.effects.size() - 1;
         const std::string name = chosen.effect.name;
@@ -212,9 +208,9 @@ class Search {
         const auto& all = result_.last.model.effects;
         Found& plant = result_.found[effect];
         plant.rivals.clear();
-        plant.equivalents = all[effect].name;
+        plant.equivalents = {all[effect].name};
         Found use = plant;
-        use.equivalents = all.back().name;
+        use.equivalents = {all.back().name};
         result_.log.push_back({all.back().name, "split from the plant's", 0, 0, 0, {}});
         result_.found.push_back(std::move(use));
     }
@@ -228,7 +224,7 @@ class Search {
             if (rival < 0) continue;
             const effects::Effect& now = result_.last.model.effects[k];
             result_.log.push_back({label_of(now), "in place of " + was, 0, 0, 0, {}});
-            found.equivalents = now.name + "; " + was;
+            found.equivalents = {now.name, was};
             found.doubt = "it stands in the place of another";
         }
     }
@@ -247,8 +243,8 @@ class Search {
     void name_halves_as_wholes() {
         for (std::size_t k = 0; k < result_.found.size(); ++k) {
             const std::string& name = result_.last.model.effects[k].name;
-            std::string& said = result_.found[k].equivalents;
-            if (said == name + of_use) said = name;
+            auto& said = result_.found[k].equivalents;
+            if (said == std::vector{name + of_use}) said = {name};
         }
     }
 

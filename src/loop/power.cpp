@@ -73,9 +73,11 @@ void find_alias(std::size_t row, PowerTable& table) {
     Power& power = table.rows[row];
     if (is_in_parameters(power)) {
         power.alias = effects::same_as(power.effect);
+        power.alias_kind = AliasKind::same;
         power.correlation = 1;
         if (!power.alias.empty()) return;
-        power.alias = "the calibrated parameters themselves";
+        power.alias = words_of_parameters;
+        power.alias_kind = AliasKind::parameters;
         power.correlation = std::sqrt(1 - power.visibility);
         return;
     }
@@ -86,6 +88,7 @@ void find_alias(std::size_t row, PowerTable& table) {
         if (std::abs(rho) <= std::abs(power.correlation)) continue;
         power.correlation = rho;
         power.alias = table.rows[other].name;
+        power.alias_kind = AliasKind::effect;
     }
 }
 
@@ -99,18 +102,31 @@ void find_bias(const Standing& standing, const Screened& screened, Power& power)
 
 }  // namespace
 
+const char* name_of(AliasKind kind) {
+    switch (kind) {
+        case AliasKind::effect:
+            return "effect";
+        case AliasKind::same:
+            return "same";
+        case AliasKind::parameters:
+            return "parameters";
+        case AliasKind::none:
+            break;
+    }
+    return "";
+}
+
 bool are_of_one_row(const effects::Effect& a, const effects::Effect& b) {
     return a.name == b.name && (!effects::is_at_a_meter(a.hook) || a.meter == b.meter);
 }
 
 bool is_in_parameters(const Power& power) {
-    constexpr double same = 0.98;  ///< correlation of what is one signature
+    constexpr double same = limits::same_signature;
     return power.visibility < 1 - same * same;
 }
 
 bool can_be_seen(const Power& power) {
-    constexpr double least = 5;
-    return power.detectability >= least;
+    return power.detectability >= limits::least_detectability;
 }
 
 double correlation_of(std::span<const double> a, std::span<const double> b,

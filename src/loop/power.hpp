@@ -5,16 +5,35 @@
 
 namespace bemcal::loop {
 
+namespace limits {
+/// Effects over what they can be known to: fewer cannot be seen.
+inline constexpr double least_detectability = 5;
+/// Correlation of what is one signature.
+inline constexpr double same_signature = 0.98;
+}  // namespace limits
+
+/// What looks like an effect.
+enum class AliasKind {
+    none,       ///< nothing else is there
+    effect,     ///< another one of the table
+    same,       ///< a parameter that is the same in every reading
+    parameters  ///< other values of what is calibrated do nearly what it does
+};
+const char* name_of(AliasKind kind);
+/// As an alias.
+inline constexpr const char* words_of_parameters = "the calibrated parameters themselves";
+
 /// One effect of the catalogue at its typical size.
 struct Power {
     std::string name;  ///< of the effect; of what one of several meters shows, with it
     effects::Effect effect;
-    double detectability = 0;  ///< its size over what it can be known to; below 5: cannot
+    double detectability = 0;  ///< its size over what it can be known to
     double visibility = 0;     ///< share that the other unknowns cannot follow
-    std::string alias{};       ///< what looks most like it
-    double correlation = 0;    ///< of both signatures
-    std::string parameter{};   ///< that it would bias most
-    double bias = 0;           ///< [prior sd]
+    std::string alias{};       ///< what looks most like it, in words
+    AliasKind alias_kind = AliasKind::none;
+    double correlation = 0;   ///< of both signatures
+    std::string parameter{};  ///< that it would bias most
+    double bias = 0;          ///< [prior sd]
 };
 
 struct PowerTable {
@@ -24,8 +43,7 @@ struct PowerTable {
 };
 /// Whether one row stands for both: what enters at one meter the others do not see.
 bool are_of_one_row(const effects::Effect& a, const effects::Effect& b);
-/// Whether other values of the parameters do nearly what the effect does: a correlation
-/// of 0.98.
+/// Whether other values of the parameters do nearly what the effect does.
 bool is_in_parameters(const Power& power);
 /// Whether there would be more of it than it can be known to.
 bool can_be_seen(const Power& power);

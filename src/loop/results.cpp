@@ -1,6 +1,6 @@
-/// Writes what the loop found: parameters, structures, steps, effects with 90 %
-/// intervals, power, decisions, and what plain, before and after predict for every hour
-/// of every period.
+/// Makes what is stored of a loop: parameters, structures, steps, effects with 90 %
+/// intervals, power, decisions, what plain, before and after predict for every hour of
+/// every period; and in short what it found.
 /// Follows from `LoopResult`; intervals reach 1.645 times `deviation_of` to each side.
 /// The page is made by the report's script. The noise floor is not known here: it is NaN.
 #include "loop/results.hpp"
@@ -9,8 +9,8 @@
 #include "loop/intervals.hpp"
 #include "loop/late_clock.hpp"
 #include "loop/loads.hpp"
+#include "loop/stored_loop.hpp"
 #include "stats/metrics.hpp"
-#include "study/datasets.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,15 +19,16 @@
 #include <map>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace bemcal::loop {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double half_of_90 = 1.645;
-const std::vector<std::string> model_names = {"plain", "before", "after"};
 
-using Standings = std::array<const Standing*, 3>;
+/// In the order of the stored models.
+using Standings = std::array<const Standing*, StoredLoop::n_models>;
 
 Standings standings_of(const LoopResult& result) {
     return {&result.baseline.plain, &result.baseline.chosen, &result.last};
@@ -111,242 +112,149 @@ std::vector<double> outdoors_of(const physics::Drive& drive) {
     return hours;
 }
 
-void push(std::vector<double>& to, const stats::FitMetrics& metrics) {
-    to.insert(to.end(), {metrics.n, metrics.cv_rmse, metrics.nmbe, metrics.rmse});
-}
-
+/// Fills what is stored, part by part.
 class Writer {
   public:
     Writer(const std::string& stage, const LoopData& data, const LoopResult& result)
-        : data_(data),
+        : stage_(stage),
+          data_(data),
           result_(result),
-          decisions_(data.building.decisions),
-          out_(stage),
-          channels_(data.meters.size()) {
-        summary_.study = stage;
-        summary_.has_page = true;
-    }
+          decisions_(data.building.decisions) {}
 
     study::Conclusion write() {
         names();
         parameters();
-        tables();
+        structures();
+        steps();
+        localisation();
         effects_found();
         power();
         fits();
         decisions();
-        return {out_.take(), {std::move(summary_)}};
+        return {datasets_of(stage_, loop_, periods_), {summary()}};
     }
 
   private:
     void names() {
-        std::vector<std::string> names, units, periods;
-        for (const std::size_t m : data_.meters) {
-            names.push_back(data_.building.meters[m].name);
-            units.emplace_back(physics::unit_of(data_.building.meters[m].quantity));
+        for (std::size_t c = 0; c < data_.meters.size(); ++c) {
+            const study::Meter& meter = data_.building.meters[data_.meters[c]];
+            const Unexplained left =
+                c < result_.unexplained.size() ? result_.unexplained[c] : Unexplained{};
+            loop_.channels.push_back({meter.name,
+                                      std::string(physics::unit_of(meter.quantity)),
+                                      left.where, left.share});
         }
         for (const study::Period& period : data_.building.periods)
-            periods.push_back(period.name);
-        channel_names_ = names;
-        out_.texts("channel", "channel", names);
-        out_.texts("channel_unit", "channel", units);
-        out_.texts("model", "model", model_names);
-        out_.texts("period", "period", periods);
-        out_.texts("resolution", "resolution", {"hourly", "monthly"});
-        out_.texts("metric", "metric", {"n", "cv_rmse", "nmbe", "rmse"});
+            loop_.periods.push_back(period.name);
+        loop_.models = {"plain", "before", "after"};
+        loop_.resolutions = {"hourly", "monthly"};
+        loop_.metrics = {"n", "cv_rmse", "nmbe", "rmse"};
+        loop_.misfit = result_.misfit;
     }
 
     void parameters() {
         const auto& unknowns = result_.last.built.unknowns;
         const std::size_t n = result_.last.built.first_effect();
-        std::vector<std::string> names, units;
-        std::vector<double> mean, sd;
         std::map<std::string, std::size_t> index;
         for (std::size_t k = 0; k < n; ++k) {
             index[unknowns[k].name] = k;
-            names.push_back(unknowns[k].name);
-            units.push_back(unknowns[k].unit);
-            mean.push_back(unknowns[k].has_prior ? unknowns[k].centre : nan);
-            sd.push_back(unknowns[k].has_prior ? unknowns[k].scale : nan);
+            loop_.parameters.push_back({unknowns[k].name, unknowns[k].unit});
+            if (!unknowns[k].has_prior) continue;
+            loop_.parameters.back().prior_mean = unknowns[k].centre;
+            loop_.parameters.back().prior_sd = unknowns[k].scale;
         }
-        std::vector<double> values(3 * n, nan), deviation(3 * n, nan);
+        loop_.parameter_value.resize({StoredLoop::n_models, n});
+        loop_.parameter_sd.resize({StoredLoop::n_models, n});
         const Standings standings = standings_of(result_);
-        for (std::size_t m = 0; m < 3; ++m) {
+        for (std::size_t m = 0; m < standings.size(); ++m) {
             const auto sds = deviations_of(data_, *standings[m], result_.misfit);
             const auto& own = standings[m]->built.unknowns;
             for (std::size_t k = 0; k < standings[m]->built.first_effect(); ++k) {
-                const std::size_t at = m * n + index.at(own[k].name);
-                values[at] = own[k].value(standings[m]->fit.at.x[k]);
-                deviation[at] = sds[k];
+                const std::size_t at = index.at(own[k].name);
+                loop_.parameter_value.set({m, at},
+                                          own[k].value(standings[m]->fit.at.x[k]));
+                loop_.parameter_sd.set({m, at}, sds[k]);
             }
         }
-        for (std::size_t k = 0; k < n; ++k) {
-            const double value = values[2 * n + k];
-            const double half = half_of_90 * deviation[2 * n + k];
-            summary_.values.push_back({names[k], value, value - half, value + half});
-        }
-        out_.texts("parameter", "parameter", names);
-        out_.texts("parameter_unit", "parameter", units);
-        out_.vector("parameter_prior_mean", "parameter", mean);
-        out_.vector("parameter_prior_sd", "parameter", sd);
-        out_.array("parameter_value", {"model", "parameter"}, {3, n}, values);
-        out_.array("parameter_sd", {"model", "parameter"}, {3, n}, deviation);
     }
 
-    void tables() {
-        std::vector<std::string> structures;
-        std::vector<double> scores;
-        for (const TriedStructure& tried : result_.baseline.tried) {
-            structures.push_back(tried.name);
-            scores.push_back(tried.score);
-        }
-        out_.texts("structure", "structure", structures);
-        out_.vector("structure_score", "structure", scores);
-        out_.scalar("misfit", result_.misfit);
-        out_.kind("loop");
-        out_.text("structure_chosen", name_of(result_.baseline.chosen.model.structure));
-        steps();
-        localisation();
-        std::vector<double> share;
-        std::vector<std::string> where;
-        for (const Unexplained& one : result_.unexplained) {
-            share.push_back(one.share);
-            where.push_back(one.where);
-        }
-        out_.vector("unexplained", "channel", share);
-        out_.texts("unexplained_where", "channel", where);
-        out_.vector("noise_floor", "channel", std::vector<double>(channels_, nan));
-    }
-
-    void decisions() {
-        std::vector<std::string> series, finding, action;
-        for (const study::DataDecision& decision : decisions_) {
-            series.push_back(decision.series);
-            finding.push_back(decision.finding);
-            action.push_back(decision.action);
-        }
-        out_.texts("decision_series", "decision", series);
-        out_.texts("decision_finding", "decision", finding);
-        out_.texts("decision_action", "decision", action);
+    void structures() {
+        for (const TriedStructure& tried : result_.baseline.tried)
+            loop_.structures.push_back({tried.name, tried.score});
+        loop_.structure_chosen = name_of(result_.baseline.chosen.model.structure);
     }
 
     void steps() {
-        std::vector<std::string> effect, verdict;
-        std::vector<double> gain, threshold, score, error;
-        for (const LoggedStep& step : result_.log) {
-            effect.push_back(step.effect);
-            verdict.push_back(step.verdict);
-            gain.push_back(step.gain);
-            threshold.push_back(step.threshold);
-            score.push_back(step.score);
-            for (std::size_t c = 0; c < channels_; ++c)
-                error.push_back(c < step.error.size() ? step.error[c] : nan);
+        loop_.step_error.resize({result_.log.size(), n_channels()});
+        for (std::size_t k = 0; k < result_.log.size(); ++k) {
+            const LoggedStep& step = result_.log[k];
+            loop_.steps.push_back(
+                {step.effect, step.verdict, step.gain, step.threshold, step.score});
+            for (std::size_t c = 0; c < step.error.size(); ++c)
+                loop_.step_error.set({k, c}, step.error[c]);
         }
-        out_.texts("step_effect", "step", effect);
-        out_.texts("step_verdict", "step", verdict);
-        out_.vector("step_gain", "step", gain);
-        out_.vector("step_threshold", "step", threshold);
-        out_.vector("step_score", "step", score);
-        out_.array("step_error", {"step", "channel"}, {result_.log.size(), channels_},
-                   error);
-        std::vector<std::string> names;
-        std::vector<double> gains;
-        for (const auto& [name, value] : result_.candidates) {
-            names.push_back(name);
-            gains.push_back(value);
-        }
-        out_.texts("candidate", "candidate", names);
-        out_.vector("candidate_gain", "candidate", gains);
+        for (const auto& [name, gain] : result_.candidates)
+            loop_.candidates.push_back({name, gain});
     }
 
     void localisation() {
-        const Localisation& before = result_.before;
-        out_.texts("hook", "hook", before.hooks);
-        out_.texts("driver", "driver", before.drivers);
-        const std::vector<std::size_t> shape = {before.hooks.size(),
-                                                before.drivers.size()};
-        out_.array("localisation", {"hook", "driver"}, shape, before.statistic.values);
-        out_.array("localisation_after", {"hook", "driver"}, shape,
-                   result_.after.statistic.values);
+        const Localisation& seen = result_.before;
+        loop_.hooks = seen.hooks;
+        loop_.drivers = seen.drivers;
+        const std::vector<std::size_t> shape{seen.hooks.size(), seen.drivers.size()};
+        loop_.localisation.shape = loop_.localisation_after.shape = shape;
+        loop_.localisation.values = seen.statistic.values;
+        loop_.localisation_after.values = result_.after.statistic.values;
     }
 
     void effects_found() {
-        std::vector<std::string> name, hook, driver, shape, gate, unit, members,
-            separates, doubt;
-        std::vector<double> value, least, most, gain, adequate;
         const Standing& last = result_.last;
         const auto sds = deviations_of(data_, last, result_.misfit);
-        for (std::size_t k = 0; k < last.model.effects.size(); ++k) {
-            const effects::Effect& effect = last.model.effects[k];
-            const std::size_t at = last.built.first_effect() + k;
-            const double c = last.coefficient(k);
-            const double half = half_of_90 * deviation_of(result_.found[k], sds[at], c);
-            name.push_back(effect.name);
-            hook.emplace_back(effects::name_of(effect.hook));
-            driver.emplace_back(effects::name_of(effect.driver));
-            shape.push_back(effects::sentence_of(effect));
-            gate.emplace_back(effects::name_of(effect.gate));
-            unit.push_back(effects::unit_of(effect));
-            const effects::Entry* entry = effects::entry_of(effect);
-            separates.emplace_back(entry == nullptr ? "" : entry->separates);
-            members.push_back(result_.found[k].equivalents);
-            value.push_back(c);
-            least.push_back(c - half);
-            most.push_back(c + half);
-            gain.push_back(result_.found[k].gain);
-            doubt.push_back(result_.found[k].doubt);
-            adequate.push_back(doubt.back().empty() ? 1 : 0);
-            summary_.findings.push_back(
-                {"loop", fmt::format("found: {}, {:.3g} {}", name.back(), c, unit.back()),
-                 doubt.back().empty() ? "accepted" : "accepted, not adequate"});
-        }
-        out_.texts("effect", "effect", name);
-        out_.texts("effect_hook", "effect", hook);
-        out_.texts("effect_driver", "effect", driver);
-        out_.texts("effect_shape", "effect", shape);
-        out_.texts("effect_gate", "effect", gate);
-        out_.texts("effect_unit", "effect", unit);
-        out_.texts("effect_class", "effect", members);
-        out_.texts("effect_separates", "effect", separates);
-        out_.vector("effect_coefficient", "effect", value);
-        out_.vector("effect_least", "effect", least);
-        out_.vector("effect_most", "effect", most);
-        out_.vector("effect_gain", "effect", gain);
-        out_.vector("effect_adequate", "effect", adequate);
-        out_.texts("effect_doubt", "effect", doubt);
+        for (std::size_t k = 0; k < last.model.effects.size(); ++k)
+            effect_found(k, sds[last.built.first_effect() + k]);
+    }
+
+    void effect_found(std::size_t k, double sd) {
+        const effects::Effect& effect = result_.last.model.effects[k];
+        const Found& found = result_.found[k];
+        const double c = result_.last.coefficient(k);
+        const double half = half_of_90 * deviation_of(found, sd, c);
+        const effects::Entry* entry = effects::entry_of(effect);
+        StoredLoop::Effect& stored = loop_.effects.emplace_back();
+        stored.name = effect.name;
+        stored.hook = effects::name_of(effect.hook);
+        stored.driver = effects::name_of(effect.driver);
+        stored.shape = effects::sentence_of(effect);
+        stored.gate = effects::name_of(effect.gate);
+        stored.unit = effects::unit_of(effect);
+        stored.members = found.equivalents;
+        stored.class_in_words = fmt::format("{}", fmt::join(found.equivalents, "; "));
+        stored.separates = entry == nullptr ? "" : entry->separates;
+        stored.doubt = found.doubt;
+        stored.coefficient = c;
+        stored.least = c - half;
+        stored.most = c + half;
+        stored.gain = found.gain;
+        stored.adequate = found.doubt.empty() ? 1 : 0;
     }
 
     void power() {
-        std::vector<std::string> name, alias, parameter;
-        std::vector<double> detectability, visibility, correlation, bias;
         for (const Power& row : result_.power.rows) {
-            name.push_back(row.name);
-            alias.push_back(row.alias);
-            parameter.push_back(row.parameter);
-            detectability.push_back(row.detectability);
-            visibility.push_back(row.visibility);
-            correlation.push_back(row.correlation);
-            bias.push_back(row.bias);
+            loop_.seen.push_back({row.name, row.alias, name_of(row.alias_kind),
+                                  row.parameter, row.detectability, row.visibility,
+                                  row.correlation, row.bias});
             state_class(row);
         }
-        out_.texts("power_effect", "power", name);
-        out_.texts("power_alias", "power", alias);
-        out_.texts("power_bias_parameter", "power", parameter);
-        out_.vector("power_detectability", "power", detectability);
-        out_.vector("power_visibility", "power", visibility);
-        out_.vector("power_alias_correlation", "power", correlation);
-        out_.vector("power_bias", "power", bias);
     }
 
     /// Itself, at the same meter where it is at one, or as a name of what was found.
     bool is_found(const effects::Effect& effect) const {
         for (std::size_t k = 0; k < result_.found.size(); ++k) {
             const effects::Effect& own = result_.last.model.effects[k];
-            const std::string names = "; " + result_.found[k].equivalents + ";";
+            const auto& names = result_.found[k].equivalents;
             const bool is_elsewhere =
                 own.name == effect.name && !are_of_one_row(own, effect);
-            if (!is_elsewhere &&
-                names.find("; " + effect.name + ";") != std::string::npos)
+            if (!is_elsewhere && std::ranges::find(names, effect.name) != names.end())
                 return true;
         }
         return false;
@@ -356,76 +264,89 @@ class Writer {
     /// what is the same always, of the rest where it could be seen at all.
     void state_class(const Power& row) {
         if (is_found(row.effect) || !is_in_parameters(row)) return;
-        const std::string same = effects::same_as(row.effect);
-        if (!same.empty())
-            decisions_.push_back({row.name, "one class with " + same,
+        if (row.alias_kind == AliasKind::same)
+            decisions_.push_back({row.name, "one class with " + row.alias,
                                   "cannot be told apart: what the readings say of both "
-                                  "stands in the calibrated parameters"});
+                                  "stands in the calibrated parameters",
+                                  study::DecisionKind::one_class});
         else if (can_be_seen(row))
             decisions_.push_back(
                 {row.name,
                  "one class with " + row.parameter + " and what else is calibrated",
                  "told apart only where it is large: else what the "
-                 "readings say of both stands in the parameters"});
+                 "readings say of both stands in the parameters",
+                 study::DecisionKind::one_class});
     }
 
     void fits() {
         const auto& periods = data_.building.periods;
-        std::vector<double> all(3 * periods.size() * 2 * channels_ * 4, nan);
-        for (std::size_t p = 0; p < periods.size(); ++p) fits_of(p, all);
-        out_.array("fit", {"model", "period", "resolution", "channel", "metric"},
-                   {3, periods.size(), 2, channels_, 4}, all);
+        loop_.fit.resize({StoredLoop::n_models, periods.size(), StoredLoop::n_resolutions,
+                          n_channels(), StoredLoop::n_metrics});
+        for (std::size_t p = 0; p < periods.size(); ++p) fits_of(p);
     }
 
-    void fits_of(std::size_t p, std::vector<double>& all) {
+    void fits_of(std::size_t p) {
         const study::Period& period = data_.building.periods[p];
         const auto drive = data_.drive_over(period);
         const physics::TimeAxis axis = study::axis_of(data_.building, period);
         const auto begins = study::begins_of(axis, physics::Interval::hourly);
-        std::vector<std::vector<std::vector<double>>> hours;
-        hours.reserve(3);
-        for (std::size_t m = 0; m < 3; ++m)
+        Hours hours;
+        for (std::size_t m = 0; m < StoredLoop::n_models; ++m)
             hours.push_back(predicted(m, period, drive, begins.size()));
         const auto readings = study::readings_of(data_.building, period);
-        out_.times(period.name + "/time", begins);
-        out_.vector(period.name + "/outdoor_temperature", "time",
-                    by_late_clock_throughout(outdoors_of(*drive), result_.hours_late));
-        for (std::size_t c = 0; c < channels_; ++c) {
+        StoredPeriod& stored = periods_.emplace_back();
+        stored.name = period.name;
+        stored.begins = begins;
+        stored.outdoor_temperature =
+            by_late_clock_throughout(outdoors_of(*drive), result_.hours_late);
+        for (std::size_t c = 0; c < n_channels(); ++c) {
             const kernel::Readings& meter = readings[data_.meters[c]];
             const bool is_hourly = meter.values.size() == begins.size();
             const std::vector<double> measured =
                 is_hourly ? meter.values : std::vector<double>(begins.size(), nan);
-            std::vector<double> simulated;
-            study::FoundFit found{p, data_.meters[c]};
-            for (std::size_t m = 0; m < 3; ++m) {
+            const bool is_mean = meter.quantity == physics::Quantity::air_temperature;
+            for (std::size_t m = 0; m < hours.size(); ++m) {
                 const auto& own = hours[m][c];
-                const auto stamped = by_late_clock_throughout(own, result_.hours_late);
-                simulated.insert(simulated.end(), stamped.begin(), stamped.end());
-                const bool is_mean = physics::is_temperature(meter.quantity);
                 const Months months = is_hourly
                                           ? months_of(begins, own, measured, is_mean)
                                           : read_by_month(begins, own, meter, axis);
-                std::vector<double> metrics;
-                const stats::FitMetrics hourly = stats::metrics_of(own, measured);
-                if (m == 0) found.before = hourly.cv_rmse;
-                if (m == 2) found.cv_rmse = hourly.cv_rmse, found.nmbe = hourly.nmbe;
-                push(metrics, hourly);
-                push(metrics, stats::metrics_of(months.simulated, months.measured));
-                for (std::size_t r = 0; r < 2; ++r)
-                    for (std::size_t k = 0; k < 4; ++k)
-                        all[(((m * data_.building.periods.size() + p) * 2 + r) *
-                                 channels_ +
-                             c) *
-                                4 +
-                            k] = metrics[4 * r + k];
+                set_fit({m, p, StoredLoop::hourly, c}, stats::metrics_of(own, measured));
+                set_fit({m, p, StoredLoop::monthly, c},
+                        stats::metrics_of(months.simulated, months.measured));
             }
-            summary_.fits.push_back(found);
-            const std::string folder = period.name + "/" + channel_names_[c] + "/";
-            out_.vector(folder + "measured", "time",
-                        by_late_clock(measured, result_.hours_late));
-            out_.array(folder + "simulated", {"model", "time"}, {3, begins.size()},
-                       std::move(simulated));
+            stored.channels.push_back(channel_of(c, measured, hours));
         }
+    }
+
+    /// [models][channels][hours]
+    using Hours = std::vector<std::vector<std::vector<double>>>;
+
+    /// By the meters' clocks.
+    StoredPeriod::Channel channel_of(std::size_t c, const std::vector<double>& measured,
+                                     const Hours& hours) const {
+        StoredPeriod::Channel channel{loop_.channels[c].name,
+                                      by_late_clock(measured, result_.hours_late)};
+        channel.simulated.shape = {hours.size(), measured.size()};
+        for (const auto& model : hours) {
+            const auto stamped = by_late_clock_throughout(model[c], result_.hours_late);
+            auto& all = channel.simulated.values;
+            all.insert(all.end(), stamped.begin(), stamped.end());
+        }
+        return channel;
+    }
+
+    struct FitPlace {
+        std::size_t model, period, resolution, channel;
+    };
+    void set_fit(const FitPlace& at, const stats::FitMetrics& metrics) {
+        const auto set = [&](StoredLoop::Metric metric, double value) {
+            loop_.fit.set({at.model, at.period, at.resolution, at.channel, metric},
+                          value);
+        };
+        set(StoredLoop::n_readings, metrics.n);
+        set(StoredLoop::cv_rmse, metrics.cv_rmse);
+        set(StoredLoop::nmbe, metrics.nmbe);
+        set(StoredLoop::rmse, metrics.rmse);
     }
 
     /// A model's hours of a period; NaN where it follows something that is missing there,
@@ -438,19 +359,59 @@ class Writer {
                             drive);
         } catch (const std::exception& error) {
             decisions_.push_back({"period " + period.name, error.what(),
-                                  "not predicted by '" + model_names[model] + "'"});
-            return {channels_, std::vector<double>(n_hours, nan)};
+                                  "not predicted by '" + loop_.models[model] + "'",
+                                  study::DecisionKind::period});
+            return {n_channels(), std::vector<double>(n_hours, nan)};
         }
     }
 
+    void decisions() {
+        for (const study::DataDecision& decision : decisions_)
+            loop_.decisions.push_back({decision.series, decision.finding, decision.action,
+                                       study::name_of(decision.kind)});
+    }
+
+    /// What the last model says, and by the hour its errors beside the plain model's.
+    study::Summary summary() const {
+        study::Summary summary;
+        summary.study = stage_;
+        summary.has_page = true;
+        for (std::size_t k = 0; k < loop_.parameters.size(); ++k) {
+            const double value = loop_.parameter_value.at({StoredLoop::after, k});
+            const double half =
+                half_of_90 * loop_.parameter_sd.at({StoredLoop::after, k});
+            summary.values.push_back(
+                {loop_.parameters[k].name, value, value - half, value + half});
+        }
+        for (std::size_t p = 0; p < loop_.periods.size(); ++p)
+            for (std::size_t c = 0; c < n_channels(); ++c) {
+                const auto error = [&](StoredLoop::Model model,
+                                       StoredLoop::Metric metric) {
+                    return loop_.fit.at({model, p, StoredLoop::hourly, c, metric});
+                };
+                summary.fits.push_back({p, data_.meters[c],
+                                        error(StoredLoop::plain, StoredLoop::cv_rmse),
+                                        error(StoredLoop::after, StoredLoop::cv_rmse),
+                                        error(StoredLoop::after, StoredLoop::nmbe)});
+            }
+        for (const StoredLoop::Effect& effect : loop_.effects)
+            summary.findings.push_back(
+                {"loop",
+                 fmt::format("found: {}, {:.3g} {}", effect.name, effect.coefficient,
+                             effect.unit),
+                 effect.is_adequate() ? "accepted" : "accepted, not adequate"});
+        return summary;
+    }
+
+    std::size_t n_channels() const { return data_.meters.size(); }
+
+    std::string stage_;
     const LoopData& data_;
     const LoopResult& result_;
     std::vector<study::DataDecision>
         decisions_;  ///< of the data, of effects, then of periods
-    study::DatasetBuilder out_;
-    study::Summary summary_;
-    std::size_t channels_;
-    std::vector<std::string> channel_names_;
+    StoredLoop loop_;
+    std::vector<StoredPeriod> periods_;
 };
 
 }  // namespace

@@ -16,8 +16,8 @@ struct LoggedStep {
 
 /// An effect that was accepted, with what cannot be told apart from it.
 struct Found {
-    std::string equivalents;  ///< names of its class, joined by "; "
-    std::string doubt;        ///< why its name may be the nearest one only; "" = adequate
+    std::vector<std::string> equivalents;  ///< names of its class, its own among them
+    std::string doubt;  ///< why its name may be the nearest one only; "" = adequate
     double gain = 0;
     std::vector<effects::Effect> rivals{};  ///< what may stand in its place
     // What its coefficient owes, as root mean squares in its unit:

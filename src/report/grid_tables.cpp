@@ -37,7 +37,7 @@ std::vector<std::string> error_cells(const Group& study, const Numbers& errors,
     const std::size_t n = study.texts("target").size();
     std::vector<std::string> cells;
     for (std::size_t t = 0; n <= most_shown && t < n; ++t)
-        cells.push_back(signed_percent(errors[row * n + t]));
+        cells.push_back(signed_percent(errors.at({row, t})));
     return cells;
 }
 
@@ -102,7 +102,7 @@ std::string neighbour_table(const Group& study, const Group& stage) {
             fmt::format("{:.3f}", distance[at])};
         append(row, error_cells(study, errors, at));
         for (const std::size_t p : parameters)
-            row.push_back(fmt::format("{:g}", points[at * names.size() + p]));
+            row.push_back(fmt::format("{:g}", points.at({at, p})));
         table.add(row);
     }
     return table.text();
@@ -130,7 +130,7 @@ std::string parameter_table(const Group& study, const Group& stage) {
     for (const std::size_t p : varied(stage)) {
         const bool is_fixed = n_surviving[p] == 1 && !neighbours.empty();
         const double value =
-            is_fixed ? points[neighbours.index(0, points.size()) * names.size() + p] : 0;
+            is_fixed ? points.at({neighbours.index(0, points.size()), p}) : 0;
         table.add(
             {names[p], fmt::format("{:.0f}", n_values[p]),
              fmt::format("{:.0f}", n_surviving[p]),

@@ -6,8 +6,11 @@
 
 #include "store/layout_check.hpp"
 #include "store/result_file.hpp"
+#include "study/array.hpp"
 
+#include <concepts>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +36,15 @@ class Column {
             refuse("its value " + std::to_string(k + 1) + " is no place among " +
                    std::to_string(end));
         return static_cast<std::size_t>(value);
+    }
+    /// The number at a place along each of the dataset's dimensions.
+    double at(study::Indices indices) const
+        requires std::same_as<Value, double>
+    {
+        const auto one = dataset_ == nullptr ? std::span<const double>()
+                                             : study::ArrayView(*dataset_).part(indices);
+        if (one.size() != 1) refuse("a place beyond it is used");
+        return one[0];
     }
     [[noreturn]] void refuse(const std::string& why) const {
         store::refuse_dataset(dataset_, path_, why);
@@ -64,6 +76,7 @@ class Group {
         : result_(&result), path_(std::move(path)) {}
 
     const std::string& path() const { return path_; }
+    const store::ResultFile& result() const { return *result_; }
     bool has(const std::string& leaf) const { return find(leaf) != nullptr; }
     /// Empty where the dataset is not there.
     Numbers values(const std::string& leaf) const;

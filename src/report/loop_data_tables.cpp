@@ -1,13 +1,12 @@
 /// What a loop says of the data: decisions, structures tried, what can be seen and what
 /// looks alike, alarms, and what is not explained.
-/// Made from stored datasets alone. A detectability of 5 and a correlation of 0.98 are
-/// the loop's limits, repeated here. Long lists are cut.
+/// Made from what is stored alone, the loop's limits too. Long lists are cut.
 #include "report/loop_parts.hpp"
 #include "report/text_table.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,60 +14,50 @@
 namespace bemcal::report {
 namespace {
 
-constexpr double least_seen = 5;         ///< detectability
-constexpr double same_signature = 0.98;  ///< correlation
+using loop::StoredLoop;
+
 constexpr std::size_t most_rows = 15, most_alarms = 10;
 
-/// Indices of the values, the largest first, NaN last.
-std::vector<std::size_t> from_the_largest(const std::vector<double>& values) {
-    std::vector<std::size_t> order(values.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
-        return values[a] > values[b] ||
-               (values[a] == values[a] && values[b] != values[b]);
-    });
+/// Whether the data can show it.
+bool can_be_seen(const StoredLoop& loop, const StoredLoop::Seen& effect) {
+    return effect.detectability >= loop.least_detectability;
+}
+
+/// Those that can be seen, the most clearly seen first.
+std::vector<const StoredLoop::Seen*> clearest_first(const StoredLoop& loop) {
+    std::vector<const StoredLoop::Seen*> order;
+    for (const StoredLoop::Seen& effect : loop.seen)
+        if (can_be_seen(loop, effect)) order.push_back(&effect);
+    std::ranges::stable_sort(order, std::ranges::greater{},
+                             &StoredLoop::Seen::detectability);
     return order;
 }
 
-void add_power(TextTable& table, const Group& study, std::size_t k) {
-    const auto number = [&](const char* leaf) {
-        return three_digits(number_at(study.values(leaf), k));
-    };
-    table.add({text_at(study.texts("power_effect"), k), number("power_detectability"),
-               percent(number_at(study.values("power_visibility"), k)),
-               text_at(study.texts("power_alias"), k), number("power_alias_correlation"),
-               text_at(study.texts("power_bias_parameter"), k), number("power_bias")});
-}
-
-std::string unseen_line(const Group& study) {
+std::string unseen_line(const StoredLoop& loop) {
     std::vector<std::string> names;
-    const auto& effects = study.texts("power_effect");
-    for (std::size_t k = 0; k < effects.size(); ++k)
-        if (!(number_at(study.values("power_detectability"), k) >= least_seen))
-            names.push_back(effects[k]);
+    for (const StoredLoop::Seen& effect : loop.seen)
+        if (!can_be_seen(loop, effect)) names.push_back(effect.effect);
     if (names.empty()) return {};
     return wrapped(
         fmt::format("would not be seen in these data (detectability below "
                     "{:g}): {}",
-                    least_seen, fmt::join(names, ", ")));
+                    loop.least_detectability, fmt::join(names, ", ")));
 }
 
 /// Pairs with the same signature, each once; those that the parameters are like,
 /// together.
-std::string alias_lines(const Group& study) {
-    const std::string parameters = "the calibrated parameters themselves";
+std::string alias_lines(const StoredLoop& loop) {
+    const std::string_view of_parameters = name_of(loop::AliasKind::parameters);
     std::vector<std::string> pairs, followed;
-    const auto &effects = study.texts("power_effect"),
-               &likes = study.texts("power_alias");
-    for (std::size_t k = 0; k < std::min(effects.size(), likes.size()); ++k) {
-        const double r = number_at(study.values("power_alias_correlation"), k);
-        if (!(std::abs(r) >= same_signature)) continue;
-        if (likes[k] == parameters) {
-            if (number_at(study.values("power_detectability"), k) >= least_seen)
-                followed.push_back(effects[k]);
-        } else if (std::ranges::find(pairs, likes[k] + " and " + effects[k]) ==
+    std::string parameters;  // in the words of the alias
+    for (const StoredLoop::Seen& effect : loop.seen) {
+        if (!(std::abs(effect.correlation) >= loop.same_signature)) continue;
+        if (effect.alias_kind == of_parameters) {
+            if (can_be_seen(loop, effect)) followed.push_back(effect.effect);
+            parameters = effect.alias;
+        } else if (std::ranges::find(pairs, effect.alias + " and " + effect.effect) ==
                    pairs.end())
-            pairs.push_back(effects[k] + " and " + likes[k]);
+            pairs.push_back(effect.effect + " and " + effect.alias);
     }
     std::string text;
     if (!pairs.empty())
@@ -86,68 +75,60 @@ struct Alarm {
     double before, after;
 };
 
-std::vector<Alarm> alarms_of(const Group& study) {
-    const auto &before = study.values("localisation"),
-               &after = study.values("localisation_after");
-    const std::size_t n_drivers = study.texts("driver").size();
+std::vector<Alarm> alarms_of(const StoredLoop& loop) {
     std::vector<Alarm> alarms;
-    for (std::size_t k = 0; k < before.size() && n_drivers > 0; ++k)
-        if (before[k] > 1 || number_at(after, k) > 1)
-            alarms.push_back(
-                {k / n_drivers, k % n_drivers, before[k], number_at(after, k)});
+    for (std::size_t h = 0; h < loop.hooks.size(); ++h)
+        for (std::size_t d = 0; d < loop.drivers.size(); ++d) {
+            const Alarm alarm{h, d, loop.localisation.at({h, d}),
+                              loop.localisation_after.at({h, d})};
+            if (alarm.before > 1 || alarm.after > 1) alarms.push_back(alarm);
+        }
     std::ranges::stable_sort(alarms, std::ranges::greater{}, &Alarm::before);
     return alarms;
 }
 
 }  // namespace
 
-/// What was decided of the data: classes of effects and parameters stand with the power
-/// table, and what the building's own table of its data has is not said again.
-std::string loop_decision_table(const Group& study) {
+std::string loop_decision_table(const StoredLoop& loop,
+                                const std::vector<std::string>& of_data) {
     TextTable table({"data", "finding", "done about it"});
-    const auto &series = study.texts("decision_series"),
-               &findings = study.texts("decision_finding"),
-               &effects = study.texts("power_effect");
     std::vector<std::string> shown;
-    for (std::size_t k = 0; k < series.size(); ++k) {
-        if (std::ranges::find(effects, series[k]) != effects.end() &&
-            text_at(findings, k).starts_with("one class with "))
-            continue;
-        shown.push_back(text_at(findings, k));
-        table.add({series[k], shown.back(), text_at(study.texts("decision_action"), k)});
+    for (const StoredLoop::Decision& decision : loop.decisions) {
+        if (decision.is_of_class()) continue;  // it stands with the power table
+        shown.push_back(decision.finding);
+        table.add({decision.series, decision.finding, decision.action});
     }
-    const std::string& path = study.path();
-    const Group data = study.elsewhere(path.substr(0, path.rfind('/')) + "/data");
-    return shown == data.texts("finding") ? std::string() : text_of(table, 38);
+    return shown == of_data ? std::string() : text_of(table, 38);
 }
 
-std::string loop_structure_table(const Group& study) {
-    const auto &names = study.texts("structure"),
-               &chosen = study.texts("structure_chosen");
+std::string loop_structure_table(const StoredLoop& loop) {
     TextTable table({"structure tried", "score", ""});
-    for (std::size_t k = 0; k < names.size(); ++k)
-        table.add({names[k], three_digits(number_at(study.values("structure_score"), k)),
-                   !chosen.empty() && chosen[0] == names[k] ? "chosen" : ""});
+    for (const StoredLoop::Structure& tried : loop.structures)
+        table.add({tried.name, three_digits(tried.score),
+                   tried.name == loop.structure_chosen ? "chosen" : ""});
     return text_of(table, 60);
 }
 
-std::string loop_power_table(const Group& study) {
-    const auto& detectability = study.values("power_detectability");
+std::string loop_power_table(const StoredLoop& loop) {
     TextTable table({"effect in these data", "d", "visible", "most like", "r",
                      "left out it biases", "by sd"});
-    const std::vector<std::size_t> order = from_the_largest(detectability);
-    for (std::size_t i = 0; i < std::min(order.size(), most_rows); ++i)
-        if (detectability[order[i]] >= least_seen) add_power(table, study, order[i]);
-    return text_of(table, 21) + unseen_line(study) + alias_lines(study);
+    const auto order = clearest_first(loop);
+    for (std::size_t k = 0; k < std::min(order.size(), most_rows); ++k) {
+        const StoredLoop::Seen& effect = *order[k];
+        table.add({effect.effect, three_digits(effect.detectability),
+                   percent(effect.visibility), effect.alias,
+                   three_digits(effect.correlation), effect.parameter,
+                   three_digits(effect.bias)});
+    }
+    return text_of(table, 21) + unseen_line(loop) + alias_lines(loop);
 }
 
-std::string loop_localisation_table(const Group& study) {
+std::string loop_localisation_table(const StoredLoop& loop) {
     TextTable table({"alarm: seen from", "ordered by", "before", "after"});
-    const std::vector<Alarm> alarms = alarms_of(study);
+    const std::vector<Alarm> alarms = alarms_of(loop);
     const std::size_t n = std::min(alarms.size(), most_alarms);
     for (std::size_t k = 0; k < n; ++k)
-        table.add({text_at(study.texts("hook"), alarms[k].hook),
-                   text_at(study.texts("driver"), alarms[k].driver),
+        table.add({loop.hooks[alarms[k].hook], loop.drivers[alarms[k].driver],
                    three_digits(alarms[k].before), three_digits(alarms[k].after)});
     std::string text = text_of(table, 36);
     if (alarms.size() > n)
@@ -155,13 +136,15 @@ std::string loop_localisation_table(const Group& study) {
     return text;
 }
 
-std::string loop_unexplained_table(const Group& study) {
+std::string loop_unexplained_table(const StoredLoop& loop) {
     TextTable table({"not explained", "of the variance", "where"});
-    const auto& channels = study.texts("channel");
-    for (std::size_t c = 0; c < channels.size() && study.has("unexplained"); ++c)
-        table.add({channels[c], percent(number_at(study.values("unexplained"), c)),
-                   text_at(study.texts("unexplained_where"), c)});
-    return text_of(table, 60);
+    bool is_known = false;
+    for (const StoredLoop::Channel& channel : loop.channels) {
+        table.add(
+            {channel.name, percent(channel.unexplained), channel.unexplained_where});
+        is_known = is_known || !std::isnan(channel.unexplained);
+    }
+    return is_known ? text_of(table, 60) : std::string();
 }
 
 }  // namespace bemcal::report

@@ -5,6 +5,7 @@
 #include "report/sections.hpp"
 #include "report/text_table.hpp"
 
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -12,46 +13,49 @@
 namespace bemcal::report {
 namespace {
 
-/// "120 (110 to 133)": the 50 % quantile between those of 5 and 95 %.
-std::string middle_and_ends(const std::vector<double>& values, std::size_t first,
-                            std::size_t stride, double factor = 1) {
-    if (values.size() <= first + 2 * stride || std::isnan(values[first])) return "-";
-    return fmt::format("{} ({} to {})", in_short(factor * values[first + stride]),
-                       in_short(factor * values[first]),
-                       in_short(factor * values[first + 2 * stride]));
+/// Quantiles of 5, 50 and 95 %.
+using Three = std::array<double, 3>;
+
+Three quantiles_before(const Group& study, std::size_t output) {
+    const Numbers values = study.values("before_quantile");
+    return {values.at({0, output}), values.at({1, output}), values.at({2, output})};
 }
 
-/// Nothing of this output is there, before or after.
-bool is_empty(const Group& study, std::size_t scenario, std::size_t output) {
-    const std::size_t n = study.texts("output").size();
-    const auto is_zero = [&](const char* leaf, std::size_t first) {
-        const auto& values = study.values(leaf);
-        for (std::size_t q = 0; q < 3; ++q)
-            if (values[first + q * n] != 0) return false;
-        return true;
-    };
-    return is_zero("before_quantile", output) &&
-           is_zero("after_quantile", scenario * 3 * n + output);
+Three quantiles_of(const Group& study, const char* leaf, std::size_t scenario,
+                   std::size_t output) {
+    const Numbers values = study.values(leaf);
+    return {values.at({scenario, 0, output}), values.at({scenario, 1, output}),
+            values.at({scenario, 2, output})};
+}
+
+/// "120 (110 to 133)": the 50 % quantile between those of 5 and 95 %.
+std::string middle_and_ends(const Three& quantiles, double factor = 1) {
+    const auto& [low, middle, high] = quantiles;
+    if (std::isnan(low)) return "-";
+    return fmt::format("{} ({} to {})", in_short(factor * middle), in_short(factor * low),
+                       in_short(factor * high));
 }
 
 std::string scenario_table(const Group& study, std::size_t scenario) {
     const auto &outputs = study.texts("output"), &units = study.texts("output_unit");
-    const std::size_t n = outputs.size();
-    const auto& described = study.values("described");
+    const Numbers described = study.values("described");
     TextTable table({"", "unit", "described", "before", "after", "saving", "saving %"});
-    for (std::size_t k = 0; k < n; ++k) {
-        const std::size_t first = scenario * 3 * n + k;
-        const double before = described[k], after = described[(scenario + 1) * n + k];
-        if (before == 0 && after == 0 && is_empty(study, scenario, k)) continue;
-        const bool is_energy = units[k] == "kWh";
+    for (std::size_t k = 0; k < outputs.size(); ++k) {
+        const double before = described.at({0, k}),
+                     after = described.at({scenario + 1, k});
+        const Three all_before = quantiles_before(study, k),
+                    all_after = quantiles_of(study, "after_quantile", scenario, k);
+        const Three nothing{};
+        if (before == 0 && after == 0 && all_before == nothing && all_after == nothing)
+            continue;
+        const auto shown = [&](const char* leaf, double factor = 1) {
+            return middle_and_ends(quantiles_of(study, leaf, scenario, k), factor);
+        };
         table.add({outputs[k], units[k],
                    fmt::format("{} to {}", in_short(before), in_short(after)),
-                   middle_and_ends(study.values("before_quantile"), k, n),
-                   middle_and_ends(study.values("after_quantile"), first, n),
-                   middle_and_ends(study.values("saving_quantile"), first, n),
-                   is_energy ? middle_and_ends(study.values("saving_share_quantile"),
-                                               first, n, 100)
-                             : ""});
+                   middle_and_ends(all_before), middle_and_ends(all_after),
+                   shown("saving_quantile"),
+                   units[k] == "kWh" ? shown("saving_share_quantile", 100) : ""});
     }
     return table.text(30);
 }

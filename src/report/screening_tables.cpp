@@ -129,12 +129,10 @@ std::string count_lines(const Group& study) {
     const auto& counts = study.values("guideline_14_count");
     std::string text;
     for (std::size_t p = 0; p < periods.size(); ++p)
-        for (std::size_t r = 0;
-             r < resolutions.size() && p * resolutions.size() + r < counts.size(); ++r)
+        for (std::size_t r = 0; r < resolutions.size() && !counts.empty(); ++r)
             text += fmt::format(
                 "  {:.0f} of {:.0f} points meet ASHRAE Guideline 14 ({}) in {}\n",
-                counts[p * resolutions.size() + r], study.value("n_points"),
-                resolutions[r], periods[p]);
+                counts.at({p, r}), study.value("n_points"), resolutions[r], periods[p]);
     return text;
 }
 
@@ -143,10 +141,10 @@ std::string parameter_table(const Group& study) {
     const auto &least = study.values("parameter_least"),
                &most = study.values("parameter_most");
     const auto& both = study.values("candidate_parameters");
-    if (both.size() < 2 * names.size()) return {};
+    if (both.empty()) return {};
     TextTable table({"parameter", "nominal", "best", "unit", "range"});
     for (std::size_t p = 0; p < names.size(); ++p)
-        table.add({names[p], in_short(both[p]), in_short(both[names.size() + p]),
+        table.add({names[p], in_short(both.at({0, p})), in_short(both.at({1, p})),
                    units[p],
                    fmt::format("{} to {}", in_short(least[p]), in_short(most[p]))});
     return table.text(48);

@@ -6,6 +6,7 @@
 #include "stock/record.hpp"
 
 #include "base/error.hpp"
+#include "study/columns.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -147,71 +148,7 @@ class Unpacker {
     std::size_t left_ = 0, used_ = 0;
 };
 
-/// Columns of one dimension, row by row; every row has the same fields in one order.
-class Columns {
-  public:
-    explicit Columns(std::string dim) : dim_(std::move(dim)) {}
-    void begin_row() { at_ = 0; }
-    void operator()(const char* leaf, double value) {
-        next(leaf).values.push_back(value);
-    }
-    void operator()(const char* leaf, const std::string& text) {
-        next(leaf).texts.push_back(text);
-    }
-    void take(std::vector<study::Dataset>& datasets) {
-        for (study::Dataset& column : columns_) {
-            column.shape = {std::max(column.values.size(), column.texts.size())};
-            datasets.push_back(std::move(column));
-        }
-    }
-
-  private:
-    study::Dataset& next(const char* leaf) {
-        if (at_ == columns_.size())
-            columns_.push_back({std::string("stock/") + leaf, {dim_}, {}, {}, {}});
-        return columns_[at_++];
-    }
-    std::string dim_;
-    std::vector<study::Dataset> columns_;
-    std::size_t at_ = 0;
-};
-
-using Index = std::map<std::string, const study::Dataset*>;
-
-/// Finds the stored column of every field; nullptr where there is none.
-class Finder {
-  public:
-    explicit Finder(const Index& index) : index_(index) {}
-    template <class Value>
-    void operator()(const char* leaf, Value&) {
-        const auto found = index_.find(std::string("stock/") + leaf);
-        columns.push_back(found == index_.end() ? nullptr : found->second);
-    }
-    std::vector<const study::Dataset*> columns;
-
-  private:
-    const Index& index_;
-};
-
-/// Fields of one row of stored columns; what is not there stays as it is.
-class Row {
-  public:
-    Row(const Finder& found, std::size_t row) : columns_(found.columns), row_(row) {}
-    void operator()(const char*, double& value) {
-        const study::Dataset* column = columns_[at_++];
-        if (column != nullptr && row_ < column->values.size())
-            value = column->values[row_];
-    }
-    void operator()(const char*, std::string& text) {
-        const study::Dataset* column = columns_[at_++];
-        if (column != nullptr && row_ < column->texts.size()) text = column->texts[row_];
-    }
-
-  private:
-    const std::vector<const study::Dataset*>& columns_;
-    std::size_t row_, at_ = 0;
-};
-
+const std::string group = "stock";
 constexpr const char* of_building = "_of";  ///< leaf: the building's index of each row
 
 /// Two datasets: how long each building's series is, and all of them one after the other.
@@ -227,36 +164,48 @@ class DailyColumns {
     void take(std::vector<study::Dataset>& datasets) {
         const std::size_t n = counts_.size(), n_days = all_.size();
         datasets.push_back(
-            {"stock/stock_daily_n", {"stock_building"}, {n}, std::move(counts_), {}});
+            {group + "/stock_daily_n", {"stock_building"}, {n}, std::move(counts_), {}});
         if (n_days > 0)
             datasets.push_back(
-                {"stock/stock_daily", {"stock_days"}, {n_days}, std::move(all_), {}});
+                {group + "/stock_daily", {"stock_days"}, {n_days}, std::move(all_), {}});
     }
 
   private:
     std::vector<double> counts_, all_;
 };
 
-/// A number as a place below `end`; `end` where it is none.
-std::size_t place_in(double value, std::size_t end) {
-    return value >= 0 && value < static_cast<double>(end)
-               ? static_cast<std::size_t>(value)
-               : end;
-}
-
-void read_daily(const Index& index, std::vector<StockRecord>& records) {
-    const auto counts = index.find("stock/stock_daily_n");
-    const auto all = index.find("stock/stock_daily");
-    if (counts == index.end() || all == index.end()) return;
+void read_daily(const std::vector<study::Dataset>& datasets,
+                std::vector<StockRecord>& records) {
+    const auto* counts = study::find_dataset(datasets, group + "/stock_daily_n");
+    const auto* all = study::find_dataset(datasets, group + "/stock_daily");
+    if (counts == nullptr || all == nullptr) return;
     std::size_t at = 0;
     for (std::size_t k = 0; k < records.size(); ++k) {
-        if (k >= counts->second->values.size()) return;
+        if (k >= counts->values.size()) return;
         const std::size_t n =
-            place_in(counts->second->values[k], all->second->values.size() - at + 1);
-        if (n > all->second->values.size() - at) return;
-        const auto first = all->second->values.begin() + static_cast<std::ptrdiff_t>(at);
+            study::place_in(counts->values[k], all->values.size() - at + 1);
+        if (n > all->values.size() - at) return;
+        const auto first = all->values.begin() + static_cast<std::ptrdiff_t>(at);
         records[k].daily.assign(first, first + static_cast<std::ptrdiff_t>(n));
         at += n;
+    }
+}
+
+/// One list's rows, each to the building that it is of.
+template <class Row, class Visit>
+void read_list(const std::vector<study::Dataset>& datasets, const char* dim,
+               const Visit& visit, std::vector<StockRecord>& records) {
+    const auto* owners = study::find_dataset(datasets, group + "/" + dim + of_building);
+    if (owners == nullptr) return;
+    const auto reader = study::ColumnReader::of<Row>(datasets, group, visit);
+    for (std::size_t k = 0; k < owners->values.size(); ++k) {
+        const auto owner = study::place_in(owners->values[k], records.size());
+        if (owner >= records.size()) continue;
+        visit_lists(records[owner], [&](const char* other, auto& rows, auto&&) {
+            if constexpr (std::is_same_v<std::ranges::range_value_t<decltype(rows)>, Row>)
+                if (std::string_view(other) == dim)
+                    reader.read(k, rows.emplace_back(), visit);
+        });
     }
 }
 
@@ -288,20 +237,22 @@ StockRecord unpack_record(std::span<const double> packed, std::size_t& used) {
 
 std::vector<study::Dataset> datasets_of(
     std::size_t n_records, const std::function<StockRecord(std::size_t)>& record_of) {
-    Columns buildings("stock_building");
-    std::map<std::string, Columns> lists;
+    const auto visit_record = [](auto& row, auto&& see) { visit_building(row, see); };
+    study::ColumnWriter buildings(group, "stock_building");
+    std::map<std::string, study::ColumnWriter> lists;
     DailyColumns daily;
     for (std::size_t k = 0; k < n_records; ++k) {
         const StockRecord record = record_of(k);
-        buildings.begin_row();
-        visit_building(record, buildings);
-        visit_lists(record, [&](const char* dim, const auto& rows, auto&& visit) {
-            Columns& columns = lists.try_emplace(dim, dim).first->second;
-            for (const auto& row : rows) {
-                columns.begin_row();
-                columns((std::string(dim) + of_building).c_str(), static_cast<double>(k));
-                visit(row, columns);
-            }
+        buildings.add(record, visit_record);
+        visit_lists(record, [&](const char* dim, const auto& rows, const auto& visit) {
+            study::ColumnWriter& columns =
+                lists.try_emplace(dim, group, dim).first->second;
+            const std::string of = dim + std::string(of_building);
+            for (const auto& row : rows)
+                columns.add(row, [&](auto& one, auto&& see) {
+                    see(of.c_str(), static_cast<double>(k));
+                    visit(one, see);
+                });
         });
         daily.add(record.daily, n_records);
     }
@@ -313,33 +264,14 @@ std::vector<study::Dataset> datasets_of(
 }
 
 std::vector<StockRecord> records_in(const std::vector<study::Dataset>& datasets) {
-    Index index;
-    for (const study::Dataset& dataset : datasets)
-        if (dataset.path.starts_with("stock/")) index[dataset.path] = &dataset;
-    const auto names = index.find("stock/stock_building");
-    if (names == index.end()) return {};
-    std::vector<StockRecord> records(names->second->texts.size());
+    auto records = study::rows_in<StockRecord>(
+        datasets, group, [](auto& row, auto&& see) { visit_building(row, see); });
     StockRecord none;
-    Finder of_record(index);
-    visit_building(none, of_record);
-    for (std::size_t k = 0; k < records.size(); ++k)
-        visit_building(records[k], Row(of_record, k));
-    visit_lists(none, [&](const char* dim, auto& shape, auto&& visit) {
-        const auto owners = index.find("stock/" + std::string(dim) + of_building);
-        if (owners == index.end()) return;
-        Finder of_list(index);
-        visit(shape.emplace_back(), of_list);
-        for (std::size_t k = 0; k < owners->second->values.size(); ++k) {
-            const auto owner = place_in(owners->second->values[k], records.size());
-            if (owner >= records.size()) continue;
-            visit_lists(records[owner], [&](const char* other, auto& rows, auto&&) {
-                if constexpr (std::is_same_v<decltype(rows), decltype(shape)>)
-                    if (std::string_view(other) == dim)
-                        visit(rows.emplace_back(), Row(of_list, k));
-            });
-        }
+    visit_lists(none, [&](const char* dim, auto& rows, const auto& visit) {
+        using Row = std::ranges::range_value_t<decltype(rows)>;
+        read_list<Row>(datasets, dim, visit, records);
     });
-    read_daily(index, records);
+    read_daily(datasets, records);
     return records;
 }
 

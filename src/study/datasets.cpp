@@ -6,7 +6,15 @@
 
 #include "base/error.hpp"
 
+#include <algorithm>
+
 namespace bemcal::study {
+
+const Dataset* find_dataset(const std::vector<Dataset>& datasets,
+                            const std::string& path) {
+    const auto found = std::ranges::find(datasets, path, &Dataset::path);
+    return found == datasets.end() ? nullptr : &*found;
+}
 
 void DatasetBuilder::array(const std::string& leaf, std::vector<std::string> dims,
                            std::vector<std::size_t> shape, std::vector<double> values,
@@ -21,6 +29,10 @@ void DatasetBuilder::array(const std::string& leaf, std::vector<std::string> dim
                          std::move(values),
                          {},
                          std::move(unit)});
+}
+
+void DatasetBuilder::array(const std::string& leaf, const Array& array) {
+    this->array(leaf, array.dims, array.shape, array.values);
 }
 
 void DatasetBuilder::scalar(const std::string& leaf, double value) {

@@ -1,14 +1,19 @@
-/// Builds the datasets of one stage; all paths begin with the stage's name.
+/// Builds the datasets of one stage; all paths begin with the stage's name. And finds one
+/// of those that were built.
 #pragma once
 
 #include "physics/calendar.hpp"
 #include "physics/parameters.hpp"
-#include "study/stage.hpp"
+#include "study/array.hpp"
 
 #include <string>
 #include <vector>
 
 namespace bemcal::study {
+
+/// nullptr where there is none of that path.
+const Dataset* find_dataset(const std::vector<Dataset>& datasets,
+                            const std::string& path);
 
 class DatasetBuilder {
   public:
@@ -23,6 +28,7 @@ class DatasetBuilder {
     void array(const std::string& leaf, std::vector<std::string> dims,
                std::vector<std::size_t> shape, std::vector<double> values,
                std::string unit = {});
+    void array(const std::string& leaf, const Array& array);
 
     /// What kind of study it is: in the group of every one, by the word of the job file.
     void kind(const char* word) { text("kind", word); }

@@ -5,6 +5,7 @@
 #include "study/packed_conclusion.hpp"
 
 #include <concepts>
+#include <type_traits>
 
 namespace bemcal::study {
 namespace {
@@ -25,6 +26,7 @@ void visit(is_a<DataDecision> auto& decision, auto&& see) {
     see(decision.series);
     see(decision.finding);
     see(decision.action);
+    see(decision.kind);
 }
 void visit(is_a<FoundValue> auto& value, auto&& see) {
     see(value.name);
@@ -61,11 +63,14 @@ void visit(is_a<Conclusion> auto& conclusion, auto&& see) {
     see(conclusion.summaries);
 }
 
+template <class T>
+constexpr bool is_number = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+
 class Packer {
   public:
     template <class T>
     void operator()(const T& value) {
-        if constexpr (std::is_arithmetic_v<T>)
+        if constexpr (is_number<T>)
             packed.push_back(static_cast<double>(value));
         else
             visit(value, *this);
@@ -89,7 +94,7 @@ class Unpacker {
 
     template <class T>
     void operator()(T& value) {
-        if constexpr (std::is_arithmetic_v<T>)
+        if constexpr (is_number<T>)
             value = static_cast<T>(next());
         else
             visit(value, *this);

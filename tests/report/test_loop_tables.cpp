@@ -1,6 +1,7 @@
 #include "report/tables.hpp"
 #include "store/layout.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -55,6 +56,9 @@ void add_effect(store::ResultFile& result, bool is_adequate) {
     add(texts("effect_unit", "effect", {"1/h per m/s"}));
     add(texts("effect_class", "effect",
               {"stack infiltration; wind infiltration; outdoor shift"}));
+    add(numbers("effect_class_of", "class_member", {0, 0, 0}));
+    add(texts("effect_class_member", "class_member",
+              {"stack infiltration", "wind infiltration", "outdoor shift"}));
     add(texts("effect_separates", "effect", {"calm and windy nights apart"}));
     add(numbers("effect_coefficient", "effect", {0.083}));
     add(numbers("effect_least", "effect", {0.079}));
@@ -98,6 +102,10 @@ void add_background(store::ResultFile& result) {
     const std::string parameters = "the calibrated parameters themselves";
     add(texts("power_alias", "power",
               {"clear", "faint", "H_op", parameters, parameters}));
+    add(texts("power_alias_kind", "power",
+              {"effect", "effect", "same", "parameters", "parameters"}));
+    add({"office/loop/least_detectability", {}, {}, {5}, {}});
+    add({"office/loop/same_signature", {}, {}, {0.98}, {}});
     add(texts("power_bias_parameter", "power",
               {"u_wall", "u_wall", "u_wall", "u_wall", "u_roof"}));
     add(numbers("power_detectability", "power", {2, 95, 7, 6, 6}));
@@ -146,6 +154,7 @@ store::ResultFile loop_result(bool is_held_out = true, bool is_adequate = true) 
     add(texts("decision_finding", "decision",
               {"60 h of the same value", "one class with u_floor"}));
     add(texts("decision_action", "decision", {"masked", "told apart where it is large"}));
+    add(texts("decision_kind", "decision", {"data", "class"}));
     add(numbers("noise_floor", "channel", {0.08, nan}));
     add_effect(result, is_adequate);
     add_background(result);
@@ -231,6 +240,52 @@ TEST(LoopTables, ThePowerTableNamesWhatCannotBeSeenOrToldApart) {
                      "the calibrated parameters themselves do nearly the same as (told "
                      "apart only where large): "
                      "ground, roof"));
+}
+
+Dataset& dataset_of(store::ResultFile& result, const std::string& leaf) {
+    return *std::ranges::find(result.datasets, "office/loop/" + leaf, &Dataset::path);
+}
+
+TEST(LoopTables, LimitsAreThoseOfTheResult) {
+    store::ResultFile result = loop_result();
+    dataset_of(result, "least_detectability").values = {50};
+    dataset_of(result, "same_signature").values = {0.3};
+    const std::string text = tables_of(result);
+    EXPECT_TRUE(says(text,
+                     "would not be seen in these data (detectability below 50): faint, "
+                     "thermal bridge, ground, roof"));
+    EXPECT_TRUE(
+        says(text, "cannot be told apart: faint and clear; thermal bridge and H"));
+    EXPECT_EQ(text.find("do nearly the same"), std::string::npos) << text;
+}
+
+TEST(LoopTables, ClassesAreToldByTheirKindAndNotByTheirWords) {
+    store::ResultFile result = loop_result();
+    dataset_of(result, "decision_kind").texts = {"class", "data"};
+    const std::string text = tables_of(result);
+    EXPECT_TRUE(says(text, "ground one class with u_floor told apart where it is large"));
+    EXPECT_FALSE(says(text, "60 h of the same value"));
+}
+
+TEST(LoopTables, OfAResultOfBeforeListsKindsAndLimitsWereStoredAreTheSame) {
+    store::ResultFile result = loop_result();
+    const std::string now = tables_of(result);
+    std::erase_if(result.datasets, [](const Dataset& d) {
+        const std::string leaf = store::leaf_of(d.path);
+        return leaf.starts_with("effect_class_") || leaf == "decision_kind" ||
+               leaf == "power_alias_kind" || leaf == "least_detectability" ||
+               leaf == "same_signature";
+    });
+    EXPECT_EQ(tables_of(result), now);
+}
+
+TEST(LoopTables, ADoubtThatIsNotStoredIsNotMadeUp) {
+    store::ResultFile result = loop_result(true, false);
+    std::erase_if(result.datasets, [](const Dataset& d) {
+        return d.path.find("effect_doubt") != std::string::npos;
+    });
+    const std::string text = tables_of(result);
+    EXPECT_TRUE(says(text, "NOT adequate, so that its name is only the nearest one"));
 }
 
 TEST(LoopTables, AlarmsStandFromTheLoudestOn) {

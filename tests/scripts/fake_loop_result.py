@@ -111,6 +111,9 @@ def effects(study, found):
     names = ("effect", "effect_hook", "effect_driver", "effect_shape", "effect_gate", "effect_unit",
              "effect_coefficient", "effect_least", "effect_most", "effect_gain", "effect_adequate",
              "effect_class", "effect_separates", "effect_doubt")
+    members = [(k, name) for k, row in enumerate(rows) for name in row[11].split("; ")]
+    study["effect_class_of"] = np.array([k for k, _ in members], float)
+    text(study, "effect_class_member", [name for _, name in members])
     for name, column in zip(names, columns):
         if name[7:] in ("coefficient", "least", "most", "gain", "adequate"):
             study[name] = np.array(column, float)
@@ -136,6 +139,8 @@ def power(study, random):
     names = [f"effect {k}" for k in range(40)]
     text(study, "power_effect", names)
     text(study, "power_alias", [names[k - 1] for k in range(38)] + ["the calibrated parameters themselves"] * 2)
+    text(study, "power_alias_kind", ["effect"] * 38 + ["parameters"] * 2)
+    study["least_detectability"], study["same_signature"] = 5.0, 0.98
     text(study, "power_bias_parameter", ["infiltration", "wall_u_value"] * 20)
     study["power_detectability"] = np.append(np.exp(random.normal(2, 1.5, 38)), [9, np.nan])
     study["power_visibility"] = random.random(40)
@@ -151,6 +156,7 @@ def background(study, channels, found, random):
     text(study, "decision_finding", ("60 h of the same value from 2022-06-16 16:00",
                                      "one class with u_floor"))
     text(study, "decision_action", ("masked", "told apart where it is large"))
+    text(study, "decision_kind", ("data", "class"))
     text(study, "hook", HOOKS)
     text(study, "driver", DRIVERS)
     before = 0.9 * random.random((len(HOOKS), len(DRIVERS)))

@@ -126,10 +126,11 @@ class Scores(unittest.TestCase):
             self.assertEqual(len(loop_scores.false_effects(case)), n)
 
     def test_what_parameters_follow_is_one_class_with_them(self):
-        bridges = [{"series": "thermal bridges", "finding": "one class with H_op"}]
+        bridges = [{"series": "thermal bridges", "finding": "one class with H_op", "kind": "class"}]
         ground = [{"series": "ground coupling",
-                   "finding": "one class with u_floor and what else is calibrated"}]
-        other = [{"series": "ground coupling", "finding": "an hour late"}]
+                   "finding": "one class with u_floor and what else is calibrated",
+                   "kind": "class"}]
+        other = [{"series": "ground coupling", "finding": "an hour late", "kind": "data"}]
         for planted, decisions, is_classed in (
                 ("thermal_bridge", bridges, True), ("thermal_bridge", [], False),
                 ("blinds", bridges, False), ("ground", ground, True), ("ground", other, False)):

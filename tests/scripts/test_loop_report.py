@@ -144,6 +144,36 @@ class LoopReport(unittest.TestCase):
         self.assertIn("do nearly the same as (told apart only where large): effect 38.", self.page.text)
         self.assertNotIn("one class with u_floor", self.page.text)
 
+    def test_limits_and_kinds_are_those_of_the_result(self):
+        file = fake_loop_result.write(self.folder / "limits.h5", channels=ONE)
+        with h5py.File(file, "a") as stored:
+            study = stored["office/loop"]
+            study["least_detectability"][()], study["same_signature"][()] = 1e9, 0.5
+            study["decision_kind"][:] = ["class", "data"]
+        loop = result.read(file)
+        self.assertEqual(page.power_rows(loop), [])
+        self.assertEqual(words.followed(loop), [])
+        self.assertEqual([row[1] for row in page.decision_rows(loop)], ["one class with u_floor"])
+        text = Page(page.html_of(loop)).text
+        self.assertIn("detectability below 1e+09", text)
+        self.assertIn("correlation of 0.5 or more", text)
+
+    def test_a_result_of_before_lists_kinds_and_limits_were_stored_looks_the_same(self):
+        file = fake_loop_result.write(self.folder / "older.h5", channels=ONE)
+        now = page.html_of(result.read(file))
+        with h5py.File(file, "a") as stored:
+            for name in ("effect_class_of", "effect_class_member", "decision_kind",
+                         "power_alias_kind", "least_detectability", "same_signature"):
+                del stored["office/loop"][name]
+        self.assertEqual(page.html_of(result.read(file)), now)
+
+    def test_a_doubt_that_is_not_stored_is_not_made_up(self):
+        file = fake_loop_result.write(self.folder / "doubt.h5", channels=ONE)
+        with h5py.File(file, "a") as stored:
+            del stored["office/loop/effect_doubt"]
+        text = Page(page.html_of(result.read(file))).text
+        self.assertIn("the nearest one: blind control.", text)
+
     def test_what_a_result_lacks_is_left_out(self):
         file = fake_loop_result.write(self.folder / "lean.h5", channels=ONE)
         with h5py.File(file, "a") as stored:

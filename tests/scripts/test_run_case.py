@@ -206,11 +206,12 @@ def write_result(path):
              "effect": ["heat island"], "effect_hook": ["outdoor air"],
              "effect_driver": ["constant"], "effect_shape": ["linear"],
              "effect_gate": ["always"], "effect_unit": ["K"],
-             "effect_class": ["heat island; sky loss"], "effect_separates": ["a logger"],
+             "effect_class": ["heat island; sky loss"],
+             "effect_class_member": ["heat island", "sky loss"], "effect_separates": ["a logger"],
              "effect_doubt": ["others do nearly as well"],
              "decision_series": ["cold"], "decision_finding": ["zeros"],
-             "decision_action": ["kept"]}
-    numbers = {"effect_coefficient": [1.5], "effect_least": [1.2], "effect_most": [1.8],
+             "decision_action": ["kept"], "decision_kind": ["data"]}
+    numbers = {"effect_class_of": [0.0, 0.0], "effect_coefficient": [1.5], "effect_least": [1.2], "effect_most": [1.8],
                "effect_adequate": [0.0], "effect_gain": [200.0]}
     begin = np.datetime64("2018-01-01T00", "s").astype(np.int64)
     with h5py.File(path, "w") as file:

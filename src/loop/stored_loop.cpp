@@ -1,0 +1,246 @@
+/// Turns a loop's result into datasets and back, by one list of names.
+/// Follows from `StoredLoop`: a struct is a row, its fields are columns. Units and
+/// meanings are the store's layout's.
+/// An older result may lack datasets; what version 0.1.0 has in words is taken from them.
+#include "loop/stored_loop.hpp"
+
+#include "study/columns.hpp"
+#include "study/datasets.hpp"
+#include "study/decision.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace bemcal::loop {
+namespace {
+
+/// Calls `table` with the dimension, rows and fields of each list.
+template <class Loop, class Table>
+void visit_tables(Loop& loop, Table&& table) {
+    table("channel", loop.channels, [](auto& row, auto&& see) {
+        see("channel", row.name);
+        see("channel_unit", row.unit);
+        see("unexplained", row.unexplained);
+        see("unexplained_where", row.unexplained_where);
+        see("noise_floor", row.noise_floor);
+    });
+    const auto names = [&](const char* name, auto& rows) {
+        table(name, rows, [name](auto& row, auto&& see) { see(name, row); });
+    };
+    names("model", loop.models);
+    names("period", loop.periods);
+    names("resolution", loop.resolutions);
+    names("metric", loop.metrics);
+    names("hook", loop.hooks);
+    names("driver", loop.drivers);
+    table("parameter", loop.parameters, [](auto& row, auto&& see) {
+        see("parameter", row.name);
+        see("parameter_unit", row.unit);
+        see("parameter_prior_mean", row.prior_mean);
+        see("parameter_prior_sd", row.prior_sd);
+    });
+    table("structure", loop.structures, [](auto& row, auto&& see) {
+        see("structure", row.name);
+        see("structure_score", row.score);
+    });
+    table("step", loop.steps, [](auto& row, auto&& see) {
+        see("step_effect", row.effect);
+        see("step_verdict", row.verdict);
+        see("step_gain", row.gain);
+        see("step_threshold", row.threshold);
+        see("step_score", row.score);
+    });
+    table("candidate", loop.candidates, [](auto& row, auto&& see) {
+        see("candidate", row.name);
+        see("candidate_gain", row.gain);
+    });
+    table("effect", loop.effects, [](auto& row, auto&& see) {
+        see("effect", row.name);
+        see("effect_hook", row.hook);
+        see("effect_driver", row.driver);
+        see("effect_shape", row.shape);
+        see("effect_gate", row.gate);
+        see("effect_unit", row.unit);
+        see("effect_class", row.class_in_words);
+        see("effect_separates", row.separates);
+        see("effect_coefficient", row.coefficient);
+        see("effect_least", row.least);
+        see("effect_most", row.most);
+        see("effect_gain", row.gain);
+        see("effect_adequate", row.adequate);
+        see("effect_doubt", row.doubt);
+    });
+    table("power", loop.seen, [](auto& row, auto&& see) {
+        see("power_effect", row.effect);
+        see("power_alias", row.alias);
+        see("power_alias_kind", row.alias_kind);
+        see("power_bias_parameter", row.parameter);
+        see("power_detectability", row.detectability);
+        see("power_visibility", row.visibility);
+        see("power_alias_correlation", row.correlation);
+        see("power_bias", row.bias);
+    });
+    table("decision", loop.decisions, [](auto& row, auto&& see) {
+        see("decision_series", row.series);
+        see("decision_finding", row.finding);
+        see("decision_action", row.action);
+        see("decision_kind", row.kind);
+    });
+}
+
+template <class Loop, class See>
+void visit_arrays(Loop& loop, See&& see) {
+    see("parameter_value", loop.parameter_value);
+    see("parameter_sd", loop.parameter_sd);
+    see("step_error", loop.step_error);
+    see("localisation", loop.localisation);
+    see("localisation_after", loop.localisation_after);
+    see("fit", loop.fit);
+}
+
+template <class Loop, class See>
+void visit_numbers(Loop& loop, See&& see) {
+    see("misfit", loop.misfit);
+    see("least_detectability", loop.least_detectability);
+    see("same_signature", loop.same_signature);
+}
+
+constexpr const char* structure_chosen = "structure_chosen";
+
+/// A name of an effect's class.
+struct Member {
+    double effect = 0;  ///< index of the effect
+    std::string name;
+};
+constexpr const char* class_member = "class_member";
+void visit_member(auto& row, auto&& see) {
+    see("effect_class_of", row.effect);
+    see("effect_class_member", row.name);
+}
+
+template <class Row, class Visit>
+void add_rows(const std::string& group, const char* dim, const std::vector<Row>& rows,
+              const Visit& visit, std::vector<study::Dataset>& datasets) {
+    study::ColumnWriter columns(group, dim);
+    columns.template declare<Row>(visit);
+    for (const Row& row : rows) columns.add(row, visit);
+    columns.take(datasets);
+}
+
+void add_members(const std::string& group, const StoredLoop& loop,
+                 std::vector<study::Dataset>& datasets) {
+    std::vector<Member> members;
+    for (std::size_t k = 0; k < loop.effects.size(); ++k)
+        for (const std::string& name : loop.effects[k].members)
+            members.push_back({static_cast<double>(k), name});
+    add_rows(
+        group, class_member, members,
+        [](auto& row, auto&& see) { visit_member(row, see); }, datasets);
+}
+
+void read_members(const std::vector<study::Dataset>& datasets, const std::string& group,
+                  StoredLoop& loop) {
+    const auto members = study::rows_in<Member>(
+        datasets, group, [](auto& row, auto&& see) { visit_member(row, see); });
+    const std::size_t n = loop.effects.size();
+    for (const Member& member : members)
+        if (const std::size_t k = study::place_in(member.effect, n); k < n)
+            loop.effects[k].members.push_back(member.name);
+}
+
+/// Names that version 0.1.0 parted by semicolons.
+std::vector<std::string> parted(const std::string& names) {
+    std::vector<std::string> parts;
+    for (std::size_t begin = 0; begin < names.size();) {
+        const std::size_t end = std::min(names.find("; ", begin), names.size());
+        parts.push_back(names.substr(begin, end - begin));
+        begin = end + 2;
+    }
+    return parts;
+}
+
+/// A result of version 0.1.0 says some of it in words only, here and nowhere else.
+void take_words_of_0_1_0(StoredLoop& loop) {
+    for (StoredLoop::Effect& effect : loop.effects)
+        if (effect.members.empty()) effect.members = parted(effect.class_in_words);
+    for (StoredLoop::Seen& seen : loop.seen)
+        if (seen.alias_kind.empty() && seen.alias == words_of_parameters)
+            seen.alias_kind = name_of(AliasKind::parameters);
+    for (StoredLoop::Decision& decision : loop.decisions)
+        if (decision.kind.empty() && decision.finding.starts_with("one class with "))
+            decision.kind = study::name_of(study::DecisionKind::one_class);
+}
+
+void add_period(const StoredPeriod& period, study::DatasetBuilder& datasets) {
+    datasets.times(period.name + "/time", period.begins);
+    datasets.vector(period.name + "/outdoor_temperature", "time",
+                    period.outdoor_temperature);
+    for (const StoredPeriod::Channel& channel : period.channels) {
+        const std::string folder = period.name + "/" + channel.name + "/";
+        datasets.vector(folder + "measured", "time", channel.measured);
+        datasets.array(folder + "simulated", channel.simulated);
+    }
+}
+
+}  // namespace
+
+bool StoredLoop::Decision::is_of_class() const {
+    return kind == study::name_of(study::DecisionKind::one_class);
+}
+
+std::vector<study::Dataset> datasets_of(const std::string& group, const StoredLoop& loop,
+                                        const std::vector<StoredPeriod>& periods) {
+    std::vector<study::Dataset> datasets;
+    visit_tables(loop, [&](const char* dim, const auto& rows, const auto& visit) {
+        add_rows(group, dim, rows, visit, datasets);
+    });
+    add_members(group, loop, datasets);
+    study::DatasetBuilder others(group);
+    others.kind("loop");
+    visit_arrays(loop, [&](const char* leaf, const study::Array& array) {
+        others.array(leaf, array);
+    });
+    visit_numbers(loop,
+                  [&](const char* leaf, double number) { others.scalar(leaf, number); });
+    others.text(structure_chosen, loop.structure_chosen);
+    for (const StoredPeriod& period : periods) add_period(period, others);
+    std::ranges::move(others.take(), std::back_inserter(datasets));
+    return datasets;
+}
+
+StoredLoop stored_loop(const std::vector<study::Dataset>& datasets,
+                       const std::string& group) {
+    StoredLoop loop;
+    const auto find = [&](const char* leaf) {
+        return study::find_dataset(datasets, group + "/" + leaf);
+    };
+    visit_tables(loop, [&](const char*, auto& rows, const auto& visit) {
+        using Row = std::ranges::range_value_t<decltype(rows)>;
+        rows = study::rows_in<Row>(datasets, group, visit);
+    });
+    read_members(datasets, group, loop);
+    take_words_of_0_1_0(loop);
+    visit_arrays(loop, [&](const char* leaf, study::Array& array) {
+        if (const study::Dataset* stored = find(leaf))
+            array = {stored->dims, stored->shape, stored->values};
+    });
+    visit_numbers(loop, [&](const char* leaf, double& number) {
+        const study::Dataset* stored = find(leaf);
+        if (stored != nullptr && !stored->values.empty()) number = stored->values[0];
+    });
+    const study::Dataset* chosen = find(structure_chosen);
+    if (chosen != nullptr && !chosen->texts.empty())
+        loop.structure_chosen = chosen->texts[0];
+    return loop;
+}
+
+std::vector<std::string> stored_names() {
+    std::vector<std::string> names;
+    for (const study::Dataset& dataset : datasets_of("", {}, {})) {
+        names.push_back(dataset.path.substr(1));
+        names.insert(names.end(), dataset.dims.begin(), dataset.dims.end());
+    }
+    return names;
+}
+
+}  // namespace bemcal::loop

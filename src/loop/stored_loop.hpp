@@ -1,0 +1,110 @@
+/// What a loop stores of a building, as rows and arrays. Names, dimensions and order of
+/// its datasets stand in stored_loop.cpp alone: the loop writes by them, reports read.
+#pragma once
+
+#include "loop/power.hpp"
+#include "physics/calendar.hpp"
+#include "study/array.hpp"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace bemcal::loop {
+
+/// A number that is not known is NaN, a text that is not stored empty.
+struct StoredLoop {
+    static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    // Indices along the dimensions of the arrays.
+    enum Model : std::size_t { plain, before, after, n_models };
+    enum Resolution : std::size_t { hourly, monthly, n_resolutions };
+    enum Metric : std::size_t { n_readings, cv_rmse, nmbe, rmse, n_metrics };
+
+    /// A meter that it learns from.
+    struct Channel {
+        std::string name, unit, unexplained_where;
+        double unexplained = nan, noise_floor = nan;
+    };
+    struct Parameter {
+        std::string name, unit;
+        double prior_mean = nan, prior_sd = nan;
+    };
+    struct Structure {
+        std::string name;
+        double score = nan;
+    };
+    struct Step {
+        std::string effect;  ///< "" = of the search as a whole
+        std::string verdict;
+        double gain = nan, threshold = nan, score = nan;
+    };
+    struct Candidate {
+        std::string name;
+        double gain = nan;
+    };
+    /// An effect of the catalogue that these data could show: see Power.
+    struct Seen {
+        std::string effect, alias, alias_kind, parameter;
+        double detectability = nan, visibility = nan, correlation = nan, bias = nan;
+    };
+    /// An effect that was found: see Found.
+    struct Effect {
+        std::string name, hook, driver, shape, gate, unit;
+        std::string class_in_words;  ///< of its class all names, parted by semicolons
+        std::string separates, doubt;
+        double coefficient = nan, least = nan, most = nan, gain = nan, adequate = nan;
+        std::vector<std::string> members{};  ///< of its class, one by one
+        bool is_adequate() const { return adequate == 1; }
+    };
+    struct Decision {
+        std::string series, finding, action, kind;
+        /// Of effects that are one with parameters, not of data.
+        bool is_of_class() const;
+    };
+
+    std::vector<Channel> channels;
+    std::vector<std::string> models, periods, resolutions, metrics, hooks, drivers;
+    std::vector<Parameter> parameters;
+    std::vector<Structure> structures;
+    std::vector<Step> steps;
+    std::vector<Candidate> candidates;
+    std::vector<Effect> effects;
+    std::vector<Seen> seen;
+    std::vector<Decision> decisions;
+
+    study::Array parameter_value{{"model", "parameter"}};
+    study::Array parameter_sd{{"model", "parameter"}};
+    study::Array step_error{{"step", "channel"}};
+    study::Array localisation{{"hook", "driver"}};
+    study::Array localisation_after{{"hook", "driver"}};
+    study::Array fit{{"model", "period", "resolution", "channel", "metric"}};
+
+    double misfit = nan;
+    double least_detectability = limits::least_detectability;
+    double same_signature = limits::same_signature;
+    std::string structure_chosen;
+};
+
+/// A period hour by hour: written for pictures, and not read here.
+struct StoredPeriod {
+    struct Channel {
+        std::string name;
+        std::vector<double> measured;  ///< [hours]; NaN = missing
+        study::Array simulated{{"model", "time"}};
+    };
+    std::string name;
+    std::vector<physics::Seconds> begins;     ///< [hours]
+    std::vector<double> outdoor_temperature;  ///< [hours]
+    std::vector<Channel> channels;
+};
+
+/// \param group  "BUILDING/STUDY"
+std::vector<study::Dataset> datasets_of(const std::string& group, const StoredLoop& loop,
+                                        const std::vector<StoredPeriod>& periods);
+StoredLoop stored_loop(const std::vector<study::Dataset>& datasets,
+                       const std::string& group);
+
+/// The datasets, and their dimensions, that stand beside the groups of periods.
+std::vector<std::string> stored_names();
+
+}  // namespace bemcal::loop

@@ -1,0 +1,111 @@
+#include "loop/stored_loop.hpp"
+#include "study/find.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+using namespace bemcal;
+using namespace bemcal::loop;
+
+namespace {
+
+StoredLoop made() {
+    StoredLoop loop;
+    loop.channels = {{"gas", "kWh", "mornings", 0.07}, {"air", "degC"}};
+    loop.models = {"plain", "before", "after"};
+    loop.periods = {"training"};
+    loop.parameters = {{"u_wall", "-", 1, 0.2}};
+    loop.parameter_value.resize({3, 1});
+    loop.parameter_value.set({StoredLoop::after, 0}, 1.05);
+    loop.fit.resize({3, 1, 2, 2, 4});
+    loop.fit.set({StoredLoop::before, 0, StoredLoop::monthly, 1, StoredLoop::nmbe}, -0.1);
+    loop.effects.resize(2);
+    loop.effects[0].name = "wind";
+    loop.effects[0].members = {"wind", "stack"};
+    loop.effects[0].class_in_words = "wind; stack";
+    loop.effects[1].name = "blinds";
+    loop.effects[1].members = {"blinds"};
+    loop.effects[1].adequate = 1;
+    loop.seen = {{"wind", "ground", "effect", "u_wall", 60, 0.9, 0.4, -3}};
+    loop.decisions = {{"gas", "zeros", "masked", "data"},
+                      {"ground", "one class with u_floor", "kept", "class"}};
+    loop.structure_chosen = "standard";
+    loop.least_detectability = 4;
+    return loop;
+}
+
+}  // namespace
+
+TEST(StoredLoop, ComesBackAsItWas) {
+    const auto datasets = datasets_of("office/loop", made(), {});
+    const StoredLoop back = stored_loop(datasets, "office/loop");
+    ASSERT_EQ(back.channels.size(), 2U);
+    EXPECT_EQ(back.channels[0].unexplained, 0.07);
+    EXPECT_EQ(back.channels[1].unit, "degC");
+    EXPECT_EQ(back.models, made().models);
+    EXPECT_EQ(back.parameters[0].prior_sd, 0.2);
+    EXPECT_EQ(back.parameter_value.at({StoredLoop::after, 0}), 1.05);
+    EXPECT_EQ(
+        back.fit.at({StoredLoop::before, 0, StoredLoop::monthly, 1, StoredLoop::nmbe}),
+        -0.1);
+    ASSERT_EQ(back.effects.size(), 2U);
+    EXPECT_EQ(back.effects[0].members, made().effects[0].members);
+    EXPECT_FALSE(back.effects[0].is_adequate());
+    EXPECT_TRUE(back.effects[1].is_adequate());
+    EXPECT_EQ(back.seen[0].alias_kind, name_of(AliasKind::effect));
+    EXPECT_FALSE(back.decisions[0].is_of_class());
+    EXPECT_TRUE(back.decisions[1].is_of_class());
+    EXPECT_EQ(back.structure_chosen, "standard");
+    EXPECT_EQ(back.least_detectability, 4);
+    EXPECT_EQ(back.same_signature, limits::same_signature);
+}
+
+TEST(StoredLoop, HasItsFitByModelPeriodResolutionChannelAndMetric) {
+    const auto& fit = test::find(datasets_of("a/loop", made(), {}), "fit");
+    EXPECT_EQ(fit.shape, (std::vector<std::size_t>{3, 1, 2, 2, 4}));
+    EXPECT_EQ(fit.values[(((1 * 1 + 0) * 2 + 1) * 2 + 1) * 4 + 2], -0.1);
+}
+
+TEST(StoredLoop, OfAPeriodHasEveryHourOfEveryModel) {
+    StoredPeriod period{"training", {physics::Seconds{}, physics::Seconds{}}, {1, 2}, {}};
+    period.channels.push_back({"gas", {3, 4}});
+    period.channels[0].simulated.resize({3, 2});
+    const auto datasets = datasets_of("a/loop", made(), {period});
+    EXPECT_EQ(test::find(datasets, "training/outdoor_temperature").values,
+              (std::vector<double>{1, 2}));
+    EXPECT_EQ(test::find(datasets, "training/gas/measured").values,
+              (std::vector<double>{3, 4}));
+    EXPECT_EQ(test::find(datasets, "training/gas/simulated").shape,
+              (std::vector<std::size_t>{3, 2}));
+}
+
+TEST(StoredLoop, WithoutDatasetsIsEmpty) {
+    const StoredLoop none = stored_loop({}, "a/loop");
+    EXPECT_TRUE(none.effects.empty());
+    EXPECT_EQ(none.structure_chosen, "");
+    EXPECT_NE(none.misfit, none.misfit);  // NaN
+}
+
+TEST(StoredLoop, OfNoEffectHasItsListsAllTheSame) {
+    const auto datasets = datasets_of("a/loop", {}, {});
+    for (const char* leaf :
+         {"effect", "effect_gain", "effect_class_member", "step_effect"})
+        EXPECT_EQ(test::find(datasets, leaf).shape, std::vector<std::size_t>{0}) << leaf;
+}
+
+TEST(StoredLoop, MembersOfNoEffectAreLeftOut) {
+    auto datasets = datasets_of("a/loop", made(), {});
+    const auto of =
+        std::ranges::find(datasets, "a/loop/effect_class_of", &study::Dataset::path);
+    of->values = {0, 7, 1};
+    EXPECT_EQ(stored_loop(datasets, "a/loop").effects[0].members,
+              std::vector<std::string>{"wind"});
+}
+
+TEST(StoredLoop, NamesOfDatasetsAndDimensionsStandBesidePeriods) {
+    const auto names = stored_names();
+    for (const char* name : {"fit", "resolution", "effect_class_member", "class_member",
+                             "structure_chosen", "misfit"})
+        EXPECT_EQ(std::ranges::count(names, name) > 0, true) << name;
+}
