@@ -313,12 +313,13 @@ std::vector<Bill> merged(const std::vector<Bill>& bills, bool is_mean,
         first = k + 1;
     }
     if (n_merged > 0)
-        notes.push_back({fmt::format("{} reads are estimated", n_merged),
-                         "each merged with the next that was read"});
+        notes.push_back({fmt::format("{} read{} estimated", n_merged,
+                                     n_merged == 1 ? " is" : "s are"),
+                         "merged with the next that was read"});
     if (n_lost > 0)
-        notes.push_back(
-            {fmt::format("{} estimated reads that no read one follows", n_lost),
-             "taken as missing"});
+        notes.push_back({fmt::format("{} estimated read{} followed by none that was read",
+                                     n_lost, n_lost == 1 ? " is" : "s are"),
+                         "taken as missing"});
     return found;
 }
 

@@ -127,21 +127,24 @@ TimeColumns of_parts(const Csv& csv, std::vector<std::size_t> columns,
     return time;
 }
 
-TimeColumns date_and_clock(std::size_t date, std::size_t clock) {
-    TimeColumns time(date);
-    time.form = Form::date_and_clock;
-    time.columns.push_back(clock);
+TimeColumns of_several(Form form, std::vector<std::size_t> columns) {
+    TimeColumns time;
+    time.form = form;
+    time.columns = std::move(columns);
     return time;
 }
 
-TimeColumns named_columns(const Csv& csv, const std::vector<std::string>& names) {
+TimeColumns named_columns(const Csv& csv, const std::vector<std::string>& names,
+                          const std::string& format) {
     std::vector<std::size_t> columns;
     columns.reserve(names.size());
     for (const std::string& name : names) columns.push_back(csv.column(name));
     if (columns.size() == 1) return {columns[0]};
+    if (!format.empty() && has_clock(format))
+        return of_several(Form::joined, std::move(columns));
+    if (columns.size() == 2 && part_named(names[0]) != TimePart::year)
+        return of_several(Form::date_and_clock, std::move(columns));
     const std::vector<TimePart> parts = parts_of(names);
-    const bool are_named = part_named(names[0]) == TimePart::year;
-    if (columns.size() == 2 && !are_named) return date_and_clock(columns[0], columns[1]);
     columns.resize(parts.size());
     return of_parts(csv, std::move(columns), parts);
 }
@@ -176,13 +179,15 @@ std::optional<Stamp> stamp_or_none(std::string_view cell, const std::string& for
     }
 }
 
-/// Whether the first two rows are of one day, by dates without a time.
+/// Whether the first column has dates without a time, of which two rows are the same.
 bool begins_with_dates(const Csv& csv, const std::string& format) {
     if (!format.empty() && has_clock(format)) return false;
-    if (csv.n_rows() > 1 && csv.cell(0, 0) != csv.cell(1, 0)) return false;
     const auto first = stamp_or_none(csv.cell(0, 0), format);
-    return first && first->face == std::chrono::floor<std::chrono::days>(first->face) &&
-           csv.cell(0, 0).find(':') == std::string_view::npos;
+    if (!first || first->face != std::chrono::floor<std::chrono::days>(first->face))
+        return false;
+    for (std::size_t row = 1; row < std::min(csv.n_rows(), looked_at); ++row)
+        if (csv.cell(row, 0) == csv.cell(row - 1, 0)) return true;
+    return false;
 }
 
 /// Dates that repeat in the first column, and times of day in the second.
@@ -194,7 +199,7 @@ std::optional<TimeColumns> clock_in_second(const Csv& csv, const std::string& fo
         if (!is_named && cell.find(':') == std::string_view::npos) return std::nullopt;
         if (!read_clock(cell)) return std::nullopt;
     }
-    return date_and_clock(0, 1);
+    return of_several(Form::date_and_clock, {0, 1});
 }
 
 [[noreturn]] void fail(const std::string& text, const std::string& expected) {
@@ -204,8 +209,6 @@ std::optional<TimeColumns> clock_in_second(const Csv& csv, const std::string& fo
 
 Stamp stamp_of_two(std::string_view date, std::string_view clock,
                    const std::string& format) {
-    if (!format.empty() && has_clock(format))
-        return parse_stamp(fmt::format("{} {}", date, clock), format);
     Stamp stamp = parse_stamp(date, format);
     const auto time = read_clock(clock);
     if (!time) fail(std::string(clock), " of day; expected one like 14:00");
@@ -250,10 +253,21 @@ Stamp stamp_of_parts(const Csv& csv, std::size_t row, const TimeColumns& time) {
             clock == 24h};
 }
 
+/// The cells with a blank between them.
+std::string joined(const Csv& csv, std::size_t row, const TimeColumns& time) {
+    std::string text;
+    for (const std::size_t column : time.columns) {
+        if (!text.empty()) text += ' ';
+        text += csv.cell(row, column);
+    }
+    return text;
+}
+
 Stamp stamp_of_row(const Csv& csv, std::size_t row, const TimeColumns& time,
                    const std::string& format) {
     const std::string_view first = csv.cell(row, time.columns[0]);
     if (time.form == Form::parts) return stamp_of_parts(csv, row, time);
+    if (time.form == Form::joined) return parse_stamp(joined(csv, row, time), format);
     if (time.form == Form::date_and_clock)
         return stamp_of_two(first, csv.cell(row, time.columns[1]), format);
     return parse_stamp(first, format);
@@ -375,7 +389,7 @@ Csv rolled_out(const Csv& csv, const std::vector<std::size_t>& kept, std::size_t
 
 TimeColumns time_columns(const Csv& csv, const std::vector<std::string>& names,
                          const std::string& format) {
-    if (!names.empty()) return named_columns(csv, names);
+    if (!names.empty()) return named_columns(csv, names, format);
     auto found = parts_in_front(csv);
     if (!found) found = clock_in_second(csv, format);
     if (!found) return {};

@@ -13,7 +13,7 @@ namespace bemcal::input {
 enum class TimePart { year, month, day, day_of_year, hour, minute, second };
 
 struct TimeColumns {
-    enum class Form { text, date_and_clock, parts };
+    enum class Form { text, date_and_clock, parts, joined };
 
     TimeColumns(std::size_t column = 0) : columns{column} {}
 

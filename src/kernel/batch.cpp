@@ -101,7 +101,7 @@ Batch::Batch(const physics::Building& nominal, std::vector<physics::Parameter> p
             physics::interval_bounds(period_of(drive), static_cast<physics::Interval>(k));
 }
 
-std::vector<int> Batch::Plan::bounds_of(const physics::Intervals& intervals) const {
+std::vector<int> BatchPlan::bounds_of(const physics::Intervals& intervals) const {
     if (!intervals.are_own()) return bounds[static_cast<std::size_t>(intervals.kind)];
     return physics::interval_bounds(period_of(drive), intervals);
 }

@@ -154,7 +154,8 @@ TEST(Bills, EstimatedReadsAreMergedWithTheNextThatWasRead) {
               "2021-05-01 2021-06-01 6; 2021-06-01 2021-07-01 -; ");
     ASSERT_EQ(found.notes.size(), 2U);
     EXPECT_EQ(found.notes[0].finding, "2 reads are estimated");
-    EXPECT_EQ(found.notes[1].finding, "1 estimated reads that no read one follows");
+    EXPECT_EQ(found.notes[1].finding,
+              "1 estimated read is followed by none that was read");
     EXPECT_THROW(read("t,x,how\n2021-01-01,10,perhaps\n", {"", "", "how"}), UserError);
 }
 

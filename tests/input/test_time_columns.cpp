@@ -57,6 +57,18 @@ TEST(TimeColumns, PartsThatNoNameTellsStandInTheirOrder) {
     EXPECT_THROW(times_of("a,b,c,x\n5,3,2021,1\n", {"a", "b", "c"}), UserError);
 }
 
+TEST(TimeColumns, AFormOfSeveralColumnsIsReadFromThemTogether) {
+    EXPECT_EQ(times_of("h,d,m,y,x\n13,5,Mar,21,1\n14,5,Mar,21,2\n", {"d", "m", "y", "h"},
+                       "%d %b %y %H"),
+              two_hours);
+}
+
+TEST(TimeColumns, DatesMayBeginWithTheLastHourOfADay) {
+    EXPECT_EQ(times_of("date,time,x\n2021-03-05 00:00:00,23:00,1\n"
+                       "2021-03-06 00:00:00,00:00,2\n2021-03-06 00:00:00,01:00,3\n"),
+              (Times{"2021-03-05 23:00", "2021-03-06 00:00", "2021-03-06 01:00"}));
+}
+
 TEST(TimeColumns, HoursFrom1To24AreTheEndsOfTheirHours) {
     EXPECT_EQ(times_of("date,hour,x\n2021-03-05,1,1\n2021-03-05,2,2\n2021-03-05,24,3\n",
                        {"date", "hour"}, "", false),

@@ -236,6 +236,78 @@ TEST(StockJob, SaysWhatIsWrongWithALine) {
               std::string::npos);
 }
 
+/// The building of a stock of one line that its columns describe.
+study::Case described(const Folder& folder, const std::string& columns,
+                      const std::string& cells) {
+    folder.write("weather.csv", small_weather(8760));
+    folder.write("stock.csv",
+                 "name,floor_area," + columns + "\none,1200," + cells + "\n");
+    folder.write("job.toml",
+                 "[stock]\ntable = \"stock.csv\"\n[[study]]\nkind = \"screening\"\n");
+    const Job job = read_job(folder / "job.toml");
+    input::InputFiles files;
+    return read_stock_building(job, job.stock->lines.at(0), files).buildings.at(0);
+}
+
+const std::string weather_columns =
+    "weather,outdoor_temperature,direct_normal,diffuse_horizontal,latitude,longitude,"
+    "utc_offset";
+const std::string weather_cells = "weather.csv,T_out_C,DNI,DHI,23.1,113.3,8";
+
+std::string day_of(physics::Seconds time) {
+    return physics::format_time(time).substr(0, 10);
+}
+
+std::size_t n_readings(const study::Case& building, std::size_t period) {
+    const auto readings = study::readings_of(building, building.periods.at(period))[0];
+    return static_cast<std::size_t>(std::ranges::count_if(
+        readings.values, [](double value) { return !std::isnan(value); }));
+}
+
+TEST(StockLines, ByMonthKeepTheirLastMonth) {
+    const Folder folder;
+    std::string gas = "month,one\n";
+    for (int month = 1; month <= 12; ++month)
+        gas += fmt::format("2021-{:02}-01,{}\n", month, 1000 * month);
+    folder.write("gas.csv", gas);
+    const study::Case building = described(folder, weather_columns + ",gas,interval",
+                                           weather_cells + ",gas.csv,monthly");
+    EXPECT_EQ(day_of(building.periods[0].from), "2021-01-01");
+    EXPECT_EQ(day_of(building.periods[0].to), "2021-12-01");
+    EXPECT_EQ(day_of(building.periods[1].to), "2022-01-01");
+    EXPECT_EQ(n_readings(building, 0), 11U);
+    EXPECT_EQ(n_readings(building, 1), 1U);
+}
+
+TEST(StockLines, OfBillsEndTheirPeriodsWithABill) {
+    const Folder folder;
+    folder.write("gas.csv",
+                 "from,to,one,how\n2021-01-04,2021-02-03,9,A\n2021-02-03,2021-03-05,8,E\n"
+                 "2021-03-05,2021-04-06,7,A\n2021-04-06,2021-05-04,6,A\n");
+    const study::Case building =
+        described(folder, weather_columns + ",gas,interval,gas_from,gas_to,estimated",
+                  weather_cells + ",gas.csv,monthly,from,to,how");
+    EXPECT_EQ(day_of(building.periods[0].from), "2021-01-04");
+    EXPECT_EQ(day_of(building.periods[0].to), "2021-04-06");
+    EXPECT_EQ(n_readings(building, 0), 2U);  // the estimated one is part of the next
+    EXPECT_EQ(n_readings(building, 1), 1U);
+}
+
+TEST(StockLines, MayHaveATypicalYearsWeather) {
+    const std::filesystem::path weather =
+        BEMCAL_ROOT "/../shared/reference/weather/ITA_Venezia-Tessera.161050_IGDG.epw";
+    if (!std::filesystem::exists(weather)) GTEST_SKIP() << weather << " is not here";
+    const Folder folder;
+    std::string gas = "month,one\n";
+    for (int month = 1; month <= 12; ++month)
+        gas += fmt::format("2019-{:02}-01,{}\n", month, 1000);
+    folder.write("gas.csv", gas);
+    const study::Case building = described(folder, "weather,year,gas,interval",
+                                           weather.string() + ",2019,gas.csv,monthly");
+    EXPECT_EQ(day_of(building.weather.axis.start), "2019-01-01");
+    EXPECT_EQ(n_readings(building, 0), 11U);
+}
+
 std::string refusal(const std::string& text) {
     const Folder folder;
     folder.write("stock.csv", "name,area\none,1\n");
