@@ -1,7 +1,9 @@
-/// Errors that a user can cause, each with the exit code of BSD's sysexits.
+/// Errors: those that a user can cause, each with the exit code of BSD's sysexits; what
+/// cannot be simulated; our own mistakes.
 ///
-/// A message says where (file:line:key or file:row:column), what is wrong, why, and what
-/// to write instead. `require` guards against our own mistakes; no input may reach it.
+/// A message to the user says where (file:line:key or file:row:column), what is wrong,
+/// why, and what to write instead. `require` guards against our own mistakes; no input
+/// may reach it.
 #pragma once
 
 #include <stdexcept>
@@ -31,6 +33,14 @@ class UserError : public std::runtime_error {
 
   private:
     ExitCode exit_code_;
+};
+
+/// What the model cannot simulate: a point outside the method, an effect that cannot
+/// enter a building. Who tries many of them leaves such a one out; every other error ends
+/// the work.
+class CannotSimulate : public std::domain_error {
+  public:
+    using std::domain_error::domain_error;
 };
 
 /// Throws std::logic_error: a mistake in the program, never in the input.

@@ -5,6 +5,7 @@
 /// first.
 #include "effects/entering.hpp"
 
+#include "base/error.hpp"
 #include "effects/gates.hpp"
 #include "effects/levels.hpp"
 #include "effects/placer.hpp"
@@ -13,7 +14,6 @@
 #include "effects/sites.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -28,7 +28,7 @@ using physics::Target;
 using Series = std::vector<double>;
 
 [[noreturn]] void object(const std::string& why) {
-    throw std::invalid_argument(why);
+    throw CannotSimulate(why);
 }
 
 std::vector<Target> sites_of(const HookRow& row, const Effect& effect,

@@ -19,7 +19,7 @@ struct HookRow {
     Hook hook;
     const char* name;
     const char* unit;  ///< of the coefficient, per unit of what drives it
-    /// Puts an effect into the building; throws std::invalid_argument where it cannot.
+    /// Puts an effect into the building; throws CannotSimulate where it cannot.
     void (*enter)(Placer&, const HookRow&, const Effect&);
     /// How its profile enters the inputs that it changes.
     physics::ChangeKind kind = physics::ChangeKind::shift;

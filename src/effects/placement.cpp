@@ -5,13 +5,13 @@
 /// Left out: fitting; ways of entering are in entering, by the hook's row.
 #include "effects/placement.hpp"
 
+#include "base/error.hpp"
 #include "effects/hooks.hpp"
 #include "effects/placer.hpp"
 #include "effects/profiles.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -58,8 +58,8 @@ Placed place(std::span<const Effect> effects, const Surroundings& around) {
     Placer placer(around);
     for (const Effect& effect : effects) try {
             put(effect, placer);
-        } catch (const std::invalid_argument& error) {
-            throw std::invalid_argument(
+        } catch (const CannotSimulate& error) {
+            throw CannotSimulate(
                 fmt::format("effect '{}': {}", effect.name, error.what()));
         }
     return {std::move(placer.building()), placer.drive(), placer.parameters()};
@@ -69,7 +69,7 @@ std::optional<std::string> objection(const Effect& effect, const Surroundings& a
     Placer placer(around);
     try {
         put(effect, placer);
-    } catch (const std::invalid_argument& error) {
+    } catch (const CannotSimulate& error) {
         return error.what();
     }
     if (!placer.acts()) return "it has no say at any step of this period";

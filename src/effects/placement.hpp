@@ -22,7 +22,7 @@ struct Placed {
     std::vector<physics::Parameter> parameters;
 };
 
-/// Throws std::invalid_argument where an effect cannot enter this building (no cooling,
+/// Throws CannotSimulate where an effect cannot enter this building (no cooling,
 /// no such facade, more than physics::most_changes at one input), saying why.
 Placed place(std::span<const Effect> effects, const Surroundings& surroundings);
 

@@ -3,10 +3,10 @@
 /// What a hook does with these steps is left to entering.
 #include "effects/placer.hpp"
 
+#include "base/error.hpp"
 #include "effects/sites.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -24,8 +24,8 @@ void Placer::change(physics::Target target, physics::ChangeKind kind, int row) {
     const auto free = std::find_if(changes.begin(), changes.end(),
                                    [](const auto& one) { return one.profile < 0; });
     if (free == changes.end())
-        throw std::invalid_argument(fmt::format(
-            "{} effects change the same input already", physics::most_changes));
+        throw CannotSimulate(fmt::format("{} effects change the same input already",
+                                         physics::most_changes));
     *free = {0, row, kind};
     target.change = static_cast<int>(free - changes.begin());
     parameters_.back().targets.push_back(target);

@@ -25,7 +25,7 @@ class Placer {
     }
     /// The row of Drive::profiles with this series, appended where it is new.
     int profile_row(std::vector<double> series);
-    /// Changes an input by a profile. Throws std::invalid_argument where too many do.
+    /// Changes an input by a profile. Throws CannotSimulate where too many do.
     void change(physics::Target target, physics::ChangeKind kind, int row);
     /// A number, or an input's value, that is the coefficient itself.
     void set(physics::Target part, const double& number);

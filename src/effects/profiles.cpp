@@ -4,13 +4,13 @@
 /// Levels, drivers and gates have files of their own.
 #include "effects/profiles.hpp"
 
+#include "base/error.hpp"
 #include "effects/drivers.hpp"
 #include "effects/gates.hpp"
 #include "effects/steps.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -77,7 +77,7 @@ std::vector<double> profile_of(const Effect& effect, const Surroundings& around)
     const Series gate = gate_of(effect, around);
     const auto n = static_cast<std::size_t>(around.drive->n_steps());
     if (series.size() != n || gate.size() != n)
-        throw std::invalid_argument(
+        throw CannotSimulate(
             fmt::format("'{}' follows {} ({}), which this job does not have", effect.name,
                         name_of(effect.driver), name_of(effect.gate)));
     apply_shape(effect, around, series);

@@ -8,7 +8,7 @@ namespace bemcal::effects {
 /// Whether all that the effect follows is there.
 bool is_known(const Effect& effect, const Surroundings& surroundings);
 
-/// shape(driver) x gate at every step [n_steps]. Throws std::invalid_argument where not
+/// shape(driver) x gate at every step [n_steps]. Throws CannotSimulate where not
 /// is_known.
 std::vector<double> profile_of(const Effect& effect, const Surroundings& surroundings);
 

@@ -13,7 +13,7 @@ struct LaneTables {
     int lanes;
 };
 
-/// Throws std::domain_error where the zone leaves the method (make_network, control_at).
+/// Throws CannotSimulate where the zone leaves the method (make_network, control_at).
 /// \param network  scratch, so that nothing is allocated
 void write_coefficients(const ZonePlan& plan, const physics::Building& building,
                         const physics::Drive& drive, physics::Network& network,

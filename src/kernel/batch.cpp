@@ -5,6 +5,7 @@
 /// batch_advance, totals and errors to evaluate.
 #include "kernel/batch.hpp"
 
+#include "base/error.hpp"
 #include "kernel/batch_plan.hpp"
 #include "kernel/plain_answer.hpp"
 
@@ -64,7 +65,7 @@ std::string prepare_lane(std::span<const double> point, int lane, BatchGroup& gr
         group.write_lane(point, lane);
         if (group.plan.plain) run_plain(group, lane);
         return {};
-    } catch (const std::domain_error& error) {
+    } catch (const CannotSimulate& error) {
         group.clear_lane(lane);
         return error.what();
     }

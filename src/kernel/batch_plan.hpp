@@ -67,7 +67,7 @@ struct BatchGroup {
     /// One that writes into buildings of others, and reads this meter at once.
     BatchGroup(const BatchPlan& shared, std::shared_ptr<Written> buildings,
                std::optional<physics::Quantity> meter);
-    /// One lane's coefficients and start. Throws std::domain_error where the point is
+    /// One lane's coefficients and start. Throws CannotSimulate where the point is
     /// impossible.
     void write_lane(std::span<const double> point, int lane);
     void copy_lane(int from, int to);

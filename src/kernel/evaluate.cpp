@@ -3,12 +3,12 @@
 /// say why.
 /// Follows from Batch's parts. What is reduced, and how, is left to reduction; buildings
 /// that the kernel cannot run are answered by plain_answer.
+#include "base/error.hpp"
 #include "kernel/batch.hpp"
 #include "kernel/plain_answer.hpp"
 #include "kernel/reduction.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
 namespace bemcal::kernel {
 
@@ -48,7 +48,7 @@ PointAnswer plain_or_failed(const physics::Building& building,
     try {
         PointAnswer answer = plain_answer(building, drive, request);
         return is_finite(answer) ? answer : failed(not_finite);
-    } catch (const std::domain_error& error) {
+    } catch (const CannotSimulate& error) {
         return failed(error.what());
     }
 }
@@ -71,7 +71,7 @@ std::string why_not_finite(const physics::Building& building,
     try {
         physics::simulate(building, drive);
         return not_finite;
-    } catch (const std::domain_error& error) {
+    } catch (const CannotSimulate& error) {
         return error.what();
     }
 }

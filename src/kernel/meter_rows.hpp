@@ -8,7 +8,7 @@
 namespace bemcal::kernel {
 
 /// Writes a lane of the meter's rows [3 n_rows x lanes]: meter_form at the first step of
-/// each, to the bit. Throws std::domain_error as meter_form does.
+/// each, to the bit. Throws CannotSimulate as meter_form does.
 void write_meter_rows(const MeterPlan& plan, const physics::Building& building,
                       const physics::Drive& drive, physics::Quantity quantity, int lane,
                       LaneArray& rows);

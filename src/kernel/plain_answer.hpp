@@ -7,7 +7,7 @@
 
 namespace bemcal::kernel {
 
-/// The answer for one building. Throws std::domain_error as simulate() does.
+/// The answer for one building. Throws CannotSimulate as simulate() does.
 PointAnswer plain_answer(const physics::Building& building, const physics::Drive& drive,
                          const Request& request);
 

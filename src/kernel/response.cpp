@@ -4,17 +4,16 @@
 /// back is in response_back, the layout of a run in response_plan.
 #include "kernel/response.hpp"
 
+#include "base/error.hpp"
 #include "kernel/meter_rows.hpp"
 #include "kernel/response_plan.hpp"
 #include "physics/derived.hpp"
-
-#include <stdexcept>
 
 namespace bemcal::kernel {
 
 namespace {
 
-/// One lane of all meters' rows. Throws std::domain_error as meter_form does.
+/// One lane of all meters' rows. Throws CannotSimulate as meter_form does.
 void write_meters(int lane, ResponseRun& run) {
     const BatchPlan& batch = run.group->plan;
     const physics::Building& building =
@@ -35,7 +34,7 @@ std::string write_lane(int lane, ResponseRun& run) {
     try {
         write_meters(lane, run);
         return {};
-    } catch (const std::domain_error& error) {
+    } catch (const CannotSimulate& error) {
         return error.what();
     }
 }

@@ -5,11 +5,12 @@
 /// in `refinements`.
 #include "loop/baseline.hpp"
 
+#include "base/error.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
 #include <string_view>
 
 namespace bemcal::loop {
@@ -117,7 +118,7 @@ std::optional<Better> best_refinement(const LoopData& data, const Baseline& base
             if (promises[k] <= most) continue;
             most = promises[k];
             best = Better{std::move(standing), std::move(place)};
-        } catch (const std::invalid_argument&) {
+        } catch (const CannotSimulate&) {
             // It cannot enter this building: no cooling, no wind in the weather.
             promises[k] = -std::numeric_limits<double>::infinity();
         }

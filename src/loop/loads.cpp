@@ -4,10 +4,10 @@
 /// How effects change the load is left out. The warm-up repeats the first steps.
 #include "loop/loads.hpp"
 
+#include "base/error.hpp"
 #include "physics/simulate.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace bemcal::loop {
 namespace {
@@ -46,7 +46,7 @@ void know_loads(Place& place, const Standing& calibrated) {
                                       built.placed->drive);
         series.cooling = on_all_steps(trajectory, &physics::ZoneTrajectory::cooling,
                                       built.placed->drive);
-    } catch (const std::domain_error&) {
+    } catch (const CannotSimulate&) {
         series = {};
         return;
     }

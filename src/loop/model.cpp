@@ -5,6 +5,7 @@
 /// independent.
 #include "loop/model.hpp"
 
+#include "base/error.hpp"
 #include "effects/make_surroundings.hpp"
 #include "physics/interval_hours.hpp"
 
@@ -439,7 +440,7 @@ Place make_place(const LoopData& data, const std::vector<std::size_t>& structure
     for (const std::size_t index : structure)
         if (const auto change = refinements()[index].change)
             if (!change(*described))
-                throw std::invalid_argument(
+                throw CannotSimulate(
                     fmt::format("nothing for '{}' to change", refinements()[index].name));
     Place place;
     place.building = *described;

@@ -105,11 +105,11 @@ struct Place {
 };
 
 /// The building with the structure over a period, ready for effects. Throws
-/// std::invalid_argument where a refinement has nothing to refine.
+/// CannotSimulate where a refinement has nothing to refine.
 Place make_place(const LoopData& data, const std::vector<std::size_t>& structure,
                  std::shared_ptr<const physics::Drive> drive);
 
-/// Throws std::invalid_argument where an effect cannot enter.
+/// Throws CannotSimulate where an effect cannot enter.
 BuiltModel build(const Place& place, const std::vector<effects::Effect>& effects);
 
 /// [targets.size()] weights by channel; 0 where nothing is measured.

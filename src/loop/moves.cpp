@@ -5,12 +5,12 @@
 /// Two effects are never moved together. New ones are found by `search`.
 #include "loop/moves.hpp"
 
+#include "base/error.hpp"
 #include "loop/gates.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <stdexcept>
 
 namespace bemcal::loop {
 namespace {
@@ -65,7 +65,7 @@ Standing with_in_place(const LoopData& data, const Place& place, const Standing&
     tried.model.effects[change.index] = change.effect;
     try {
         tried.built = build(place, tried.model.effects);
-    } catch (const std::exception&) {
+    } catch (const CannotSimulate&) {
         tried.fit.failed = true;
         return tried;
     }
@@ -207,7 +207,7 @@ bool split(const LoopData& data, const Place& place, Standing& standing,
     tried.model.effects.push_back(use);
     try {
         tried.built = build(place, tried.model.effects);
-    } catch (const std::exception&) {
+    } catch (const CannotSimulate&) {
         return false;
     }
     std::vector<double> start = standing.fit.at.x;

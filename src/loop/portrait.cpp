@@ -69,11 +69,7 @@ std::vector<double> series_of(const Place& place, Driver driver) {
     effects::Effect effect;
     effect.driver = driver;
     if (!effects::is_known(effect, *place.surroundings)) return {};
-    try {
-        return effects::profile_of(effect, *place.surroundings);
-    } catch (const std::exception&) {
-        return {};  // schedules are no series
-    }
+    return effects::profile_of(effect, *place.surroundings);
 }
 
 /// Sums of score by unit of time, in the order of the driver.

@@ -3,6 +3,7 @@
 /// Source: Chernozhukov, Chetverikov and Kato 2013 (multiplier bootstrap of the largest
 /// statistic) for what noise alone shows.
 /// Curvature is left out; `search` refits in full.
+#include "base/error.hpp"
 #include "base/random.hpp"
 #include "loop/search.hpp"
 #include "stats/distributions.hpp"
@@ -12,7 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
+#include <optional>
 
 namespace bemcal::loop {
 namespace {
@@ -146,9 +147,10 @@ bool is_plausible_sign(const effects::Effect& effect, double amplitude) {
     return (amplitude > 0 && effect.most > 0) || (amplitude < 0 && effect.least < 0);
 }
 
-/// The best of the amplitudes; gain 0 where none moves the meters.
-Screened screen_one(const LoopData& data, const Place& place, const Standing& standing,
-                    const Tangent& tangent, const effects::Effect& effect, Keep keep) {
+/// At the best of the amplitudes; none where no amplitude moves a meter.
+std::optional<Screened> screen_one(const LoopData& data, const Place& place,
+                                   const Standing& standing, const Tangent& tangent,
+                                   const effects::Effect& effect, Keep keep) {
     std::vector<effects::Effect> all = standing.model.effects;
     all.push_back(effect);
     const BuiltModel built = build(place, all);
@@ -170,7 +172,7 @@ Screened screen_one(const LoopData& data, const Place& place, const Standing& st
         best_gain = gain, best = a;
         best_secant = std::move(secant);
     }
-    if (best_gain < 0) throw std::domain_error("the effect moves no meter");
+    if (best_gain < 0) return std::nullopt;
     Screened screened = judged(data, standing, tangent, effect, best_secant,
                                points(best, built.unknowns.size() - 1), keep);
     screened.visibility = best_secant.own_share();
@@ -195,9 +197,10 @@ std::vector<Screened> screen(const LoopData& data, const Place& place,
     screened.reserve(candidates.size());
     for (const effects::Effect& effect : candidates) {
         try {
-            screened.push_back(screen_one(data, place, standing, tangent, effect, keep));
-        } catch (const std::exception&) {
-            continue;  // It cannot enter this building, or moves nothing: no candidate.
+            if (auto one = screen_one(data, place, standing, tangent, effect, keep))
+                screened.push_back(std::move(*one));
+        } catch (const CannotSimulate&) {
+            continue;  // It cannot enter this building: no candidate.
         }
     }
     return screened;

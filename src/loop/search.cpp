@@ -5,6 +5,7 @@
 /// once.
 #include "loop/search.hpp"
 
+#include "base/error.hpp"
 #include "effects/catalogue.hpp"
 #include "loop/closed_days.hpp"
 #include "loop/consistency.hpp"
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <stdexcept>
 
 namespace bemcal::loop {
 namespace {
@@ -185,7 +185,7 @@ std::vector<Refitted> refit_all(const LoopData& data, const Place& place,
                 evidence(data, standing, candidate.standing) - occam(*screened);
             drop_derivatives(candidate.standing);
             ranking.push_back(std::move(candidate));
-        } catch (const std::exception&) {
+        } catch (const CannotSimulate&) {
             continue;  // It cannot enter together with the others: no candidate.
         }
     }

@@ -4,9 +4,10 @@
 /// and storage losses, export of power; zones are summed, not metered apart.
 #include "physics/meters.hpp"
 
+#include "base/error.hpp"
+
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -14,22 +15,22 @@ namespace bemcal::physics {
 
 namespace {
 
-/// An efficiency or COP at a step. Throws std::domain_error where nothing can be divided
+/// An efficiency or COP at a step. Throws CannotSimulate where nothing can be divided
 /// by it.
 double efficiency_at(const Drive& drive, const Input& efficiency, int step,
                      const char* name) {
     const double value = drive.at(efficiency, step);
     if (!(value > 0))
-        throw std::domain_error(
+        throw CannotSimulate(
             fmt::format("step {}: {} = {} is not above 0", step, name, value));
     return value;
 }
 
-/// What a meter shows of what flows through it [-]. Throws std::domain_error.
+/// What a meter shows of what flows through it [-]. Throws CannotSimulate.
 double factor_at(const Drive& drive, const Input& factor, int step) {
     const double value = drive.at(factor, step);
     if (!(value >= 0) || !std::isfinite(value))
-        throw std::domain_error(fmt::format(
+        throw CannotSimulate(fmt::format(
             "step {}: factor of a meter = {} is not a number >= 0", step, value));
     return value;
 }

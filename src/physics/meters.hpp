@@ -48,7 +48,7 @@ struct MeterForm {
     double per_heating = 0, per_cooling = 0;  ///< [-]
     double source = 0;                        ///< [W]
 };
-/// Throws std::domain_error where an efficiency or COP that is needed is not above 0, or
+/// Throws CannotSimulate where an efficiency or COP that is needed is not above 0, or
 /// the meter's factor is not a number >= 0.
 MeterForm meter_form(const Building& building, const Drive& drive, Quantity quantity,
                      int step);

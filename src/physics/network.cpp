@@ -4,9 +4,10 @@
 /// other than by b_tr, movable shading by the sun's position, temperatures (hour).
 #include "physics/network.hpp"
 
+#include "base/error.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -15,7 +16,7 @@ namespace bemcal::physics {
 namespace {
 
 [[noreturn]] void reject(const Zone& zone, int step, const std::string& what) {
-    throw std::domain_error(fmt::format("zone {}, step {}: {}", zone.name, step, what));
+    throw CannotSimulate(fmt::format("zone {}, step {}: {}", zone.name, step, what));
 }
 
 /// Everything that the sums below read.

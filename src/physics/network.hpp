@@ -33,13 +33,13 @@ struct Network {
     double band = 0;           ///< [K]
 };
 
-/// The network at one step. Throws std::domain_error with a sentence where the building
+/// The network at one step. Throws CannotSimulate with a sentence where the building
 /// is outside the method: H_tr_op >= H_tr_ms, a negative area or conductance, not finite.
 /// Writes into `network` so that its vectors are reused from call to call.
 void make_network(const Building& building, const Zone& zone, const Drive& drive,
                   int step, Network& network);
 
-/// Throws std::domain_error where Crank-Nicolson would ring: C_m / dt < (H_3 + H_tr_em +
+/// Throws CannotSimulate where Crank-Nicolson would ring: C_m / dt < (H_3 + H_tr_em +
 /// H_2) / 2, or the second mass alike. make_network calls it; a caller that changes H_ve
 /// calls it again.
 void reject_ringing(const Zone& zone, int step, const Network& network, double dt);
@@ -52,7 +52,7 @@ struct Control {
     bool imposed = false;
     double phi_imposed = 0;  ///< [W]
 };
-/// Throws std::domain_error where heating and cooling are both there and their set-points
+/// Throws CannotSimulate where heating and cooling are both there and their set-points
 /// cross or lie closer than the proportional band. A zone with a radiator has no other
 /// heating.
 Control control_at(const Zone& zone, const Drive& drive, int step);
@@ -71,7 +71,7 @@ HourDrive hour_drive(const Building& building, const Zone& zone, const Network& 
                      const Drive& drive, int step);
 
 /// What the openings that follow the room carry when wide open [W/K]. Throws
-/// std::domain_error where it is not a number >= 0.
+/// CannotSimulate where it is not a number >= 0.
 double venting_conductance(const Zone& zone, const Drive& drive, int step);
 /// Heat that they take from the air node (physics::Venting) [W].
 /// \param theta_air  of the step before [degC]

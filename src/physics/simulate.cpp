@@ -5,12 +5,12 @@
 /// Without refinements the standard's hour is called. Meters are left to meters.cpp.
 #include "physics/simulate.hpp"
 
+#include "base/error.hpp"
 #include "physics/zone_radiator.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -107,7 +107,7 @@ class ZoneRun {
 
     void check(int step, const AirLink& link) const {
         if (!(link.H >= 0))
-            throw std::domain_error(fmt::format(
+            throw CannotSimulate(fmt::format(
                 "zone {}, step {}: coupling to zone {} = {} W/K is not a number >= 0",
                 name(), step, building_.zones[link.zone].name, link.H));
     }
@@ -116,7 +116,7 @@ class ZoneRun {
         const double sum = result.theta.theta_air + result.theta.theta_m_t +
                            result.phi_heating + result.phi_cooling;
         if (!std::isfinite(sum))
-            throw std::domain_error(
+            throw CannotSimulate(
                 fmt::format("zone {}, step {}: temperature {} degC, heating {} W, "
                             "cooling {} W: not finite",
                             name(), step, result.theta.theta_air, result.phi_heating,

@@ -18,7 +18,7 @@ struct Trajectory {
     std::vector<ZoneTrajectory> zones;
 };
 
-/// Throws std::domain_error where a zone leaves the method (make_network) or a value is
+/// Throws CannotSimulate where a zone leaves the method (make_network) or a value is
 /// not finite, naming the zone and the step. All nodes start at drive.theta_start.
 Trajectory simulate(const Building& building, const Drive& drive);
 

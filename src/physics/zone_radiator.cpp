@@ -4,8 +4,9 @@
 /// out: iteration to convergence, thermostatic valves, losses of pipes.
 #include "physics/zone_radiator.hpp"
 
+#include "base/error.hpp"
+
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 
 namespace bemcal::physics {
@@ -13,7 +14,7 @@ namespace bemcal::physics {
 RadiatorRun::RadiatorRun(const ZoneRadiator& radiator, double theta_start)
     : radiator_(radiator), theta_air_(theta_start), theta_surface_(theta_start) {
     const std::string complaint = complaint_about(radiator.radiator);
-    if (!complaint.empty()) throw std::domain_error(complaint);
+    if (!complaint.empty()) throw CannotSimulate(complaint);
     elements_.assign(static_cast<std::size_t>(radiator.radiator.n_elements), theta_start);
 }
 

@@ -18,7 +18,7 @@ namespace bemcal::physics {
 
 class RadiatorRun {
   public:
-    /// The radiator must outlive it. Throws std::domain_error where it is none.
+    /// The radiator must outlive it. Throws CannotSimulate where it is none.
     RadiatorRun(const ZoneRadiator& radiator, double theta_start);
 
     /// The zone's hour for what drives it.

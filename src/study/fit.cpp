@@ -4,12 +4,12 @@
 /// The score has no weights: it adds up squared CV(RMSE). Intervals are in `validation`.
 #include "study/fit.hpp"
 
+#include "base/error.hpp"
 #include "physics/simulate.hpp"
 
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 
 namespace bemcal::study {
 namespace {
@@ -75,7 +75,7 @@ class PlainRun {
         physics::apply(building.building, building.parameters, point, building_);
         try {
             trajectory_ = physics::simulate(building_, drive_);
-        } catch (const std::domain_error&) {  // the point's failure is already on record
+        } catch (const CannotSimulate&) {  // the point's failure is already on record
             trajectory_.reset();
         }
     }

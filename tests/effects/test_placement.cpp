@@ -1,3 +1,4 @@
+#include "base/error.hpp"
 #include "effects/hooks.hpp"
 #include "effects/levels.hpp"
 #include "effects/profiles.hpp"
@@ -135,7 +136,7 @@ TEST(Placement, WindMovesInfiltrationAboutWhatItIs) {
     EXPECT_LT(std::abs(heating(leakage, 0.5)), 0.2 * heating(more, 0.5));
     Office tight;
     tight.building.zones[0].flows.erase(tight.building.zones[0].flows.begin());
-    EXPECT_THROW(placed(leakage, tight), std::invalid_argument);
+    EXPECT_THROW(placed(leakage, tight), CannotSimulate);
 }
 
 TEST(Placement, MoreRecoveryLessHeatMoreVentilationMoreHeat) {
@@ -417,7 +418,7 @@ TEST(Objections, OneInputTakesFourChanges) {
     try {
         place(five, office().around);
         FAIL();
-    } catch (const std::invalid_argument& error) {
+    } catch (const CannotSimulate& error) {
         EXPECT_STREQ(error.what(),
                      "effect 'leak': 4 effects change the same input already");
     }
@@ -427,7 +428,7 @@ TEST(Objections, ASecondThresholdOfOpenings) {
     Effect low{.name = "low", .hook = Hook::venting}, high = low;
     low.shape.at = 22;
     high.shape.at = 25;
-    EXPECT_THROW(place(std::vector{low, high}, office().around), std::invalid_argument);
+    EXPECT_THROW(place(std::vector{low, high}, office().around), CannotSimulate);
     EXPECT_NO_THROW(place(std::vector{low, low}, office().around));
 }
 

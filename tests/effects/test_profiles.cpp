@@ -1,3 +1,4 @@
+#include "base/error.hpp"
 #include "effects/air.hpp"
 #include "effects/drivers.hpp"
 #include "effects/levels.hpp"
@@ -103,7 +104,7 @@ TEST(Surroundings, GapsHoldTheLastValueAndALackIsALack) {
     Effect latent{.name = "latent", .driver = Driver::moisture};
     EXPECT_FALSE(is_known(latent, around));
     EXPECT_TRUE(is_known(latent, office().around));
-    EXPECT_THROW(profile_of(latent, around), std::invalid_argument);
+    EXPECT_THROW(profile_of(latent, around), CannotSimulate);
 }
 
 TEST(Profiles, ShapesOfWind) {

@@ -1,3 +1,4 @@
+#include "base/error.hpp"
 #include "loop/model.hpp"
 #include "loop/windy_case.hpp"
 
@@ -246,7 +247,7 @@ TEST(LoopModel, ARefinementWithNothingToRefineIsRefusedByName) {
     try {
         make_place(data, {refinement("sun through walls")}, data.drive);
         FAIL() << "not refused";
-    } catch (const std::invalid_argument& error) {
+    } catch (const CannotSimulate& error) {
         EXPECT_STREQ(error.what(), "nothing for 'sun through walls' to change");
     }
 }

@@ -1,0 +1,68 @@
+#include "base/error.hpp"
+#include "loop/closed_days.hpp"
+#include "loop/moves.hpp"
+#include "loop/search.hpp"
+#include "loop/windy_model.hpp"
+
+#include <cstdlib>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+using namespace bemcal;
+using namespace bemcal::loop;
+using test::named;
+
+namespace {
+
+/// While it lives no batch of points can be made, whatever the building: an error that
+/// says nothing of a candidate.
+struct NoKernel {
+    NoKernel() { setenv("BEMCAL_KERNEL", "none", 1); }
+    ~NoKernel() { unsetenv("BEMCAL_KERNEL"); }
+};
+
+/// The first effect of the catalogue that cannot enter the building.
+effects::Effect outsider(const Place& place) {
+    for (const effects::Entry& entry : effects::catalogue())
+        if (effects::objection(entry.effect, *place.surroundings)) return entry.effect;
+    throw std::out_of_range("every effect can enter");
+}
+
+}  // namespace
+
+TEST(LoopScreen, AnEffectThatCannotEnterTheBuildingIsLeftOut) {
+    const test::WindyModel model({});
+    const effects::Effect outside = outsider(model.place);
+    EXPECT_THROW(build(model.place, {outside}), CannotSimulate);
+    const auto screened =
+        screen(model.data, model.place, model.standing,
+               {outside, named("wind infiltration"), outside}, Keep::gains);
+    ASSERT_EQ(screened.size(), 1U);
+    EXPECT_EQ(screened[0].effect.name, "wind infiltration");
+}
+
+TEST(LoopScreen, AnEffectThatMovesNoMeterIsLeftOut) {
+    test::WindyModel model({});
+    effects::Effect still = named("wind infiltration");
+    still.most = 0;  // no amplitude that is tried lies in its range
+    still.least = 0;
+    EXPECT_TRUE(
+        screen(model.data, model.place, model.standing, {still}, Keep::gains).empty());
+}
+
+TEST(LoopScreen, AnErrorThatIsNotTheCandidatesEndsTheSearch) {
+    test::WindyModel model({"holidays"});
+    const effects::Effect moved = model.standing.model.effects[0];
+    const NoKernel none;
+    EXPECT_TRUE(screen(model.data, model.place, model.standing, {}, Keep::gains).empty());
+    EXPECT_THROW(screen(model.data, model.place, model.standing, {moved}, Keep::gains),
+                 std::invalid_argument);
+    EXPECT_THROW(search(model.data, model.place, model.standing), std::invalid_argument);
+    EXPECT_THROW(closed_days(model.data, model.place, model.standing),
+                 std::invalid_argument);
+    EXPECT_THROW(split(model.data, model.place, model.standing, 0, 0),
+                 std::invalid_argument);
+    EXPECT_THROW(swap(model.data, model.place, model.standing, 0, {moved}),
+                 std::invalid_argument);
+}
