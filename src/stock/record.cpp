@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <map>
@@ -244,6 +245,11 @@ std::size_t place_in(double value, std::size_t end) {
                : end;
 }
 
+/// A day that a calendar of some thousand years has.
+bool is_day(double day) {
+    return std::abs(day) < 1e6;
+}
+
 void read_daily(const Index& index, std::vector<StockRecord>& records) {
     const auto counts = index.find("stock/stock_daily_n");
     const auto all = index.find("stock/stock_daily");
@@ -339,6 +345,8 @@ std::vector<StockRecord> records_in(const std::vector<study::Dataset>& datasets)
             });
         }
     });
+    for (StockRecord& record : records)
+        if (!is_day(record.daily_start)) record.daily_start = 0;
     read_daily(index, records);
     return records;
 }

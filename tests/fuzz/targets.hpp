@@ -10,6 +10,7 @@
 #include "input/series.hpp"
 #include "input/stamps.hpp"
 #include "job/small_office.hpp"
+#include "job/stock.hpp"
 
 #include <string>
 
@@ -26,6 +27,34 @@ inline void try_job(const std::string& text) {
     try {
         read_job("office.toml", files);
     } catch (const UserError&) {
+    }
+}
+
+/// A stock whose table is the text: its lines by a template, and as boxes of their own.
+inline void try_stock(const std::string& text) {
+    static const std::string weather = small_weather(), readings = small_readings();
+    static const std::string building = small_stock_building();
+    for (const char* by : {"template = \"building.toml\"\n", ""}) {
+        const std::string job_text = fmt::format(
+            "seed = 3\n[stock]\ntable = \"stock.csv\"\n{}[[study]]\nkind = "
+            "\"screening\"\nn_points = 16\n",
+            by);
+        input::InputFiles files([&](const std::filesystem::path& path) -> std::string {
+            if (path.filename() == "job.toml") return job_text;
+            if (path.filename() == "stock.csv") return text;
+            if (path.filename() == "building.toml") return building;
+            if (path.filename() == "weather.csv") return weather;
+            if (path.filename() == "measured.csv") return readings;
+            throw UserError(ExitCode::no_input, "no such file");
+        });
+        try {
+            const Job job = read_job("job.toml", files);
+            for (const StockLine& line : job.stock->lines) try {
+                    read_stock_building(job, line, files);
+                } catch (const UserError&) {
+                }
+        } catch (const UserError&) {
+        }
     }
 }
 

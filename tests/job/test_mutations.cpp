@@ -57,6 +57,15 @@ TEST(Mutations, OfJobsEndInAnAnswerOrAUserError) {
     try_many(small_office_text(), 300, [](const std::string& text) { try_job(text); });
 }
 
+TEST(Mutations, OfStockTablesEndInAnAnswerOrAUserError) {
+    const std::string table =
+        "name,meter,floor_area,floors,weather,outdoor_temperature,global_horizontal,"
+        "latitude,longitude,utc_offset,electricity,electricity_column\n"
+        "one,measured.csv,500,2,weather.csv,T_out_C,DNI,50,8,1,measured.csv,elec_kWh\n"
+        "two,measured.csv,90,,weather.csv,T_out_C,DNI,50,8,1,,\n";
+    try_many(table, 200, [](const std::string& text) { try_stock(text); });
+}
+
 TEST(Mutations, OfCsvFilesEndInAnAnswerOrAUserError) {
     try_many(small_readings(48), 600, [](const std::string& text) { try_csv(text); });
 }
