@@ -4,10 +4,9 @@ Residuals are simulated - measured. A temperature's errors are in K, the others'
 """
 from dataclasses import dataclass
 
-import h5py
 import numpy as np
 
-from report import studies
+from report import guard, studies
 
 PLAIN, BEFORE, AFTER = range(3)
 HOURLY, MONTHLY = range(2)
@@ -73,14 +72,13 @@ class Loop:
 
     def texts(self, name):
         """A list of texts; [] where the dataset is not there."""
-        return [str(text) for text in np.atleast_1d(self.group[name].asstr()[()])] \
-            if name in self.group else []
+        return guard.texts(self.group, name)
 
     def text(self, name):
         return (self.texts(name) or [""])[0]
 
     def values(self, name):
-        return self.group[name][()] if name in self.group else np.array([])
+        return guard.sound(self.group[name])[()] if guard.has(self.group, name) else np.array([])
 
     def value(self, name, *place):
         """An element; NaN where it is not there."""
@@ -127,15 +125,17 @@ class Loop:
 
     def series(self, channel):
         """In the period of judging."""
-        period = self.group[self.judged]
-        outdoor = period["outdoor_temperature"][()] if "outdoor_temperature" in period else []
-        return Series(period["time"][()], period[channel]["measured"][()],
-                      period[channel]["simulated"][()], np.asarray(outdoor))
+        def values(name):
+            return guard.sound(guard.inner(self.group, f"{self.judged}/{name}"))[()]
+        outdoor = "outdoor_temperature"
+        return Series(values("time"), values(f"{channel}/measured"), values(f"{channel}/simulated"),
+                      values(outdoor) if guard.has(self.group, f"{self.judged}/{outdoor}")
+                      else np.array([]))
 
 
 def read(path, stage=None):
     """The loop of that name in a file; without a name the only one."""
-    file = h5py.File(path)
+    file = guard.opened(path)
     stages = studies.of_kind(file, "loop")
     if stage is None and len(stages) == 1:
         stage = stages[0]

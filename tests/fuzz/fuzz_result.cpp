@@ -65,7 +65,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     bemcal::fuzz::Choices choices({data, size});
     std::string bytes = good;
     if (choices.below(16) == 1) bytes.resize(choices.below(bytes.size()));
-    for (int n = 0; n < 32 && !choices.is_over() && !bytes.empty(); ++n) {
+    for (auto n = 1 + choices.below(12); n > 0 && !bytes.empty(); --n) {
         char& changed = choices.one_of(bytes);
         changed = static_cast<char>(choices.byte());
     }
