@@ -8,6 +8,7 @@
 #include "stock/stage.hpp"
 #include "store/result.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <memory>
 #include <string>
@@ -18,12 +19,12 @@ namespace bemcal::job {
 constexpr const char* small_studies = R"(
 [[study]]
 kind = "sensitivity"
-n_base = 8
+n_base = 64
 n_bootstrap = 10
 [[study]]
 kind = "hourly_sensitivity"
 quantity = "electricity"
-n_base = 8
+n_base = 64
 [[study]]
 kind = "screening"
 n_points = 16
@@ -81,7 +82,7 @@ inline std::string small_building_text() {
 }
 
 /// All rounds of a stage, item by item.
-inline std::vector<study::Dataset> datasets_of_stage(study::Stage& stage) {
+inline study::Conclusion conclusion_of(study::Stage& stage) {
     std::vector<study::ItemAnswer> answers;
     for (int first = 0, count = stage.n_items(); count > 0;) {
         for (int item = first; item < first + count; ++item)
@@ -99,10 +100,12 @@ inline store::ResultFile result_of_stages(
     store::ResultFile result;
     result.attributes = {{"program", "bemcal-batch"}, {"title", "small"}, {"job", "x"}};
     result.complete = true;
+    std::vector<study::Summary> found;
     for (const auto& stage : stages) {
-        stage->see(result.datasets);
-        for (study::Dataset& dataset : datasets_of_stage(*stage))
-            result.datasets.push_back(std::move(dataset));
+        stage->see(found);
+        study::Conclusion conclusion = conclusion_of(*stage);
+        std::ranges::move(conclusion.datasets, std::back_inserter(result.datasets));
+        std::ranges::move(conclusion.summaries, std::back_inserter(found));
     }
     return result;
 }

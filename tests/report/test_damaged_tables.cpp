@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <functional>
+#include <map>
 
 #include <gtest/gtest.h>
 
@@ -32,11 +33,11 @@ using Damage = std::function<void(Dataset&)>;
 std::vector<Damage> damages() {
     std::vector<Damage> all;
     for (const std::size_t axis : {0, 1, 2})
-        for (const std::size_t size : {0, 1, 3, 70})
+        for (const std::size_t size : {0, 3})
             all.emplace_back([=](Dataset& d) {
                 if (axis < d.shape.size()) cut_to(d, axis, size);
             });
-    for (const double value : {std::nan(""), 1e300, -1e300, -1.0, 1e9, HUGE_VAL, 0.0})
+    for (const double value : {std::nan(""), 1e300, -1.0, 1e9})
         all.emplace_back([=](Dataset& d) {
             std::ranges::fill(d.values, value);
             std::ranges::fill(d.texts, std::to_string(value));
@@ -58,24 +59,46 @@ std::vector<Damage> damages() {
     return all;
 }
 
+/// "office/screening" of "office/screening/training/gas/time".
+std::string study_of(const Dataset& dataset) {
+    const std::size_t end = dataset.path.find('/', dataset.path.find('/') + 1);
+    return dataset.path.substr(0, end);
+}
+
+/// The result of each study alone.
+std::vector<ResultFile> parts_of(const ResultFile& result) {
+    std::map<std::string, ResultFile> parts;
+    for (const Dataset& dataset : result.datasets) {
+        const std::string study =
+            dataset.path.starts_with("stock/") ? "stock" : study_of(dataset);
+        ResultFile& part = parts[study];
+        part.attributes = result.attributes;
+        part.datasets.push_back(dataset);
+    }
+    std::vector<ResultFile> all;
+    for (auto& [study, part] : parts) all.push_back(std::move(part));
+    return all;
+}
+
 void damage_each_dataset_of(const ResultFile& good) {
-    const std::string text = tables_of(good);
-    EXPECT_FALSE(text.empty());
+    EXPECT_FALSE(tables_of(good).empty());
     for (std::size_t k = 0; k < good.datasets.size(); ++k) {
+        SCOPED_TRACE(good.datasets[k].path);
         ResultFile damaged = good;
         damaged.datasets.erase(damaged.datasets.begin() + static_cast<std::ptrdiff_t>(k));
         expect_answers(damaged);
         for (const Damage& damage : damages()) {
             damaged.datasets = good.datasets;
             damage(damaged.datasets[k]);
-            SCOPED_TRACE(damaged.datasets[k].path);
             expect_answers(damaged);
         }
     }
 }
 
 TEST(DamagedTables, OfEveryKindOfStudyAreTextOrAMessage) {
-    damage_each_dataset_of(job::small_result());
+    const auto parts = parts_of(job::small_result());
+    EXPECT_EQ(parts.size(), 9U);
+    for (const ResultFile& part : parts) damage_each_dataset_of(part);
 }
 
 TEST(DamagedTables, OfAStockAreTextOrAMessage) {
