@@ -201,7 +201,7 @@ ExitCode run_command(run::Comm& comm, const CommandLine& line) {
     options.say = print_warning;
     options.on_stage = print_tables;
     if (!line.no_report)
-        options.pages = run::PageWriter{run::find_beside(
+        options.pages = run::PageWriter{run::find_script(
             "scripts/loop_report", {BEMCAL_SOURCE_DIR, BEMCAL_DATA_DIR})};
     run::together(comm, [&] {
         options.job = line.job.empty()

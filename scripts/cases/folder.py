@@ -70,7 +70,7 @@ def file_of(expected):
                 return read(file)
             except OSError as error:
                 what = error.strerror
-            except ValueError as error:
+            except (OverflowError, ValueError) as error:
                 what = error
             except (IndexError, ZeroDivisionError):
                 what = "has too few rows or columns"

@@ -7,10 +7,9 @@ import math
 from dataclasses import dataclass
 from types import SimpleNamespace
 
-import h5py
 import numpy as np
 
-from report import studies
+from report import guard, studies
 
 PLAIN, BEFORE, AFTER = range(3)
 HOURLY, MONTHLY = range(2)
@@ -29,9 +28,11 @@ class Column:
     missing: object
 
     def read(self, group):
-        return texts_of(group, self.name) if self.missing == "" else \
-            [float(value) for value in np.atleast_1d(group[self.name][()])] \
-            if self.name in group else []
+        if self.missing == "":
+            return texts_of(group, self.name)
+        if not guard.has(group, self.name):
+            return []
+        return [float(value) for value in np.atleast_1d(guard.sound(group[self.name])[()])]
 
 
 def text(name):
@@ -69,7 +70,7 @@ CHANNEL = {"name": text("channel"), "unit": text("channel_unit"),
 
 def texts_of(group, name):
     """A list of texts; [] where the dataset is not there."""
-    return [str(one) for one in np.atleast_1d(group[name].asstr()[()])] if name in group else []
+    return guard.texts(group, name)
 
 
 def rows_in(group, columns):
@@ -108,7 +109,7 @@ def power_in(group):
 
 
 def limit_in(group, name):
-    return float(group[name][()]) if name in group else LIMITS_OF_0_1_0[name]
+    return float(guard.sound(group[name])[()]) if guard.has(group, name) else LIMITS_OF_0_1_0[name]
 
 
 @dataclass
@@ -182,7 +183,7 @@ class Loop:
         self.judged = self._judged()
 
     def values(self, name):
-        return self.group[name][()] if name in self.group else np.array([])
+        return guard.sound(self.group[name])[()] if guard.has(self.group, name) else np.array([])
 
     def value(self, name, *place):
         """An element; NaN where it is not there."""
@@ -239,15 +240,17 @@ class Loop:
 
     def series(self, channel):
         """In the period of judging."""
-        period = self.group[self.judged]
-        outdoor = period["outdoor_temperature"][()] if "outdoor_temperature" in period else []
-        return Series(period["time"][()], period[channel]["measured"][()],
-                      period[channel]["simulated"][()], np.asarray(outdoor))
+        def values(name):
+            return guard.sound(guard.inner(self.group, f"{self.judged}/{name}"))[()]
+        outdoor = "outdoor_temperature"
+        return Series(values("time"), values(f"{channel}/measured"), values(f"{channel}/simulated"),
+                      values(outdoor) if guard.has(self.group, f"{self.judged}/{outdoor}")
+                      else np.array([]))
 
 
 def read(path, stage=None):
     """The loop of that name in a file; without a name the only one."""
-    file = h5py.File(path)
+    file = guard.opened(path)
     stages = studies.of_kind(file, "loop")
     if stage is None and len(stages) == 1:
         stage = stages[0]

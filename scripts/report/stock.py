@@ -12,7 +12,7 @@ import h5py
 import jinja2
 import numpy as np
 
-from report import theme, words
+from report import guard, theme, words
 
 MOST_ROWS = 40
 SHARED = "shared"              # a word of every finding of the kind
@@ -49,43 +49,51 @@ class Building:
         return bool(self.cause) and self.status != "postponed"
 
 
-def texts(group, name):
-    return list(group[name].asstr()[:]) if name in group else []
-
-
 def numbers(group, name):
-    return list(group[name][:]) if name in group else []
+    return list(guard.sound(group[name])[:]) if guard.has(group, name) else []
+
+
+def zipped(columns):
+    """Row by row; no row where a column is missing."""
+    return zip(*columns, strict=all(map(len, columns)))
+
+
+def at(rows, owner):
+    """The row that a list of all names by its index."""
+    if not 0 <= owner < len(rows):
+        raise ValueError(f"{owner} is no place among {len(rows)} buildings")
+    return rows[int(owner)]
 
 
 def rows(group, prefix, names):
     """(index of the building, fields...) of each row of a list."""
     columns = [numbers(group, f"{prefix}_of")]
     for name in names:
-        is_text = name in group and h5py.check_string_dtype(group[name].dtype)
-        columns.append(texts(group, name) if is_text else numbers(group, name))
-    return zip(*columns)
+        is_text = guard.has(group, name) and h5py.check_string_dtype(guard.sound(group[name]).dtype)
+        columns.append(guard.texts(group, name) if is_text else numbers(group, name))
+    return zipped(columns)
 
 
 def read(path):
-    with h5py.File(path) as file:
-        if "stock" not in file:
+    with guard.opened(path) as file:
+        if not guard.has(file, "stock"):
             raise ValueError(f"{path}: is no result of a stock")
         group = file["stock"]
-        columns = [texts(group, f"stock_{name}")
+        columns = [guard.texts(group, f"stock_{name}")
                    for name in ("building", "status", "cause", "reason", "drift")]
         buildings = [Building(*row, int(age)) for *row, age in
-                     zip(*columns, numbers(group, "stock_age"))]
+                     zipped([*columns, numbers(group, "stock_age")])]
         for owner, *row in rows(group, "stock_fits", [
                 "stock_fit_meter", "stock_fit_period", "stock_fit_before", "stock_fit_cv_rmse",
                 "stock_fit_nmbe"]):
-            buildings[int(owner)].fits.append(tuple(row))
+            at(buildings, owner).fits.append(tuple(row))
         for owner, *row in rows(group, "stock_values", [
                 "stock_value_parameter", "stock_value_unit", "stock_value", "stock_value_low",
                 "stock_value_high", "stock_value_moved"]):
-            buildings[int(owner)].values.append(tuple(row))
+            at(buildings, owner).values.append(tuple(row))
         for owner, *row in rows(group, "stock_findings", [
                 "stock_finding_series", "stock_finding", "stock_finding_action"]):
-            buildings[int(owner)].findings.append(tuple(row))
+            at(buildings, owner).findings.append(tuple(row))
         title = str(file.attrs.get("title", "stock"))
     return title, pathlib.Path(path).stem, buildings
 

@@ -6,9 +6,11 @@
 
 #include "base/hash.hpp"
 #include "external/process.hpp"
+#include "external/regular_file.hpp"
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -73,7 +75,7 @@ std::string without(std::string text, const std::string& part) {
 /// The last line that says something, without the folder's own name, so that a reason is
 /// the same wherever the point ran; of plain characters, at most 200.
 std::string last_line(const fs::path& folder, const char* file) {
-    std::ifstream in(folder / file, std::ios::binary);
+    std::istringstream in(end_of_file(folder / file, 10000));
     std::string line, last;
     while (std::getline(in, line))
         if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
@@ -84,15 +86,19 @@ std::string last_line(const fs::path& folder, const char* file) {
     return last;
 }
 
-std::string how(const Ended& ended, double limit_s) {
+std::string how(const Ended& ended, const CommandOptions& options) {
     switch (ended.how) {
         case Ending::exited:
             return fmt::format("exit code {}", ended.number);
         case Ending::killed:
+            if (ended.number == SIGXFSZ)
+                return fmt::format("ended as a file reached output_limit = {:g} MB",
+                                   options.output_limit / 1e6);
             return fmt::format("ended by signal {} ({})", ended.number,
                                strsignal(ended.number));
         case Ending::time_limit:
-            return fmt::format("not done at its time limit of {} s", limit_s);
+            return fmt::format("not done at its time limit of {} s",
+                               options.time_limit_s);
         case Ending::not_started:
             return fmt::format("cannot be started: {}", std::strerror(ended.number));
     }
@@ -159,7 +165,7 @@ class CommandSimulator : public study::Simulator {
         const Ended ended = run_command(command_of(folder, point));
         if (ended.how != Ending::exited || ended.number != 0) {
             const std::string said = last_line(folder, standard_error);
-            return how(ended, options_.time_limit_s) + (said.empty() ? "" : ": " + said);
+            return how(ended, options_) + (said.empty() ? "" : ": " + said);
         }
         return read_outputs(folder, answers);
     }
@@ -171,10 +177,10 @@ class CommandSimulator : public study::Simulator {
     }
 
     Command command_of(const fs::path& folder, std::span<const double> point) const {
-        Command command{options_.program,     {},
-                        environment_,         fs::absolute(folder),
-                        standard_output,      standard_error,
-                        options_.time_limit_s};
+        Command command{options_.program,      {},
+                        environment_,          fs::absolute(folder),
+                        standard_output,       standard_error,
+                        options_.time_limit_s, options_.output_limit};
         command.arguments.reserve(options_.arguments.size());
         for (const TextTemplate& argument : options_.arguments)
             command.arguments.push_back(argument.filled(point));
@@ -182,7 +188,7 @@ class CommandSimulator : public study::Simulator {
     }
 
     std::string read_outputs(const fs::path& folder, std::span<double> answers) const {
-        WrittenFiles files(folder);
+        WrittenFiles files(folder, options_.output_limit);
         std::vector<double> values;
         values.reserve(options_.outputs.size());
         for (const OutputRule& rule : options_.outputs) {

@@ -36,6 +36,7 @@ struct CommandOptions {
     std::string program;                       ///< absolute path
     std::vector<TextTemplate> arguments;       ///< the program's name first
     double time_limit_s = 600;
+    double output_limit = 1e9;  ///< of each file that is written [bytes]
     Keep keep = Keep::failed;
     std::filesystem::path folder;  ///< the points' folders lie in it
 };

@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
@@ -244,25 +242,21 @@ void check_pattern(const std::string& pattern) {
                         pattern));
 }
 
-const std::string* WrittenFiles::text(const std::string& file) {
+const FileText& WrittenFiles::text(const std::string& file) {
     const auto [known, is_new] = texts_.try_emplace(file);
-    if (!is_new) return known->second.get();
-    std::error_code ignored;
-    if (std::filesystem::is_directory(folder_ / file, ignored)) return nullptr;
-    std::ifstream in(folder_ / file, std::ios::binary);
-    if (!in) return nullptr;
-    auto text = std::make_unique<std::string>(std::istreambuf_iterator<char>(in),
-                                              std::istreambuf_iterator<char>());
-    std::ranges::replace(*text, '\0', ' ');
-    return (known->second = std::move(text)).get();
+    if (is_new) {
+        known->second = text_of_file(folder_ / file, most_bytes_);
+        std::ranges::replace(known->second.text, '\0', ' ');
+    }
+    return known->second;
 }
 
 Reading WrittenFiles::read(const OutputRule& rule) {
-    const std::string* written = text(rule.file);
-    if (written == nullptr)
-        return {0, fmt::format("{}: it has not been written", rule.file)};
-    return reduce(rule, rule.column.empty() ? by_pattern(rule, *written)
-                                            : in_column(rule, *written));
+    const FileText& written = text(rule.file);
+    if (!written.failure.empty())
+        return {0, fmt::format("{}: {}", rule.file, written.failure)};
+    return reduce(rule, rule.column.empty() ? by_pattern(rule, written.text)
+                                            : in_column(rule, written.text));
 }
 
 }  // namespace bemcal::external

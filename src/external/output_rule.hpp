@@ -2,9 +2,10 @@
 /// what a regular expression finds in any text; one of several numbers, or their sum.
 #pragma once
 
+#include "external/regular_file.hpp"
+
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -42,15 +43,17 @@ struct Reading {
 /// The files that one run has written, each read once.
 class WrittenFiles {
   public:
-    explicit WrittenFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
+    /// \param most_bytes  a larger file is refused
+    explicit WrittenFiles(std::filesystem::path folder, double most_bytes = 1e9)
+        : folder_(std::move(folder)), most_bytes_(most_bytes) {}
     Reading read(const OutputRule& rule);
 
   private:
-    /// nullptr where it cannot be read.
-    const std::string* text(const std::string& file);
+    const FileText& text(const std::string& file);
 
     std::filesystem::path folder_;
-    std::map<std::string, std::unique_ptr<std::string>> texts_;
+    double most_bytes_;
+    std::map<std::string, FileText> texts_;
 };
 
 }  // namespace bemcal::external

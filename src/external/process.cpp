@@ -1,17 +1,18 @@
-/// Runs a program in a process group of its own, within a time limit: SIGTERM, then
-/// SIGKILL to the whole group; without our open files and MPI's variables.
-/// Source: POSIX (posix_spawn, waitid). A program that leaves its group escapes. Memory
-/// and processor time are not limited; Linux only.
+/// Runs a program under a keeper in a session of its own, without our open files and
+/// MPI's variables, and waits for what the keeper reports.
+/// Source: POSIX (posix_spawn, waitpid). Memory and processor time are not limited; Linux
+/// only. Ends and limits are the keeper's.
 #include "external/process.hpp"
+
+#include "external/keeper.hpp"
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <mutex>
 #include <string_view>
-#include <thread>
+#include <utility>
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -22,11 +23,6 @@ namespace bemcal::external {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
-using std::chrono::duration;
-
-/// Between SIGTERM and SIGKILL.
-constexpr duration<double> grace{2};
 
 /// Pointers to texts that outlive it, with the null pointer that C wants at the end.
 std::vector<char*> pointers_to(const std::vector<std::string>& texts) {
@@ -38,17 +34,59 @@ std::vector<char*> pointers_to(const std::vector<std::string>& texts) {
     return pointers;
 }
 
-/// What happens in the child before the program starts.
+/// By which the keeper reports. Our ends are above the standard streams, which may be
+/// closed, and go to nobody else.
+class ReportPipe {
+  public:
+    ReportPipe() {
+        int ends[2];
+        if (::pipe2(ends, O_CLOEXEC) != 0) {
+            error_ = errno;
+            return;
+        }
+        for (const int k : {0, 1}) {
+            ends_[k] = ::fcntl(ends[k], F_DUPFD_CLOEXEC, report_descriptor + 1);
+            if (ends_[k] < 0) error_ = errno;
+            ::close(ends[k]);
+        }
+    }
+    ~ReportPipe() {
+        for (const int end : ends_)
+            if (end >= 0) ::close(end);
+    }
+    ReportPipe(const ReportPipe&) = delete;
+    ReportPipe& operator=(const ReportPipe&) = delete;
+
+    int error() const { return error_; }
+    int keepers_end() const { return ends_[1]; }
+    void close_keepers_end() { ::close(std::exchange(ends_[1], -1)); }
+    /// Waits for it. \return whether there was one
+    bool read(Ended& ended) const {
+        for (;;) {
+            const ssize_t n = ::read(ends_[0], &ended, sizeof ended);
+            if (n == sizeof ended) return true;
+            if (n >= 0 || errno != EINTR) return false;
+        }
+    }
+
+  private:
+    int ends_[2] = {-1, -1};
+    int error_ = 0;
+};
+
+/// What happens in the child before the keeper starts.
 class Preparation {
   public:
-    explicit Preparation(const Command& command) {
+    Preparation(const Command& command, const ReportPipe& pipe) {
         posix_spawn_file_actions_init(&actions_);
         posix_spawnattr_init(&attributes_);
         open(STDIN_FILENO, "/dev/null", O_RDONLY);
         open(STDOUT_FILENO, command.folder / command.output,
              O_WRONLY | O_CREAT | O_TRUNC);
         open(STDERR_FILENO, command.folder / command.error, O_WRONLY | O_CREAT | O_TRUNC);
-        note(posix_spawn_file_actions_addclosefrom_np(&actions_, STDERR_FILENO + 1));
+        note(posix_spawn_file_actions_adddup2(&actions_, pipe.keepers_end(),
+                                              report_descriptor));
+        note(posix_spawn_file_actions_addclosefrom_np(&actions_, report_descriptor + 1));
         note(posix_spawn_file_actions_addchdir_np(&actions_, command.folder.c_str()));
         set_signals();
     }
@@ -71,7 +109,7 @@ class Preparation {
         note(posix_spawn_file_actions_addopen(&actions_, descriptor, file.c_str(), flags,
                                               0666));
     }
-    /// Every signal as a program expects it, and a group of its own.
+    /// Every signal as a program expects it, and a session of its own.
     void set_signals() {
         sigset_t all, none;
         sigfillset(&all);
@@ -80,8 +118,7 @@ class Preparation {
         sigemptyset(&none);
         note(posix_spawnattr_setsigdefault(&attributes_, &all));
         note(posix_spawnattr_setsigmask(&attributes_, &none));
-        note(posix_spawnattr_setpgroup(&attributes_, 0));
-        note(posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP |
+        note(posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSID |
                                                         POSIX_SPAWN_SETSIGDEF |
                                                         POSIX_SPAWN_SETSIGMASK));
     }
@@ -91,7 +128,7 @@ class Preparation {
     int error_ = 0;
 };
 
-/// The groups that run now, so that none outlives us where their threads cannot wait for
+/// The keepers that run now, so that none outlives us where their threads cannot wait for
 /// them: the one thing of this program that is known everywhere in it.
 class Running {
   public:
@@ -100,83 +137,42 @@ class Running {
             new Running;  // never destroyed: threads may outlive main
         return *all;
     }
-    /// \return errno, or 0 and the child's number
+    /// \return errno, or 0 and the keeper's number
     int start(const Command& command, const Preparation& preparation, pid_t& id) {
+        const std::vector<std::string> arguments =
+            keeper_arguments({command.time_limit_s, command.output_limit, command.program,
+                              command.arguments});
         const std::scoped_lock lock(mutex_);
         if (is_over_) return ECANCELED;
-        const int error =
-            ::posix_spawn(&id, command.program.c_str(), preparation.actions(),
-                          preparation.attributes(), pointers_to(command.arguments).data(),
-                          pointers_to(command.environment).data());
-        if (error == 0) groups_.push_back(id);
+        const int error = ::posix_spawn(
+            &id, keeper_program, preparation.actions(), preparation.attributes(),
+            pointers_to(arguments).data(), pointers_to(command.environment).data());
+        if (error == 0) keepers_.push_back(id);
         return error;
     }
-    /// Before it is reaped: after that its number may be another's.
-    void forget(pid_t id) {
+    /// Waits for its end; after that its number may be another's.
+    int reap(pid_t id) {
+        siginfo_t info{};
+        while (::waitid(P_PID, static_cast<id_t>(id), &info, WEXITED | WNOWAIT) < 0 &&
+               errno == EINTR)
+            continue;
         const std::scoped_lock lock(mutex_);
-        std::erase(groups_, id);
+        std::erase(keepers_, id);
+        int status = 0;
+        ::waitpid(id, &status, 0);
+        return status;
     }
     void end_all() {
         const std::scoped_lock lock(mutex_);
         is_over_ = true;
-        for (const pid_t id : groups_) ::kill(-id, SIGKILL);
+        for (const pid_t id : keepers_) ::kill(id, SIGTERM);
     }
 
   private:
     std::mutex mutex_;
-    std::vector<pid_t> groups_;
+    std::vector<pid_t> keepers_;
     bool is_over_ = false;
 };
-
-/// A child that we started and have not reaped, so that its number is still its own, and
-/// that of its group.
-class Child {
-  public:
-    explicit Child(pid_t id) : id_(id) {}
-
-    bool has_ended() const {
-        siginfo_t info{};
-        return ::waitid(P_PID, static_cast<id_t>(id_), &info,
-                        WEXITED | WNOHANG | WNOWAIT) == 0 &&
-               info.si_pid == id_;
-    }
-    /// Looks again after a while that grows to 20 ms. \return whether it has ended
-    bool ends_before(Clock::time_point end) const {
-        duration<double> pause{2e-4};
-        while (!has_ended()) {
-            if (Clock::now() >= end) return false;
-            std::this_thread::sleep_for(pause);
-            pause = std::min(pause * 1.5, duration<double>(0.02));
-        }
-        return true;
-    }
-    void signal_group(int signal) const { ::kill(-id_, signal); }
-    Ended reap() const {
-        Running::of_program().forget(id_);
-        int status = 0;
-        while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) continue;
-        if (WIFSIGNALED(status)) return {Ending::killed, WTERMSIG(status)};
-        return {Ending::exited, WEXITSTATUS(status)};
-    }
-
-  private:
-    pid_t id_;
-};
-
-Clock::time_point after(duration<double> time) {
-    return Clock::now() + std::chrono::duration_cast<Clock::duration>(time);
-}
-
-Ended wait_for(const Child& child, double limit_s) {
-    const bool in_time = child.ends_before(after(duration<double>(limit_s)));
-    if (!in_time) {
-        child.signal_group(SIGTERM);
-        child.ends_before(after(grace));
-    }
-    child.signal_group(SIGKILL);  // what is left of the group
-    const Ended ended = child.reap();
-    return in_time ? ended : Ended{Ending::time_limit, 0};
-}
 
 bool is_of_launcher(std::string_view variable) {
     constexpr std::string_view prefixes[] = {
@@ -195,12 +191,19 @@ bool is_executable(const fs::path& file) {
 }  // namespace
 
 Ended run_command(const Command& command) {
-    const Preparation preparation(command);
+    ReportPipe pipe;
+    const Preparation preparation(command, pipe);
+    if (pipe.error() != 0) return {Ending::not_started, pipe.error()};
     if (preparation.error() != 0) return {Ending::not_started, preparation.error()};
     pid_t id = 0;
     const int error = Running::of_program().start(command, preparation, id);
     if (error != 0) return {Ending::not_started, error};
-    return wait_for(Child(id), command.time_limit_s);
+    pipe.close_keepers_end();
+    Ended ended{Ending::killed, SIGKILL};
+    const bool has_reported = pipe.read(ended);
+    const int status = Running::of_program().reap(id);
+    if (!has_reported && WIFSIGNALED(status)) ended.number = WTERMSIG(status);
+    return ended;
 }
 
 void end_commands() {

@@ -1,10 +1,12 @@
 /// Another program, run to its end in a folder of its own, within a time limit.
 ///
-/// It leads a process group of its own, so that it ends together with all that it
-/// started: at the time limit by SIGTERM and then SIGKILL, and what it leaves running
-/// when it ends by SIGKILL. It inherits no open file of ours, and no variable by which an
-/// MPI program would take itself for one of our ranks.
+/// A keeper stands between it and us, so that it ends together with all that it started:
+/// at the time limit by SIGTERM and then SIGKILL, and what it leaves running when it or
+/// we end by SIGKILL. It inherits no open file of ours, and no variable by which an MPI
+/// program would take itself for one of our ranks.
 #pragma once
+
+#include "external/ended.hpp"
 
 #include <filesystem>
 #include <string>
@@ -21,13 +23,7 @@ struct Command {
     std::filesystem::path folder;          ///< where it runs
     std::string output, error;             ///< files in the folder, for what it prints
     double time_limit_s = 60;
-};
-
-enum class Ending { exited, killed, time_limit, not_started };
-
-struct Ended {
-    Ending how = Ending::exited;
-    int number = 0;  ///< exit code, signal, or errno where it did not start
+    double output_limit = 1e9;  ///< of each file that is written [bytes]
 };
 
 /// Thread-safe.

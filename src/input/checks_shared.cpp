@@ -1,13 +1,15 @@
 /// Finds meters that are one meter, within a building or in several: pairs that keep one
 /// ratio in over 90 % of their common readings. It is stated at both.
-/// Follows from `proportion_of`, over every pair.
+/// Follows from `proportion_of`, over every pair; of a large group over a few.
 /// Leaves out air temperatures, steps over an hour, and sums of several meters. A stock
 /// compares daily sums (`find_shared_meters`).
+#include "base/alike.hpp"
 #include "input/checks.hpp"
 #include "input/data_shared.hpp"
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -52,12 +54,46 @@ struct Place {
     }
 };
 
-void note(const Place& at, const Place& with, double ratio, const Proportion& found) {
+/// Two of the places, and how they go together.
+struct Share {
+    std::size_t first = 0, second = 0;
+    Proportion found;
+};
+
+bool is_shared(const Place& a, const Place& b, Proportion& found) {
+    found = proportion_of(*a.meter, *b.meter);
+    return found.n > 0 && found.share > least_share;
+}
+
+/// \param partners  whom it is shared with, in words
+void note(const Place& at, const std::string& partners, double ratio,
+          const Proportion& found) {
     at.building->decisions.push_back(
         {at.meter->name,
          fmt::format("shared with {}: {:.4g} times its reading in {:.1f} % of {} hours",
-                     with.name(*at.building), ratio, 100 * found.share, found.n),
+                     partners, ratio, 100 * found.share, found.n),
          "kept; it may be one meter's share"});
+}
+
+void note_pair(const Place& a, const Place& b, const Proportion& found) {
+    note(a, b.name(*a.building), 1 / found.ratio, found);
+    note(b, a.name(*b.building), found.ratio, found);
+}
+
+/// Each beside the first that it is like, with how many more there are.
+void note_group(const std::vector<Place>& places, const std::vector<std::size_t>& group) {
+    for (const std::size_t member : group)
+        for (const std::size_t partner : group) {
+            Proportion found;
+            if (partner == member || !is_shared(places[partner], places[member], found))
+                continue;
+            note(places[member],
+                 fmt::format("{} and {} more",
+                             places[partner].name(*places[member].building),
+                             group.size() - 2),
+                 found.ratio, found);
+            break;
+        }
 }
 
 }  // namespace
@@ -67,13 +103,23 @@ void check_shared_meters(std::vector<Case>& buildings) {
     for (Case& building : buildings)
         for (const Meter& meter : building.meters)
             if (can_be_shared(meter)) places.push_back({&building, &meter});
-    for (std::size_t i = 0; i < places.size(); ++i)
-        for (std::size_t j = i + 1; j < places.size(); ++j) {
-            const auto found = proportion_of(*places[i].meter, *places[j].meter);
-            if (found.n == 0 || found.share <= least_share) continue;
-            note(places[i], places[j], 1 / found.ratio, found);
-            note(places[j], places[i], found.ratio, found);
-        }
+    AlikeGroups groups(places.size());
+    std::vector<Share> shares;
+    for (std::size_t k = 0; k < places.size(); ++k)
+        groups.add(k, [&](std::size_t earlier, std::size_t later) {
+            Share share{earlier, later, {}};
+            if (!is_shared(places[earlier], places[later], share.found)) return false;
+            shares.push_back(share);
+            return true;
+        });
+    std::ranges::sort(shares, {}, [](const Share& share) {
+        return std::pair(share.first, share.second);
+    });
+    for (const Share& share : shares)
+        if (!groups.is_large(share.first))
+            note_pair(places[share.first], places[share.second], share.found);
+    for (const std::vector<std::size_t>& group : groups.large_groups())
+        note_group(places, group);
 }
 
 }  // namespace bemcal::input

@@ -75,6 +75,8 @@ std::string read_bytes(const std::filesystem::path& path) {
 }
 
 std::string file_hash(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) return {};  // nor waited for
     try {
         return hash_of(read_bytes(path));
     } catch (const UserError&) {

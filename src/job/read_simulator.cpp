@@ -220,6 +220,7 @@ CommandOptions read_simulator(const schema::Section& simulator, input::InputFile
     read_command(simulator, options);
     check_use(simulator, options);
     options.time_limit_s = simulator.number("time_limit");
+    options.output_limit = 1e6 * simulator.number("output_limit");
     options.keep = simulator.choice_as<external::Keep>("keep");
     options.folder = simulator.has("folder") ? simulator.text("folder") : job + ".points";
     return options;

@@ -1,5 +1,5 @@
 /// Where a job file is: the one that is named, or the quickstart beside the program,
-/// beside its installation, or in a folder above it.
+/// beside its installation, or in a folder above it; and a script, not in one above.
 /// Plain search of files (/proc/self/exe, so Linux only). It does not read the job, nor
 /// look below a folder.
 #include "run/find_job.hpp"
@@ -13,21 +13,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
+fs::path own_folder() {
+    std::error_code error;
+    return fs::read_symlink("/proc/self/exe", error).parent_path();
+}
+
+fs::path installed_beside(const fs::path& folder) {
+    return folder.parent_path() / "share" / "bemcal";
+}
+
 /// Beside the program, installed beside it, in the folders above it, then the built-in
 /// ones.
 std::vector<fs::path> candidates(const std::vector<fs::path>& shared) {
-    std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    const fs::path own = own_folder();
     std::vector<fs::path> folders;
-    if (!error) {
-        folders.push_back(program.parent_path());
-        folders.push_back(program.parent_path().parent_path() / "share" / "bemcal");
-        for (fs::path above = program.parent_path(); above.has_relative_path();
-             above = above.parent_path())
+    if (!own.empty()) {
+        folders = {own, installed_beside(own)};
+        for (fs::path above = own; above.has_relative_path(); above = above.parent_path())
             folders.push_back(above.parent_path());
     }
     folders.insert(folders.end(), shared.begin(), shared.end());
     return folders;
+}
+
+std::optional<fs::path> first_with(const fs::path& file,
+                                   const std::vector<fs::path>& folders) {
+    for (const fs::path& folder : folders)
+        if (fs::exists(folder / file)) return folder / file;
+    return std::nullopt;
 }
 
 }  // namespace
@@ -41,16 +54,18 @@ fs::path job_file(const fs::path& named) {
     return !fs::exists(job) && fs::exists(named / "job.toml") ? named / "job.toml" : job;
 }
 
-std::optional<fs::path> find_beside(const fs::path& file,
+std::optional<fs::path> find_script(const fs::path& script,
                                     const std::vector<fs::path>& shared) {
-    for (const fs::path& folder : candidates(shared))
-        if (fs::exists(folder / file)) return folder / file;
-    return std::nullopt;
+    const fs::path own = own_folder();
+    std::vector<fs::path> folders;
+    if (!own.empty()) folders.push_back(installed_beside(own));
+    folders.insert(folders.end(), shared.begin(), shared.end());
+    return first_with(script, folders);
 }
 
 fs::path find_quickstart(const std::vector<fs::path>& shared) {
     const fs::path job = fs::path("jobs") / "quickstart" / "quickstart.toml";
-    if (const auto found = find_beside(job, shared)) return *found;
+    if (const auto found = first_with(job, candidates(shared))) return *found;
     std::string looked;
     for (const fs::path& folder : candidates(shared))
         looked += "\n  " + (folder / job).string();

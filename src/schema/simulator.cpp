@@ -19,6 +19,8 @@ constexpr Key table[] = {
      "The command is one text for /bin/sh."},
     {"simulator", "time_limit", Type::number, "s", "600", 0.01, 1e7,
      "Of one point: then the command is ended, with all that it started."},
+    {"simulator", "output_limit", Type::number, "MB", "1000", 0.001, 1e9,
+     "Of each file that it writes: the command is ended there."},
     {"simulator", "template", Type::tables, "", "", 0, 0, "[[simulator.template]]"},
     {"simulator", "files", Type::texts, "", "", 0, 0,
      "Other files that it reads: they are linked into the folder of every point."},

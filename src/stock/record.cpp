@@ -9,6 +9,7 @@
 #include "study/columns.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <map>
@@ -174,6 +175,11 @@ class DailyColumns {
     std::vector<double> counts_, all_;
 };
 
+/// A day that a calendar of some thousand years has.
+bool is_day(double day) {
+    return std::abs(day) < 1e6;
+}
+
 void read_daily(const std::vector<study::Dataset>& datasets,
                 std::vector<StockRecord>& records) {
     const auto* counts = study::find_dataset(datasets, group + "/stock_daily_n");
@@ -272,6 +278,8 @@ std::vector<StockRecord> records_in(const std::vector<study::Dataset>& datasets)
         read_list<Row>(datasets, dim, visit, records);
     });
     read_daily(datasets, records);
+    for (StockRecord& record : records)
+        if (!is_day(record.daily_start)) record.daily.clear();
     return records;
 }
 

@@ -9,8 +9,9 @@
 
 namespace bemcal::stock {
 
-/// Adds a finding to both. Two buildings that nothing was done with keep what an earlier
-/// night found of them.
+/// Adds a finding to both; of more than AlikeGroups::most_listed buildings that show one
+/// meter, one to each, with the first names and how many they are. Two buildings that
+/// nothing was done with keep what an earlier night found of them.
 void find_shared_meters(std::vector<StockRecord>& records);
 
 /// Of a record, what find_shared_meters looks at and what it found: little, as those of

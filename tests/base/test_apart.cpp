@@ -44,7 +44,7 @@ TEST(Apart, ACrashIsToldInWords) {
 TEST(Apart, ALoopWithoutEndComesToOne) {
     Apart apart(
         [](std::FILE*) {
-            for (volatile int k = 0;; k = k + 1) continue;
+            for (const volatile bool goes_on = true; goes_on;) continue;
         },
         {1, std::size_t{1} << 30});
     EXPECT_EQ(answer_of(apart), "");

@@ -119,6 +119,28 @@ TEST(CommandSimulator, EveryWayToFailHasItsReason) {
     EXPECT_EQ(reason(no_folder), "its folder cannot be made: Not a directory");
 }
 
+TEST(CommandSimulator, APipeADeviceOrALinkIsNoOutputAndNotWaitedFor) {
+    const Folder folder;
+    EXPECT_EQ(reason(script(folder, "mkfifo out.csv")),
+              "no sum: out.csv: is no regular file");
+    EXPECT_EQ(reason(script(folder, "mkdir out.csv")),
+              "no sum: out.csv: is no regular file");
+    EXPECT_EQ(reason(script(folder, "ln -s /dev/zero out.csv")),
+              "no sum: out.csv: is a link");
+    EXPECT_EQ(reason(script(folder, "rm stderr.txt; mkfifo stderr.txt; exit 3")),
+              "exit code 3");
+}
+
+TEST(CommandSimulator, AnOutputHasALimit) {
+    const Folder folder;
+    CommandOptions options =
+        script(folder, "exec dd if=/dev/zero of=out.csv bs=4096 count=100");
+    options.output_limit = 2e5;
+    EXPECT_TRUE(
+        reason(options).starts_with("ended as a file reached output_limit = 0.2 MB"))
+        << reason(options);
+}
+
 TEST(CommandSimulator, AReasonDoesNotTellWhereItRan) {
     const Folder folder;
     EXPECT_EQ(reason(script(folder, "echo $PWD/in is odd >&2; exit 1")),

@@ -84,6 +84,14 @@ TEST(OutputRule, WhatIsNotThereHasAReason) {
     EXPECT_EQ(absent.read(column("a")).failure, "out.csv: it has not been written");
 }
 
+TEST(OutputRule, AFileAboveItsLimitIsNotRead) {
+    const Folder folder;
+    folder.write("out.csv", "a\n1\n");
+    EXPECT_EQ(WrittenFiles(folder.path(), 4).read(column("a")).value, 1);
+    EXPECT_EQ(WrittenFiles(folder.path(), 3).read(column("a")).failure,
+              "out.csv: is larger than its limit: 4 bytes, but output_limit = 3e-06 MB");
+}
+
 TEST(OutputRule, APatternFindsNumbersInAnyText) {
     const char* text = "step 1 heat= 5 kWh\nstep 2 heat= 7.5 kWh\r\ndone\n";
     EXPECT_EQ(read(text, pattern("heat= *([0-9.]+)", Take::sum)).value, 12.5);

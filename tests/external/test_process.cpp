@@ -9,6 +9,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace bemcal::external {
@@ -90,6 +91,76 @@ TEST(Process, WhatItLeavesBehindGoesWithIt) {
     EXPECT_EQ(ended.how, Ending::exited);
     EXPECT_EQ(ended.number, 0);
     EXPECT_TRUE(goes(folder, "child"));
+}
+
+/// In a session of its own, whose parent has gone.
+constexpr const char* daemon_text =
+    "setsid sh -c 'setsid sleep 600 & echo $! > child; sleep 600' & "
+    "while [ ! -s child ]; do sleep 0.01; done; ";
+
+TEST(Process, ASessionOfItsOwnGoesWithItToo) {
+    const Folder folder;
+    EXPECT_EQ(run_command(shell(folder, daemon_text)).how, Ending::exited);
+    EXPECT_TRUE(goes(folder, "child"));
+}
+
+TEST(Process, AndAtTheTimeLimit) {
+    const Folder folder;
+    EXPECT_EQ(run_command(shell(folder, std::string(daemon_text) + "sleep 600", 0.5)).how,
+              Ending::time_limit);
+    EXPECT_TRUE(goes(folder, "child"));
+}
+
+TEST(Process, WhatKillsItsOwnGroupDoesNotReachUs) {
+    const Folder folder;
+    const Ended ended = run_command(shell(folder, "kill -TERM 0; sleep 600"));
+    EXPECT_EQ(ended.how, Ending::killed);
+    EXPECT_EQ(ended.number, SIGTERM);
+}
+
+TEST(Process, ItsFilesEndAtTheirLimit) {
+    const Folder folder;
+    Command command = shell(folder, "exec dd if=/dev/zero of=large bs=4096 count=100");
+    command.output_limit = 100000;
+    const Ended ended = run_command(command);
+    EXPECT_EQ(ended.how, Ending::killed);
+    EXPECT_EQ(ended.number, SIGXFSZ);
+    EXPECT_LE(std::filesystem::file_size(folder / "large"), 100000U);
+}
+
+/// Waits until the file says something.
+std::string first_text(const Folder& folder, const std::string& file) {
+    while (folder.text(file).empty())
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return folder.text(file);
+}
+
+TEST(Process, EverythingEndsWhenWeAreKilled) {
+    const Folder folder;
+    const pid_t we = ::fork();
+    if (we == 0) {
+        run_command(shell(folder, std::string(daemon_text) + "echo $$ > own; sleep 600"));
+        ::_exit(0);
+    }
+    first_text(folder, "own");
+    ::kill(we, SIGKILL);
+    ::waitpid(we, nullptr, 0);
+    EXPECT_TRUE(goes(folder, "own"));
+    EXPECT_TRUE(goes(folder, "child"));
+}
+
+TEST(Process, StandardStreamsThatAreClosedDoNotStandInTheWay) {
+    const Folder folder;
+    const pid_t we = ::fork();
+    if (we == 0) {
+        for (const int stream : {0, 1, 2}) ::close(stream);
+        const Ended ended = run_command(shell(folder, "echo yes; exit 5"));
+        ::_exit(ended.how == Ending::exited ? ended.number : 1);
+    }
+    int status = 0;
+    ::waitpid(we, &status, 0);
+    EXPECT_EQ(WEXITSTATUS(status), 5);
+    EXPECT_EQ(folder.text("out"), "yes\n");
 }
 
 /// The last one: nothing starts after it.

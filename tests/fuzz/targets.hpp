@@ -10,10 +10,34 @@
 #include "input/series.hpp"
 #include "input/stamps.hpp"
 #include "job/small_office.hpp"
+#include "job/stock.hpp"
 
 #include <string>
 
 namespace bemcal::job {
+
+/// A day of an EPW file.
+inline std::string small_epw() {
+    std::string text =
+        "LOCATION,Town,-,-,-,0,23.1,113.3,8.0,21\nDESIGN CONDITIONS,0\n"
+        "TYPICAL/EXTREME PERIODS,0\nGROUND TEMPERATURES,0\nHOLIDAYS/DAYLIGHT "
+        "SAVINGS,No,0,0,0\n"
+        "COMMENTS 1,-\nCOMMENTS 2,-\nDATA PERIODS,1,1,Data,Sunday,1/1,12/31\n";
+    for (int hour = 1; hour <= 24; ++hour)
+        text += fmt::format(
+            "2021,1,1,{},60,-,10.0,5.0,70,101325,0,0,300,0,0,0,0,0,0,0,180,2.0,5,"
+            "5,10,77777,9,999999999,0,0,0,88,0,0,0\n",
+            hour);
+    return text;
+}
+
+/// A stock of two lines.
+inline std::string small_table() {
+    return "name,meter,floor_area,floors,weather,outdoor_temperature,global_horizontal,"
+           "latitude,longitude,utc_offset,electricity,electricity_column\n"
+           "one,measured.csv,500,2,weather.csv,T_out_C,DNI,50,8,1,measured.csv,elec_kWh\n"
+           "two,measured.csv,90,,weather.csv,T_out_C,DNI,50,8,1,,\n";
+}
 
 inline void try_job(const std::string& text) {
     static const std::string weather = small_weather(), readings = small_readings();
@@ -26,6 +50,34 @@ inline void try_job(const std::string& text) {
     try {
         read_job("office.toml", files);
     } catch (const UserError&) {
+    }
+}
+
+/// A stock whose table is the text: its lines by a template, and as boxes of their own.
+inline void try_stock(const std::string& text) {
+    static const std::string weather = small_weather(), readings = small_readings();
+    static const std::string building = small_stock_building();
+    for (const char* by : {"template = \"building.toml\"\n", ""}) {
+        const std::string job_text = fmt::format(
+            "seed = 3\n[stock]\ntable = \"stock.csv\"\n{}[[study]]\nkind = "
+            "\"screening\"\nn_points = 16\n",
+            by);
+        input::InputFiles files([&](const std::filesystem::path& path) -> std::string {
+            if (path.filename() == "job.toml") return job_text;
+            if (path.filename() == "stock.csv") return text;
+            if (path.filename() == "building.toml") return building;
+            if (path.filename() == "weather.csv") return weather;
+            if (path.filename() == "measured.csv") return readings;
+            throw UserError(ExitCode::no_input, "no such file");
+        });
+        try {
+            const Job job = read_job("job.toml", files);
+            for (const StockLine& line : job.stock->lines) try {
+                    read_stock_building(job, line, files);
+                } catch (const UserError&) {
+                }
+        } catch (const UserError&) {
+        }
     }
 }
 

@@ -227,6 +227,22 @@ TEST(SharedMeters, AreStatedAtBothAndNeverChanged) {
     EXPECT_EQ(buildings[1].meters[0].values, share.values);
 }
 
+TEST(SharedMeters, OfManyBuildingsAreStatedOnceAtEach) {
+    std::vector<study::Case> buildings;
+    for (int k = 0; k < 14; ++k) {
+        input::RegularSeries share = electricity(0);
+        scale_from(share, 0, 1 + k);
+        buildings.push_back(building_with(share));
+        buildings.back().name = fmt::format("house {}", k);
+    }
+    input::check_shared_meters(buildings);
+    for (const study::Case& building : buildings)
+        EXPECT_EQ(building.decisions.size(), 1U);
+    EXPECT_TRUE(buildings[5].decisions[0].finding.starts_with(
+        "shared with elec of house 0 and 12 more: 6 times its reading"))
+        << buildings[5].decisions[0].finding;
+}
+
 /// The decisions of the sample job with a day of zeros in its electricity.
 std::vector<study::DataDecision> decisions_with(const std::string& lines) {
     const Folder folder;

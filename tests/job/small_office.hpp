@@ -64,6 +64,17 @@ inline std::string small_office_text() {
     return text_of(BEMCAL_ROOT "/tests/job/data/small_office.toml");
 }
 
+/// The sample without its studies, as the template of a stock: the readings' file is the
+/// column "meter".
+inline std::string small_stock_building() {
+    std::string text = small_office_text();
+    text = text.substr(0, text.find("[[study]]"));
+    text = replaced(text, "name = \"small_office\"\nseed = 7\n", "");
+    for (int meter = 0; meter < 2; ++meter)
+        text = replaced(text, "file = \"measured.csv\"", "file = \"@meter@\"");
+    return text;
+}
+
 /// Writes the sample, changed at will, and its files; returns the job's path.
 inline std::filesystem::path write_small_office(
     const Folder& folder, const std::string& text = small_office_text()) {

@@ -57,22 +57,16 @@ TEST(Mutations, OfJobsEndInAnAnswerOrAUserError) {
     try_many(small_office_text(), 300, [](const std::string& text) { try_job(text); });
 }
 
+TEST(Mutations, OfStockTablesEndInAnAnswerOrAUserError) {
+    try_many(small_table(), 200, [](const std::string& text) { try_stock(text); });
+}
+
 TEST(Mutations, OfCsvFilesEndInAnAnswerOrAUserError) {
     try_many(small_readings(48), 600, [](const std::string& text) { try_csv(text); });
 }
 
 TEST(Mutations, OfEpwFilesEndInAnAnswerOrAUserError) {
-    std::string text =
-        "LOCATION,Town,-,-,-,0,23.1,113.3,8.0,21\nDESIGN CONDITIONS,0\n"
-        "TYPICAL/EXTREME PERIODS,0\nGROUND TEMPERATURES,0\nHOLIDAYS/DAYLIGHT "
-        "SAVINGS,No,0,0,0\n"
-        "COMMENTS 1,-\nCOMMENTS 2,-\nDATA PERIODS,1,1,Data,Sunday,1/1,12/31\n";
-    for (int hour = 1; hour <= 24; ++hour)
-        text += fmt::format(
-            "2021,1,1,{},60,-,10.0,5.0,70,101325,0,0,300,0,0,0,0,0,0,0,180,2.0,5,"
-            "5,10,77777,9,999999999,0,0,0,88,0,0,0\n",
-            hour);
-    try_many(text, 600, [](const std::string& changed) { try_epw(changed); });
+    try_many(small_epw(), 600, [](const std::string& text) { try_epw(text); });
 }
 
 TEST(Mutations, OfGzipEndInAnAnswerOrAUserError) {

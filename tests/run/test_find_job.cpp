@@ -19,5 +19,18 @@ TEST(JobFile, OfAFolderIsTheOneOfItsNameElseJobToml) {
     EXPECT_EQ(job_file(office), office / "office.toml");
 }
 
+TEST(Script, IsNeverTakenFromAFolderAboveTheProgramOrTheWorkingFolder) {
+    const test::TemporaryFolder folder;
+    const auto above = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+    for (const auto& place : {above, std::filesystem::path("."), folder.path()}) {
+        const auto script = place / "scripts_of_a_test";
+        std::ofstream(script) << "\n";
+        EXPECT_FALSE(find_script("scripts_of_a_test", {}));
+        std::filesystem::remove(script);
+    }
+    folder.write("one", "");
+    EXPECT_EQ(find_script("one", {"/nowhere", folder.path()}), folder / "one");
+}
+
 }  // namespace
 }  // namespace bemcal::run

@@ -22,15 +22,10 @@ constexpr const char* loop_study =
 class Stock3 {
   public:
     explicit Stock3(const std::string& study) {
-        std::string text = small_office_text();
-        text = text.substr(0, text.find("[[study]]"));
-        text = replaced(text, "name = \"small_office\"\nseed = 7\n", "");
-        for (int meter = 0; meter < 2; ++meter)
-            text = replaced(text, "file = \"measured.csv\"", "file = \"@meter@\"");
         folder_.write("weather.csv", small_weather());
         folder_.write("one.csv", small_readings());
         folder_.write("two.csv", small_readings());
-        folder_.write("building.toml", text);
+        folder_.write("building.toml", small_stock_building());
         folder_.write("stock.csv",
                       "name,meter\none,one.csv\ntwo,two.csv\nthree,three.csv\n");
         folder_.write("job.toml",

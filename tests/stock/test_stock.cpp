@@ -155,6 +155,51 @@ TEST(StockShared, LooksAnewWhereOneOfTwoWasWorkedOnOrIsGone) {
     EXPECT_TRUE(others[0].findings.empty());
 }
 
+/// As many that show one meter, behind others of their own.
+std::vector<stock::StockRecord> many_buildings(std::size_t n_alike,
+                                               std::size_t n_others) {
+    std::vector<stock::StockRecord> records(n_alike + n_others, some_record());
+    for (std::size_t k = 0; k < records.size(); ++k) {
+        records[k].findings.clear();
+        records[k].age = 0;
+        records[k].name = "house " + std::to_string(k);
+        records[k].daily = some_days(1 + 0.5 * static_cast<double>(k), 0);
+        for (std::size_t day = 0; day < 180 && k >= n_alike; ++day)
+            records[k].daily[day] *=
+                1 + 0.4F * std::sin(static_cast<float>((k + 3) * (day + 5) * day % 977));
+    }
+    return records;
+}
+
+TEST(StockShared, ALargeGroupIsToldOnceToEachMember) {
+    auto records = many_buildings(12, 3);
+    for (int night = 0; night < 2; ++night) {
+        stock::find_shared_meters(records);
+        for (std::size_t k = 0; k < 12; ++k) EXPECT_EQ(records[k].findings.size(), 1U);
+        EXPECT_EQ(records[0].findings[0].finding,
+                  "shared with house 1 and 10 more (house 2, house 3, house 4, house 5, "
+                  "...): 0.6667 times its daily sums, over 180 days");
+        EXPECT_EQ(records[11].findings[0].finding,
+                  "shared with house 0 and 10 more (house 1, house 2, house 3, house 4, "
+                  "...): 6.5 times its daily sums, over 180 days");
+        for (std::size_t k = 12; k < 15; ++k) EXPECT_TRUE(records[k].findings.empty());
+        for (stock::StockRecord& record : records) record.age = 1;
+    }
+    records.resize(10);  // a small one now
+    stock::find_shared_meters(records);
+    EXPECT_EQ(records[3].findings.size(), 9U);
+    EXPECT_EQ(records[3].findings[8].finding,
+              "shared with house 9: 0.4545 times its daily sums, over 180 days");
+}
+
+TEST(StockShared, FindingsGrowWithTheBuildingsNotWithTheirPairs) {
+    auto records = many_buildings(600, 50);
+    stock::find_shared_meters(records);
+    std::size_t n_findings = 0;
+    for (const stock::StockRecord& record : records) n_findings += record.findings.size();
+    EXPECT_EQ(n_findings, 600U);
+}
+
 TEST(StockReadings, AreASharesPulsesWhereTheyAreMultiplesOfNoRoundNumber) {
     std::vector<double> shares, litres, plain;
     for (int k = 0; k < 4000; ++k) {
