@@ -5,6 +5,7 @@
 /// Leaves out half days, extra working days, and meters read by the month.
 #include "loop/closed_days.hpp"
 
+#include "base/machine.hpp"
 #include "effects/catalogue.hpp"
 
 #include <algorithm>
@@ -132,7 +133,8 @@ std::optional<effects::Effect> closed_days(const LoopData& data, const Place& pl
     try {
         for (int pass = 0; pass < apart; ++pass)
             add_days(data, place, standing, pass, sums);
-    } catch (const std::exception&) {
+    } catch (const std::exception& error) {
+        rethrow_of_machine(error);
         return std::nullopt;  // nothing is scheduled
     }
     const std::map<int, double> shares = shares_of(sums);

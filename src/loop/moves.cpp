@@ -5,6 +5,7 @@
 /// Two effects are never moved together. New ones are found by `search`.
 #include "loop/moves.hpp"
 
+#include "base/machine.hpp"
 #include "loop/gates.hpp"
 
 #include <algorithm>
@@ -65,7 +66,8 @@ Standing with_in_place(const LoopData& data, const Place& place, const Standing&
     tried.model.effects[change.index] = change.effect;
     try {
         tried.built = build(place, tried.model.effects);
-    } catch (const std::exception&) {
+    } catch (const std::exception& error) {
+        rethrow_of_machine(error);
         tried.fit.failed = true;
         return tried;
     }
@@ -207,7 +209,8 @@ bool split(const LoopData& data, const Place& place, Standing& standing,
     tried.model.effects.push_back(use);
     try {
         tried.built = build(place, tried.model.effects);
-    } catch (const std::exception&) {
+    } catch (const std::exception& error) {
+        rethrow_of_machine(error);
         return false;
     }
     std::vector<double> start = standing.fit.at.x;

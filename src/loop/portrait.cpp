@@ -4,6 +4,7 @@
 /// Days count as independent. Causes are left to `search`.
 #include "loop/portrait.hpp"
 
+#include "base/machine.hpp"
 #include "effects/profiles.hpp"
 #include "loop/search.hpp"
 
@@ -71,7 +72,8 @@ std::vector<double> series_of(const Place& place, Driver driver) {
     if (!effects::is_known(effect, *place.surroundings)) return {};
     try {
         return effects::profile_of(effect, *place.surroundings);
-    } catch (const std::exception&) {
+    } catch (const std::exception& error) {
+        rethrow_of_machine(error);
         return {};  // schedules are no series
     }
 }

@@ -3,6 +3,7 @@
 /// Source: Chernozhukov, Chetverikov and Kato 2013 (multiplier bootstrap of the largest
 /// statistic) for what noise alone shows.
 /// Curvature is left out; `search` refits in full.
+#include "base/machine.hpp"
 #include "base/random.hpp"
 #include "loop/search.hpp"
 #include "stats/distributions.hpp"
@@ -196,7 +197,8 @@ std::vector<Screened> screen(const LoopData& data, const Place& place,
     for (const effects::Effect& effect : candidates) {
         try {
             screened.push_back(screen_one(data, place, standing, tangent, effect, keep));
-        } catch (const std::exception&) {
+        } catch (const std::exception& error) {
+            rethrow_of_machine(error);
             continue;  // It cannot enter this building, or moves nothing: no candidate.
         }
     }

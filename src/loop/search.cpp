@@ -5,6 +5,7 @@
 /// once.
 #include "loop/search.hpp"
 
+#include "base/machine.hpp"
 #include "effects/catalogue.hpp"
 #include "loop/closed_days.hpp"
 #include "loop/consistency.hpp"
@@ -185,7 +186,8 @@ std::vector<Refitted> refit_all(const LoopData& data, const Place& place,
                 evidence(data, standing, candidate.standing) - occam(*screened);
             drop_derivatives(candidate.standing);
             ranking.push_back(std::move(candidate));
-        } catch (const std::exception&) {
+        } catch (const std::exception& error) {
+            rethrow_of_machine(error);
             continue;  // It cannot enter together with the others: no candidate.
         }
     }
