@@ -243,7 +243,7 @@ class Talker {
         guarded(options_.on_tick);
         ask_for_stop(options_.should_stop ? options_.should_stop() : Stopping::no);
         // A signal to all of us may have ended what an item had started.
-        if (asked_ == Stopping::no) guarded([&] { pool_.check(); });
+        if (asked_ == Stopping::no && !is_stopping_) guarded([&] { pool_.check(); });
         if (leave_at_ && Clock::now() >= *leave_at_) pool_.leave_running();
         if (is_stopping_ && !has_stopped_ && pool_.is_idle()) {
             has_stopped_ = true;
