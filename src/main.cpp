@@ -1,7 +1,8 @@
 /// The command line: one command for each thing a user does; rank 0 speaks for all ranks.
 /// Source: exit codes of BSD's sysexits; CLI11 parses. Without a command it is `run`.
 /// How a job runs is left to `run_job`, what it costs to `plan`, tables to the report.
-#include "base/error.hpp"
+#include "base/machine.hpp"
+#include "base/terminal.hpp"
 #include "effects/catalogue.hpp"
 #include "external/process.hpp"
 #include "plan/plan.hpp"
@@ -10,6 +11,7 @@
 #include "report/stock_files.hpp"
 #include "report/tables.hpp"
 #include "run/find_job.hpp"
+#include "run/last_words.hpp"
 #include "run/output_place.hpp"
 #include "run/run_job.hpp"
 #include "run/signals.hpp"
@@ -20,8 +22,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -52,8 +56,10 @@ constexpr const char* footer =
     "Without an argument it runs the quickstart. In front of it, `mpirun -np N` starts N "
     "ranks.\n"
     "Exit codes: 0 done, 1 written but a target was missed (not converged), 64 command "
-    "line,\n65 data, 66 input missing, 70 program error, 73 output exists or cannot be "
-    "made,\n74 reading or writing failed, 75 stopped (go on with --resume), 78 job file.";
+    "line,\n65 data, also a damaged result, 66 input missing, 70 program error, 71 no "
+    "memory or\nthreads, 73 output exists or cannot be made, 74 reading or writing "
+    "failed, "
+    "75 stopped\n(go on with --resume), 78 job file.";
 
 void add_run(CLI::App& app, CommandLine& line) {
     CLI::App* run =
@@ -146,15 +152,13 @@ std::vector<std::string> arguments(int argc, char** argv) {
 }
 
 void print_warning(const std::string& text) {
-    fmt::print(stderr, "bemcal-batch: {}\n", text);
-    std::fflush(stderr);
+    print(stderr, fmt::format("bemcal-batch: {}\n", text));
 }
 
 void print_tables(const store::ResultFile& result) {
     const std::string text = report::tables_of(result);
     if (text.empty()) return;
-    fmt::print("{}\n", text);
-    std::fflush(stdout);
+    print(stdout, text + "\n");
 }
 
 /// What is wrong with a result's content is told with the name of its file.
@@ -176,7 +180,14 @@ std::optional<Clock::time_point> stop_at(const CommandLine& line) {
 
 /// Table, history and page of a night.
 void write_stock(const run::OutputNames& names, const run::JobOptions& options) {
-    report::write_stock_files(names, store::read_result(names.result, "stock"));
+    try {
+        report::write_stock_files(names, store::read_result(names.result, "stock"));
+    } catch (const UserError& error) {
+        throw UserError(error.exit_code(),
+                        fmt::format("{}; the result is whole, and --resume writes its "
+                                    "table and history",
+                                    error.what()));
+    }
     print_warning(fmt::format("wrote {}; nights: {}", names.table.string(),
                               names.history.string()));
     if (options.pages)
@@ -216,11 +227,12 @@ ExitCode run_command(run::Comm& comm, const CommandLine& line) {
 ExitCode check_command(const CommandLine& line, int n_ranks) {
     const job::Job job = job::read_job(run::job_file(line.job));
     if (line.slurm) {
-        fmt::print("{}", plan::slurm_lines(plan::plan_cost(job), line.slurm_request));
+        print(stdout, plan::slurm_lines(plan::plan_cost(job), line.slurm_request));
         return ExitCode::ok;
     }
+    run::choose_output(job, {});  // which a run would refuse
     const auto cores = static_cast<int>(run::placement().cores.size());
-    fmt::print("{}", plan::plan_text(job, std::max(cores, n_ranks)));
+    print(stdout, plan::plan_text(job, std::max(cores, n_ranks)));
     return ExitCode::ok;
 }
 
@@ -229,19 +241,35 @@ ExitCode describe_command(const CommandLine& line) {
                              : line.topic == "results" ? store::describe_results()
                              : line.topic == "effects" ? effects::describe()
                                                        : job::describe_parameters();
-    fmt::print("{}", text);
+    print(stdout, text);
     return ExitCode::ok;
 }
 
 ExitCode status_command(const CommandLine& line) {
     if (run::is_unfinished(line.file)) {
-        fmt::print("{}: {}", line.file.string(),
-                   run::part_status(run::part_folder_of(line.file)));
+        print(stdout, fmt::format("{}: {}", line.file.string(),
+                                  run::part_status(run::part_folder_of(line.file))));
         return ExitCode::more_to_do;
     }
-    fmt::print("{}: {}", line.file.string(),
-               report::status_of(store::read_result(line.file)));
-    return ExitCode::ok;
+    const store::ResultFile result = store::read_result(line.file);
+    print(stdout, fmt::format("{}: {}", line.file.string(), report::status_of(result)));
+    return report::is_damaged(result) ? ExitCode::data : ExitCode::ok;
+}
+
+/// \param lines  what `status` says of each \return data where one is damaged
+ExitCode statuses_of(const CommandLine& line,
+                     const std::vector<store::ResultFile>& results,
+                     std::vector<std::string>& lines) {
+    ExitCode code = ExitCode::ok;
+    for (std::size_t k = 0; k < results.size(); ++k) {
+        lines.push_back(fmt::format("{}: {}\n", line.files[k].string(),
+                                    report::status_of(results[k])));
+        if (!report::is_damaged(results[k])) continue;
+        code = ExitCode::data;
+        print_warning(line.files[k].string() +
+                      ": is damaged: its numbers are not those that were written");
+    }
+    return code;
 }
 
 /// Each file with its tables; where chains were put together, all files come first.
@@ -250,19 +278,16 @@ ExitCode report_command(const CommandLine& line) {
     results.reserve(line.files.size());
     for (const fs::path& file : line.files) results.push_back(store::read_result(file));
     std::vector<std::string> lines;
-    lines.reserve(results.size());
-    for (std::size_t k = 0; k < results.size(); ++k)
-        lines.push_back(fmt::format("{}: {}\n", line.files[k].string(),
-                                    report::status_of(results[k])));
+    const ExitCode code = statuses_of(line, results, lines);
     const std::size_t n_files = results.size();
     const auto merged = report::merge_chains(std::move(results));
     for (std::size_t k = 0; k < n_files; ++k) {
-        fmt::print("{}", lines[k]);
+        print(stdout, lines[k]);
         if (merged.size() == n_files) print_tables_of(line.files[k], merged[k]);
     }
-    if (merged.size() == n_files) return ExitCode::ok;
+    if (merged.size() == n_files) return code;
     for (const store::ResultFile& result : merged) print_tables_of(line.files[0], result);
-    return ExitCode::ok;
+    return code;
 }
 
 /// Commands that one rank is enough for; the others have nothing to do.
@@ -277,7 +302,10 @@ ExitCode alone(run::Comm& comm, const CLI::App& app, const CommandLine& line) {
 /// Help and version are no errors; a command line that is wrong gets code 64.
 int parse_failed(const CLI::App& app, const CLI::ParseError& error, int rank) {
     const bool is_help = error.get_exit_code() == 0;
-    if (rank == 0) app.exit(error);
+    std::ostringstream out, complaint;
+    app.exit(error, out, complaint);
+    if (rank == 0) print(stdout, out.str());
+    if (rank == 0) print(stderr, complaint.str());
     return is_help ? 0 : static_cast<int>(ExitCode::usage);
 }
 
@@ -310,18 +338,34 @@ int reported_code(run::Comm& comm, int argc, char** argv) {
     }
 }
 
+/// What was printed into a full or closed stream is no success.
+int with_lost_output(int code) {
+    if (code != 0 || !is_output_lost()) return code;
+    print_warning("what was printed could not be written: the stream is full or closed");
+    return static_cast<int>(ExitCode::io);
+}
+
+/// One rank's end is the end of all.
+[[noreturn]] void abort(run::Comm& comm, const UserError& error) {
+    print_warning(fmt::format("rank {}: {}", comm.rank(), error.what()));
+    external::end_commands();
+    run::end_is_planned();
+    comm.abort(static_cast<int>(error.exit_code()));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+    open_standard_streams();
+    run::watch_for_unplanned_end();
     run::Comm comm(&argc, &argv);
     try {
-        const int code = reported_code(comm, argc, argv);
+        const int code = with_lost_output(reported_code(comm, argc, argv));
         external::end_commands();
+        run::end_is_planned();
         if (comm.has_left_threads()) comm.leave(code);
         return code;
-    } catch (const std::exception& error) {
-        print_warning(
-            fmt::format("program error on rank {}: {}", comm.rank(), error.what()));
-        comm.abort(static_cast<int>(ExitCode::software));
+    } catch (const std::exception&) {
+        abort(comm, as_user_error(std::current_exception()));
     }
 }

@@ -18,6 +18,7 @@ enum class ExitCode {
     data = 65,           ///< the content of a data file
     no_input = 66,       ///< a file that cannot be opened
     software = 70,       ///< our own mistake
+    os = 71,             ///< the machine refused memory, a thread or a process
     cannot_create = 73,  ///< an output that exists or cannot be made
     io = 74,             ///< reading or writing failed, the disk is full
     more_to_do = 75,     ///< stopped by a signal or a time limit; `--resume` goes on

@@ -4,6 +4,7 @@
 #include "base/terminal.hpp"
 
 #include <atomic>
+#include <csignal>
 #include <cstdint>
 #include <new>
 
@@ -93,6 +94,8 @@ std::string in_one_line(std::string_view text) {
 }
 
 void open_standard_streams() {
+    // Not ignored, which a program that we start would inherit.
+    std::signal(SIGPIPE, [](int) {});
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(stream, F_GETFD) == -1)  // the lowest free number is this one
             if (::open(stream == STDIN_FILENO ? "/dev/null" : "/dev/full", O_RDWR) < 0)

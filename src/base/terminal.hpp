@@ -18,7 +18,8 @@ std::string printable(std::string_view text);
 std::string in_one_line(std::string_view text);
 
 /// At the program's start: a standard stream that is closed is opened on a device that
-/// takes nothing, so that no file gets its number, and a lost line is noticed.
+/// takes nothing, so that no file gets its number; and a reader that goes away does not
+/// end the program. Either way a lost line is noticed.
 void open_standard_streams();
 
 /// Prints made printable, at once. Never throws.

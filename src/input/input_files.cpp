@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/hash.hpp"
+#include "base/machine.hpp"
 
 #include <cerrno>
 #include <cstdint>
@@ -56,6 +57,9 @@ std::string read_bytes(const std::filesystem::path& path) {
         throw UserError(ExitCode::no_input,
                         fmt::format("{}: is a folder; expected a file", path.string()));
     std::ifstream in(path, std::ios::binary);
+    if (!in && is_of_machine(errno))
+        throw MachineError(errno, fmt::format("{}: cannot be opened: {}", path.string(),
+                                              std::strerror(errno)));
     if (!in)
         throw UserError(ExitCode::no_input,
                         fmt::format("{}: cannot be opened ({})", path.string(),

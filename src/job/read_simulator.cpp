@@ -209,6 +209,16 @@ void check_use(const schema::Section& simulator, const CommandOptions& options) 
     }
 }
 
+/// The points' folders lie in it.
+void check_folder(const schema::Section& simulator, const fs::path& folder) {
+    std::error_code ignored;
+    if (fs::exists(folder, ignored) && !fs::is_directory(folder, ignored))
+        simulator.fail("folder",
+                       fmt::format("{} is a file; expected the name of a folder "
+                                   "for the points",
+                                   folder.string()));
+}
+
 }  // namespace
 
 CommandOptions read_simulator(const schema::Section& simulator, input::InputFiles& files,
@@ -223,6 +233,7 @@ CommandOptions read_simulator(const schema::Section& simulator, input::InputFile
     options.output_limit = 1e6 * simulator.number("output_limit");
     options.keep = simulator.choice_as<external::Keep>("keep");
     options.folder = simulator.has("folder") ? simulator.text("folder") : job + ".points";
+    check_folder(simulator, options.folder);
     return options;
 }
 

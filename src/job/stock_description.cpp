@@ -5,7 +5,7 @@
 /// Leaves out cooling, neighbours, and other uses than offices'.
 #include "job/stock_description.hpp"
 
-#include "base/error.hpp"
+#include "base/machine.hpp"
 #include "input/stock_readings.hpp"
 #include "physics/calendar.hpp"
 
@@ -269,6 +269,7 @@ class Writer {
         try {
             return physics::parse_time((cell.empty() ? fallback : cell).substr(0, 10));
         } catch (const std::exception& error) {
+            rethrow_unless_answer(error);
             fail(column, error.what());
         }
     }

@@ -5,6 +5,7 @@
 /// The page is made by the report's script. The noise floor is not known here: it is NaN.
 #include "loop/results.hpp"
 
+#include "base/machine.hpp"
 #include "effects/catalogue.hpp"
 #include "loop/intervals.hpp"
 #include "loop/late_clock.hpp"
@@ -358,6 +359,7 @@ class Writer {
             return hours_of(data_, result_.baseline, *standings_of(result_)[model],
                             drive);
         } catch (const std::exception& error) {
+            rethrow_of_machine(error);
             decisions_.push_back({"period " + period.name, error.what(),
                                   "not predicted by '" + loop_.models[model] + "'",
                                   study::DecisionKind::period});

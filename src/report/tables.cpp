@@ -129,6 +129,10 @@ std::string tables_of(const store::ResultFile& result) {
     return text;
 }
 
+bool is_damaged(const store::ResultFile& result) {
+    return !store::is_sound(result);
+}
+
 std::string status_of(const store::ResultFile& result) {
     const std::string now = store::result_hash(result);
     const std::string missed = shortfall_lines(result);
@@ -145,6 +149,8 @@ std::string status_of(const store::ResultFile& result) {
             to_rerun->second);
     if (now != result.hash)
         text += fmt::format("  DAMAGED: its content has hash {}\n", now);
+    else if (is_damaged(result))
+        text += "  DAMAGED: its units or /run are not those that were written\n";
     text += fmt::format("  result hash {}\n", result.hash);
     text += fmt::format(
         "  job {}, seed {}, version {}\n", value_or(result.attributes, "title"),

@@ -12,6 +12,9 @@ namespace bemcal::report {
 /// where they are damaged: another layout, or of lengths that do not go together.
 std::string tables_of(const store::ResultFile& result);
 
+/// Whether its content is not what was written, or not all of it.
+bool is_damaged(const store::ResultFile& result);
+
 /// For `status`: complete or not, the job, seed, version, hash (computed again), and the
 /// run.
 std::string status_of(const store::ResultFile& result);

@@ -4,6 +4,8 @@
 /// wide characters count as one.
 #include "report/text_table.hpp"
 
+#include "base/terminal.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,6 +34,12 @@ std::string padded(const std::string& cell, std::size_t width, bool to_right) {
 
 std::string cut(const std::string& cell, std::size_t widest) {
     return width_of(cell) <= widest ? cell : cell.substr(0, widest - 2) + "..";
+}
+
+/// A cell is one line, whatever a name holds.
+void TextTable::add(std::vector<std::string> row) {
+    for (std::string& cell : row) cell = in_one_line(cell);
+    rows_.push_back(std::move(row));
 }
 
 std::string TextTable::text(std::size_t widest) const {

@@ -8,8 +8,8 @@ namespace bemcal::report {
 
 class TextTable {
   public:
-    explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
-    void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+    explicit TextTable(std::vector<std::string> header) { add(std::move(header)); }
+    void add(std::vector<std::string> row);
     bool is_empty() const { return rows_.size() == 1; }
 
     /// Indented by two; cells that are wider than `widest` are cut with "..".

@@ -5,6 +5,7 @@
 /// order of blocks is schedule's. A dead rank is not replaced.
 #include "run/distribute.hpp"
 
+#include "base/machine.hpp"
 #include "run/pool.hpp"
 #include "run/schedule.hpp"
 #include "run/together.hpp"
@@ -226,8 +227,8 @@ class Talker {
         if (has_failed_ || !callback) return;
         try {
             callback();
-        } catch (const UserError& error) {
-            fail(error);
+        } catch (const std::exception&) {
+            fail(as_user_error(std::current_exception()));
         }
     }
 
@@ -241,6 +242,8 @@ class Talker {
     void watch() {
         guarded(options_.on_tick);
         ask_for_stop(options_.should_stop ? options_.should_stop() : Stopping::no);
+        // A signal to all of us may have ended what an item had started.
+        if (asked_ == Stopping::no && !is_stopping_) guarded([&] { pool_.check(); });
         if (leave_at_ && Clock::now() >= *leave_at_) pool_.leave_running();
         if (is_stopping_ && !has_stopped_ && pool_.is_idle()) {
             has_stopped_ = true;

@@ -5,6 +5,7 @@
 #include "run/pool.hpp"
 
 #include "base/error.hpp"
+#include "base/machine.hpp"
 #include "store/item_log.hpp"
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <exception>
 #include <list>
 #include <mutex>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -25,12 +27,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// An item that throws has failed as a whole; the batch goes on.
+/// An item that throws has failed as a whole; the batch goes on, unless no input is to
+/// blame.
 study::ItemAnswer answer_of(const study::Stage& stage, int item) {
     study::ItemAnswer answer;
     try {
         answer = stage.run(item);
     } catch (const std::exception& error) {
+        rethrow_unless_answer(error);
         answer = {};
         answer.error = error.what();
         if (answer.error.empty()) answer.error = "an error without a message";
@@ -60,6 +64,7 @@ struct Pool::State {
 
     void work();
     void run_item(std::unique_lock<std::mutex>& lock, std::list<Running>::iterator mine);
+    void take_in(Finished done, std::exception_ptr met);
     std::size_t n_running() const {
         return static_cast<std::size_t>(
             std::ranges::count(running, false, &Running::is_left_behind));
@@ -72,6 +77,7 @@ struct Pool::State {
     std::deque<int> waiting;
     std::list<Running> running;  ///< by a thread each
     std::vector<Finished> finished;
+    std::exception_ptr trouble;  ///< the first that is no item's answer
     bool is_closed = false;
     int n_working = 0;  ///< threads that are not left behind
     double busy_seconds = 0;
@@ -99,13 +105,28 @@ void Pool::State::run_item(std::unique_lock<std::mutex>& lock,
     const int item = mine->item;
     const auto begin = mine->begin;
     lock.unlock();
-    Bytes packed = store::pack(answer_of(stage, item));
+    Finished done{item, {}};
+    std::exception_ptr met;
+    try {
+        done.packed = store::pack(answer_of(stage, item));
+    } catch (...) {
+        met = std::current_exception();
+    }
     const std::chrono::duration<double> seconds = Clock::now() - begin;
     lock.lock();
     if (mine->is_left_behind) return;
     busy_seconds += seconds.count();
-    finished.push_back({item, std::move(packed)});
-    if (waiting.empty()) to_main.notify_one();
+    take_in(std::move(done), met);
+    if (waiting.empty() || trouble) to_main.notify_one();
+}
+
+void Pool::State::take_in(Finished done, std::exception_ptr met) {
+    try {
+        if (!met) finished.push_back(std::move(done));
+    } catch (const std::bad_alloc&) {
+        met = std::current_exception();
+    }
+    if (met && !trouble) trouble = met;
 }
 
 /// The team waits for its last member, so that a thread of its own holds it: the main
@@ -128,7 +149,7 @@ Pool::Pool(const study::Stage& stage, const PoolOptions& options)
     try {
         team_ = std::thread(team);
     } catch (const std::system_error& error) {
-        throw UserError(ExitCode::io,
+        throw UserError(ExitCode::os,
                         fmt::format("cannot start a compute thread: {}", error.what()));
     }
 }
@@ -181,6 +202,13 @@ std::vector<Finished> Pool::take(std::chrono::microseconds wait) {
             std::thread([state = state_] { state->work(); }).detach();
         }
     return std::exchange(state_->finished, {});
+}
+
+void Pool::check() const {
+    std::unique_lock lock(state_->mutex);
+    const std::exception_ptr trouble = state_->trouble;
+    lock.unlock();
+    if (trouble) throw as_user_error(trouble);
 }
 
 bool Pool::is_idle() const {

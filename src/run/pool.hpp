@@ -10,6 +10,7 @@
 #include "study/stage.hpp"
 
 #include <chrono>
+#include <exception>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -50,6 +51,9 @@ class Pool {
     /// Finished items and those over the limit, at the latest after `wait`; sooner where
     /// the threads run out of items.
     std::vector<Finished> take(std::chrono::microseconds wait);
+    /// Throws UserError where an item met what no input is to blame for: the machine had
+    /// no memory, say, or the program has a mistake. Such an item is not finished.
+    void check() const;
     bool is_idle() const;          ///< nothing waits, runs or is left to take
     bool has_left_behind() const;  ///< a thread still computes what nobody waits for
     double busy_seconds() const;   ///< of all compute threads, in finished items

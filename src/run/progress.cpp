@@ -4,6 +4,8 @@
 /// line every ten seconds, a terminal one that is written over.
 #include "run/progress.hpp"
 
+#include "base/terminal.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -57,15 +59,13 @@ void ProgressLine::show(const Progress& progress) {
     shown_ = now;
     const std::string text = progress_text(stage_, n_simulations_, progress, round_);
     if (is_terminal_)
-        fmt::print(stderr, "\r\x1b[K{:.100}", text);
+        print_raw(stderr, fmt::format("\r\x1b[K{:.100}", in_one_line(text)));
     else
-        fmt::print(stderr, "{}\n", text);
-    std::fflush(stderr);
+        print(stderr, text + "\n");
 }
 
 void ProgressLine::clear() {
-    if (is_terminal_) fmt::print(stderr, "\r\x1b[K");
-    std::fflush(stderr);
+    if (is_terminal_) print_raw(stderr, "\r\x1b[K");
 }
 
 }  // namespace bemcal::run

@@ -114,6 +114,12 @@ stock::StockNight night_of(const JobOptions& options, double hours, Work& work) 
     stock::StockNight night;
     night.version = options.version;
     if (!options.last_night.empty()) {
+        if (!store::is_sound(store::read_result(options.last_night)))
+            throw UserError(ExitCode::data,
+                            fmt::format("{}: is damaged: its content is not what was "
+                                        "written; take another night for --after, or do "
+                                        "that one again",
+                                        options.last_night.string()));
         const store::ResultFile last = store::read_result(options.last_night, "stock");
         store::check_layout(last);
         night.before = stock::records_in(last.datasets);

@@ -1,13 +1,13 @@
 /// Work that all ranks do at once, whose failure on one is the failure of all: exit code
 /// and message are gathered, and the first rank's is thrown everywhere.
-/// Our own rule, without a source. Errors of users and of the file system only: any other
-/// is a program error and ends the run.
+/// Our own rule, without a source. Errors of users and of the machine only: any other is
+/// a program error and ends the run.
 #include "run/together.hpp"
 
-#include "base/error.hpp"
+#include "base/machine.hpp"
 
 #include <cstring>
-#include <filesystem>
+#include <exception>
 
 #include <fmt/format.h>
 
@@ -27,8 +27,10 @@ Bytes attempt(const std::function<void()>& work) {
         work();
     } catch (const UserError& error) {
         return report_of(error.exit_code(), error.what());
-    } catch (const std::filesystem::filesystem_error& error) {
-        return report_of(ExitCode::io, error.what());
+    } catch (const std::exception&) {
+        const UserError error = as_user_error(std::current_exception());
+        if (error.exit_code() == ExitCode::software) throw;
+        return report_of(error.exit_code(), error.what());
     }
     return {};
 }

@@ -5,6 +5,7 @@
 #include "stock/calibration.hpp"
 
 #include "base/error.hpp"
+#include "base/machine.hpp"
 #include "calibration/screening.hpp"
 #include "input/input_files.hpp"
 #include "job/kind.hpp"
@@ -42,6 +43,7 @@ std::vector<ItemAnswer> answers_of(Stage& stage) {
             try {
                 answers.back() = stage.run(item);
             } catch (const std::exception& error) {
+                rethrow_unless_answer(error);
                 answers.back().error = error.what();
             }
         }

@@ -277,9 +277,9 @@ std::vector<StockRecord> records_in(const std::vector<study::Dataset>& datasets)
         using Row = std::ranges::range_value_t<decltype(rows)>;
         read_list<Row>(datasets, dim, visit, records);
     });
-    read_daily(datasets, records);
     for (StockRecord& record : records)
-        if (!is_day(record.daily_start)) record.daily.clear();
+        if (!is_day(record.daily_start)) record.daily_start = 0;
+    read_daily(datasets, records);
     return records;
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/hash.hpp"
+#include "base/machine.hpp"
 #include "input/input_files.hpp"
 #include "stock/calibration.hpp"
 #include "stock/drift.hpp"
@@ -152,6 +153,7 @@ class StockStage : public study::Stage {
             if (last != nullptr) find_drift(stock_.options, *last, result.record);
             find_error_drift(stock_.options, last, result.record);
         } catch (const std::exception& error) {
+            rethrow_unless_answer(error);
             result = {};
             result.record.status = "failed";
             result.record.reason = error.what();

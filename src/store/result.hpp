@@ -12,6 +12,7 @@ namespace bemcal::store {
 
 constexpr const char* complete_mark = "COMPLETE";
 constexpr const char* hash_mark = "result_hash";
+constexpr const char* labels_mark = "labels_hash";
 constexpr const char* run_group = "run";
 
 struct ResultFile {
@@ -21,6 +22,8 @@ struct ResultFile {
     std::vector<study::Dataset> datasets;  ///< each dimension has a coordinate or a size
     bool complete = false;
     std::string hash;  ///< filled by the reader and the writer
+    /// Of what that hash leaves out, /run and units; empty in files of older versions.
+    std::string labels_hash{};
 };
 
 }  // namespace bemcal::store

@@ -25,6 +25,7 @@ namespace bemcal::store {
 namespace {
 
 using study::Dataset;
+using Texts = std::map<std::string, std::string>;
 
 std::vector<const Dataset*> by_path(const std::vector<Dataset>& datasets) {
     std::vector<const Dataset*> sorted;
@@ -86,6 +87,11 @@ class Dimensions {
     std::map<std::string, std::size_t> sizes_;
 };
 
+/// As it is written.
+std::string unit_of(const Dataset& dataset) {
+    return dataset.unit.empty() ? layout_of(dataset).unit : dataset.unit;
+}
+
 void write_values(hdf5::File& file, const Dataset& dataset) {
     const LayoutRow& row = layout_of(dataset);
     if (row.kind == Kind::text)
@@ -93,8 +99,7 @@ void write_values(hdf5::File& file, const Dataset& dataset) {
                    std::span<const std::string>(dataset.texts));
     else
         file.write(dataset.path, dataset.shape, std::span<const double>(dataset.values));
-    file.write_attribute(dataset.path, "units",
-                         dataset.unit.empty() ? row.unit : dataset.unit);
+    file.write_attribute(dataset.path, "units", unit_of(dataset));
     file.write_attribute(dataset.path, "long_name", row.meaning);
     if (Dimensions::is_coordinate(dataset)) file.make_scale(dataset.path);
 }
@@ -123,6 +128,28 @@ void sync_file(const std::filesystem::path& path) {
     if (error != 0 && error != EINVAL) fail_at(path, "write to the disk", error);
 }
 
+void hash_texts(Hasher& hasher, const Texts& texts) {
+    for (const auto& [name, text] : texts) {
+        hasher.add(std::string_view(name));
+        hasher.add(std::string_view(text));
+    }
+}
+
+void hash_unit(Hasher& hasher, const std::string& path, const std::string& unit) {
+    hasher.add(std::string_view(path));
+    hasher.add(std::string_view(unit));
+}
+
+/// Of what a result's hash leaves out, as it is written.
+std::string labels_hash_of(const Texts& run, const std::vector<Dataset>& datasets) {
+    Hasher hasher;
+    hash_texts(hasher, run);
+    for (const Dataset* dataset : by_path(datasets))
+        hash_unit(hasher, dataset->path, unit_of(*dataset));
+    return hasher.hex();
+}
+
+/// The hashes and the mark come when the rest is on the disk.
 void write_file(const std::filesystem::path& file, const ResultFile& result,
                 const std::string& hash) {
     const auto begin = std::chrono::steady_clock::now();
@@ -132,41 +159,65 @@ void write_file(const std::filesystem::path& file, const ResultFile& result,
     sync_file(file);
     const std::chrono::duration<double> seconds =
         std::chrono::steady_clock::now() - begin;
-    out.write_attribute(run_group, "seconds_store",
-                        fmt::format("{:.3f}", seconds.count()));
+    Texts run = result.run;
+    run["seconds_store"] = fmt::format("{:.3f}", seconds.count());
+    out.write_attribute(run_group, "seconds_store", run["seconds_store"]);
+    out.write_attribute("/", labels_mark, labels_hash_of(run, result.datasets));
     out.write_attribute("/", hash_mark, hash);
     out.write_attribute("/", complete_mark, "yes");
     out.close();
 }
 
-void hash_attributes(Hasher& hasher, const ResultFile& result) {
-    for (const auto& [name, text] : result.attributes) {
-        hasher.add(std::string_view(name));
-        hasher.add(std::string_view(text));
+/// Follows a result that is read, and tells whether it is what was written.
+class Check {
+  public:
+    void take(const ResultFile& head) {
+        is_complete_ = head.complete;
+        hash_ = head.hash;
+        labels_hash_ = head.labels_hash;
+        hash_texts(content_, head.attributes);
+        hash_texts(labels_, head.run);
     }
-}
+    void take(const Dataset& dataset) {
+        hash_dataset(content_, dataset);
+        hash_unit(labels_, dataset.path, dataset.unit);
+    }
+    bool is_sound() const {
+        return is_complete_ && content_.hex() == hash_ &&
+               (labels_hash_.empty() || labels_.hex() == labels_hash_);
+    }
+    const std::string& hash() const { return hash_; }
 
-/// As result_hash of what a file of ours holds, a dataset at a time.
-std::string hash_on_disk(const std::filesystem::path& file) {
-    Hasher hasher;
+  private:
+    bool is_complete_ = false;
+    std::string hash_, labels_hash_;
+    Hasher content_, labels_;
+};
+
+/// A file of ours, a dataset at a time.
+bool reads_back(const std::filesystem::path& file, const std::string& hash) {
+    Check check;
     read_each_here(
-        file, [&](const ResultFile& head) { hash_attributes(hasher, head); },
-        [&](const Dataset& dataset) { hash_dataset(hasher, dataset); });
-    return hasher.hex();
+        file, [&](const ResultFile& head) { check.take(head); },
+        [&](const Dataset& dataset) { check.take(dataset); });
+    return check.is_sound() && check.hash() == hash;
 }
 
 }  // namespace
 
 std::string result_hash(const ResultFile& result) {
     Hasher hasher;
-    hash_attributes(hasher, result);
+    hash_texts(hasher, result.attributes);
     for (const Dataset* dataset : by_path(result.datasets))
         hash_dataset(hasher, *dataset);
     return hasher.hex();
 }
 
 bool is_sound(const ResultFile& result) {
-    return result.complete && result.hash == result_hash(result);
+    Check check;
+    check.take(result);
+    for (const Dataset* dataset : by_path(result.datasets)) check.take(*dataset);
+    return check.is_sound();
 }
 
 std::string write_result(const std::filesystem::path& file, const ResultFile& result,
@@ -177,7 +228,7 @@ std::string write_result(const std::filesystem::path& file, const ResultFile& re
                     is_beside ? file.filename().string() : "result");
     try {
         write_file(fresh.path(), result, hash);
-        if (hash_on_disk(fresh.path()) != hash)
+        if (!reads_back(fresh.path(), hash))
             throw hdf5::Error("what was written reads back as something else");
     } catch (const hdf5::Error& error) {
         throw UserError(ExitCode::io, fmt::format("{}: cannot write the result: {}",

@@ -33,7 +33,8 @@ ResultFile read_result(const std::filesystem::path& file, const std::string& gro
 /// The same without datasets.
 ResultFile read_head(const std::filesystem::path& file);
 
-/// Whether its content, all of it, has the hash that it says.
+/// Whether it is all what was written: its content, units and /run have the hashes that
+/// it says.
 bool is_sound(const ResultFile& result);
 
 }  // namespace bemcal::store

@@ -121,6 +121,7 @@ void pass_head(Wire& wire, Result& result) {
     wire(result.run);
     wire(result.complete);
     wire(result.hash);
+    wire(result.labels_hash);
 }
 
 template <class Wire, class Values>
@@ -143,6 +144,7 @@ ResultFile head_of(const hdf5::File& file) {
     head.attributes = file.attributes("/");
     head.complete = taken_from(head.attributes, complete_mark) == "yes";
     head.hash = taken_from(head.attributes, hash_mark);
+    head.labels_hash = taken_from(head.attributes, labels_mark);
     if (file.has(run_group)) head.run = file.attributes(run_group);
     if (!head.attributes.contains("program"))
         throw hdf5::Error("it is an HDF5 file, but bemcal-batch did not write it");

@@ -10,7 +10,10 @@
 #include <atomic>
 #include <fstream>
 #include <memory>
+#include <new>
+#include <system_error>
 #include <thread>
+#include <tuple>
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -380,6 +383,58 @@ TEST(Execute, ADiskThatFillsUpOnTheLastRankEndsAllAndLosesNothing) {
     EXPECT_NE(message.find("--resume"), std::string::npos) << message;
     expect_complete(folder, execute(world(), work_of(),
                                     options_of(folder / "a.h5", Existing::resume)));
+}
+
+/// One of its items meets something that no input is to blame for, as long as the flag is
+/// up.
+class Meeting : public FakeStage {
+  public:
+    Meeting(std::shared_ptr<std::atomic<bool>> is_there, std::function<void()> meets)
+        : FakeStage("a", {60, std::chrono::milliseconds(1), -1}),
+          is_there_(std::move(is_there)),
+          meets_(std::move(meets)) {}
+    study::ItemAnswer run(int item) const override {
+        if (item == 33 && *is_there_) meets_();
+        return FakeStage::run(item);
+    }
+
+  private:
+    std::shared_ptr<std::atomic<bool>> is_there_;
+    std::function<void()> meets_;
+};
+
+TEST(Execute, WhatTheMachineRefusesIsNeverAnAnswerAndTheRunGoesOnLater) {
+    const std::tuple<std::function<void()>, ExitCode, const char*> cases[] = {
+        {[] { throw std::bad_alloc(); }, ExitCode::os, "memory"},
+        {[] { throw std::system_error(EAGAIN, std::generic_category(), "thread"); },
+         ExitCode::os, "thread"},
+        {[] { throw std::system_error(ENOSPC, std::generic_category(), "file"); },
+         ExitCode::io, "file"},
+        {[] { throw std::logic_error("cannot be"); }, ExitCode::software,
+         "program error: cannot be"}};
+    for (const auto& [meets, code, words] : cases) {
+        const SharedFolder folder;
+        const auto is_there = std::make_shared<std::atomic<bool>>(true);
+        const auto work = [&] {
+            Work made;
+            made.stages.push_back(std::make_unique<Meeting>(is_there, meets));
+            made.identity = {{"version", "1"}};
+            made.frame.attributes = {{"program", "bemcal-batch"}};
+            return made;
+        };
+        std::string message;
+        EXPECT_EQ(
+            code_of(work(), options_of(folder / "a.h5", Existing::refuse), &message),
+            code);
+        EXPECT_NE(message.find(words), std::string::npos) << message;
+        EXPECT_NE(message.find("--resume"), std::string::npos) << message;
+        *is_there = false;
+        EXPECT_EQ(code_of(work(), options_of(folder / "a.h5", Existing::resume)),
+                  ExitCode::ok);
+        if (is_first()) {
+            EXPECT_TRUE(failed_reasons(folder).empty());
+        }
+    }
 }
 
 /// Calls something in the middle of a run, once, on rank 0.

@@ -131,6 +131,20 @@ TEST(ResultFile, ASealSaysWhetherTheContentIsWhatWasWritten) {
     EXPECT_FALSE(is_sound(read_result(folder / "a.h5")));
 }
 
+TEST(ResultFile, UnitsAndTheRunAreWatchedToo) {
+    const test::TemporaryFolder folder;
+    write_result(folder / "a.h5", example());
+    const ResultFile read = read_result(folder / "a.h5");
+    EXPECT_TRUE(is_sound(read));
+    ResultFile changed = read;
+    changed.datasets[2].unit += "x";
+    EXPECT_FALSE(is_sound(changed));
+    changed = read;
+    changed.run["failed"] = "";
+    EXPECT_FALSE(is_sound(changed));
+    EXPECT_EQ(result_hash(changed), read.hash);
+}
+
 TEST(ResultFile, ANameThatWasTakenMeanwhileIsKept) {
     const test::TemporaryFolder folder;
     std::filesystem::create_directory(folder / "part");
