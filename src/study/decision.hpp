@@ -7,7 +7,7 @@
 namespace bemcal::study {
 
 struct DataDecision {
-    std::string series;   ///< the meter or column
+    std::string series;   ///< the meter, column or file
     std::string finding;  ///< "46 h of zeros from 2013-04-02 00:00"
     std::string action;   ///< "masked", "kept", "scaled by 11.2"
 };

@@ -4,7 +4,7 @@
 
 #include "base/error.hpp"
 #include "input/checks.hpp"
-#include "input/csv.hpp"
+#include "input/csv_numbers.hpp"
 #include "input/epw.hpp"
 #include "input/input_files.hpp"
 #include "input/series.hpp"
