@@ -72,7 +72,7 @@ struct Record {
     std::string_view text;
     bool is_comment() const { return text.starts_with('#'); }
     /// Of nothing but separators, blanks and quotes.
-    bool is_blank() const { return text.find_first_not_of(" \t,;|\"\r\n") == none; }
+    bool is_blank() const { return text.find_first_not_of(" \t,;|\"\r\n\x1A") == none; }
 };
 
 /// The records of a text that hold something and are not to be skipped: lines, joined
@@ -336,6 +336,13 @@ class NameFinder {
     char said_ = 0;
 };
 
+std::string wrong_width(const Csv& csv, int line, std::size_t n) {
+    return fmt::format("{}:{}: has {} cell{}; expected {} as in {}", csv.file, line, n,
+                       n == 1 ? "" : "s", csv.columns.size(),
+                       csv.header_line == 1 ? std::string("the first line")
+                                            : fmt::format("line {}", csv.header_line));
+}
+
 /// Puts rows behind each other; knows what is none.
 class TableMaker {
   public:
@@ -448,43 +455,41 @@ class TableMaker {
         }
     }
 
-    /// A separator more or less at the end of a line says nothing.
-    bool fit() {
+    /// A separator more or less at the end of a line says nothing. A row of readings may
+    /// end before columns that nobody asks for, or with its stamp.
+    bool fit(int line) {
         const std::size_t n = csv_.columns.size();
         while (cells_.size() > n && cells_.back().empty()) cells_.pop_back();
-        const bool only_first =
+        if (cells_.size() >= n) return cells_.size() == n;
+        const bool only_stamp =
             is_timed_ && std::all_of(cells_.begin() + 1, cells_.end(),
                                      [](std::string_view cell) { return cell.empty(); });
-        if (cells_.size() < n && (cells_.size() >= n_named_ || only_first))
-            cells_.resize(n);
-        return cells_.size() == n;
+        const bool is_short = cells_.size() < n_named_ && !only_stamp;
+        if (is_short && !is_timed_) return false;
+        if (is_short) csv_.short_rows.push_back({line, cells_.size()});
+        cells_.resize(n);
+        return true;
     }
 
     void add(const Record& record) {
         if (csv_.lines.empty())
             stamps_begin_with_digit_ = !time_cell().empty() && is_digit(time_cell()[0]);
-        if (!fit()) fail_width(record);
+        if (!fit(record.line)) fail_width(record);
         csv_.cells.insert(csv_.cells.end(), cells_.begin(), cells_.end());
         csv_.lines.push_back(record.line);
     }
 
     [[noreturn]] void fail_width(const Record& record) const {
-        const std::size_t n = cells_.size();
         std::string advice;
         if (is_timed_ && !has_stamp())
             advice =
                 "; name lines that are no rows in skip, and the line of names in "
                 "header_line";
-        else if (n > csv_.columns.size() && separator_ == ',')
+        else if (cells_.size() > csv_.columns.size() && separator_ == ',')
             advice =
                 "; if commas are decimal marks, put such cells into quotes or "
                 "separate cells by semicolons";
-        fail_data(fmt::format("{}:{}: has {} cell{}; expected {} as in {}{}", csv_.file,
-                              record.line, n, n == 1 ? "" : "s", csv_.columns.size(),
-                              csv_.header_line == 1
-                                  ? std::string("the first line")
-                                  : fmt::format("line {}", csv_.header_line),
-                              advice));
+        fail_data(wrong_width(csv_, record.line, cells_.size()) + advice);
     }
 
     const CsvForm& form_;
@@ -506,7 +511,10 @@ std::size_t Csv::column(const std::string& name) const {
     if (std::find(found + 1, columns.end(), name) != columns.end())
         fail_data(fmt::format("{}:{}: column \"{}\" stands there twice; rename one", file,
                               header_line, name));
-    return static_cast<std::size_t>(found - columns.begin());
+    const auto index = static_cast<std::size_t>(found - columns.begin());
+    for (const ShortRow& row : short_rows)
+        if (row.n_cells <= index) fail_data(wrong_width(*this, row.line, row.n_cells));
+    return index;
 }
 
 CsvNames find_names(std::string_view text, const std::string& file, const CsvForm& form) {

@@ -32,6 +32,12 @@ struct Csv {
     /// [n_rows x n_columns], quotes and blanks taken off.
     std::vector<std::string_view> cells;
     std::vector<std::string> notes;  ///< which lines were left out, a sentence each
+    /// Rows of readings that end before the last names.
+    struct ShortRow {
+        int line;
+        std::size_t n_cells;
+    };
+    std::vector<ShortRow> short_rows;
     std::shared_ptr<std::deque<std::string>> unquoted;  ///< cells that held "" in quotes
 
     std::size_t n_rows() const { return lines.size(); }
@@ -39,7 +45,7 @@ struct Csv {
         return cells[row * columns.size() + column];
     }
     /// Index of a column; throws UserError (data) that lists the columns and the nearest,
-    /// or says that two have that name.
+    /// or says that two have that name, or which row ends before it.
     std::size_t column(const std::string& name) const;
 };
 

@@ -37,7 +37,8 @@ std::string plain_marks(std::string_view cell) {
                  {"\xE2\x80\x89", ' '},
                  {"\xE2\x80\x99", '\''},
                  {"\xE2\x88\x92", '-'}};
-    std::string text(cell);
+    std::string text(trimmed(cell));
+    if (std::ranges::none_of(text, [](char c) { return (c & 0x80) != 0; })) return text;
     for (const auto& mark : marks)
         for (std::size_t at; (at = text.find(mark.from)) != std::string::npos;)
             text.replace(at, mark.from.size(), 1, mark.to);

@@ -59,7 +59,7 @@ struct Line {
         return from_one <= count ? fields[static_cast<std::size_t>(from_one - 1)] : "";
     }
     bool is_blank() const {
-        return text.find_first_not_of(", \t\"") == std::string_view::npos;
+        return text.find_first_not_of(", \t\"\x1A") == std::string_view::npos;
     }
 };
 
@@ -265,7 +265,8 @@ void TableReader::read_location(const Line& line) {
     if (lower_case(line.field(1)) != "location")
         fail_epw(
             name, line.number, 1,
-            fmt::format("'{}': expected 'LOCATION', with which every EPW file begins",
+            fmt::format("'{}': expected 'LOCATION', with which every EPW file begins; a "
+                        "CSV file needs format = \"csv\"",
                         shown(line.field(1))));
     const int commas = commas_in_place(name, line);
     physics::Site& site = table_.weather.site;
@@ -300,6 +301,7 @@ void TableReader::check_data_periods(const Line& line) {
 void TableReader::skip_to_data() {
     constexpr int most_header_lines = 100;
     std::optional<Line> line = lines_.next();
+    while (line && line->is_blank()) line = lines_.next();
     if (!line)
         fail_epw(table_.name, 1, 1, "the file is empty: expected an EPW weather file");
     read_location(*line);

@@ -1,8 +1,12 @@
 /// Numbers in cells: marks between thousands, decimal marks, words for missing.
 #include "base/error.hpp"
 #include "input/csv_numbers.hpp"
+#include "input/input_files.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -180,6 +184,58 @@ TEST(Missing, IsWhatTheJobSays) {
         complaint({"Bad Input"}, unsaid()),
         "x.csv:2:x: \"Bad Input\" is not a number; leave the cell empty where a value "
         "is missing, or set missing = [\"Bad Input\"]");
+}
+
+/// Columns of numbers of a real file, but for its stamps.
+std::vector<Numbers> real_columns(const input::Csv& csv, const input::NumberForm& form) {
+    std::vector<Numbers> columns;
+    for (std::size_t c = 1; c < csv.columns.size(); ++c)
+        columns.push_back(input::numbers_in(csv, c, form));
+    return columns;
+}
+
+/// The same file with dots between thousands and decimal commas, cells between
+/// semicolons.
+std::string in_german(std::string text) {
+    std::string made;
+    for (const char c : text) made += c == ',' ? ';' : c == '.' ? ',' : c;
+    for (std::size_t end = 0; (end = made.find_first_of(",;\n", end + 1)) != made.npos;) {
+        std::size_t begin = end;
+        while (begin > 0 && std::isdigit(static_cast<unsigned char>(made[begin - 1])))
+            --begin;
+        const bool is_whole =
+            begin > 0 && (made[begin - 1] == ';' || made[begin - 1] == '-');
+        for (; is_whole && end > begin + 3 && made[begin - 1] != ','; end -= 3)
+            made.insert(end - 3, 1, '.');
+        end = made.find_first_of(",;\n", end);
+    }
+    return made;
+}
+
+bool same(const std::vector<Numbers>& one, const std::vector<Numbers>& other) {
+    const auto alike = [](double a, double b) {
+        return a == b || (std::isnan(a) && std::isnan(b));
+    };
+    return std::ranges::equal(one, other, [&](const Numbers& a, const Numbers& b) {
+        return std::ranges::equal(a, b, alike);
+    });
+}
+
+TEST(RealMeters, HaveTheSameNumbersWithoutAQuestionAndInGerman) {
+    for (const char* name :
+         {"meters/cambridge_gas.csv.gz", "meters/hong_kong_cooling.csv.gz",
+          "meters/orlando_hannah.csv.gz", "meters/tartu_bPr01_heat.csv.gz",
+          "data/building_1298/hourly.csv.gz", "data/uk_home/gas.csv.gz"}) {
+        const auto path = std::filesystem::path(BEMCAL_ROOT) / "../shared" / name;
+        if (!std::filesystem::exists(path)) GTEST_SKIP() << path;
+        input::InputFiles files;
+        const auto plain = real_columns(files.csv(path), said('.', "none"));
+        EXPECT_TRUE(same(real_columns(files.csv(path), unsaid()), plain)) << name;
+        const std::string german = in_german(files.text(path));
+        EXPECT_TRUE(
+            same(real_columns(input::parse_csv(german, "x.csv"), said(',', ".")), plain))
+            << name;
+    }
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <iostream>
 #include <map>
 #include <random>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -579,6 +580,38 @@ TEST(Epw, RealFiles) {
             << expected.name;
         std::cout << expected.name << ": " << decisions(read) << '\n';
     }
+}
+
+/// A real file as editors, spreadsheets and vendors leave it.
+TEST(Epw, RealFilesAreReadInOtherForms) {
+    const auto path = test::shared_file("weather/GBR_Birmingham.035340_IWEC.epw");
+    if (test::is_absent(path)) GTEST_SKIP() << path;
+    std::ostringstream stream;
+    stream << std::ifstream(path, std::ios::binary).rdbuf();
+    const std::string text = stream.str();
+    const physics::Weather whole = input::parse_epw(text, "w.epw").weather;
+    const auto expect_same = [&](const std::string& form) {
+        const physics::Weather weather = input::parse_epw(form, "w.epw").weather;
+        EXPECT_EQ(weather.site.latitude, 52.45);
+        EXPECT_EQ(weather.site.longitude, -1.73);
+        EXPECT_EQ(weather.site.elevation, 99);
+        EXPECT_EQ(weather.theta_e, whole.theta_e);
+        EXPECT_EQ(weather.global_horizontal, whole.global_horizontal);
+    };
+    expect_same(with(text, "BIRMINGHAM", "Birmingham, West Midlands"));
+    expect_same(with(text, "BIRMINGHAM", "\"Birmingham, West Midlands\""));
+    expect_same(with(with(text, "LOCATION", "Location"), "DATA PERIODS", "Data Periods"));
+    expect_same(with(text, ",99.0\n", ",99.0,,,,,,,,,,\n") + std::string(34, ',') + "\n");
+    std::string old = text;
+    std::ranges::replace(old, '\n', '\r');
+    expect_same(old);
+    const std::string june = text.substr(0, text.find("\n", text.find(",6,30,24,")) + 1);
+    const input::EpwFile half = input::parse_epw(june, "w.epw");
+    EXPECT_EQ(half.weather.axis.n_steps, 181 * 24);
+    EXPECT_TRUE(std::equal(half.weather.theta_e.begin(), half.weather.theta_e.end(),
+                           whole.theta_e.begin()));
+    EXPECT_NE(decisions(half).find("its rows end on 6/30, the header says 12/31"),
+              std::string::npos);
 }
 
 }  // namespace

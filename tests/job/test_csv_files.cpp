@@ -94,6 +94,18 @@ TEST(CsvFiles, AreReadFromTheLineOfNamesThatTheJobSays) {
     expect_same_readings(readings, "header_line = 3\nskip = 1420\n");
 }
 
+TEST(CsvFiles, WithLinesBetweenTheRowsSayHowToSkipThem) {
+    const std::string readings =
+        replaced(small_readings(), "T_air_C\n", "T_air_C\nTotal 2021,1,2\n");
+    EXPECT_NE(
+        Form(readings).message().find(
+            "measured.csv:2:time: \"Total 2021\" is not a time; expected one like "
+            "2021-03-05 14:00; name lines that are no rows in skip, and the line of "
+            "names in header_line"),
+        std::string::npos);
+    expect_same_readings(readings, "skip = \"Total\"\n");
+}
+
 TEST(CsvFiles, OfManyFormsGiveTheSameReadings) {
     const std::string readings = small_readings();
     expect_same_readings(
