@@ -1,40 +1,69 @@
 /// CSV (RFC 4180) as a table of cells that point into its text.
 ///
-/// The separator is the comma, semicolon or tab that the first line has most of; empty
-/// lines and lines that start with # are skipped. Numbers and times are the readers'
-/// matter.
+/// The separator is what the line of names has most of: comma, semicolon, tab or bar, or
+/// what a line "sep=;" says. Empty lines, rows without any content and lines that start
+/// with # are skipped. Numbers (`csv_numbers`) and times are the readers' matter.
 #pragma once
 
+#include <deque>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace bemcal::input {
 
+/// Which lines of a file are its table, as far as that is said.
+struct CsvForm {
+    /// Columns that are asked for: the names stand in the first line that has them all.
+    /// Without any, in the first line, and every line after it is a row.
+    std::vector<std::string> names;
+    std::string time;             ///< column of the stamps; "" = the first
+    int header_line = 0;          ///< of the names, from 1; 0 = found as said above
+    std::vector<int> skip_lines;  ///< left out, from 1
+    std::vector<std::string> skip_texts;  ///< lines that begin so are left out
+};
+
 struct Csv {
     std::string file;                  ///< for messages
-    std::vector<std::string> columns;  ///< names in the first line
+    int header_line = 1;               ///< where the names stand
+    std::vector<std::string> columns;  ///< names
     std::vector<int> lines;            ///< [n_rows] line of the file, from 1
     /// [n_rows x n_columns], quotes and blanks taken off.
     std::vector<std::string_view> cells;
+    std::vector<std::string> notes;  ///< which lines were left out, a sentence each
+    /// Rows of readings that end before the last names.
+    struct ShortRow {
+        int line;
+        std::size_t n_cells;
+    };
+    std::vector<ShortRow> short_rows;
+    std::shared_ptr<std::deque<std::string>> unquoted;  ///< cells that held "" in quotes
 
     std::size_t n_rows() const { return lines.size(); }
     std::string_view cell(std::size_t row, std::size_t column) const {
         return cells[row * columns.size() + column];
     }
-    /// Index of a column; throws UserError (data) that lists the columns and the nearest.
+    /// Index of a column; throws UserError (data) that lists the columns and the nearest,
+    /// or says that two have that name, or which row ends before it.
     std::size_t column(const std::string& name) const;
 };
 
-/// Throws UserError (data) with file:line where a row has too few or too many cells, or
-/// there are no rows. `text` must outlive the table.
-Csv parse_csv(const std::string& text, const std::string& file);
+/// Where the names stand, found without reading the rest.
+struct CsvNames {
+    int line = 0;  ///< from 1
+    char separator = ',';
+};
+/// Throws UserError (data) where no line has the columns that are asked for.
+CsvNames find_names(std::string_view text, const std::string& file,
+                    const CsvForm& form = {});
 
-/// A number; NaN where the cell is empty or says NA, NaN, null. Throws UserError (data)
-/// with file:line:column where it is neither.
-double number_in(const Csv& csv, std::size_t row, std::size_t column, char decimal = '.');
-
-/// A column of numbers [n_rows].
-std::vector<double> numbers_in(const Csv& csv, std::size_t column, char decimal = '.');
+/// Of readings (`form.names`) a line of units below the names and lines behind the last
+/// row that have no stamp are left out, with a note. Throws UserError (data) with
+/// file:line where a row has too few or too many cells, or there are no rows. `text` must
+/// outlive the table.
+Csv parse_csv(std::string_view text, const std::string& file, const CsvForm& form,
+              const CsvNames& names);
+Csv parse_csv(const std::string& text, const std::string& file, const CsvForm& form = {});
 
 }  // namespace bemcal::input

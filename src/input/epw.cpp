@@ -180,15 +180,57 @@ void append(Chain& chain, EpwTable table) {
     chain.tables.push_back(std::move(table));
 }
 
+/// Steps of the chain that the next file has, too, from its first one on.
+int n_shared(const Chain& chain, const EpwTable& table) {
+    const auto behind = chain.weather.axis.end() - table.weather.axis.start;
+    return std::clamp(static_cast<int>(behind.count() / 3600), 0,
+                      table.weather.axis.n_steps);
+}
+
+/// Takes the hours off a file that the chain has already; a value that is missing in one
+/// of them is taken from the other.
+void merge_shared(Chain& chain, EpwTable& table) {
+    const int n = n_shared(chain, table);
+    if (n == 0 || table.weather.axis.start < chain.weather.axis.start) return;
+    const int first = chain.weather.axis.step_of(table.weather.axis.start);
+    for (const EpwColumn& column : epw_columns) {
+        std::vector<double>&before = chain.weather.*column.series,
+        &after = table.weather.*column.series;
+        for (int k = 0; k < n; ++k) {
+            double& old = before[static_cast<std::size_t>(first + k)];
+            const double now = after[static_cast<std::size_t>(k)];
+            if (std::isnan(old)) old = now;
+            if (std::isnan(now) || now == old) continue;
+            fail_epw(
+                table.name, table.lines[static_cast<std::size_t>(k)], column.field,
+                fmt::format("{} is {:g} here, but {:g} at {}, for the same hour ({}): "
+                            "leave one of them out",
+                            column.name, now / column.scale, old / column.scale,
+                            chain.place_of(first + k, column.field),
+                            physics::format_time(table.weather.axis.begin_of(k))));
+        }
+        after.erase(after.begin(), after.begin() + n);
+    }
+    table.lines.erase(table.lines.begin(), table.lines.begin() + n);
+    table.weather.axis.start += std::chrono::hours(n);
+    table.weather.axis.n_steps -= n;
+    chain.decisions.push_back(fmt::format(
+        "{}: {} h that the files before it have, too, alike: taken once", table.name, n));
+}
+
 void check_follows(const Chain& chain, const EpwTable& table) {
     const Weather &before = chain.weather, &after = table.weather;
-    if (after.axis.start != before.axis.end())
+    if (after.axis.n_steps > 0 && after.axis.start != before.axis.end())
         fail_epw(table.name, table.lines.front(), 1,
                  fmt::format(
                      "begins at {}, but the file before it ends at {}: give the files in "
                      "the order of their years, without a gap",
                      physics::format_time(after.axis.start),
                      physics::format_time(before.axis.end())));
+}
+
+void check_place(const Chain& chain, const EpwTable& table) {
+    const Weather &before = chain.weather, &after = table.weather;
     constexpr double same_place = 0.1;  // [deg]
     if (std::abs(after.site.latitude - before.site.latitude) > same_place ||
         std::abs(after.site.longitude - before.site.longitude) > same_place ||
@@ -232,7 +274,11 @@ EpwFile parse_epw_chain(const std::vector<EpwText>& files, const EpwOptions& opt
     int year = options.year;
     for (const EpwText& file : files) {
         EpwTable table = parse_epw_table(file.text, file.name, year);
-        if (!chain.tables.empty()) check_follows(chain, table);
+        if (!chain.tables.empty()) {
+            check_place(chain, table);
+            merge_shared(chain, table);
+            check_follows(chain, table);
+        }
         append(chain, std::move(table));
         if (year != 0) year = physics::calendar_step(chain.weather.axis.end()).year;
     }
@@ -245,7 +291,7 @@ EpwFile read_epw_chain(const std::vector<std::filesystem::path>& files,
     std::vector<EpwText> texts;
     texts.reserve(files.size());
     for (const std::filesystem::path& file : files)
-        texts.push_back({file.string(), inputs.text(file)});
+        texts.push_back({file.string(), inputs.data(file)});
     return parse_epw_chain(texts, options);
 }
 

@@ -38,7 +38,8 @@ struct EpwText {
     std::string_view text;
 };
 
-/// One or more files that follow each other in time, of one place; each of whole years.
+/// One or more files that follow each other in time, of one place; each of whole years or
+/// a part of one. Hours that two of them have are taken once if they are alike.
 /// Throws UserError (data) with file:row:column, what is wrong, why, and what to write
 /// instead.
 EpwFile parse_epw_chain(const std::vector<EpwText>& files,

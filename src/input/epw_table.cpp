@@ -1,11 +1,14 @@
 /// Reads one EPW file line by line: the place, the dates in sequence, eight columns. Any
 /// bytes may come in; each field is checked before it is used.
-/// Source: EnergyPlus Auxiliary Programs, EPW Data Dictionary.
+/// Source: EnergyPlus Auxiliary Programs, EPW Data Dictionary. Quotes and commas in the
+/// place are read though it has none.
 /// Leaves out other header lines, sub-hourly files and several data periods. Gaps stay
 /// NaN, for `epw` to fill, but a missing 29 February repeats the 28th.
 #include "input/epw_table.hpp"
 
 #include "base/error.hpp"
+#include "input/data_text.hpp"
+#include "input/time_zone.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -55,13 +58,34 @@ struct Line {
     std::string_view field(int from_one) const {
         return from_one <= count ? fields[static_cast<std::size_t>(from_one - 1)] : "";
     }
+    bool is_blank() const {
+        return text.find_first_not_of(", \t\"\x1A") == std::string_view::npos;
+    }
 };
 
-std::string_view trim(std::string_view text) {
-    constexpr std::string_view blank = " \t\r";
-    const std::size_t first = text.find_first_not_of(blank);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blank) - first + 1);
+std::string_view without_quotes(std::string_view field) {
+    const bool quoted = field.size() >= 2 && field.front() == '"' && field.back() == '"';
+    return quoted ? trimmed(field.substr(1, field.size() - 2)) : field;
+}
+
+/// Where the field ends that a text begins with; a comma between quotes is part of it.
+std::size_t end_of_field(std::string_view text) {
+    std::size_t begin = 0;
+    if (trimmed(text).starts_with('"')) begin = text.find('"', text.find('"') + 1);
+    return std::min(text.find(',', begin == std::string_view::npos ? 0 : begin),
+                    text.size());
+}
+
+Line split(std::string_view text, int number) {
+    Line line{number, text, {}, 0};
+    while (line.count < n_fields) {
+        const std::size_t end = end_of_field(text);
+        line.fields[static_cast<std::size_t>(line.count++)] =
+            without_quotes(trimmed(text.substr(0, end)));
+        if (end == text.size()) break;
+        text.remove_prefix(end + 1);
+    }
+    return line;
 }
 
 /// What a message shows of the file: short, and printable.
@@ -75,30 +99,15 @@ std::string shown(std::string_view text) {
 /// Hands out the lines of a text one by one.
 class Lines {
   public:
-    explicit Lines(std::string_view text) : rest_(text) {
-        if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
-    }
+    explicit Lines(std::string_view text) : rest_(without_mark(text)) {}
     int number() const { return number_; }
     std::optional<Line> next() {
-        if (rest_.empty()) return std::nullopt;
-        const std::size_t end = rest_.find('\n');
-        const Line line = split(trim(rest_.substr(0, end)), ++number_);
-        rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-        return line;
+        std::string_view text;
+        if (!next_line(rest_, text)) return std::nullopt;
+        return split(trimmed(text), ++number_);
     }
 
   private:
-    static Line split(std::string_view text, int number) {
-        Line line{number, text, {}, 0};
-        while (line.count < n_fields) {
-            const std::size_t comma = text.find(',');
-            line.fields[static_cast<std::size_t>(line.count++)] =
-                trim(text.substr(0, comma));
-            if (comma == std::string_view::npos) break;
-            text.remove_prefix(comma + 1);
-        }
-        return line;
-    }
     std::string_view rest_;
     int number_ = 0;
 };
@@ -137,7 +146,7 @@ class TableReader {
 
   private:
     void read_location(const Line& line);
-    void check_data_periods(const Line& line) const;
+    void check_data_periods(const Line& line);
     void skip_to_data();
     void read_row(const Line& line);
     void start_at(const Line& line, int month, int day, int hour);
@@ -145,45 +154,135 @@ class TableReader {
     void repeat_28_february(const Line& line);
     void append_values(const Line& line);
     double value_of(const Line& line, std::size_t column);
+    double outside(const Line& line, std::size_t column, double value);
     void check_length() const;
+    void check_codes();
     void report();
 
     struct Ignored {
         int n = 0, first_line = 0;
+        double value = 0;  // of the first
+        bool alike = true;
     };
     Lines lines_;
     EpwTable table_;
     int year_;
     bool other_years_ = false;  // rows that name another year than the axis
     int n_negative_ = 0;        // irradiances below 0
+    int n_rows_ = 0;
+    std::string said_end_;  // of the rows, in the header: "12/31"
     std::array<Ignored, n_epw_columns> ignored_{};
 };
 
 EpwTable TableReader::read() {
     skip_to_data();
     while (const std::optional<Line> line = lines_.next())
-        if (!line->text.empty()) read_row(*line);
+        if (!line->is_blank()) read_row(*line);
     check_length();
+    check_codes();
     report();
     return std::move(table_);
 }
 
-void TableReader::read_location(const Line& line) {
-    const std::string& name = table_.name;
-    if (line.field(1) != "LOCATION")
-        fail_epw(
-            name, line.number, 1,
-            fmt::format("'{}': expected 'LOCATION', with which every EPW file begins",
-                        shown(line.field(1))));
-    physics::Site& site = table_.weather.site;
-    site.latitude = number_in(name, line, 7, "latitude [deg]", -90.0, 90.0);
-    site.longitude = number_in(name, line, 8, "longitude [deg]", -180.0, 180.0);
-    site.utc_offset_h = number_in(name, line, 9, "time zone [h]", -12.0, 14.0);
-    site.elevation = number_in(name, line, 10, "elevation [m]", -1000.0, 9000.0);
-    table_.place = shown(line.field(2));
+constexpr int least_location_fields = 10;
+
+/// The place's fields behind the name, where it holds `commas`; NaN = no number there.
+physics::Site site_in(const Line& line, int commas) {
+    const auto number = [&](int field) {
+        return to_number<double>(line.field(field + commas)).value_or(nan);
+    };
+    physics::Site site;
+    site.latitude = number(7);
+    site.longitude = number(8);
+    site.utc_offset_h = number(9);
+    site.elevation = number(10);
+    return site;
 }
 
-void TableReader::check_data_periods(const Line& line) const {
+bool is_possible(const physics::Site& site) {
+    return std::abs(site.latitude) <= 90 && std::abs(site.longitude) <= 180 &&
+           site.utc_offset_h >= -12 && site.utc_offset_h <= 14 &&
+           site.elevation >= -1000 && site.elevation <= 9000 && is_possible_zone(site);
+}
+
+int n_filled(const Line& line) {
+    int n = line.count;
+    while (n > 0 && line.field(n).empty()) --n;
+    return n;
+}
+
+/// Commas in the name of the place, from where its numbers stand: counted from the right.
+int commas_in_place(const std::string& name, const Line& line) {
+    const int more = std::max(0, n_filled(line) - least_location_fields);
+    const bool at_end = is_possible(site_in(line, more));
+    if (more > 0 && at_end && is_possible(site_in(line, 0)))
+        fail_epw(name, line.number, 2,
+                 "latitude, longitude and time zone can be read at two places; put the "
+                 "name of the place into quotes");
+    if (at_end) return more;
+    for (int commas = 0; commas < more; ++commas)
+        if (is_possible(site_in(line, commas))) return commas;
+    return 0;
+}
+
+void check_zone(const std::string& name, const Line& line, int field,
+                const physics::Site& site) {
+    if (is_possible_zone(site)) return;
+    fail_epw(name, line.number, field,
+             fmt::format("time zone [h] = '{}': no place at longitude {} has it, where "
+                         "the sun is {:.1f} h from UTC; correct the line (longitudes "
+                         "west are negative; a place with a comma needs quotes)",
+                         shown(line.field(field)), site.longitude, site.longitude / 15));
+}
+
+/// "9/30" of " 9/30", "09/30/2021"; "" of other forms.
+std::string month_and_day(std::string_view text) {
+    const std::size_t slash = text.find('/');
+    if (slash == std::string_view::npos) return {};
+    const auto month = to_number<int>(trimmed(text.substr(0, slash)));
+    text.remove_prefix(slash + 1);
+    const auto day = to_number<int>(trimmed(text.substr(0, text.find('/'))));
+    return month && day ? fmt::format("{}/{}", *month, *day) : "";
+}
+
+bool says_missing(std::string_view field) {
+    const std::string word = lower_case(field);
+    return word.empty() || word == "nan" || word == "na" || word == "n/a" ||
+           word == "null" || word == "none";
+}
+
+/// An EPW file has its own code; others are known where all hours hold one.
+bool may_be_absent(const EpwColumn& column) {
+    return column.least == -20;  // irradiance: the others tell what it is
+}
+
+void TableReader::read_location(const Line& line) {
+    const std::string& name = table_.name;
+    if (lower_case(line.text).starts_with("location;"))
+        fail_epw(name, line.number, 1,
+                 "semicolons (;) between the fields: expected commas; write the file "
+                 "with commas, and points as decimal marks");
+    if (lower_case(line.field(1)) != "location")
+        fail_epw(
+            name, line.number, 1,
+            fmt::format("'{}': expected 'LOCATION', with which every EPW file begins; a "
+                        "CSV file needs format = \"csv\"",
+                        shown(line.field(1))));
+    const int commas = commas_in_place(name, line);
+    physics::Site& site = table_.weather.site;
+    const auto number = [&](int field, const char* what, double least, double most) {
+        return number_in(name, line, field + commas, what, least, most);
+    };
+    site.latitude = number(7, "latitude [deg]", -90, 90);
+    site.longitude = number(8, "longitude [deg]", -180, 180);
+    site.utc_offset_h = number(9, "time zone [h]", -12, 14);
+    site.elevation = number(10, "elevation [m]", -1000, 9000);
+    check_zone(name, line, 9 + commas, site);
+    table_.place = shown(line.field(2));
+    for (int k = 1; k <= commas; ++k) table_.place += ", " + shown(line.field(2 + k));
+}
+
+void TableReader::check_data_periods(const Line& line) {
     if (number_in(table_.name, line, 2, "number of data periods", 1, 1000) != 1)
         fail_epw(table_.name, line.number, 2,
                  "several data periods: expected 1; write each to a file of its own");
@@ -191,16 +290,24 @@ void TableReader::check_data_periods(const Line& line) const {
         fail_epw(table_.name, line.number, 3,
                  "a sub-hourly file: expected 1 record per hour; average the rows of "
                  "each hour");
+    constexpr int most_fields = 20;  // a row has more, one period 7
+    if (n_filled(line) > most_fields)
+        fail_epw(table_.name, line.number, 7,
+                 "the first row stands in the line 'DATA PERIODS': put it into a line of "
+                 "its own");
+    said_end_ = month_and_day(line.field(7));
 }
 
 void TableReader::skip_to_data() {
     constexpr int most_header_lines = 100;
     std::optional<Line> line = lines_.next();
+    while (line && line->is_blank()) line = lines_.next();
     if (!line)
         fail_epw(table_.name, 1, 1, "the file is empty: expected an EPW weather file");
     read_location(*line);
     while ((line = lines_.next()) && line->number <= most_header_lines)
-        if (line->field(1) == "DATA PERIODS") return check_data_periods(*line);
+        if (lower_case(line->field(1)) == "data periods")
+            return check_data_periods(*line);
     fail_epw(table_.name, lines_.number(), 1,
              "no line 'DATA PERIODS' in the header: expected it as line 8, just before "
              "the hours");
@@ -217,6 +324,10 @@ void TableReader::read_row(const Line& line) {
     const int year = number_in(table_.name, line, 1, "year", 0, 9999);
     const int month = number_in(table_.name, line, 2, "month", 1, 12);
     const int day = number_in(table_.name, line, 3, "day", 1, 31);
+    if (line.field(4) == "0")
+        fail_epw(table_.name, line.number, 4,
+                 "hour (that ends here) = '0': expected a number from 1 to 24; where "
+                 "hours run from 0 to 23, add 1 to all of them");
     const int hour = number_in(table_.name, line, 4, "hour (that ends here)", 1, 24);
     if (table_.lines.empty()) start_at(line, month, day, hour);
     check_follows(line, month, day, hour);
@@ -279,37 +390,66 @@ void TableReader::append_values(const Line& line) {
         (table_.weather.*epw_columns[c].series).push_back(value_of(line, c));
     table_.lines.push_back(line.number);
     ++table_.weather.axis.n_steps;
+    ++n_rows_;
 }
 
 double TableReader::value_of(const Line& line, std::size_t c) {
     const EpwColumn& column = epw_columns[c];
-    if (column.field > line.count || line.field(column.field).empty()) return nan;
-    const std::optional<double> value = to_number<double>(line.field(column.field));
+    const std::string_view field = line.field(column.field);
+    if (says_missing(field)) return nan;
+    const std::optional<double> value = to_number<double>(field);
     if (value && *value >= column.missing) return nan;
-    if (value && *value >= column.least && *value <= column.most) {
-        const bool negative_irradiance = column.least == -20 && *value < 0;
-        n_negative_ += negative_irradiance;
-        return negative_irradiance ? 0 : *value * column.scale;
-    }
-    if (!value || column.needed)
-        fail_epw(table_.name, line.number, column.field,
-                 fmt::format(
-                     "{} = '{}': expected a number from {} to {} {}, or {} where it is "
-                     "missing",
-                     column.name, shown(line.field(column.field)), column.least,
-                     column.most, column.unit, column.missing));
-    if (ignored_[c].n++ == 0) ignored_[c].first_line = line.number;
+    if (!value || *value < column.least || *value > column.most)
+        return outside(line, c, value.value_or(nan));
+    const bool negative_irradiance = column.least == -20 && *value < 0;
+    n_negative_ += negative_irradiance;
+    return negative_irradiance ? 0 : *value * column.scale;
+}
+
+[[noreturn]] void fail_value(const std::string& name, const EpwColumn& column, int line,
+                             const std::string& value) {
+    fail_epw(
+        name, line, column.field,
+        fmt::format("{} = '{}': expected a number from {} to {} {}, or {} where it is "
+                    "missing",
+                    column.name, value, column.least, column.most, column.unit,
+                    column.missing));
+}
+
+/// Missing where it is not needed, or may yet turn out to be the code of a whole column.
+double TableReader::outside(const Line& line, std::size_t c, double value) {
+    const EpwColumn& column = epw_columns[c];
+    const bool may_be_code = may_be_absent(column) && value < column.least;
+    if (std::isnan(value) || (column.needed && !may_be_code))
+        fail_value(table_.name, column, line.number, shown(line.field(column.field)));
+    Ignored& ignored = ignored_[c];
+    if (ignored.n++ == 0) ignored = {1, line.number, value, true};
+    ignored.alike = ignored.alike && value == ignored.value;
     return nan;
 }
 
+/// A code that is not the format's is known where every hour holds it.
+void TableReader::check_codes() {
+    for (std::size_t c = 0; c < epw_columns.size(); ++c) {
+        const EpwColumn& column = epw_columns[c];
+        Ignored& ignored = ignored_[c];
+        if (!column.needed || ignored.n == 0) continue;
+        if (!ignored.alike || ignored.n < n_rows_)
+            fail_value(table_.name, column, ignored.first_line,
+                       fmt::format("{:g}", ignored.value));
+        table_.decisions.push_back(
+            fmt::format("{}:{}:{}: {}: {:g} in all hours taken as missing", table_.name,
+                        ignored.first_line, column.field, column.name, ignored.value));
+        ignored.n = 0;
+    }
+}
+
 void TableReader::check_length() const {
-    constexpr int hours_of_year = 8760;
-    if (table_.weather.axis.n_steps < hours_of_year)
-        fail_epw(
-            table_.name, lines_.number(), 1,
-            fmt::format("only {} hours: expected a whole year (8760, or 8784 in a leap "
-                        "year); is the file cut off here?",
-                        table_.weather.axis.n_steps));
+    if (table_.weather.axis.n_steps > 0) return;
+    fail_epw(
+        table_.name, lines_.number(), 1,
+        "only 0 hours: expected a whole year (8760, or 8784 in a leap year), or what "
+        "of it the periods need; is the file cut off here?");
 }
 
 void TableReader::report() {
@@ -317,6 +457,14 @@ void TableReader::report() {
     if (other_years_)
         table_.decisions.push_back(fmt::format(
             "{}: rows of other years (a typical year?) taken as {}", table_.name, year));
+    const physics::CalendarStep last =
+        physics::calendar_step(table_.weather.axis.end() - hours(1));
+    const std::string end = fmt::format("{}/{}", last.month, last.day);
+    if (!said_end_.empty() && said_end_ != end)
+        table_.decisions.push_back(
+            fmt::format("{}:{}: its rows end on {}, the header says {}: is the file cut "
+                        "off here?",
+                        table_.name, table_.lines.back(), end, said_end_));
     if (n_negative_ > 0)
         table_.decisions.push_back(
             fmt::format("{}: {} irradiances from -20 to 0 W/m2 taken as 0", table_.name,

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/hash.hpp"
 #include "base/machine.hpp"
+#include "input/data_text.hpp"
 
 #include <cerrno>
 #include <cstdint>
@@ -15,6 +16,7 @@
 #include <iterator>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <zlib.h>
 
 namespace bemcal::input {
@@ -47,6 +49,13 @@ std::string hash_of(const std::string& bytes) {
     throw UserError(
         ExitCode::data,
         fmt::format("{}: {}; unpack it with gunzip to see what is left", path, what));
+}
+
+/// Which table of a file it is: meters that read other columns of it share one.
+std::string key_of(const std::string& path, const CsvForm& form, const CsvNames& names) {
+    return fmt::format("{}\n{} {} {} {} {} {} {}", path, names.line, names.separator,
+                       form.time, form.header_line, form.names.empty(),
+                       fmt::join(form.skip_lines, ","), fmt::join(form.skip_texts, "\n"));
 }
 
 }  // namespace
@@ -132,11 +141,24 @@ void InputFiles::note(const std::filesystem::path& path, const std::string& hash
     log_.push_back({path, hash});
 }
 
-const Csv& InputFiles::csv(const std::filesystem::path& path,
-                           const std::string& named_at) {
-    std::unique_ptr<Csv>& table = tables_[path.string()];
+std::string_view InputFiles::data(const std::filesystem::path& path,
+                                  const std::string& named_at) {
+    const std::string& bytes = text(path, named_at);
+    const auto known = data_.find(path.string());
+    if (known != data_.end()) return known->second.empty() ? bytes : known->second;
+    refuse_other_kinds(bytes, path.string());
+    std::string& made = data_[path.string()];
+    if (!is_utf8(bytes)) made = from_windows_1252(bytes);
+    return made.empty() ? bytes : made;
+}
+
+const Csv& InputFiles::csv(const std::filesystem::path& path, const std::string& named_at,
+                           const CsvForm& form) {
+    const std::string_view text = data(path, named_at);
+    const CsvNames names = find_names(text, path.string(), form);
+    std::unique_ptr<Csv>& table = tables_[key_of(path.string(), form, names)];
     if (!table)
-        table = std::make_unique<Csv>(parse_csv(text(path, named_at), path.string()));
+        table = std::make_unique<Csv>(parse_csv(text, path.string(), form, names));
     return *table;
 }
 

@@ -1,4 +1,5 @@
 /// Every file that a job reads: opened once, unpacked where gzipped, hashed, remembered.
+/// Files of data are brought to UTF-8.
 #pragma once
 
 #include "input/csv.hpp"
@@ -40,8 +41,13 @@ class InputFiles {
     /// \param named_at  where the job names it, for the message if it cannot be read
     const std::string& text(const std::filesystem::path& path,
                             const std::string& named_at = "");
-    /// The file as CSV, parsed once.
-    const Csv& csv(const std::filesystem::path& path, const std::string& named_at = "");
+    /// The same as UTF-8, for files of data: Latin-1 is converted; a zip, a workbook, a
+    /// web page, UTF-16 are refused by name.
+    std::string_view data(const std::filesystem::path& path,
+                          const std::string& named_at = "");
+    /// The file as CSV; parsed once for each form.
+    const Csv& csv(const std::filesystem::path& path, const std::string& named_at = "",
+                   const CsvForm& form = {});
     const std::vector<InputFile>& log() const { return log_; }
 
     /// Of a stock: weathers that were read already; empty = there are none.
@@ -52,6 +58,8 @@ class InputFiles {
   private:
     Reader reader_;
     std::map<std::string, std::string> texts_;
+    std::map<std::string, std::string>
+        data_;  ///< converted, or "" where the text is data
     std::map<std::string, std::unique_ptr<Csv>> tables_;
     std::vector<InputFile> log_;
 };

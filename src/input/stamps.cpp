@@ -90,13 +90,21 @@ class Reader {
         found_.notes.push_back({std::move(finding), std::move(action)});
     }
 
+    /// A cell that does not begin as any time does may stand in no row at all.
+    std::string advice_on(std::size_t row) const {
+        const std::string_view cell = csv_.cell(row, time_.columns[0]);
+        if (!cell.empty() && cell[0] >= '0' && cell[0] <= '9') return {};
+        return "; name lines that are no rows in skip, and the line of names in "
+               "header_line";
+    }
+
     void read_raw() {
         raw_.reserve(csv_.n_rows());
         for (std::size_t row = 0; row < csv_.n_rows(); ++row) {
             try {
                 raw_.push_back(stamp_in(csv_, row, time_, rules_.format));
             } catch (const std::invalid_argument& error) {
-                fail(row, error.what() + hint_of_column(row));
+                fail(row, error.what() + hint_of_column(row) + advice_on(row));
             }
             check_zone(row);
         }

@@ -2,11 +2,9 @@
 /// a step that readings are whole multiples of.
 /// Follows from rounded pulses: the step is sought by least squares around the usual
 /// distance of frequent values, and taken where it is no round number.
-/// Leaves out gaps and clocks, and steps below 20 of the finest ones.
+/// Leaves out gaps, and steps below 20 of the finest ones.
 #include "input/stock_readings.hpp"
 
-#include "base/error.hpp"
-#include "input/steps.hpp"
 #include "physics/calendar.hpp"
 
 #include <algorithm>
@@ -115,49 +113,26 @@ ReadingsLook look_for_quantum(const std::vector<double>& values) {
 
 namespace {
 
-Seconds time_in(const Csv& csv, std::size_t row) {
-    try {
-        return parse_stamp(csv.cell(row, 0)).face;
-    } catch (const std::invalid_argument& error) {
-        throw UserError(ExitCode::data,
-                        fmt::format("{}:{}:{}: {}", csv.file, csv.lines[row],
-                                    csv.columns[0], error.what()));
-    }
-}
-
-/// What a row of even ones stands for.
-std::chrono::seconds step_in(const Csv& csv) {
-    if (csv.n_rows() < 2) return std::chrono::hours(1);
-    return std::chrono::seconds(
-        std::max(usual_step((time_in(csv, 1) - time_in(csv, 0)).count()), 1LL));
-}
-
 /// Days that are whole, from the first reading to the last.
-void look_at_rows(const Csv& csv, const std::vector<double>& values, ReadingsLook& look) {
+void look_at_rows(const LookRows& rows, ReadingsLook& look) {
     const auto has_reading = [](double value) { return !std::isnan(value); };
-    const auto first = std::ranges::find_if(values, has_reading);
-    if (first == values.end()) return;
-    std::size_t last = values.size() - 1;
-    while (std::isnan(values[last])) --last;
-    const auto step = step_in(csv);
-    look.hours = static_cast<double>(std::ranges::count_if(values, has_reading)) *
+    const auto first = std::ranges::find_if(rows.values, has_reading);
+    if (first == rows.values.end()) return;
+    std::size_t last = rows.values.size() - 1;
+    while (std::isnan(rows.values[last])) --last;
+    const std::vector<Seconds>& begins = rows.stamps.begins;
+    const std::chrono::seconds step(rows.stamps.step_s);
+    look.hours = static_cast<double>(std::ranges::count_if(rows.values, has_reading)) *
                  static_cast<double>(step.count()) / 3600;
     look.first_day = physics::format_date(
-        time_in(csv, static_cast<std::size_t>(first - values.begin())));
-    look.last_day = day_before(time_in(csv, last) + step);
+        begins[static_cast<std::size_t>(first - rows.values.begin())]);
+    look.last_day = day_before(begins[last] + step);
 }
 
-void look_at_bills(const Csv& csv, const LookColumns& columns,
-                   const std::vector<double>& values, ReadingsLook& look) {
-    StampRules rules;
-    rules.is_said = !columns.bills.from.empty() || !columns.bills.to.empty();
-    rules.at_end = columns.bills.from.empty() && rules.is_said;
-    const std::string& time = rules.at_end ? columns.bills.to : columns.bills.from;
-    const Stamps stamps =
-        stamps_in(csv, time.empty() ? 0 : csv.column(time), rules, 31 * 86400);
+void look_at_bills(const LookRows& rows, const LookColumns& columns, ReadingsLook& look) {
     std::vector<TimeNote> notes;
-    std::vector<Bill> bills = bills_in(csv, columns.bills, stamps, rules, values,
-                                       columns.interval, false, notes);
+    std::vector<Bill> bills = bills_in(rows.csv, columns.bills, rows.stamps, rows.rules,
+                                       rows.values, columns.interval, false, notes);
     std::erase_if(bills, [](const Bill& bill) { return std::isnan(bill.value); });
     if (bills.empty()) return;
     look.bounds = bounds_of(bills);
@@ -169,15 +144,14 @@ void look_at_bills(const Csv& csv, const LookColumns& columns,
 
 }  // namespace
 
-ReadingsLook look_at(const Csv& csv, const LookColumns& columns) {
-    const std::vector<double> values = numbers_in(csv, csv.column(columns.column));
-    ReadingsLook look = look_for_quantum(values);
-    for (const double value : values)
+ReadingsLook look_at(const LookRows& rows, const LookColumns& columns) {
+    ReadingsLook look = look_for_quantum(rows.values);
+    for (const double value : rows.values)
         if (!std::isnan(value)) look.total += value;
     if (columns.interval < physics::Interval::monthly)
-        look_at_rows(csv, values, look);
+        look_at_rows(rows, look);
     else
-        look_at_bills(csv, columns, values, look);
+        look_at_bills(rows, columns, look);
     return look;
 }
 

@@ -12,7 +12,6 @@ namespace bemcal::input {
 
 /// Where a meter's readings stand in its file.
 struct LookColumns {
-    std::string column;
     BillColumns bills;  ///< of months and bills
     physics::Interval interval = physics::Interval::hourly;
 };
@@ -29,8 +28,16 @@ struct ReadingsLook {
     std::vector<physics::Seconds> bounds;
 };
 
-/// Times in the first column, in ISO form. Throws UserError (data) where they are none.
-ReadingsLook look_at(const Csv& csv, const LookColumns& columns);
+/// A meter's rows as they were read.
+struct LookRows {
+    const Csv& csv;
+    const Stamps& stamps;
+    const StampRules& rules;
+    std::vector<double> values;  ///< [n_rows], NaN = missing
+};
+
+/// Throws UserError (data) where bills do not follow each other.
+ReadingsLook look_at(const LookRows& rows, const LookColumns& columns);
 
 /// The same of the readings alone. \return quantum and share, or zeros
 ReadingsLook look_for_quantum(const std::vector<double>& values);

@@ -373,6 +373,9 @@ Csv rolled_out(const Csv& csv, const std::vector<std::size_t>& kept, std::size_t
                std::size_t n) {
     Csv rows;
     rows.file = csv.file;
+    rows.header_line = csv.header_line;
+    rows.notes = csv.notes;
+    rows.unquoted = csv.unquoted;
     for (const std::size_t column : kept) rows.columns.push_back(csv.columns[column]);
     rows.columns.push_back(csv.columns[first]);
     for (std::size_t row = 0; row < csv.n_rows(); ++row)

@@ -5,6 +5,7 @@
 #include "job/koh_data.hpp"
 
 #include "base/error.hpp"
+#include "input/csv_numbers.hpp"
 #include "job/result_names.hpp"
 
 #include <algorithm>

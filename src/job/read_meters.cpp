@@ -10,6 +10,7 @@
 #include "input/suggest.hpp"
 #include "input/units.hpp"
 #include "job/building_readers.hpp"
+#include "job/repeated.hpp"
 #include "job/result_names.hpp"
 #include "job/timed_csv.hpp"
 
@@ -100,6 +101,7 @@ class MeterReader {
         for (const std::string& file : section_.texts("file")) {
             sources.push_back(open_csv(section_, "file", file, files_,
                                        building_.weather.site, options));
+            state_lines(sources.back(), building_.decisions);
             note_stamps(sources.back(), meter_.name, building_.decisions);
         }
         if (sources.empty()) section_.fail("file", "is empty; expected a CSV file");
@@ -123,8 +125,18 @@ class MeterReader {
                    : input::Fold::mean;
     }
 
+    void drop_repeated_rows(input::RegularSeries& series, input::RegularSeries& next,
+                            std::span<const TimedCsv> sources) {
+        const int n_both = drop_repeated(series, next, sources);
+        if (n_both > 0)
+            decide(
+                fmt::format("{}: {} readings that the files before it have, too, alike",
+                            sources.back().csv->file, n_both),
+                "taken once");
+    }
+
     /// Files one after the other, at the longest of their steps.
-    input::RegularSeries joined(const std::vector<TimedCsv>& sources) const {
+    input::RegularSeries joined(const std::vector<TimedCsv>& sources) {
         std::vector<input::RegularSeries> parts;
         int step_s = 1;
         for (const TimedCsv& source : sources) {
@@ -132,9 +144,12 @@ class MeterReader {
             step_s = std::lcm(step_s, parts.back().axis.step_s);
         }
         input::RegularSeries series = input::coarsened(parts[0], step_s, fold());
-        for (std::size_t k = 1; k < parts.size(); ++k)
-            input::append(series, input::coarsened(parts[k], step_s, fold()),
-                          sources[k].csv->file);
+        for (std::size_t k = 1; k < parts.size(); ++k) {
+            input::RegularSeries next = input::coarsened(parts[k], step_s, fold());
+            drop_repeated_rows(series, next,
+                               std::span<const TimedCsv>(sources).first(k + 1));
+            if (next.axis.n_steps > 0) input::append(series, next, sources[k].csv->file);
+        }
         return series;
     }
 
@@ -198,7 +213,7 @@ class MeterReader {
         return input::bills_in(
             csv, {section_.text("from"), section_.text("to"), section_.text("estimated")},
             source.stamps, source.rules,
-            input::numbers_in(csv, csv.column(column_), source.decimal), meter_.interval,
+            input::numbers_in(csv, csv.column(column_), source.numbers), meter_.interval,
             meter_.quantity == Quantity::air_temperature, notes);
     }
 

@@ -135,6 +135,7 @@ physics::Profile read_series(const schema::Section& section, input::InputFiles& 
                              std::vector<study::DataDecision>& decisions) {
     const TimedCsv source = open_csv(section, "file", section.text("file"), files, site);
     note_stamps(source, section.text("name"), decisions);
+    state_lines(source, decisions);
     const input::RegularSeries series = series_of(source, section.text("column"));
     physics::Profile profile;
     profile.name = section.text("name");

@@ -163,6 +163,11 @@ std::string StockLine::cell(const std::string& column) const {
 const std::string* StockLine::find(const std::string& column) const {
     const auto at = std::ranges::lower_bound(*columns, column);
     if (at == columns->end() || *at != column) return nullptr;
+    if (at + 1 != columns->end() && at[1] == column)
+        throw UserError(ExitCode::data,
+                        fmt::format("line {}: column \"{}\" stands there twice; rename "
+                                    "one",
+                                    line, column));
     return &cells[static_cast<std::size_t>(at - columns->begin())];
 }
 

@@ -6,9 +6,12 @@
 #include "base/error.hpp"
 #include "input/checks.hpp"
 #include "input/epw.hpp"
+#include "input/time_zone.hpp"
 #include "job/building_readers.hpp"
+#include "job/repeated.hpp"
 #include "job/timed_csv.hpp"
 #include "job/weather_memory.hpp"
+#include "physics/sun.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +49,16 @@ void read_site(const schema::Section& section, physics::Site& site) {
     site.albedo = section.number("albedo");
 }
 
+void check_zone(const schema::Section& section, const physics::Site& site) {
+    if (input::is_possible_zone(site) || !section.has("utc_offset")) return;
+    section.fail_value(
+        "utc_offset",
+        fmt::format(
+            "no place at longitude {} has it, where the sun is {:.1f} h from UTC; "
+            "longitudes west and zones west of Greenwich are negative",
+            site.longitude, site.longitude / 15));
+}
+
 /// What one entry of [weather.columns] says.
 struct ColumnSource {
     std::string column;
@@ -69,15 +82,6 @@ ColumnSource column_source(const schema::Section& section, const char* key,
     return source;
 }
 
-/// "FILE:LINE" of the row that holds the beginning of an interval.
-std::string row_at(const TimedCsv& file, physics::Seconds begin) {
-    const auto& begins = file.stamps.begins;
-    const auto row = std::lower_bound(begins.begin(), begins.end(), begin);
-    if (row == begins.end()) return file.csv->file;
-    return fmt::format("{}:{}", file.csv->file,
-                       file.csv->lines[static_cast<std::size_t>(row - begins.begin())]);
-}
-
 /// Numbers outside the range that the table gives are a wrong unit or a missing-value
 /// code.
 void check_range(const input::RegularSeries& series, const schema::Key& row,
@@ -95,69 +99,153 @@ void check_range(const input::RegularSeries& series, const schema::Key& row,
     }
 }
 
-input::RegularSeries read_column(const schema::Section& section, const char* key,
-                                 const TimedCsv& file) {
-    const ColumnSource source = column_source(section, key, file.rules);
-    input::RegularSeries series = series_of(file, source.column);
-    for (double& value : series.values) value = value * source.factor + source.offset;
-    check_range(series, *schema::find_key("weather.columns", key), file, source.column);
-    const int shift =
-        static_cast<int>(source.at_end) - static_cast<int>(file.rules.at_end);
-    series.axis.start -= std::chrono::seconds(shift * series.axis.step_s);
-    return hourly_means(series, file.csv->file);
+bool is_irradiance(const schema::Key& row) {
+    return row.least < 0 && std::string_view(row.unit) == "W/m2";
 }
 
-void append(Weather& weather, std::vector<double> Weather::* series,
-            const input::RegularSeries& part) {
-    std::vector<double>& values = weather.*series;
-    values.resize(static_cast<std::size_t>(weather.axis.n_steps), missing);
-    for (int k = 0; k < part.axis.n_steps; ++k) {
-        const int to = weather.axis.step_of(part.axis.begin_of(k));
-        if (to < 0 || to >= weather.axis.n_steps) continue;
-        values[static_cast<std::size_t>(to)] = part.values[static_cast<std::size_t>(k)];
+/// A CSV weather on its way: its files, and the weather that they give.
+class CsvWeather {
+  public:
+    CsvWeather(const schema::Section& section, input::InputFiles& files,
+               const physics::Site& site, std::vector<study::DataDecision>& decisions)
+        : section_(section),
+          names_(section.table("columns", "weather.columns")),
+          files_(files),
+          decisions_(decisions) {
+        weather_.site = site;
+        names_.node("outdoor_temperature");
     }
-}
 
-/// The hours of a file join those before it.
-void extend(Weather& weather, const physics::TimeAxis& axis, const std::string& file) {
-    if (weather.axis.n_steps == 0) {
-        weather.axis = axis;
-        return;
-    }
-    if (axis.start < weather.axis.end())
-        throw UserError(
-            ExitCode::data,
-            fmt::format("{}: begins at {}, before the end of the file before it "
-                        "({}); give the files in order of time",
-                        file, physics::format_time(axis.start),
-                        physics::format_time(weather.axis.end())));
-    weather.axis.n_steps =
-        static_cast<int>((axis.end() - weather.axis.start).count() / weather.axis.step_s);
-}
-
-/// \param at_end  gets whether stamps are the ends of their hours
-Weather read_csv_weather(const schema::Section& section, input::InputFiles& files,
-                         const physics::Site& site, bool& at_end,
-                         std::vector<study::DataDecision>& decisions) {
-    const schema::Section names = section.table("columns", "weather.columns");
-    names.node("outdoor_temperature");
-    Weather weather;
-    weather.site = site;
-    for (const std::string& file : section.texts("files")) {
-        const TimedCsv source = open_csv(section, "files", file, files, site);
-        note_stamps(source, "weather", decisions);
-        at_end = source.rules.at_end;
-        bool first = true;
-        for (const Column& column : columns) {
-            if (!names.has(column.key)) continue;
-            const input::RegularSeries part = read_column(names, column.key, source);
-            if (first) extend(weather, part.axis, source.csv->file);
-            first = false;
-            append(weather, column.series, part);
+    Weather read() {
+        for (const std::string& file : section_.texts("files")) {
+            sources_.push_back(open_csv(section_, "files", file, files_, weather_.site));
+            state_lines(sources_.back(), decisions_);
+            note_stamps(sources_.back(), "weather", decisions_);
+            add_columns(sources_.back());
         }
+        return std::move(weather_);
     }
-    return weather;
-}
+    /// Whether stamps are the ends of their hours, in the last file.
+    bool at_end() const { return sources_.back().rules.at_end; }
+
+  private:
+    void add_columns(const TimedCsv& source) {
+        bool first = true;
+        n_again_ = 0;
+        for (const Column& column : columns) {
+            if (!names_.has(column.key)) continue;
+            const input::RegularSeries part = read_column(column.key, source);
+            if (first) extend(part.axis, source.csv->file);
+            first = false;
+            append(column, part);
+        }
+        if (n_again_ > 0)
+            decide("weather",
+                   fmt::format("{}: {} h that the files before it have, too, alike",
+                               source.csv->file, n_again_),
+                   "taken once");
+    }
+
+    void decide(std::string series, std::string finding, std::string action) {
+        decisions_.push_back({std::move(series), std::move(finding), std::move(action)});
+    }
+
+    input::RegularSeries read_column(const char* key, const TimedCsv& file) {
+        const ColumnSource source = column_source(names_, key, file.rules);
+        const schema::Key& row = *schema::find_key("weather.columns", key);
+        input::RegularSeries series = series_of(file, source.column);
+        for (double& value : series.values) value = value * source.factor + source.offset;
+        check_range(series, row, file, source.column);
+        const int shift =
+            static_cast<int>(source.at_end) - static_cast<int>(file.rules.at_end);
+        const std::chrono::seconds later(shift * series.axis.step_s);
+        if (is_irradiance(row)) take_off_night(series, row, file, source.column, later);
+        series.axis.start -= later;
+        return hourly_means(series, file.csv->file);
+    }
+
+    /// A pyranometer reads a little below 0 at night; by day that is a fault.
+    void take_off_night(input::RegularSeries& series, const schema::Key& row,
+                        const TimedCsv& file, const std::string& column,
+                        std::chrono::seconds later) {
+        constexpr double least_by_day = -20;  // [W/m2], as of an EPW file
+        double least = 0;
+        int n = 0;
+        for (int k = 0; k < series.axis.n_steps; ++k) {
+            double& value = series.values[static_cast<std::size_t>(k)];
+            if (!(value < 0)) continue;
+            const physics::Seconds begin = series.axis.begin_of(k);
+            const std::chrono::seconds half(series.axis.step_s / 2);
+            if (value < least_by_day && is_day(begin - later + half))
+                throw UserError(
+                    ExitCode::data,
+                    fmt::format("{}:{}: {:g}: irradiance below {:g} {} while the sun is "
+                                "up; leave the cell empty where it is missing, or check "
+                                "the clock (stamp, utc_offset) and factor",
+                                row_at(file, begin), column, value, least_by_day,
+                                row.unit));
+            least = std::min(least, value);
+            value = 0;
+            ++n;
+        }
+        if (n > 0)
+            decide(fmt::format("weather {}", row.key),
+                   fmt::format("{}: {} readings from {:g} to 0 W/m2", file.csv->file, n,
+                               least),
+                   "taken as 0");
+    }
+
+    bool is_day(physics::Seconds time) const {
+        constexpr double horizon = 1.5707963;
+        return physics::sun_position(weather_.site, time).zenith < horizon;
+    }
+
+    /// The hours of a file join those before it.
+    void extend(const physics::TimeAxis& axis, const std::string& file) {
+        physics::TimeAxis& whole = weather_.axis;
+        if (whole.n_steps == 0) {
+            whole = axis;
+            return;
+        }
+        if (axis.start < whole.start)
+            throw UserError(
+                ExitCode::data,
+                fmt::format("{}: begins at {}, before the end of the file before it "
+                            "({}); give the files in order of time",
+                            file, physics::format_time(axis.start),
+                            physics::format_time(whole.end())));
+        whole.n_steps =
+            std::max(whole.n_steps,
+                     static_cast<int>((axis.end() - whole.start).count() / whole.step_s));
+    }
+
+    void append(const Column& column, const input::RegularSeries& part) {
+        std::vector<double>& values = weather_.*column.series;
+        values.resize(static_cast<std::size_t>(weather_.axis.n_steps), missing);
+        int n_again = 0;
+        for (int k = 0; k < part.axis.n_steps; ++k) {
+            const physics::Seconds begin = part.axis.begin_of(k);
+            const int to = weather_.axis.step_of(begin);
+            const double now = part.values[static_cast<std::size_t>(k)];
+            if (to < 0 || to >= weather_.axis.n_steps || std::isnan(now)) continue;
+            double& value = values[static_cast<std::size_t>(to)];
+            if (!std::isnan(value) && value != now)
+                refuse_two_readings(sources_, fmt::format("{} is ", column.key), begin,
+                                    value, now);
+            n_again += !std::isnan(value);
+            value = now;
+        }
+        n_again_ = std::max(n_again_, n_again);
+    }
+
+    const schema::Section& section_;
+    const schema::Section names_;
+    input::InputFiles& files_;
+    std::vector<study::DataDecision>& decisions_;
+    Weather weather_;
+    std::vector<TimedCsv> sources_;
+    int n_again_ = 0;  ///< hours of this file that others have
+};
 
 Weather read_epw_weather(const schema::Section& section, input::InputFiles& files,
                          const schema::Section* site,
@@ -170,7 +258,7 @@ Weather read_epw_weather(const schema::Section& section, input::InputFiles& file
     std::vector<input::EpwText> texts;
     for (const std::string& file : section.texts("files")) {
         const std::filesystem::path path = section.path(file);
-        texts.push_back({path.string(), files.text(path, section.where("files"))});
+        texts.push_back({path.string(), files.data(path, section.where("files"))});
     }
     input::EpwFile epw = input::parse_epw_chain(texts, options);
     for (const std::string& sentence : epw.decisions)
@@ -218,12 +306,16 @@ void average(std::vector<double>& theta_e, bool at_end) {
 }
 
 /// What helps where the weather does not cover a period.
-const char* advice_on(const study::Period& period, const physics::TimeAxis& axis) {
+const char* advice_on(const schema::Section& section, const study::Period& period,
+                      const physics::TimeAxis& axis) {
     constexpr std::chrono::hours hour(1);
     if (period.from == axis.start - hour)
         return "where a stamp is the end of its hour, set stamp = \"end\"";
     if (period.to == axis.end() + hour)
         return "where a stamp is the start of its hour, set stamp = \"start\"";
+    if (section.choice("format") == "epw" && !section.has("year"))
+        return "give more files, choose another period, or say by year which one a "
+               "typical year stands for";
     return "give more files, or choose another period";
 }
 
@@ -237,7 +329,7 @@ void check_periods(const schema::Section& section, const study::Case& building) 
                     "the period {} is {} to {}, but the weather covers {} to {}; {}",
                     period.name, physics::format_time(period.from),
                     physics::format_time(period.to), physics::format_time(axis.start),
-                    physics::format_time(axis.end()), advice_on(period, axis)));
+                    physics::format_time(axis.end()), advice_on(section, period, axis)));
 }
 
 bool in_a_period(const study::Case& building, physics::Seconds time) {
@@ -285,11 +377,11 @@ void read_any_weather(const schema::Section& section, const schema::Section* sit
     physics::Site place;
     for (const char* key : {"latitude", "longitude", "utc_offset"}) site->node(key);
     read_site(*site, place);
-    bool at_end = false;
-    building.weather =
-        read_csv_weather(section, files, place, at_end, building.decisions);
+    check_zone(*site, place);
+    CsvWeather csv(section, files, place, building.decisions);
+    building.weather = csv.read();
     if (section.choice("temperature") == "hour_mean")
-        average(building.weather.theta_e, at_end);
+        average(building.weather.theta_e, csv.at_end());
 }
 
 }  // namespace

@@ -27,7 +27,8 @@ struct StockLine {
     bool has(const std::string& column) const { return find(column) != nullptr; }
     /// The cell, or nothing where there is no such column or it is empty.
     std::string cell(const std::string& column) const;
-    /// \return nullptr where there is no such column
+    /// \return nullptr where there is no such column; throws UserError where there are
+    /// two
     const std::string* find(const std::string& column) const;
 };
 

@@ -7,6 +7,7 @@
 
 #include "base/machine.hpp"
 #include "input/stock_readings.hpp"
+#include "job/timed_csv.hpp"
 #include "physics/calendar.hpp"
 
 #include <algorithm>
@@ -155,11 +156,74 @@ class Writer {
         decisions_.push_back({series, std::move(finding), std::move(action)});
     }
 
+    /// A cell as the schema's row wants it written.
+    std::string toml_of(const schema::Key& key, const std::string& column) const {
+        using schema::Type;
+        const std::string cell = word(column, "");
+        const bool is_number = key.type == Type::number || key.type == Type::integer;
+        if (is_number) number_of(column, cell);
+        const bool begins_so =
+            cell.find_first_not_of("+-.0123456789") == std::string::npos;
+        const bool plain =
+            is_number || key.type == Type::flag || (key.type == Type::words && begins_so);
+        return fmt::format("{} = {}\n", key.key, plain ? cell : '"' + cell + '"');
+    }
+
+    /// Keys of a section that columns of the name PREFIX_KEY say.
+    std::string said_keys(const std::string& prefix, const char* section,
+                          std::initializer_list<std::string_view> own) const {
+        std::string text;
+        for (const schema::Key& key : schema::keys_of(section)) {
+            const std::string column = prefix + "_" + key.key;
+            const bool is_own = std::ranges::find(own, key.key) != own.end();
+            if (is_own || key.type == schema::Type::tables) continue;
+            if (!line_.cell(column).empty()) text += toml_of(key, column);
+        }
+        return text;
+    }
+
+    /// What the meter's section says of its file, before its unit.
+    std::string meter_text(const MeterKind& kind, const std::string& column) const {
+        const std::string name = kind.name;
+        std::string text = fmt::format(
+            "[[meter]]\nname = \"{}\"\nquantity = \"{}\"\nfile = \"{}\"\ncolumn = "
+            "\"{}\"\n",
+            name, physics::name_of(kind.quantity), word(name, ""), column);
+        text += said_keys(name, "meter", {"name", "quantity", "file", "column", "unit"});
+        for (const std::string key : {"interval", "estimated"})
+            if (line_.cell(name + "_" + key).empty() && !line_.cell(key).empty())
+                text += fmt::format("{} = \"{}\"\n", key, word(key, ""));
+        return text;
+    }
+
+    /// The readings as the reader of meters will find them.
+    input::ReadingsLook look_at(const std::string& text, const std::string& column) {
+        const std::string file = fmt::format("{}:{}", stock_.table.string(), line_.line);
+        const schema::Node tree = schema::parse_document(text, file);
+        const schema::Section root(tree, "building", file);
+        const schema::Section section = root.tables("meter", "meter").at(0);
+        const auto interval = section.choice_as<physics::Interval>("interval");
+        const input::LookColumns columns{
+            {section.text("from"), section.text("to"), section.text("estimated")},
+            interval};
+        const bool is_long = interval > physics::Interval::hourly;
+        const OpenOptions options{
+            is_long ? 31 * 86400 : 3600, false,           column, is_long,
+            columns.bills.from,          columns.bills.to};
+        const TimedCsv source = open_csv(section, "file", section.text("file"), files_,
+                                         physics::Site{}, options);
+        const input::Csv& csv = *source.csv;
+        return input::look_at(
+            {csv, source.stamps, source.rules,
+             input::numbers_in(csv, csv.column(column), source.numbers)},
+            columns);
+    }
+
     void add_meter(const MeterKind& kind) {
         const std::string name = kind.name;
         const std::string column = word(name + "_column", line_.name);
-        const input::LookColumns columns{column, bill_columns(name), interval()};
-        const input::ReadingsLook look = input::look_at(files_.csv(path(name)), columns);
+        const std::string text = meter_text(kind, column);
+        const input::ReadingsLook look = look_at(text, column);
         if (look.last_day.empty())
             fail(name,
                  fmt::format("{} has no reading of {}", path(name).string(), column));
@@ -179,33 +243,7 @@ class Writer {
                    "kept; shared: a share of another meter's pulses, or a conversion");
         ++n_meters_;
         has_gas_ = has_gas_ || name == "gas";
-        meters_ += fmt::format(
-            "[[meter]]\nname = \"{}\"\nquantity = \"{}\"\nfile = \"{}\"\ncolumn = "
-            "\"{}\"\n"
-            "unit = \"{}\"\n",
-            name, physics::name_of(kind.quantity), word(name, ""), column, unit);
-        if (interval() != physics::Interval::hourly)
-            meters_ += fmt::format("interval = \"{}\"\n", physics::name_of(interval()));
-        for (const auto& [key, value] :
-             {std::pair("from", columns.bills.from), std::pair("to", columns.bills.to),
-              std::pair("estimated", columns.bills.estimated)})
-            if (!value.empty()) meters_ += fmt::format("{} = \"{}\"\n", key, value);
-    }
-
-    /// Of the line's readings.
-    physics::Interval interval() const {
-        using physics::Interval;
-        const std::string name = word("interval", "hourly");
-        for (const Interval known :
-             {Interval::hourly, Interval::daily, Interval::monthly})
-            if (name == physics::name_of(known)) return known;
-        fail("interval", fmt::format("\"{}\": expected hourly, daily or monthly", name));
-    }
-
-    input::BillColumns bill_columns(const std::string& meter) const {
-        if (interval() != physics::Interval::monthly) return {};
-        return {word(meter + "_from", ""), word(meter + "_to", ""),
-                word("estimated", "")};
+        meters_ += fmt::format("{}unit = \"{}\"\n", text, unit);
     }
 
     /// By a year's gas of a square metre; says what the others would make of it.
@@ -249,9 +287,10 @@ class Writer {
         if (!temperature.empty() && line_.cell("utc_offset").empty())
             site_ += "utc_offset = 0\n";
         if (!site_.empty()) text_ += "[site]\n" + site_;
-        text_ += fmt::format("[weather]\nfiles = [\"{}\"]\n", file);
-        if (const double year = number("year", 0); year != 0)
-            text_ += fmt::format("year = {}\n", year);
+        text_ += "[weather]\n" + weather_files(file);
+        text_ +=
+            said_keys("weather", "weather",
+                      {"files", "format", "columns", "fill_gaps", "temperature", "year"});
         if (temperature.empty()) return;
         text_ += "format = \"csv\"\ntemperature = \"hour_mean\"\nfill_gaps = 48\n";
         text_ +=
@@ -261,6 +300,17 @@ class Writer {
             if (const std::string column = word(key, ""); !column.empty())
                 text_ += fmt::format("{} = {{column = \"{}\", stamp = \"{}\"}}\n", key,
                                      column, word(std::string(key) + "_stamp", "start"));
+    }
+
+    /// A typical year's file stands for every year from `year` to that of the last day.
+    std::string weather_files(const std::string& file) const {
+        if (line_.cell("year").empty()) return fmt::format("files = [\"{}\"]\n", file);
+        const auto year = static_cast<int>(number("year", 0));
+        const int last = physics::calendar_step(day_in("to", last_day_)).year;
+        std::string names;
+        for (int k = year; k <= std::clamp(last, year, year + 50); ++k)
+            names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", file);
+        return fmt::format("files = [{}]\nyear = {}\n", names, year);
     }
 
     physics::Seconds day_in(const std::string& column,

@@ -7,6 +7,10 @@
 
 #include "base/error.hpp"
 #include "job/building_readers.hpp"
+#include "job/csv_form.hpp"
+
+#include <algorithm>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -80,7 +84,7 @@ TimedCsv open_csv(const schema::Section& section, const char* key,
                   const std::string& file, input::InputFiles& files,
                   const physics::Site& site, const OpenOptions& options) {
     TimedCsv source;
-    source.csv = &files.csv(section.path(file), section.where(key));
+    source.csv = &files.csv(section.path(file), section.where(key), csv_form(section));
     source.rules = stamp_rules(section, site);
     source.rules.is_mean = options.is_mean;
     if (!options.from.empty() || !options.to.empty()) {
@@ -92,9 +96,26 @@ TimedCsv open_csv(const schema::Section& section, const char* key,
         input::stamps_in(*source.csv, time, source.rules, options.fallback_step_s);
     source.rules.at_end = source.stamps.at_end;
     doubt_clock(section, time, source);
-    source.decimal = section.choice("decimal")[0];
+    source.numbers = number_form(section);
     source.gaps_are_missing = section.choice("gaps") == "missing";
     return source;
+}
+
+std::string row_at(const TimedCsv& source, physics::Seconds begin) {
+    const auto& begins = source.stamps.begins;
+    const auto row = std::ranges::lower_bound(begins, begin);
+    if (row == begins.end()) return source.csv->file;
+    return fmt::format("{}:{}", source.csv->file,
+                       source.csv->lines[static_cast<std::size_t>(row - begins.begin())]);
+}
+
+void state_lines(const TimedCsv& source, std::vector<study::DataDecision>& decisions) {
+    const std::string file = std::filesystem::path(source.csv->file).filename();
+    for (const std::string& note : source.csv->notes)
+        if (std::ranges::none_of(decisions, [&](const study::DataDecision& known) {
+                return known.series == file && known.finding == note;
+            }))
+            decisions.push_back({file, note, "as said"});
 }
 
 void note_stamps(const TimedCsv& source, const std::string& series,
@@ -108,7 +129,7 @@ input::RegularSeries series_of(const TimedCsv& source, const std::string& column
     const input::Csv& csv = *source.csv;
     input::RegularSeries series =
         input::lay(csv, source.stamps,
-                   input::numbers_in(csv, csv.column(column), source.decimal), fold);
+                   input::numbers_in(csv, csv.column(column), source.numbers), fold);
     if (!source.gaps_are_missing) input::refuse_gaps(csv, series);
     return input::on_whole_steps(std::move(series));
 }

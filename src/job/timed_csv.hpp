@@ -2,6 +2,7 @@
 /// [[meter]].
 #pragma once
 
+#include "input/csv_numbers.hpp"
 #include "input/input_files.hpp"
 #include "input/series.hpp"
 #include "physics/weather.hpp"
@@ -22,7 +23,7 @@ struct TimedCsv {
     const input::Csv* csv = nullptr;
     input::Stamps stamps;
     input::StampRules rules;  ///< as said, or as found
-    char decimal = '.';
+    input::NumberForm numbers;
     bool gaps_are_missing = false;
 };
 
@@ -44,6 +45,12 @@ TimedCsv open_csv(const schema::Section& section, const char* key,
 /// What was found in the stamps of a file, as decisions on a series.
 void note_stamps(const TimedCsv& source, const std::string& series,
                  std::vector<study::DataDecision>& decisions);
+
+/// "FILE:LINE" of the row that holds the beginning of an interval.
+std::string row_at(const TimedCsv& source, physics::Seconds begin);
+
+/// Which of its lines were left out, as decisions on the file.
+void state_lines(const TimedCsv& source, std::vector<study::DataDecision>& decisions);
 
 /// A column as an even series; absent rows are an error unless the section takes them.
 /// \param fold  of finer rows, where the step changes

@@ -144,6 +144,8 @@ std::string expectation(const Key& key) {
             return "a list of numbers";
         case Type::texts:
             return "a list of texts";
+        case Type::words:
+            return "a list of texts and numbers";
         case Type::day:
             return "a number, or a list of 24, one for each hour from 0:00 on";
         case Type::input:

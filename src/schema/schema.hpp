@@ -26,6 +26,7 @@ enum class Type {
     date,     ///< 2021-03-05, in quotes or not
     numbers,  ///< a list
     texts,    ///< a list, or one alone
+    words,    ///< texts and numbers, a list or one alone
     day,      ///< a number, or 24 of them, hour by hour
     input,    ///< a number, {value, low, schedule} or {series, value}
     table,    ///< a section of its own

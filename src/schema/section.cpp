@@ -196,6 +196,24 @@ std::vector<std::string> Section::texts(std::string_view key) const {
     return values;
 }
 
+std::vector<const Node*> Section::words(std::string_view key) const {
+    std::vector<const Node*> values;
+    if (!has(key)) return values;
+    const Node& list = node(key);
+    const auto take = [&](const Node& item) {
+        if (item.kind != Node::Kind::text && item.kind != Node::Kind::number)
+            fail_value(key,
+                       fmt::format("expected texts and numbers, not {}", written(item)));
+        values.push_back(&item);
+    };
+    if (list.kind != Node::Kind::array) {
+        take(list);
+    } else {
+        for (const Entry& entry : list.entries) take(entry.node);
+    }
+    return values;
+}
+
 const Table& Section::table_with(const char* schema) const {
     return table_->find(schema) != nullptr ? *table_ : job_table();
 }

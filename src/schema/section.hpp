@@ -32,6 +32,8 @@ class Section {
     std::string choice(std::string_view key) const;
     std::vector<double> numbers(std::string_view key) const;
     std::vector<std::string> texts(std::string_view key) const;
+    /// Texts and numbers as written, of a list or one alone; none where it is left out.
+    std::vector<const Node*> words(std::string_view key) const;
     Section table(std::string_view key, const char* schema) const;
     std::vector<Section> tables(std::string_view key, const char* schema) const;
     /// The same, unopened: for sections whose keys depend on what stands in them.

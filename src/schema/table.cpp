@@ -221,6 +221,19 @@ constexpr Key table[] = {
      "As of strptime, \"%d/%m/%Y %H:%M\", with %z for an offset and %s for seconds since "
      "1970; default: 2021-03-05 14:00[:00][Z or +01:00]."},
     {"source", "decimal", Type::choice, ".|,", ".", 0, 0, "Decimal mark."},
+    {"source", "thousands", Type::choice, ",|.|'| |none", "", 0, 0,
+     "Mark between groups of three digits (a blank stands for blanks of all kinds). Left "
+     "out: a number that may have one is an error that asks."},
+    {"source", "missing", Type::words, "", "", 0, 0,
+     "Cells that stand for no reading, [\"Bad\", -999]; empty ones, NA, NaN, null, none, "
+     "-, missing and errors of spreadsheets do so in any case."},
+    {"source", "header_line", Type::integer, "", "", 1, 1000000,
+     "Line of the column names, from 1. Left out: the first line that has the names that "
+     "are asked for."},
+    {"source", "skip", Type::words, "", "", 0, 0,
+     "Lines left out: their numbers, from 1, or texts that they begin with, [3, "
+     "\"Total\"]. A line of units below the names and lines without a time behind the "
+     "last row are left out in any case, and stated."},
     {"source", "gaps", Type::choice, "error|missing", "error", 0, 0,
      "What absent rows are; empty cells are missing readings in any case."},
     // schedules

@@ -19,7 +19,7 @@ constexpr const char* name_of(DecisionKind kind) {
 }
 
 struct DataDecision {
-    std::string series;   ///< the meter or column, or what else it is about
+    std::string series;   ///< the meter, column or file, or what else it is about
     std::string finding;  ///< "46 h of zeros from 2013-04-02 00:00"
     std::string action;   ///< "masked", "kept", "scaled by 11.2"
     DecisionKind kind = DecisionKind::data;

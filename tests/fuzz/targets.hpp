@@ -4,7 +4,7 @@
 
 #include "base/error.hpp"
 #include "input/checks.hpp"
-#include "input/csv.hpp"
+#include "input/csv_numbers.hpp"
 #include "input/epw.hpp"
 #include "input/input_files.hpp"
 #include "input/series.hpp"
@@ -81,7 +81,23 @@ inline void try_stock(const std::string& text) {
     }
 }
 
+/// Asks for its last column, so that the names may stand in any line.
+inline void try_csv_by_name(const std::string& text) {
+    for (const char* thousands : {"", ",", " "}) {
+        try {
+            input::CsvForm form;
+            form.names = {input::parse_csv(text, "fuzz.csv").columns.back()};
+            const input::Csv csv = input::parse_csv(text, "fuzz.csv", form);
+            input::NumberForm numbers;
+            numbers.thousands = thousands;
+            input::numbers_in(csv, csv.column(form.names[0]), numbers);
+        } catch (const UserError&) {
+        }
+    }
+}
+
 inline void try_csv(const std::string& text) {
+    try_csv_by_name(text);
     for (const input::Clock clock : {input::Clock::unstated, input::Clock::eu}) {
         try {
             const input::Csv csv = input::parse_csv(text, "fuzz.csv");
@@ -97,6 +113,15 @@ inline void try_csv(const std::string& text) {
             }
         } catch (const UserError&) {
         }
+    }
+}
+
+/// Bytes of any file of data.
+inline void try_data(const std::string& bytes) {
+    try {
+        input::InputFiles files([&](const std::filesystem::path&) { return bytes; });
+        files.data("fuzz");
+    } catch (const UserError&) {
     }
 }
 

@@ -4,6 +4,7 @@
 #include "support/csv_table.hpp"
 #include "support/temporary_folder.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -11,6 +12,7 @@
 #include <iostream>
 #include <map>
 #include <random>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -238,30 +240,27 @@ TEST(Epw, BadHeaders) {
     expect_complaint("hello", "w.epw:1:1:", "expected 'LOCATION'");
     expect_complaint("LOCATION,Nowhere", "w.epw:1:7: latitude [deg] = ''",
                      "from -90 to 90");
-    const auto with = [&](const std::string& from, const std::string& to) {
+    const auto changed = [&](const std::string& from, const std::string& to) {
         std::string text = good;
         return text.replace(text.find(from), from.size(), to);
     };
-    expect_complaint(with("50.00", "fifty"), "w.epw:1:7: latitude [deg] = 'fifty'",
+    expect_complaint(changed("50.00", "fifty"), "w.epw:1:7: latitude [deg] = 'fifty'",
                      "from -90");
-    expect_complaint(with("50.00", "nan"), "w.epw:1:7:", "from -90");
-    expect_complaint(with("10.00", "190"), "w.epw:1:8: longitude", "-180 to 180");
-    expect_complaint(with("DATA PERIODS,1,1", "DATA"),
+    expect_complaint(changed("50.00", "nan"), "w.epw:1:7:", "from -90");
+    expect_complaint(changed("10.00", "190"), "w.epw:1:8: longitude", "-180 to 180");
+    expect_complaint(changed("DATA PERIODS,1,1", "DATA"),
                      "w.epw:101:1:", "no line 'DATA PERIODS'");
     expect_complaint(header.substr(0, header.find("DATA")),
                      "w.epw:7:1:", "no line 'DATA PERIODS'");
-    expect_complaint(with("PERIODS,1,1", "PERIODS,2,1"),
+    expect_complaint(changed("PERIODS,1,1", "PERIODS,2,1"),
                      "w.epw:8:2:", "several data periods");
-    expect_complaint(with("PERIODS,1,1", "PERIODS,1,4"), "w.epw:8:3:", "sub-hourly");
+    expect_complaint(changed("PERIODS,1,1", "PERIODS,1,4"), "w.epw:8:3:", "sub-hourly");
 }
 
 TEST(Epw, BadRows) {
     expect_complaint(header, "w.epw:8:1: only 0 hours", "8760");
     expect_complaint((header + rows(2021, 2021)).substr(0, 200000),
                      "w.epw:", "is the file cut off");
-    expect_complaint(
-        header + rows(2021, 2021, {}, [](const auto& step) { return step.month < 12; }),
-        "w.epw:8024:1: only 8016 hours", "whole year");
     expect_complaint(header + rows(2021, 2021, {{4, {{7, "warm"}}}}),
                      "w.epw:13:7: dry bulb temperature = 'warm'",
                      "from -70 to 70 degC, or 99.9");
@@ -291,6 +290,161 @@ TEST(Epw, RowsMustFollowEachOther) {
         complaint([&] { input::parse_epw(header + leap, "w.epw", year); });
     EXPECT_NE(found.text.find("no 29 February: give a leap year"), std::string::npos)
         << found.text;
+}
+
+std::string with(std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+}
+
+/// Latitude, longitude, time zone and elevation of `header`, whatever its place is.
+void expect_place(const std::string& text, const std::string& place) {
+    const input::EpwFile file = input::parse_epw(text, "w.epw");
+    EXPECT_EQ(file.place, place);
+    const physics::Site& site = file.weather.site;
+    EXPECT_EQ(site.latitude, 50) << place;
+    EXPECT_EQ(site.longitude, 10) << place;
+    EXPECT_EQ(site.utc_offset_h, 1) << place;
+    EXPECT_EQ(site.elevation, 300) << place;
+    EXPECT_TRUE(file.decisions.empty()) << decisions(file);
+}
+
+TEST(EpwHeader, APlaceMayHoldCommasInQuotesOrBare) {
+    const std::string good = header + rows(2021, 2021);
+    expect_place(with(good, "Nowhere", "\"No, where\""), "No, where");
+    expect_place(with(good, "Nowhere", "No, where"), "No, where");
+    expect_place(with(good, "Nowhere", "No, where, else"), "No, where, else");
+    expect_place(with(good, "Nowhere,-", "\"No, where\",\"a, b\""), "No, where");
+}
+
+TEST(EpwHeader, LinesMayBeFilledWithCommas) {
+    std::string filled = header;
+    for (std::size_t at = 0; (at = filled.find("\r\n", at)) != std::string::npos;
+         at += 27)
+        filled.insert(at, std::string(25, ','));
+    expect_place(filled + rows(2021, 2021), "Nowhere");
+    expect_place(with(filled, "Nowhere", "No, where") + rows(2021, 2021), "No, where");
+}
+
+TEST(EpwHeader, KeyWordsMayBeSmall) {
+    expect_place(
+        with(with(header, "LOCATION", "Location"), "DATA PERIODS", "Data Periods") +
+            rows(2021, 2021),
+        "Nowhere");
+}
+
+TEST(EpwHeader, AnImpossibleTimeZoneIsRefused) {
+    const std::string good = header + rows(2021, 2021);
+    expect_complaint(with(good, "1.0,300", "-5.0,300"),
+                     "w.epw:1:9: time zone [h] = '-5.0': no place at longitude 10 has it",
+                     "longitudes west are negative");
+    expect_complaint(with(good, "10.00,1.0", "105.0,-7.0"),
+                     "w.epw:1:9:", "no place at longitude 105");
+    const auto is_read = [&](const std::string& zone) {
+        return complaint_about(with(good, "10.00,1.0", zone)).code == ExitCode::ok;
+    };
+    EXPECT_TRUE(is_read("75.98,8")) << "Kashgar keeps Beijing's time";
+    EXPECT_TRUE(is_read("-157.4,14")) << "Kiritimati, beyond the date line";
+    EXPECT_TRUE(is_read("120,0")) << "UTC";
+}
+
+TEST(EpwHeader, SemicolonsAreNamed) {
+    std::string text = header + rows(2021, 2021);
+    std::ranges::replace(text, ',', ';');
+    expect_complaint(text, "w.epw:1:1: semicolons (;) between the fields",
+                     "expected commas");
+}
+
+TEST(EpwHeader, ARowInItsLastLineIsRefused) {
+    expect_complaint(with(header, "12/31\r\n", "12/31") + rows(2021, 2021),
+                     "w.epw:8:7: the first row stands in the line 'DATA PERIODS'",
+                     "a line of its own");
+}
+
+TEST(EpwRows, OfCommasAndOldLineEndsAreRead) {
+    std::string text = header + rows(2021, 2021) + std::string(34, ',') + "\r\n,,,\r\n";
+    expect_place(text, "Nowhere");
+    std::erase(text, '\n');
+    expect_place(text, "Nowhere");
+}
+
+TEST(EpwRows, OfHours0To23AreRefused) {
+    expect_complaint(
+        header + rows(2021, 2021, {{0, {{4, "0"}}}}),
+        "w.epw:9:4: hour (that ends here) = '0': expected a number from 1 to 24",
+        "where hours run from 0 to 23, add 1");
+}
+
+TEST(EpwRows, OfAPartOfAYearAreRead) {
+    const auto until_november = [](const auto& step) { return step.month < 12; };
+    const input::EpwFile part =
+        input::parse_epw(header + rows(2021, 2021, {}, until_november), "w.epw");
+    EXPECT_EQ(part.weather.axis.n_steps, 334 * 24);
+    EXPECT_EQ(decisions(part),
+              "w.epw:8024: its rows end on 11/30, the header says 12/31: is the file cut "
+              "off here?");
+    const input::EpwFile said = input::parse_epw(
+        with(header, "12/31", "11/30") + rows(2021, 2021, {}, until_november), "w.epw");
+    EXPECT_TRUE(said.decisions.empty()) << decisions(said);
+}
+
+TEST(EpwRows, HaveNaNAndBlanksWhereAValueIsMissing) {
+    input::EpwOptions as_read;
+    as_read.temperature = input::TemperatureConvention::as_read;
+    for (const char* word : {"NaN", "nan", "", " ", "NA", "null"}) {
+        const input::EpwFile file = input::parse_epw(
+            header + rows(2021, 2021, {{9, {{7, word}, {14, word}, {22, word}}}}),
+            "w.epw", as_read);
+        EXPECT_EQ(file.weather.theta_e[9], 9) << word;
+        EXPECT_TRUE(std::isnan(file.weather.wind_speed[9])) << word;
+    }
+}
+
+/// By the sun's height, global = direct normal x its sine + diffuse.
+TEST(EpwRows, HaveGlobalIrradianceOfTheOthersWhereItsColumnIsACode) {
+    for (const char* code : {"-999", "-9999", "9999"}) {
+        std::map<int, Changes> changes;
+        for (int k = 0; k < 8760; ++k) changes[k] = {{14, code}, {15, "0"}};
+        const input::EpwFile file =
+            input::parse_epw(header + rows(2021, 2021, changes), "w.epw");
+        EXPECT_EQ(file.weather.global_horizontal[12], 100) << code;
+        const bool is_foreign = code[0] == '-';
+        EXPECT_EQ(decisions(file).find(fmt::format("w.epw:9:14: global horizontal "
+                                                   "irradiance: {} in all hours taken as "
+                                                   "missing",
+                                                   code)) != std::string::npos,
+                  is_foreign)
+            << decisions(file);
+    }
+}
+
+TEST(EpwRows, HaveNoCodesOfOtherFormatsInSingleHours) {
+    expect_complaint(header + rows(2021, 2021, {{4, {{14, "-9999"}}}}),
+                     "w.epw:13:14: global horizontal irradiance = '-9999'",
+                     "or 9999 where it is missing");
+    expect_complaint(header + rows(2021, 2021, {{4, {{7, "-999"}}}}),
+                     "w.epw:13:7:", "or 99.9 where it is missing");
+}
+
+/// January to July and June to December of one year.
+TEST(EpwChain, HoursOfTwoFilesAreTakenOnceWhereTheyAreAlike) {
+    const auto cut = [](int first, int last, const std::map<int, Changes>& changes = {}) {
+        return header + rows(2021, 2021, changes, [=](const auto& step) {
+                   return first <= step.month && step.month <= last;
+               });
+    };
+    const std::string a = cut(1, 7), b = cut(6, 12);
+    const input::EpwFile chain = input::parse_epw_chain({{"a.epw", a}, {"b.epw", b}});
+    const input::EpwFile whole = input::parse_epw(header + rows(2021, 2021), "w.epw");
+    EXPECT_EQ(chain.weather.theta_e, whole.weather.theta_e);
+    EXPECT_NE(decisions(chain).find("b.epw: 1464 h that the files before it have, too"),
+              std::string::npos)
+        << decisions(chain);
+    // 1 June, the hour from 0:00, is hour 151 x 24 of the year and the first row of b.
+    const std::string other = cut(6, 12, {{151 * 24, {{7, "3"}}}});
+    EXPECT_EQ(
+        complaint([&] { input::parse_epw_chain({{"a.epw", a}, {"b.epw", other}}); }).text,
+        "b.epw:9:7: dry bulb temperature is 3 here, but 0 at a.epw:3633:7, for the "
+        "same hour (2021-06-01 00:00:00): leave one of them out");
 }
 
 class EpwFiles : public testing::Test {
@@ -426,6 +580,38 @@ TEST(Epw, RealFiles) {
             << expected.name;
         std::cout << expected.name << ": " << decisions(read) << '\n';
     }
+}
+
+/// A real file as editors, spreadsheets and vendors leave it.
+TEST(Epw, RealFilesAreReadInOtherForms) {
+    const auto path = test::shared_file("weather/GBR_Birmingham.035340_IWEC.epw");
+    if (test::is_absent(path)) GTEST_SKIP() << path;
+    std::ostringstream stream;
+    stream << std::ifstream(path, std::ios::binary).rdbuf();
+    const std::string text = stream.str();
+    const physics::Weather whole = input::parse_epw(text, "w.epw").weather;
+    const auto expect_same = [&](const std::string& form) {
+        const physics::Weather weather = input::parse_epw(form, "w.epw").weather;
+        EXPECT_EQ(weather.site.latitude, 52.45);
+        EXPECT_EQ(weather.site.longitude, -1.73);
+        EXPECT_EQ(weather.site.elevation, 99);
+        EXPECT_EQ(weather.theta_e, whole.theta_e);
+        EXPECT_EQ(weather.global_horizontal, whole.global_horizontal);
+    };
+    expect_same(with(text, "BIRMINGHAM", "Birmingham, West Midlands"));
+    expect_same(with(text, "BIRMINGHAM", "\"Birmingham, West Midlands\""));
+    expect_same(with(with(text, "LOCATION", "Location"), "DATA PERIODS", "Data Periods"));
+    expect_same(with(text, ",99.0\n", ",99.0,,,,,,,,,,\n") + std::string(34, ',') + "\n");
+    std::string old = text;
+    std::ranges::replace(old, '\n', '\r');
+    expect_same(old);
+    const std::string june = text.substr(0, text.find("\n", text.find(",6,30,24,")) + 1);
+    const input::EpwFile half = input::parse_epw(june, "w.epw");
+    EXPECT_EQ(half.weather.axis.n_steps, 181 * 24);
+    EXPECT_TRUE(std::equal(half.weather.theta_e.begin(), half.weather.theta_e.end(),
+                           whole.theta_e.begin()));
+    EXPECT_NE(decisions(half).find("its rows end on 6/30, the header says 12/31"),
+              std::string::npos);
 }
 
 }  // namespace

@@ -57,18 +57,78 @@ TEST(MeterFiles, WhatLiesBetweenTwoFilesIsMissing) {
     EXPECT_FALSE(std::isnan(values[705]));
 }
 
-TEST(MeterFiles, FilesThatOverlapAreRefusedByName) {
+bool has_decision(const Job& job, const std::string& finding) {
+    return std::ranges::any_of(job.buildings[0].decisions, [&](const auto& decision) {
+        return decision.finding.find(finding) != std::string::npos;
+    });
+}
+
+TEST(MeterFiles, RowsOfTwoFilesAreTakenOnceWhereTheyAreAlike) {
+    const Folder folder;
+    const Job whole = read_job(write_small_office(folder));
+    folder.write("a.csv", rows(0, 700));
+    folder.write("b.csv", rows(650, 2000));
+    const Job job =
+        read_job(write_small_office(folder, with_files("[\"a.csv\", \"b.csv\"]")));
+    EXPECT_TRUE(
+        same(job.buildings[0].meters[0].values, whole.buildings[0].meters[0].values));
+    EXPECT_TRUE(
+        has_decision(job, "b.csv: 50 readings that the files before it have, too"));
+}
+
+TEST(MeterFiles, AFileWithinAnotherAddsNothing) {
+    const Folder folder;
+    const Job whole = read_job(write_small_office(folder));
+    folder.write("a.csv", rows(0, 2000));
+    folder.write("b.csv", rows(650, 660));
+    const Job job =
+        read_job(write_small_office(folder, with_files("[\"a.csv\", \"b.csv\"]")));
+    EXPECT_TRUE(
+        same(job.buildings[0].meters[0].values, whole.buildings[0].meters[0].values));
+}
+
+TEST(MeterFiles, AReadingThatOneFileLacksIsTakenFromTheOther) {
+    const Folder folder;
+    const Job whole = read_job(write_small_office(folder));
+    const std::string line_700 = rows(699, 700).substr(rows(0, 0).size());
+    folder.write("a.csv",
+                 replaced(rows(0, 700), line_700, line_700.substr(0, 20) + ",\n"));
+    folder.write("b.csv", rows(650, 2000));
+    const Job job =
+        read_job(write_small_office(folder, with_files("[\"a.csv\", \"b.csv\"]")));
+    EXPECT_TRUE(
+        same(job.buildings[0].meters[0].values, whole.buildings[0].meters[0].values));
+    EXPECT_TRUE(has_decision(job, "b.csv: 49 readings"));
+}
+
+TEST(MeterFiles, RowsOfTwoFilesThatDifferAreRefusedWithBothPlaces) {
     const Folder folder;
     folder.write("a.csv", rows(0, 700));
-    folder.write("b.csv", rows(699, 2000));
+    const std::string line_700 = rows(699, 700).substr(rows(0, 0).size());
+    folder.write("b.csv",
+                 replaced(rows(650, 2000), line_700, line_700.substr(0, 20) + "99,20\n"));
     ExitCode exit_code = ExitCode::usage;
     const std::string message = message_of(
         write_small_office(folder, with_files("[\"a.csv\", \"b.csv\"]")), &exit_code);
-    EXPECT_NE(message.find("b.csv: begins at 2021-01-30 03:00:00, before the end of the "
-                           "file before it, 2021-01-30 04:00:00"),
-              std::string::npos)
+    EXPECT_NE(message.find("b.csv:51: 99 here, but "), std::string::npos) << message;
+    EXPECT_NE(
+        message.find("a.csv:701, for the same time (2021-01-30 03:00:00); leave one "
+                     "of them out"),
+        std::string::npos)
         << message;
     EXPECT_EQ(exit_code, ExitCode::data);
+}
+
+TEST(MeterFiles, FilesInTheWrongOrderAreRefusedByName) {
+    const Folder folder;
+    folder.write("a.csv", rows(0, 700));
+    folder.write("b.csv", rows(699, 2000));
+    const std::string message =
+        message_of(write_small_office(folder, with_files("[\"b.csv\", \"a.csv\"]")));
+    EXPECT_NE(message.find("a.csv: begins at 2021-01-01 00:00:00, before the end of the "
+                           "file before it"),
+              std::string::npos)
+        << message;
 }
 
 TEST(MeterFiles, AMeterWithoutAFileIsPredictedOnly) {

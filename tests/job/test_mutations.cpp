@@ -65,6 +65,13 @@ TEST(Mutations, OfCsvFilesEndInAnAnswerOrAUserError) {
     try_many(small_readings(48), 600, [](const std::string& text) { try_csv(text); });
 }
 
+TEST(Mutations, OfFilesOfAnyKindEndInAnAnswerOrAUserError) {
+    for (const std::string& text :
+         {std::string("PK\x03\x04") + std::string(26, '\x08') + "a file's name",
+          std::string("\xFF\xFEt\0i\0m\0e\0", 10), std::string("Z\xE4hler\n\x93 5\n")})
+        try_many(text, 300, [](const std::string& bytes) { try_data(bytes); });
+}
+
 TEST(Mutations, OfEpwFilesEndInAnAnswerOrAUserError) {
     try_many(small_epw(), 600, [](const std::string& text) { try_epw(text); });
 }

@@ -1,6 +1,7 @@
 /// Meters as published, where they are at hand: what the checks find in them, printed as
 /// a table.
 #include "input/checks.hpp"
+#include "input/csv_numbers.hpp"
 #include "input/input_files.hpp"
 #include "input/stamps.hpp"
 #include "job/small_office.hpp"

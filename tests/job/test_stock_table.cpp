@@ -1,0 +1,175 @@
+/// Tables of stocks as spreadsheets leave them, and buildings that their columns
+/// describe.
+#include "input/stock_readings.hpp"
+#include "job/small_office.hpp"
+#include "job/stock.hpp"
+
+#include <gtest/gtest.h>
+
+namespace bemcal::job {
+namespace {
+
+using physics::parse_time;
+
+constexpr const char* head =
+    "name,floor_area,latitude,longitude,utc_offset,weather,outdoor_temperature,"
+    "direct_normal,diffuse_horizontal,gas,gas_column";
+constexpr const char* place = "1500,23.13,113.32,8,w.csv,T_out_C,DNI,DHI";
+
+/// Gas of the hours, days or months of 2021, stamped at their begin.
+std::string readings(int n, const std::function<std::string(int)>& row) {
+    std::string text = "time;kwh\n";
+    for (int k = 0; k < n; ++k) text += row(k) + "\n";
+    return text;
+}
+
+std::string hourly(int k) {
+    const auto time = parse_time("2021-01-01") + std::chrono::hours(k);
+    return fmt::format("{};{}", physics::format_time(time), 50 + k % 24);
+}
+
+class StockTable {
+  public:
+    StockTable(const std::string& columns, const std::string& cells,
+               const std::string& gas = readings(8760, hourly))
+        : StockTable(
+              fmt::format("{}{}\none,{},gas.csv,kwh{}\n", head, columns, place, cells),
+              gas, 0) {}
+    StockTable(const std::string& table, const std::string& gas, int) {
+        folder_.write("w.csv", small_weather(8760));
+        folder_.write("gas.csv", gas);
+        folder_.write("stock.csv", table);
+        folder_.write("job.toml",
+                      "[stock]\ntable = \"stock.csv\"\n[[study]]\nkind = "
+                      "\"screening\"\n");
+    }
+    Job job() const { return read_job(folder_ / "job.toml"); }
+    study::Case building() const {
+        const Job stock = job();
+        input::InputFiles files;
+        return read_stock_building(stock, stock.stock->lines.at(0), files).buildings[0];
+    }
+    std::string complaint() const {
+        try {
+            building();
+        } catch (const UserError& error) {
+            return error.what();
+        }
+        return "no complaint";
+    }
+    const Folder& folder() const { return folder_; }
+
+  private:
+    Folder folder_;
+};
+
+std::string ends_of(const study::Case& building, std::size_t period) {
+    const study::Period& is = building.periods.at(period);
+    return physics::format_date(is.from) + " " + physics::format_date(is.to);
+}
+
+TEST(StockTables, HaveNoBuildingsInBlankRows) {
+    const StockTable stock(
+        fmt::format("{}\n,,,,\none,{},gas.csv,kwh\n\n,,,,,,,,,,\n\"\",,,\n", head, place),
+        "", 0);
+    ASSERT_EQ(stock.job().stock->lines.size(), 1U);
+    EXPECT_EQ(stock.job().stock->lines[0].line, 3);
+}
+
+TEST(StockTables, MayHaveAColumnTwiceThatNobodyAsksFor) {
+    EXPECT_EQ(StockTable(",note,note", ",a,b").complaint(), "no complaint");
+    EXPECT_NE(StockTable(",class,class", ",heavy,light")
+                  .complaint()
+                  .find("line 2: column \"class\" stands there twice; rename one"),
+              std::string::npos);
+}
+
+TEST(StockTables, OfHoursEndWithTheLastWholeDay) {
+    const study::Case building = StockTable("", "").building();
+    EXPECT_EQ(ends_of(building, 0), "2021-01-01 2021-12-04");
+    EXPECT_EQ(ends_of(building, 1), "2021-12-04 2022-01-01");
+}
+
+TEST(StockTables, MaySayHowAMetersFileIsToBeRead) {
+    const auto german = [](int k) {
+        const physics::CalendarStep step =
+            physics::calendar_step(parse_time("2021-01-01") + std::chrono::hours(k));
+        return fmt::format("{:02}.{:02}.{} {:02}:00;1.{:03},5", step.day, step.month,
+                           step.year, step.hour, 50 + k % 24);
+    };
+    const study::Case building = StockTable(",gas_time_format,gas_thousands",
+                                            ",%d.%m.%Y %H:%M,.", readings(8760, german))
+                                     .building();
+    EXPECT_EQ(ends_of(building, 0), "2021-01-01 2021-12-04");
+    EXPECT_EQ(building.meters[0].values.at(3), 1053.5);
+}
+
+TEST(StockTables, MayHaveReadingsByTheMonth) {
+    const auto month = [](int k) {
+        return fmt::format("2021-{:02}-01;{}", k + 1, 100 * k);
+    };
+    const study::Case building =
+        StockTable(",interval", ",monthly", readings(12, month)).building();
+    EXPECT_EQ(building.meters[0].interval, physics::Interval::monthly);
+    EXPECT_EQ(ends_of(building, 0), "2021-01-01 2021-12-01");
+    EXPECT_EQ(building.meters[0].values.at(31 * 24), 100);
+}
+
+/// An EPW file whose rows come from 1987, of the hours of any year.
+std::string typical_year() {
+    std::string text =
+        "LOCATION,Here,-,XXX,made,0,23.13,113.32,8,20\nDATA "
+        "PERIODS,1,1,a,Sunday,1/1,12/31\n";
+    for (int k = 0; k < 8760; ++k) {
+        const physics::CalendarStep step =
+            physics::calendar_step(parse_time("2021-01-01") + std::chrono::hours(k));
+        text +=
+            fmt::format("1987,{},{},{},0,x,{},0,50,0,0,0,0,{},0,100\n", step.month,
+                        step.day, step.hour + 1, step.month, step.hour == 12 ? 500 : 100);
+    }
+    return text;
+}
+
+TEST(StockTables, MayHaveATypicalYearsWeather) {
+    const auto later = [](int k) { return hourly(k + 100 * 24); };
+    const std::string columns = "name,floor_area,weather,gas,gas_column,year\n";
+    const StockTable stock(columns + "one,1500,w.epw,gas.csv,kwh,2021\n",
+                           readings(8760, later), 0);
+    stock.folder().write("w.epw", typical_year());
+    const study::Case building = stock.building();
+    EXPECT_EQ(ends_of(building, 0), "2021-04-11 2022-03-14");
+    const auto at = [&](const char* time) {
+        const int step = building.weather.axis.step_of(parse_time(time));
+        return building.weather.theta_e.at(static_cast<std::size_t>(step));
+    };
+    EXPECT_EQ(at("2021-05-10 12:00"), 5);
+    EXPECT_EQ(at("2022-02-10 12:00"), 2);
+    const StockTable unsaid(
+        "name,floor_area,weather,gas,gas_column\n"
+        "one,1500,w.epw,gas.csv,kwh\n",
+        readings(8760, later), 0);
+    unsaid.folder().write("w.epw", typical_year());
+    EXPECT_NE(unsaid.complaint().find("say by year which one a typical year stands for"),
+              std::string::npos)
+        << unsaid.complaint();
+}
+
+TEST(StockReadings, KnowTheirHoursAndWholeDays) {
+    input::Stamps stamps;
+    stamps.step_s = 900;
+    std::vector<double> values;
+    for (int k = 0; k < 4 * 24 * 3 - 2; ++k) {
+        stamps.begins.push_back(parse_time("2021-03-01") + std::chrono::minutes(15 * k));
+        values.push_back(k == 0 ? std::nan("") : 1);
+    }
+    const std::string text = "time,kwh\n2021-03-01,1\n";
+    const input::Csv csv = input::parse_csv(text, "x.csv");
+    const input::StampRules rules;
+    const input::ReadingsLook look = input::look_at({csv, stamps, rules, values}, {});
+    EXPECT_EQ(look.hours, (4 * 24 * 3 - 3) / 4.0);
+    EXPECT_EQ(look.first_day, "2021-03-01");
+    EXPECT_EQ(look.last_day, "2021-03-02") << "the third day lacks half an hour";
+}
+
+}  // namespace
+}  // namespace bemcal::job
