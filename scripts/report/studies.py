@@ -1,6 +1,8 @@
 """The studies of a result, by the kind that each says it is: the word of the job file."""
 import h5py
 
+from report import guard
+
 # What one kind alone stored in version 0.1.0, whose studies do not say their kind.
 MARKS_OF_0_1_0 = {"structure_chosen": "loop", "guideline_14_count": "screening", "objective": "optimisation"}
 
@@ -13,7 +15,7 @@ def groups(file):
 
 def kind_of(group):
     """A word of the job file; none where the group is no study."""
-    said = group.get("kind")
+    said = group["kind"] if guard.has(group, "kind") else None
     if not isinstance(said, h5py.Dataset) or said.shape != () or not h5py.check_string_dtype(said.dtype):
         return None
     return said.asstr()[()]

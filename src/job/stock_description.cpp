@@ -173,7 +173,7 @@ class Writer {
     std::string said_keys(const std::string& prefix, const char* section,
                           std::initializer_list<std::string_view> own) const {
         std::string text;
-        for (const schema::Key& key : schema::keys_of(section)) {
+        for (const schema::Key& key : schema::job_table().keys_of(section)) {
             const std::string column = prefix + "_" + key.key;
             const bool is_own = std::ranges::find(own, key.key) != own.end();
             if (is_own || key.type == schema::Type::tables) continue;

@@ -5,6 +5,7 @@
 #include "report/interval_name.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace bemcal::report {
 namespace {
@@ -26,11 +27,12 @@ constexpr Name names[] = {{1, "once"},
 }  // namespace
 
 double usual_interval(const std::vector<double>& begins) {
-    if (begins.size() < 2) return 0;
     std::vector<double> distances;
-    distances.reserve(begins.size() - 1);
+    distances.reserve(begins.size());
     for (std::size_t k = 1; k < begins.size(); ++k)
-        distances.push_back(begins[k] - begins[k - 1]);
+        if (const double distance = begins[k] - begins[k - 1]; std::isfinite(distance))
+            distances.push_back(distance);
+    if (distances.empty()) return 0;
     const auto middle =
         distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
     std::nth_element(distances.begin(), middle, distances.end());

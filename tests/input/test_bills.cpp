@@ -1,5 +1,6 @@
 #include "base/error.hpp"
 #include "input/bills.hpp"
+#include "input/csv_numbers.hpp"
 #include "physics/calendar.hpp"
 
 #include <cmath>

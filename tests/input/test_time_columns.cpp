@@ -1,4 +1,5 @@
 #include "base/error.hpp"
+#include "input/csv_numbers.hpp"
 #include "input/series.hpp"
 #include "input/stamps.hpp"
 

@@ -1,5 +1,6 @@
 /// [[meter]], [[series]] and [weather]: stamps in the forms that utilities, loggers and
 /// portals write, each read as the same readings in the plainest form.
+#include "input/csv_numbers.hpp"
 #include "input/input_files.hpp"
 #include "input/series.hpp"
 #include "job/small_office.hpp"

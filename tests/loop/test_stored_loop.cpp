@@ -12,7 +12,7 @@ namespace {
 
 StoredLoop made() {
     StoredLoop loop;
-    loop.channels = {{"gas", "kWh", "mornings", 0.07}, {"air", "degC"}};
+    loop.channels = {{"gas", "kWh", "mornings", 0.07}, {"air", "degC", ""}};
     loop.models = {"plain", "before", "after"};
     loop.periods = {"training"};
     loop.parameters = {{"u_wall", "-", 1, 0.2}};

@@ -159,8 +159,8 @@ class LoopReport(unittest.TestCase):
         self.assertIn("correlation of 0.5 or more", text)
 
     def test_a_result_of_before_lists_kinds_and_limits_were_stored_looks_the_same(self):
+        now = page.html_of(self.small("now.h5"))
         file = fake_loop_result.write(self.folder / "older.h5", channels=ONE)
-        now = page.html_of(result.read(file))
         with h5py.File(file, "a") as stored:
             for name in ("effect_class_of", "effect_class_member", "decision_kind",
                          "power_alias_kind", "least_detectability", "same_signature"):
