@@ -228,23 +228,18 @@ def errors(loop):
         axis.plot(shares, [y] * 3, color=theme.GRID, linewidth=3, zorder=1)
         for model, (name, colour) in MODELS.items():
             axis.scatter(shares[model], y, s=40, color=colour, label=name if y == 0 else None)
-    floors = [(100 * row.floor / row.error[PLAIN], y) for y, row in enumerate(rows)
-              if np.isfinite(row.floor)]
-    if floors:
-        axis.scatter(*zip(*floors), s=60, color=theme.INK, marker="|", label="floor")
     axis.set_yticks(range(len(rows)), [row.channel for row in rows])
     axis.set(xlabel="error, plain = 100 %", ylim=(len(rows) - 0.5, -0.5))
     axis.set_xlim(left=0)
     axis.grid(False, axis="y")
-    axis.legend(loc="lower right", bbox_to_anchor=(1, 1), borderaxespad=0.2, ncols=4,
+    axis.legend(loc="lower right", bbox_to_anchor=(1, 1), borderaxespad=0.2, ncols=3,
                 handletextpad=0.1, columnspacing=1)
     said = "; ".join(f"{row.channel} {percent(row.error[BEFORE] / row.error[PLAIN])} before, "
                      f"{percent(row.error[AFTER] / row.error[PLAIN])} after" for row in rows)
     return picture(figure, "Errors",
                    f"Error of each channel relative to the plain model's: {said}.",
                    f"Error in {loop.judged} relative to the plain model's: with the structure "
-                   "chosen (before), with the effects found (after)"
-                   + ("; bar: the estimated floor." if floors else "."))
+                   "chosen (before), with the effects found (after).")
 
 
 def parameters(loop):

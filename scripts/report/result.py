@@ -142,7 +142,6 @@ class Error:
     error: np.ndarray       # [model] CV(RMSE) [%], or RMSE [K]
     bias: np.ndarray        # [model] NMBE [%], or mean error [K]
     unit: str
-    floor: float            # in the error's unit; NaN = unknown
 
     @property
     def is_measured(self):

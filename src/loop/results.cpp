@@ -2,7 +2,7 @@
 /// intervals, power, decisions, what plain, before and after predict for every hour of
 /// every period; and in short what it found.
 /// Follows from `LoopResult`; intervals reach 1.645 times `deviation_of` to each side.
-/// The page is made by the report's script. The noise floor is not known here: it is NaN.
+/// The page is made by the report's script.
 #include "loop/results.hpp"
 
 #include "base/machine.hpp"

@@ -52,11 +52,10 @@ std::string floor_of(const Row& row, double floor) {
 }
 
 void add_row(TextTable& table, const std::string& period, const std::string& interval,
-             const Row& row, const std::string& floor) {
+             const Row& row) {
     const int digits = row.unit == "K" ? 2 : 1;
     std::vector<std::string> cells{period, row.channel, interval, in_short(row.n)};
     for (const double error : row.error) cells.push_back(fixed(error, digits));
-    cells.push_back(floor);
     for (const double bias : row.bias) cells.push_back(fixed(bias, digits));
     cells.push_back(row.unit);
     table.add(std::move(cells));

@@ -428,9 +428,6 @@ constexpr LayoutRow own_rows[] = {
     {"misfit", "", number, "1",
      "evidence of the best candidate that did not pass over what noise alone would show, "
      "at least 1: the factor on the variances of parameters and coefficients"},
-    {"noise_floor", "channel", number, "1 (a temperature's: K)",
-     "estimated hourly CV(RMSE), or RMSE of a temperature, that no model gets below; "
-     "NaN = unknown"},
     {"simulated", "model time", number, "of the channel", "every hour, measured or not"},
     // retrofit: its outputs are energies [kWh] and hours too cold or too warm [h]
     {"scenario", "scenario", text, "", "names of the scenarios"},

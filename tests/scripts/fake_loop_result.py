@@ -165,8 +165,6 @@ def background(study, channels, found, random):
     study["localisation"] = before
     study["unexplained"] = np.linspace(0.01, 0.09, len(channels))
     text(study, "unexplained_where", ["weekday mornings in winter"] * len(channels))
-    study["noise_floor"] = [0.1 if unit == "degC" else 0.07 for unit in channels.values()]
-    study["noise_floor"][-1] = np.nan
 
 
 def write(path, channels=CHANNELS, held_out=True, found=2, stage="office/loop", seed=1):

@@ -52,7 +52,7 @@ TEST(Layout, NoPeriodMayBeCalledAsWhatAScreeningStores) {
     check(at("parameter"), at("failed_reason"));
     check(at("meter"), at("n_points"));
     check(at("unknown"), at("data_words"));
-    check(at("channel"), at("noise_floor"));
+    check(at("channel"), at("misfit"));
     EXPECT_EQ(job::refusal_of_name(job::Named::period, "heating"), "");
 }
 
