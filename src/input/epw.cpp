@@ -7,7 +7,6 @@
 
 #include "base/error.hpp"
 #include "input/epw_table.hpp"
-#include "input/input_files.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -262,11 +261,6 @@ EpwFile finish(Chain chain, const EpwOptions& options) {
 }
 
 }  // namespace
-
-EpwFile parse_epw(std::string_view text, const std::string& name,
-                  const EpwOptions& options) {
-    return parse_epw_chain({{name, text}}, options);
-}
 
 EpwFile parse_epw_chain(const std::vector<EpwText>& files, const EpwOptions& options) {
     require(!files.empty(), "a chain of EPW files has at least one");

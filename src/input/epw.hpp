@@ -8,7 +8,6 @@
 
 #include "physics/weather.hpp"
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,16 +43,5 @@ struct EpwText {
 /// instead.
 EpwFile parse_epw_chain(const std::vector<EpwText>& files,
                         const EpwOptions& options = {});
-
-/// The same from files, gzipped or not. Throws UserError (no_input) where one cannot be
-/// opened.
-EpwFile read_epw(const std::filesystem::path& file, const EpwOptions& options = {});
-
-EpwFile read_epw_chain(const std::vector<std::filesystem::path>& files,
-                       const EpwOptions& options = {});
-
-/// The same for one text in memory.
-EpwFile parse_epw(std::string_view text, const std::string& name,
-                  const EpwOptions& options = {});
 
 }  // namespace bemcal::input

@@ -127,7 +127,7 @@ inline void try_data(const std::string& bytes) {
 
 inline void try_epw(const std::string& text) {
     try {
-        input::parse_epw(text, "fuzz.epw");
+        test::parse_epw(text, "fuzz.epw");
     } catch (const UserError&) {
     }
 }

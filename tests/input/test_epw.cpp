@@ -1,7 +1,7 @@
 /// EPW files: what is read from good ones, and what is said about bad ones.
 #include "base/error.hpp"
-#include "input/epw.hpp"
 #include "support/csv_table.hpp"
+#include "support/epw_files.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <algorithm>
@@ -88,7 +88,7 @@ Complaint complaint(const std::function<void()>& call) {
 }
 
 Complaint complaint_about(const std::string& text) {
-    return complaint([&] { input::parse_epw(text, "w.epw"); });
+    return complaint([&] { test::parse_epw(text, "w.epw"); });
 }
 
 void expect_complaint(const std::string& text, const std::string& where,
@@ -103,7 +103,7 @@ TEST(Epw, RowsEndAtTheirHour) {
     input::EpwOptions as_read;
     as_read.temperature = input::TemperatureConvention::as_read;
     const input::EpwFile file =
-        input::parse_epw(header + rows(2021, 2021), "w.epw", as_read);
+        test::parse_epw(header + rows(2021, 2021), "w.epw", as_read);
     const physics::Weather& weather = file.weather;
     EXPECT_EQ(file.place, "Nowhere");
     EXPECT_EQ(weather.site.latitude, 50);
@@ -119,20 +119,20 @@ TEST(Epw, RowsEndAtTheirHour) {
 }
 
 TEST(Epw, HourMeanIsTheDefault) {
-    const input::EpwFile file = input::parse_epw(header + rows(2021, 2021), "w.epw");
+    const input::EpwFile file = test::parse_epw(header + rows(2021, 2021), "w.epw");
     EXPECT_EQ(file.weather.theta_e[0], 0);
     EXPECT_EQ(file.weather.theta_e[6], 5.5);
     EXPECT_EQ(file.weather.theta_e[24], 11.5);
 }
 
 TEST(Epw, YearsWithAndWithout29February) {
-    EXPECT_EQ(input::parse_epw(header + rows(2020, 2020), "w.epw").weather.axis.n_steps,
+    EXPECT_EQ(test::parse_epw(header + rows(2020, 2020), "w.epw").weather.axis.n_steps,
               8784);
     input::EpwOptions as_read;
     as_read.temperature = input::TemperatureConvention::as_read;
     const std::map<int, Changes> cold{{58 * 24 + 7, {{7, "-40"}}}};  // 28 February, 7:00
     const input::EpwFile file =
-        input::parse_epw(header + rows(2020, 2020, cold, not_leap_day), "w.epw", as_read);
+        test::parse_epw(header + rows(2020, 2020, cold, not_leap_day), "w.epw", as_read);
     EXPECT_EQ(file.weather.axis.n_steps, 8784);
     EXPECT_EQ(file.weather.theta_e[58 * 24 + 7], -40);
     EXPECT_EQ(file.weather.theta_e[59 * 24 + 7], -40);
@@ -144,22 +144,22 @@ TEST(Epw, TypicalYearGetsOneYear) {
     std::string text = rows(2021, 2021);
     for (std::size_t at = 0; (at = text.find("\n2021,7,", at)) != std::string::npos; ++at)
         text.replace(at, 6, "\n1987,");
-    const input::EpwFile file = input::parse_epw(header + text, "w.epw");
+    const input::EpwFile file = test::parse_epw(header + text, "w.epw");
     EXPECT_EQ(file.weather.axis.start, parse_time("2021-01-01"));
     EXPECT_NE(decisions(file).find("taken as 2021"), std::string::npos);
     input::EpwOptions year;
     year.year = 2030;
-    EXPECT_EQ(input::parse_epw(header + text, "w.epw", year).weather.axis.start,
+    EXPECT_EQ(test::parse_epw(header + text, "w.epw", year).weather.axis.start,
               parse_time("2030-01-01"));
 }
 
 TEST(Epw, SeveralYearsInOneFile) {
-    EXPECT_EQ(input::parse_epw(header + rows(2019, 2021), "w.epw").weather.axis.n_steps,
+    EXPECT_EQ(test::parse_epw(header + rows(2019, 2021), "w.epw").weather.axis.n_steps,
               8760 * 3 + 24);
 }
 
 TEST(Epw, MissingCodesBecomeMissing) {
-    const input::EpwFile file = input::parse_epw(
+    const input::EpwFile file = test::parse_epw(
         header + rows(2021, 2021, {{5, {{9, "999"}, {22, "999."}, {23, "99"}}}}),
         "w.epw");
     EXPECT_TRUE(std::isnan(file.weather.relative_humidity[5]));
@@ -172,7 +172,7 @@ TEST(Epw, ShortGapsOfTemperatureAreInterpolated) {
     input::EpwOptions as_read;
     as_read.temperature = input::TemperatureConvention::as_read;
     const Changes gap{{7, "99.9"}};
-    const input::EpwFile file = input::parse_epw(
+    const input::EpwFile file = test::parse_epw(
         header + rows(2021, 2021, {{0, gap}, {9, gap}, {10, gap}, {11, gap}}), "w.epw",
         as_read);
     EXPECT_EQ(file.weather.theta_e[0], 1);
@@ -199,15 +199,15 @@ TEST(Epw, LongGapsAreRefused) {
 
 TEST(Epw, ShortGapsOfIrradianceAreInterpolatedAndCloudCoverStandsIn) {
     const Changes no_sun{{14, "9999"}, {15, "9999"}, {16, "99999"}, {23, "99"}};
-    input::EpwFile file = input::parse_epw(
-        header + rows(2021, 2021, {{11, no_sun}, {12, no_sun}}), "w.epw");
+    input::EpwFile file =
+        test::parse_epw(header + rows(2021, 2021, {{11, no_sun}, {12, no_sun}}), "w.epw");
     EXPECT_EQ(file.weather.global_horizontal[11], 100);
     EXPECT_NE(decisions(file).find("w.epw:20:14: all irradiance: 2 h in 1 gap(s)"),
               std::string::npos)
         << decisions(file);
     std::map<int, Changes> cloudy;
     for (int k = 0; k < 24; ++k) cloudy[k] = {{14, "9999"}, {15, "9999"}, {16, "9999"}};
-    file = input::parse_epw(header + rows(2021, 2021, cloudy), "w.epw");
+    file = test::parse_epw(header + rows(2021, 2021, cloudy), "w.epw");
     EXPECT_GT(file.weather.global_horizontal[11], 100);
     EXPECT_NE(decisions(file).find("global horizontal irradiance derived for 9 h"),
               std::string::npos)
@@ -218,7 +218,7 @@ TEST(Epw, PartsOfZeroBesideGlobalIrradianceAreDerived) {
     std::map<int, Changes> changes;
     for (int k = 0; k < 8760; ++k) changes[k] = {{15, "0"}, {16, "0"}};
     const input::EpwFile file =
-        input::parse_epw(header + rows(2021, 2021, changes), "w.epw");
+        test::parse_epw(header + rows(2021, 2021, changes), "w.epw");
     EXPECT_GT(file.weather.diffuse_horizontal[12], 0);
     EXPECT_NE(decisions(file).find("diffuse horizontal irradiance derived"),
               std::string::npos);
@@ -226,7 +226,7 @@ TEST(Epw, PartsOfZeroBesideGlobalIrradianceAreDerived) {
 
 TEST(Epw, OddValuesOfUnneededColumnsAreIgnoredAndReported) {
     const input::EpwFile file =
-        input::parse_epw(header + rows(2021, 2021, {{5, {{23, "11"}}}}), "w.epw");
+        test::parse_epw(header + rows(2021, 2021, {{5, {{23, "11"}}}}), "w.epw");
     EXPECT_TRUE(std::isnan(file.weather.cloud_cover[5]));
     EXPECT_NE(
         decisions(file).find("w.epw:14:23: total sky cover: 1 values outside 0 to 10"),
@@ -287,7 +287,7 @@ TEST(Epw, RowsMustFollowEachOther) {
     input::EpwOptions year;
     year.year = 2021;
     const Complaint found =
-        complaint([&] { input::parse_epw(header + leap, "w.epw", year); });
+        complaint([&] { test::parse_epw(header + leap, "w.epw", year); });
     EXPECT_NE(found.text.find("no 29 February: give a leap year"), std::string::npos)
         << found.text;
 }
@@ -459,18 +459,18 @@ class EpwFiles : public testing::Test {
 TEST_F(EpwFiles, MayBeGzipped) {
     const auto plain = write("year.epw", header + rows(2021, 2021));
     ASSERT_EQ(std::system(("gzip -k '" + plain.string() + "'").c_str()), 0);
-    EXPECT_EQ(input::read_epw(plain.string() + ".gz").weather.theta_e,
-              input::read_epw(plain).weather.theta_e);
+    EXPECT_EQ(test::read_epw(plain.string() + ".gz").weather.theta_e,
+              test::read_epw(plain).weather.theta_e);
 }
 
 TEST_F(EpwFiles, ThatCannotBeOpened) {
     for (const auto& file : {folder / "absent.epw", folder}) {
-        const Complaint found = complaint([&] { input::read_epw(file); });
+        const Complaint found = complaint([&] { test::read_epw(file); });
         EXPECT_EQ(found.code, ExitCode::no_input) << found.text;
         EXPECT_EQ(found.text.rfind(file.string(), 0), 0U);
     }
     const auto empty = write("empty.epw", "");
-    const Complaint found = complaint([&] { input::read_epw(empty); });
+    const Complaint found = complaint([&] { test::read_epw(empty); });
     EXPECT_EQ(found.code, ExitCode::data);
     EXPECT_NE(found.text.find("is empty"), std::string::npos);
 }
@@ -479,12 +479,12 @@ TEST_F(EpwFiles, ChainHasNoSeams) {
     const auto a = write("a.epw", header + rows(2019, 2019));
     const auto b = write("b.epw", header + rows(2020, 2020, {}, not_leap_day));
     const auto c = write("c.epw", header + rows(2021, 2021));
-    const input::EpwFile chain = input::read_epw_chain({a, b, c});
+    const input::EpwFile chain = test::read_epw_chain({a, b, c});
     EXPECT_EQ(chain.weather.axis.n_steps, 8760 * 3 + 24);
     EXPECT_EQ(chain.weather.theta_e[8760], 11.5);  // mean of 23 and 0 across the seam
     EXPECT_EQ(chain.weather.theta_e.size(), chain.weather.diffuse_horizontal.size());
     EXPECT_EQ(chain.weather.wind_speed.size(), chain.weather.theta_e.size());
-    const Complaint reversed = complaint([&] { input::read_epw_chain({b, a}); });
+    const Complaint reversed = complaint([&] { test::read_epw_chain({b, a}); });
     EXPECT_NE(reversed.text.find("a.epw:9:1: begins at 2019-01-01"), std::string::npos)
         << reversed.text;
 }
@@ -493,7 +493,7 @@ TEST_F(EpwFiles, ChainOfOneTypicalYearRunsThroughTheYears) {
     const auto file = write("a.epw", header + rows(2019, 2019));
     input::EpwOptions first_year;
     first_year.year = 2022;
-    const input::EpwFile chain = input::read_epw_chain({file, file, file}, first_year);
+    const input::EpwFile chain = test::read_epw_chain({file, file, file}, first_year);
     EXPECT_EQ(chain.weather.axis.start, parse_time("2022-01-01"));
     EXPECT_EQ(chain.weather.axis.end(), parse_time("2025-01-01"));
 }
@@ -503,9 +503,8 @@ TEST_F(EpwFiles, ChainOfTwoPlacesIsRefused) {
     elsewhere.replace(elsewhere.find("50.00"), 5, "51.00");
     const auto a = write("a.epw", header + rows(2019, 2019)),
                b = write("b.epw", elsewhere);
-    EXPECT_NE(
-        complaint([&] { input::read_epw_chain({a, b}); }).text.find("another place"),
-        std::string::npos);
+    EXPECT_NE(complaint([&] { test::read_epw_chain({a, b}); }).text.find("another place"),
+              std::string::npos);
 }
 
 TEST_F(EpwFiles, GapInTheSecondFileNamesThatFile) {
@@ -513,7 +512,7 @@ TEST_F(EpwFiles, GapInTheSecondFileNamesThatFile) {
     for (int k = 2; k < 8; ++k) changes[k] = {{7, "99.9"}};
     const auto a = write("a.epw", header + rows(2019, 2019));
     const auto b = write("b.epw", header + rows(2020, 2020, changes));
-    EXPECT_NE(complaint([&] { input::read_epw_chain({a, b}); }).text.find("b.epw:11:7:"),
+    EXPECT_NE(complaint([&] { test::read_epw_chain({a, b}); }).text.find("b.epw:11:7:"),
               std::string::npos);
 }
 
@@ -564,7 +563,7 @@ TEST(Epw, RealFiles) {
         if (test::is_absent(file)) GTEST_SKIP() << file;
         input::EpwOptions as_read;
         as_read.temperature = input::TemperatureConvention::as_read;
-        const input::EpwFile read = input::read_epw(file, as_read);
+        const input::EpwFile read = test::read_epw(file, as_read);
         const auto sum = [](const std::vector<double>& series) {
             double total = 0;
             for (double v : series) total += v;

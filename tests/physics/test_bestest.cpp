@@ -1,9 +1,9 @@
 /// BESTEST: the hourly method against published results of a continuous 5R1C in the same
 /// set-up, and against the acceptance limits of ASHRAE 140.
-#include "input/epw.hpp"
 #include "physics/bestest_cases.hpp"
 #include "physics/simulate.hpp"
 #include "support/csv_table.hpp"
+#include "support/epw_files.hpp"
 #include "support/measured.hpp"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ class Bestest : public testing::Test {
     }
 
     Results run_all(TemperatureConvention convention) const {
-        const Weather weather = input::read_epw(weather_, {convention, 2021}).weather;
+        const Weather weather = test::read_epw(weather_, {convention, 2021}).weather;
         Results results;
         for (const test::BestestCase& bestest : test::bestest_cases())
             results[bestest.name] = run(bestest, weather);

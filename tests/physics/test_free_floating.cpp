@@ -2,10 +2,10 @@
 ///
 /// Modelica Buildings library, ThermalZones.ISO13790.Examples.FreeFloating: days 100 to
 /// 110, 20 degC at the start, no warm-up.
-#include "input/epw.hpp"
 #include "physics/bestest_cases.hpp"
 #include "physics/simulate.hpp"
 #include "support/csv_table.hpp"
+#include "support/epw_files.hpp"
 #include "support/measured.hpp"
 
 #include <cmath>
@@ -80,7 +80,7 @@ TEST(FreeFloating, FollowsTheContinuousNetworkThroughTenDaysOfChicago) {
     if (test::is_absent(epw)) GTEST_SKIP() << epw;
     if (test::is_absent(reference)) GTEST_SKIP() << reference;
     const Weather weather =
-        input::read_epw(epw, {input::TemperatureConvention::hour_mean, 2021}).weather;
+        test::read_epw(epw, {input::TemperatureConvention::hour_mean, 2021}).weather;
     const Building building = chicago_room();
     const Seconds from =
         weather.axis.start + std::chrono::seconds(static_cast<long long>(start_s));

@@ -1,7 +1,7 @@
 /// Irradiance on planes against published points and a year of pvlib at Denver.
-#include "input/epw.hpp"
 #include "physics/sky.hpp"
 #include "support/csv_table.hpp"
+#include "support/epw_files.hpp"
 #include "support/measured.hpp"
 
 #include <cmath>
@@ -223,7 +223,7 @@ class YearOfPvlib : public testing::Test {
         if (test::is_absent(table_file)) GTEST_SKIP() << table_file;
         input::EpwOptions options;
         options.year = 2001;  // of that run
-        weather = input::read_epw(weather_file, options).weather;
+        weather = test::read_epw(weather_file, options).weather;
         table = test::CsvTable(table_file);
         ASSERT_EQ(table.n_rows(), 8760U);
     }
@@ -298,7 +298,7 @@ TEST(IrradianceSeries, OtherProgramsAtDenver) {
     // ASHRAE 140 case 600, annual incident [kWh/m2]: EnergyPlus, ESP-r, TRNSYS
     const auto file = test::shared_file("weather/725650TYCST.epw");
     if (test::is_absent(file)) GTEST_SKIP() << file;
-    const Weather weather = input::read_epw(file).weather;
+    const Weather weather = test::read_epw(file).weather;
     const struct {
         double azimuth, mean;
     } expected[] = {{0, (438 + 432 + 440) / 3.0},

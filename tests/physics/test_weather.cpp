@@ -1,9 +1,9 @@
 /// Irradiance that was not measured: decomposition, clear sky, clouds.
-#include "input/epw.hpp"
 #include "physics/decomposition.hpp"
 #include "physics/sun.hpp"
 #include "physics/weather.hpp"
 #include "support/csv_table.hpp"
+#include "support/epw_files.hpp"
 #include "support/measured.hpp"
 
 #include <cmath>
@@ -171,7 +171,7 @@ struct Limits {
 
 /// A file's year with nothing but its global irradiance.
 Decomposed decompose(const std::filesystem::path& file, const Limits& limits) {
-    const Weather whole = input::read_epw(file).weather;
+    const Weather whole = test::read_epw(file).weather;
     Weather weather = whole;
     weather.direct_normal.clear();
     weather.diffuse_horizontal.clear();
@@ -212,7 +212,7 @@ TEST(CloudySky, YearsOfMeasuredAndTypicalWeather) {
                              "GBR_Birmingham.035340_IWEC.epw"}) {
         const auto file = test::shared_file(std::string("weather/") + name);
         if (test::is_absent(file)) GTEST_SKIP() << file;
-        const Weather measured = input::read_epw(file).weather;
+        const Weather measured = test::read_epw(file).weather;
         Weather weather = measured;
         weather.direct_normal.clear();
         weather.diffuse_horizontal.clear();
