@@ -89,9 +89,4 @@ void add_weighted_squares(const double* point, std::size_t step, const PointTabl
     }
 }
 
-void exponentials(double* values, std::size_t n) {
-    for (std::size_t i = 0; i < n; i += 4)
-        _mm256_storeu_pd(values + i, exponential(_mm256_loadu_pd(values + i)));
-}
-
 }  // namespace bemcal::emulator

@@ -25,8 +25,4 @@ void correlate(const double* point, std::size_t step, const PointTable& table,
 void add_weighted_squares(const double* point, std::size_t step, const PointTable& table,
                           std::size_t n, const double* weights, double* sums);
 
-/// values[i] <- exp(values[i]) for values <= 0; below -708 as if -708.
-/// \param n  a multiple of 4
-void exponentials(double* values, std::size_t n);
-
 }  // namespace bemcal::emulator

@@ -241,7 +241,6 @@ class Writer {
                    fmt::format("{:.1f} % of its readings are whole multiples of {:.4g}",
                                100 * look.quantum_share, look.quantum),
                    "kept; shared: a share of another meter's pulses, or a conversion");
-        ++n_meters_;
         has_gas_ = has_gas_ || name == "gas";
         meters_ += fmt::format("{}unit = \"{}\"\n", text, unit);
     }
@@ -459,7 +458,6 @@ class Writer {
     input::InputFiles& files_;
     double floor_area_ = 0;
     double mean_load_ = 10;  ///< [W/m2]
-    int n_meters_ = 0;
     bool has_gas_ = false;
     std::string first_day_, last_day_, site_, text_, meters_;
     std::vector<physics::Seconds> bounds_;  ///< of months and bills; else empty

@@ -1,11 +1,9 @@
-/// Order among points with several objectives: fronts, crowding distances, and the area
-/// that two objectives dominate.
-/// Source: Deb et al. 2002, section III. Every pair is compared; the area is for two
-/// objectives only. Constraints are left out.
+/// Order among points with several objectives: fronts and crowding distances.
+/// Source: Deb et al. 2002, section III. Every pair is compared. Constraints are left
+/// out.
 #include "optimise/fronts.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -91,21 +89,6 @@ std::vector<double> crowding_of(const Matrix& objectives,
     for (std::size_t k = 0; k < objectives.cols; ++k)
         add_sides(objectives, front, k, crowding);
     return crowding;
-}
-
-double hypervolume(const Matrix& objectives, double reference_0, double reference_1) {
-    std::vector<std::array<double, 2>> points;
-    points.reserve(objectives.rows);
-    for (std::size_t r = 0; r < objectives.rows; ++r)
-        points.push_back({objectives(r, 0), objectives(r, 1)});
-    std::ranges::sort(points);
-    double area = 0, top = reference_1;
-    for (const auto& [x, y] : points) {
-        if (!(x < reference_0) || !(y < top)) continue;
-        area += (reference_0 - x) * (top - y);
-        top = y;
-    }
-    return area;
 }
 
 }  // namespace bemcal::optimise

@@ -22,8 +22,4 @@ std::vector<std::vector<std::size_t>> sort_into_fronts(const Matrix& objectives)
 std::vector<double> crowding_of(const Matrix& objectives,
                                 std::span<const std::size_t> front);
 
-/// Area that points of two objectives dominate below a reference point.
-/// \param objectives  [n x 2]
-double hypervolume(const Matrix& objectives, double reference_0, double reference_1);
-
 }  // namespace bemcal::optimise

@@ -73,21 +73,6 @@ void add_stage(const Elements& model, std::span<const double> at, double seconds
     }
 }
 
-/// Steady temperature of the last element at this UA, element after element.
-double steady_return(const Radiator& radiator, const NominalPoint& point) {
-    const Elements model(radiator, {point.supply, 1, point.room, point.room});
-    double before = point.supply;
-    for (int i = 0; i < radiator.n_elements; ++i) {
-        double low = point.room, high = before;
-        for (int k = 0; k < 60; ++k) {
-            const double middle = (low + high) / 2;
-            (model.change(model.flows(before, middle)) > 0 ? low : high) = middle;
-        }
-        before = (low + high) / 2;
-    }
-    return before;
-}
-
 }  // namespace
 
 const char* complaint_about(const Radiator& radiator) {
@@ -104,19 +89,6 @@ const char* complaint_about(const Radiator& radiator) {
 
 double transmittance_of(const Radiator& radiator) {
     return radiator.power_60 / std::pow(60, radiator.exponent);
-}
-
-Radiator with_nominal_point(Radiator radiator, const NominalPoint& point) {
-    radiator.most_flow = point.power / (c_water * (point.supply - point.flow_return));
-    const double colder =
-        std::pow(60 / (point.flow_return - point.room), radiator.exponent);
-    double low = 0, high = point.power * colder;
-    for (int k = 0; k < 60; ++k) {
-        radiator.power_60 = (low + high) / 2;
-        (steady_return(radiator, point) > point.flow_return ? low : high) =
-            radiator.power_60;
-    }
-    return radiator;
 }
 
 RadiatorHeat advance(const Radiator& radiator, const RadiatorSurroundings& around,

@@ -33,15 +33,6 @@ const char* complaint_about(const Radiator& radiator);
 /// UA = power_60 / 60^exponent [W/K^exponent]
 double transmittance_of(const Radiator& radiator);
 
-/// A power at other conditions than 60 K above the room.
-struct NominalPoint {
-    double power;                      ///< [W]
-    double supply, flow_return, room;  ///< [degC] supply > flow_return > room
-};
-/// The radiator with the power_60 that gives this power there in its steady state, its
-/// elements being as many as they are, and most_flow so that water brings that power.
-Radiator with_nominal_point(Radiator radiator, const NominalPoint& point);
-
 /// Around a radiator during a step.
 struct RadiatorSurroundings {
     double supply = 0;    ///< temperature of the water that flows in [degC]

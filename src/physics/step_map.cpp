@@ -18,7 +18,6 @@ StepMap make_step_map(const Network& network, double dt) {
     map.theta_m2_after = (2 * p.kept_second - 1) * the(Term::theta_m2) +
                          (2 * (1 - p.kept_second)) * p.theta_m;
     map.phi_emitter_after = p.emitter.after;
-    map.phi_delivered = p.emitter.mean;
     return map;
 }
 

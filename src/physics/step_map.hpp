@@ -18,7 +18,6 @@ namespace bemcal::physics {
 struct StepMap {
     LinearForm theta_m_after, theta_m2_after, phi_emitter_after;
     LinearForm theta_m, theta_s, theta_air;
-    LinearForm phi_delivered;  ///< mean heat that leaves the emitter [W]
 };
 
 /// \param dt  [s]

@@ -108,32 +108,9 @@ Convergence convergence_of(const Matrix& draws) {
     return c;
 }
 
-RankRhat rank_rhat(const Matrix& draws) {
-    if (!is_finite_and_varied(draws)) return {nan, nan};
-    const Matrix halves = split_chains(draws);
-    return {basic_rhat(normal_scores(halves)), folded_rhat(halves)};
-}
-
-double ess_of_sd(const Matrix& draws) {
-    return effective_size(split_chains(folded(draws, mean_of(draws.values))));
-}
-
 double ess_of_quantile(const Matrix& draws, double p) {
     if (!is_finite_and_varied(draws)) return nan;
     return ess_below(draws, quantile_of_sorted(sorted(draws), p));
-}
-
-double mcse_of_quantile(const Matrix& draws, double p) {
-    const double size = ess_of_quantile(draws, p);
-    if (std::isnan(size)) return nan;
-    const Distribution share{Family::beta, size * p + 1, size * (1 - p) + 1};
-    const std::vector<double> values = sorted(draws);
-    const double n = static_cast<double>(values.size());
-    const double first = std::max(std::floor(share.quantile(0.1586553) * n), 1.0);
-    const double last = std::min(std::ceil(share.quantile(0.8413447) * n), n);
-    return (values[static_cast<std::size_t>(last) - 1] -
-            values[static_cast<std::size_t>(first) - 1]) /
-           2;
 }
 
 }  // namespace bemcal::stats

@@ -23,19 +23,7 @@ struct Convergence {
 /// \param draws  [chains x draws] of one quantity
 Convergence convergence_of(const Matrix& draws);
 
-/// The two R-hats of which rhat_rank is the larger one: of the ranks (do the chains lie
-/// at the same place), and of the ranks of the distances from the median (are they as
-/// wide).
-struct RankRhat {
-    double bulk = 0, folded = 0;
-};
-RankRhat rank_rhat(const Matrix& draws);
-
-/// Effective sample sizes of estimates other than the mean.
-double ess_of_sd(const Matrix& draws);
+/// Effective sample size of the estimate of the quantile p.
 double ess_of_quantile(const Matrix& draws, double p);
-
-/// Monte Carlo standard error of the quantile p of all draws.
-double mcse_of_quantile(const Matrix& draws, double p);
 
 }  // namespace bemcal::stats

@@ -77,7 +77,7 @@ double predictive_quantile(std::span<const double> sorted, double p) {
 }
 
 Coverage coverage_of(std::span<const double> observed, const Matrix& draws) {
-    double n = 0, inside_50 = 0, inside_90 = 0, width = 0;
+    double n = 0, inside_50 = 0, inside_90 = 0;
     for_each_reading(observed, draws, [&](double x, const std::vector<double>& sorted) {
         const double least = predictive_quantile(sorted, 0.05);
         const double most = predictive_quantile(sorted, 0.95);
@@ -85,10 +85,9 @@ Coverage coverage_of(std::span<const double> observed, const Matrix& draws) {
         inside_90 += x >= least && x <= most;
         inside_50 += x >= predictive_quantile(sorted, 0.25) &&
                      x <= predictive_quantile(sorted, 0.75);
-        width += most - least;
     });
-    if (n == 0) return {0, nan, nan, nan};
-    return {n, inside_50 / n, inside_90 / n, width / n};
+    if (n == 0) return {0, nan, nan};
+    return {n, inside_50 / n, inside_90 / n};
 }
 
 Pit pit_of(std::span<const double> observed, const Matrix& draws) {

@@ -18,7 +18,6 @@ struct Coverage {
     double n = 0;          ///< readings compared
     double inside_50 = 0;  ///< share of them in the central 50 % interval; NaN for none
     double inside_90 = 0;  ///< and in the 90 % interval
-    double mean_width_90 = 0;  ///< of the 90 % interval [unit of the reading]
 };
 
 /// \param observed  [n] NaN = missing   \param draws  [draws x n]

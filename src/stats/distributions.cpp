@@ -1,7 +1,7 @@
 /// Distribution functions by Boost.Math, which this file alone includes: in double only,
 /// NaN where nothing is defined, no exceptions.
-/// Source: Boost.Math's documentation; Fisher's F from beta quantiles. Left out: random
-/// numbers, and distributions cut to a range (prior_standard).
+/// Source: Boost.Math's documentation. Left out: random numbers, and distributions cut to
+/// a range (prior_standard).
 #include "stats/distributions.hpp"
 
 #include <cmath>
@@ -97,12 +97,6 @@ double normal_cdf(double z) {
 
 double normal_quantile(double p) {
     return Distribution{Family::normal, 0, 1}.quantile(p);
-}
-
-double fisher_f_quantile(double p, double d1, double d2) {
-    const double share = Distribution{Family::beta, d1 / 2, d2 / 2}.quantile(p);
-    const double rest = Distribution{Family::beta, d2 / 2, d1 / 2}.upper_quantile(p);
-    return d2 * share / (d1 * rest);
 }
 
 double log_gamma(double x) {

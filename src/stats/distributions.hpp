@@ -29,8 +29,6 @@ struct Distribution {
 
 double normal_cdf(double z);       ///< of the standard normal
 double normal_quantile(double p);  ///< of the standard normal
-/// Of Fisher's F with d1 and d2 degrees of freedom.
-double fisher_f_quantile(double p, double d1, double d2);
-double log_gamma(double x);  ///< log |Gamma(x)|
+double log_gamma(double x);        ///< log |Gamma(x)|
 
 }  // namespace bemcal::stats

@@ -19,10 +19,6 @@ double Prior::log_density(double x) const {
     return PriorDensity(*this).at(x).value;
 }
 
-double Prior::log_density_derivative(double x) const {
-    return PriorDensity(*this).at(x).derivative;
-}
-
 double Prior::cdf(double x) const {
     if (kind == PriorKind::fixed) return x >= fixed_value(*this) ? 1 : 0;
     const StandardPrior standard(*this);

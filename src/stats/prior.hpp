@@ -27,7 +27,6 @@ struct Prior {
     /// Log density at x, with its normalisation over [least, most]; -inf outside. Where
     /// it is wanted often, PriorDensity has the constant at hand.
     double log_density(double x) const;
-    double log_density_derivative(double x) const;
     double cdf(double x) const;
     double quantile(double p) const;
     double mean() const;

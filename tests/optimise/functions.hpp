@@ -205,6 +205,24 @@ inline std::array<double, 2> zdt1(std::span<const double> x) {
     return {x[0], g * (1 - std::sqrt(x[0] / g))};
 }
 
+/// Area that points of two objectives dominate below a reference point.
+/// \param objectives  [n x 2]
+inline double hypervolume(const Matrix& objectives, double reference_0,
+                          double reference_1) {
+    std::vector<std::array<double, 2>> points;
+    points.reserve(objectives.rows);
+    for (std::size_t r = 0; r < objectives.rows; ++r)
+        points.push_back({objectives(r, 0), objectives(r, 1)});
+    std::ranges::sort(points);
+    double area = 0, top = reference_1;
+    for (const auto& [x, y] : points) {
+        if (!(x < reference_0) || !(y < top)) continue;
+        area += (reference_0 - x) * (top - y);
+        top = y;
+    }
+    return area;
+}
+
 /// Area below (1.1, 1.1) that ZDT1's whole front dominates: of [0, 1], 0.1 + 2/3, and of
 /// [1, 1.1], 0.1 x 1.1.
 constexpr double zdt1_hypervolume = 0.1 + 2.0 / 3.0 + 0.11;

@@ -58,9 +58,9 @@ TEST(Crowding, IsTheSidesOfTheBoxBetweenNeighbours) {
 }
 
 TEST(Hypervolume, IsTheAreaOfTheSteps) {
-    EXPECT_DOUBLE_EQ(hypervolume(rows({{1, 3}, {2, 1}, {2, 2}, {5, 0}}), 4, 4),
+    EXPECT_DOUBLE_EQ(test::hypervolume(rows({{1, 3}, {2, 1}, {2, 2}, {5, 0}}), 4, 4),
                      3 * 1 + 2 * 2);
-    EXPECT_EQ(hypervolume(rows({{5, 5}}), 4, 4), 0);
+    EXPECT_EQ(test::hypervolume(rows({{5, 5}}), 4, 4), 0);
 }
 
 /// Zitzler, Deb and Thiele 2000; Deb et al. 2002 run it with 100 x 250.
@@ -69,7 +69,7 @@ TEST(Nsga2, CoversTheFrontOfZdt1) {
         Nsga2Options options;
         options.seed = seed;
         const Matrix front = test::run_zdt1(make_nsga2(options));
-        EXPECT_GE(hypervolume(front, 1.1, 1.1), 0.99 * test::zdt1_hypervolume);
+        EXPECT_GE(test::hypervolume(front, 1.1, 1.1), 0.99 * test::zdt1_hypervolume);
     }
 }
 

@@ -12,6 +12,32 @@ namespace {
 
 constexpr double kelvin = 273.15;
 
+/// A power at other conditions than 60 K above the room.
+struct NominalPoint {
+    double power;                      ///< [W]
+    double supply, flow_return, room;  ///< [degC]
+};
+
+double steady_return(const Radiator& radiator, const NominalPoint& point) {
+    std::vector<double> elements(static_cast<std::size_t>(radiator.n_elements),
+                                 point.room);
+    advance(radiator, {point.supply, 1, point.room, point.room}, 1e5, elements);
+    return elements.back();
+}
+
+/// The radiator that gives this power there in its steady state.
+Radiator with_nominal_point(Radiator radiator, const NominalPoint& point) {
+    radiator.most_flow = point.power / (4184 * (point.supply - point.flow_return));
+    double low = 0, high = point.power * std::pow(60 / (point.flow_return - point.room),
+                                                  radiator.exponent);
+    for (int k = 0; k < 60; ++k) {
+        radiator.power_60 = (low + high) / 2;
+        (steady_return(radiator, point) > point.flow_return ? low : high) =
+            radiator.power_60;
+    }
+    return radiator;
+}
+
 /// The example of modelica-buildings' RadiatorEN442_2: 500 W at 40/30/20 degC, 18.655
 /// kJ/K, five elements.
 Radiator example() {
@@ -19,7 +45,8 @@ Radiator example() {
     radiator.exponent = 1.24;
     radiator.radiative_fraction = 0.35;
     radiator.capacity = 18655;
-    return with_nominal_point(radiator, {500, 40, 30, 20});
+    static const Radiator found = with_nominal_point(radiator, {500, 40, 30, 20});
+    return found;
 }
 
 /// Steps of 108 s from 20 degC: supply at 40 degC, no flow after an hour.

@@ -1,7 +1,7 @@
 /// The refinements of the hour: each vanishes where it should, keeps its balance, and
 /// converges to the continuous network.
 #include "physics/simulate.hpp"
-#include "physics/step_map.hpp"
+#include "physics/step_parts.hpp"
 #include "physics/structure.hpp"
 #include "support/measured.hpp"
 #include "support/simple_building.hpp"
@@ -158,7 +158,8 @@ TEST(Structure, KeepsTheEmittersEnergy) {
             TermValues terms;
             terms[Term::phi_emitter] = s.before.phi_emitter;
             terms[Term::phi_h] = r.phi_heating;
-            const double delivered = make_step_map(s.network, dt).phi_delivered.at(terms);
+            const double delivered =
+                make_step_parts(s.network, dt).emitter.mean.at(terms);
             const double stored =
                 s.network.tau_emitter * (r.after.phi_emitter - s.before.phi_emitter);
             EXPECT_NEAR((r.phi_heating - delivered) * dt, stored,
@@ -179,7 +180,7 @@ TEST(Structure, ClosesTheBalanceOfEveryNode) {
         TermValues terms;
         terms[Term::phi_emitter] = s.before.phi_emitter;
         terms[Term::phi_h] = r.phi_heating;
-        const double heat = make_step_map(n, dt).phi_delivered.at(terms);
+        const double heat = make_step_parts(n, dt).emitter.mean.at(terms);
         const NodeGains gains = split_gains(n, s.drive.phi_int, s.drive.phi_sol);
         const RadiantSplit split = radiant_split(n);
         const NodeTemperatures& theta = r.theta;

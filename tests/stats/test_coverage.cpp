@@ -36,7 +36,6 @@ TEST(Coverage, CountsReadingsInsideTheIntervals) {
     EXPECT_EQ(c.n, 8);
     EXPECT_DOUBLE_EQ(c.inside_50, 2.0 / 8);
     EXPECT_DOUBLE_EQ(c.inside_90, 6.0 / 8);
-    EXPECT_DOUBLE_EQ(c.mean_width_90, 18);
 }
 
 TEST(Coverage, IsUnknownWithoutReadingsOrDraws) {

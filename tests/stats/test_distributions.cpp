@@ -31,7 +31,6 @@ TEST(Distributions, AgreeWithScipy) {
     expect_close(student.cdf(-2), 0.06306926128795674);
     expect_close(student.quantile(0.975), 2.9400886379827775);
     expect_close(student.density(1), 0.2112039436178112);
-    expect_close(fisher_f_quantile(0.975, 3, 77.3), 3.2901458035939943);
 }
 
 TEST(Distributions, NormalQuantilesThatWichuraPublished) {
