@@ -118,7 +118,7 @@ struct Standard {
 
     /// One segment. `watch` sees the powers of every step.
     /// \param stride  from one step's drivers to the next
-    template <int planes, bool more_drivers, class Watch, class... Hooks>
+    template <int planes, bool more_drivers, class Watch>
     [[gnu::always_inline]] inline void advance(const Segment& segment, long stride,
                                                Watch& watch) {
         using C = StandardColumn;
@@ -128,7 +128,6 @@ struct Standard {
             const double* row = group.rows + zone.row_offset[step];
             Terms terms =
                 terms_of_step<planes, more_drivers>(zone, of, regime, row, drivers);
-            (Hooks::act(group, step, terms), ...);
             if constexpr (requires { watch.keep(theta_m); }) watch.keep(theta_m);
             const V asked = fnma(of.get<C::gain>(), theta_m, terms.asked);
             const V heat = min(positive_part(asked), of.get<C::most_heating>());
