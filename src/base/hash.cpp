@@ -4,10 +4,11 @@
 /// It finds accidents, not forgery: XXH3 is not cryptographic.
 #include "base/hash.hpp"
 
+#include "base/nan.hpp"
+
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 
 #define XXH_INLINE_ALL
 #include <fmt/format.h>
@@ -43,8 +44,7 @@ void Hasher::add(std::span<const double> values) {
     for (std::size_t first = 0; first < values.size(); first += block) {
         const auto part = values.subspan(first, std::min(block, values.size() - first));
         for (std::size_t k = 0; k < part.size(); ++k)
-            canonical[k] =
-                std::isnan(part[k]) ? std::numeric_limits<double>::quiet_NaN() : part[k];
+            canonical[k] = std::isnan(part[k]) ? nan : part[k];
         add(canonical, part.size() * sizeof(double));
     }
 }

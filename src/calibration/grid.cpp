@@ -5,13 +5,13 @@
 /// is NaN.
 #include "calibration/grid.hpp"
 
+#include "base/nan.hpp"
 #include "calibration/grid_results.hpp"
 #include "calibration/grid_rounds.hpp"
 #include "study/failures.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -125,7 +125,7 @@ study::ItemAnswer GridStudy::run(int item) const {
 /// The rows of a stage; NaN where an item failed.
 Matrix GridStudy::outputs_of(const std::vector<study::ItemAnswer>& answers,
                              std::size_t first_item, std::size_t n_points) const {
-    Matrix outputs(n_points, columns_.size(), std::numeric_limits<double>::quiet_NaN());
+    Matrix outputs(n_points, columns_.size(), nan);
     const std::size_t step = options().points_per_item * columns_.size();
     for (std::size_t at = 0, item = first_item; at < outputs.values.size();
          at += step, ++item)

@@ -4,16 +4,15 @@
 /// Nothing is judged here: roles and the reason of the end are those of `grid_rounds`.
 #include "calibration/grid_results.hpp"
 
+#include "base/nan.hpp"
+
 #include <algorithm>
 #include <iterator>
-#include <limits>
 
 #include <fmt/format.h>
 
 namespace bemcal::calibration {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> as_numbers(const std::vector<std::size_t>& indices) {
     return {indices.begin(), indices.end()};

@@ -5,12 +5,12 @@
 /// For the index, failed points lie at the others' mean. Points are run by `grid`.
 #include "calibration/grid_rounds.hpp"
 
+#include "base/nan.hpp"
 #include "stats/factorial_indices.hpp"
 #include "study/points.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -19,7 +19,6 @@
 namespace bemcal::calibration {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// A stage that comes no nearer than this share of the one before has stalled.
 constexpr double stalled_share = 0.5;
 

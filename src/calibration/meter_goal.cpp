@@ -5,18 +5,16 @@
 /// `staged_goal`.
 #include "calibration/meter_goal.hpp"
 
+#include "base/nan.hpp"
 #include "calibration/candidates.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 
 namespace bemcal::calibration {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 bool is_in(const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();

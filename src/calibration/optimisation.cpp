@@ -5,42 +5,22 @@
 /// `target_goal`.
 #include "calibration/optimisation.hpp"
 
+#include "base/nan.hpp"
 #include "calibration/meter_goal.hpp"
+#include "calibration/method.hpp"
 #include "calibration/target_goal.hpp"
-#include "optimise/methods.hpp"
-#include "optimise/nsga2.hpp"
 #include "study/failures.hpp"
 #include "study/points.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
 namespace bemcal::calibration {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint32_t optimiser_stream = 0x6f707469;
-
-optimise::Method method_of(const OptimisationOptions& options) {
-    if (options.method == OptimisationMethod::nsga2) {
-        optimise::Nsga2Options nsga2;
-        nsga2.n_population = options.n_population;
-        nsga2.n_generations = options.n_generations;
-        nsga2.seed = options.seed;
-        nsga2.stream = optimiser_stream;
-        return make_nsga2(nsga2);
-    }
-    optimise::MethodOptions method;
-    method.kind = static_cast<optimise::MethodKind>(options.method);
-    method.swarm.n_particles = options.n_particles;
-    method.with_kicks = options.restart;
-    method.seed = options.seed;
-    method.stream = optimiser_stream;
-    return make_method(method);
-}
 
 std::size_t budget_of(const OptimisationOptions& options) {
     if (options.method != OptimisationMethod::nsga2) return options.evaluations;
@@ -52,7 +32,7 @@ optimise::Optimiser make_optimiser(const Goal& goal, const OptimisationOptions& 
     optimise::Limits limits;
     limits.evaluations = budget_of(options);
     return {optimise::Space(goal.variables()), goal.objectives().size(), limits,
-            method_of(options)};
+            method_of(options, optimiser_stream)};
 }
 
 /// The optimiser with all that it was told, and a record of it.
@@ -185,17 +165,13 @@ std::size_t best_row(const std::vector<optimise::Found>& found) {
                                     found.begin());
 }
 
-/// -1 or 1 where a value lies at the lower or upper end of its range.
 std::vector<double> at_bounds(const std::vector<physics::Parameter>& parameters,
                               std::span<const double> point) {
     std::vector<double> ends;
     ends.reserve(parameters.size());
-    for (std::size_t k = 0; k < parameters.size(); ++k) {
-        const double near = 1e-3 * (parameters[k].most - parameters[k].least);
-        ends.push_back(point[k] <= parameters[k].least + near  ? -1
-                       : point[k] >= parameters[k].most - near ? 1
-                                                               : 0);
-    }
+    for (std::size_t k = 0; k < parameters.size(); ++k)
+        ends.push_back(
+            study::end_of_range(point[k], parameters[k].least, parameters[k].most));
     return ends;
 }
 

@@ -4,10 +4,10 @@
 /// defined in `ranking`, datasets made in `screening_conclude`.
 #include "calibration/screening.hpp"
 
+#include "base/nan.hpp"
 #include "calibration/screening_plan.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace bemcal::calibration {
 namespace {
@@ -64,7 +64,6 @@ study::ItemAnswer Screening::run(int item) const {
     const auto index = static_cast<std::size_t>(item);
     const std::size_t first = plan_.first_of(index);
     const Matrix points = plan_.points(first, plan_.size_of(index));
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     Matrix rows(points.rows, plan_.layout.width(), nan);
     std::vector<std::string> reasons(points.rows);
     for (std::size_t period = 0; period < plan_.models.size(); ++period)

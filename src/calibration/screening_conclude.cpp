@@ -2,6 +2,7 @@
 /// nominal against best, and with keep_points every point; and what it found, in short.
 /// Follows from the layout of a row in `ranking`.
 /// Only nominal and best are simulated again (`candidates`). Points have no weights.
+#include "base/nan.hpp"
 #include "calibration/candidates.hpp"
 #include "calibration/screening_plan.hpp"
 #include "study/datasets.hpp"
@@ -13,8 +14,6 @@
 
 namespace bemcal::calibration {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Ranking ranking_of(const ScreeningPlan& plan,
                    const std::vector<study::ItemAnswer>& answers) {

@@ -5,13 +5,13 @@
 /// judgement (`staged_results`).
 #include "calibration/staged.hpp"
 
+#include "base/nan.hpp"
 #include "calibration/staged_results.hpp"
 #include "study/failures.hpp"
 #include "study/points.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -20,7 +20,6 @@ namespace bemcal::calibration {
 namespace {
 
 constexpr std::size_t points_per_item = points_per_staged_item;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 template <class Names>
 bool is_in(const Names& names, const std::string& name) {
@@ -291,16 +290,12 @@ std::vector<double> rows_of(const std::vector<StageFound>& found, Row row) {
     return values;
 }
 
-/// -1 or 1 where a value lies at the lower or upper end of its range.
-std::vector<double> bounds_of(const StageFound& found) {
+std::vector<double> at_bounds(const StageFound& found) {
     std::vector<double> ends;
     ends.reserve(found.value.size());
-    for (std::size_t k = 0; k < found.value.size(); ++k) {
-        const double near = 1e-3 * (found.most[k] - found.least[k]);
-        ends.push_back(found.value[k] <= found.least[k] + near  ? -1
-                       : found.value[k] >= found.most[k] - near ? 1
-                                                                : 0);
-    }
+    for (std::size_t k = 0; k < found.value.size(); ++k)
+        ends.push_back(
+            study::end_of_range(found.value[k], found.least[k], found.most[k]));
     return ends;
 }
 
@@ -328,7 +323,7 @@ void StagedCalibration::add_stages(const StagedPath& path,
     add("calibration_value", [&](std::size_t s) { return found[s].value; });
     add("calibration_least", [&](std::size_t s) { return found[s].least; });
     add("calibration_most", [&](std::size_t s) { return found[s].most; });
-    add("calibration_at_bound", [&](std::size_t s) { return bounds_of(found[s]); });
+    add("calibration_at_bound", [&](std::size_t s) { return at_bounds(found[s]); });
     const auto spreads = spreads_of(found);
     add("calibration_sd", [&](std::size_t s) { return spreads[s]; });
 }

@@ -4,11 +4,11 @@
 /// NSGA-II, and priors on discrete parameters, are left out.
 #include "calibration/staged_goal.hpp"
 
+#include "base/nan.hpp"
 #include "calibration/meter_goal.hpp"
 #include "physics/interval_hours.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 
 namespace bemcal::calibration {
@@ -132,7 +132,7 @@ std::vector<double> StageGoal::evaluate(const Matrix& points,
     answers.reserve(batches_.size());
     for (std::size_t p = 0; p < batches_.size(); ++p)
         answers.push_back(batches_[p]->evaluate(points, requests_[p]));
-    std::vector<double> values(points.rows, std::numeric_limits<double>::quiet_NaN());
+    std::vector<double> values(points.rows, nan);
     failures.assign(points.rows, {});
     for (std::size_t r = 0; r < points.rows; ++r) {
         std::vector<const kernel::PointAnswer*> of_point;

@@ -4,7 +4,8 @@
 /// It simulates nothing (`staged_goal` does), and never goes back to a stage.
 #include "calibration/staged_path.hpp"
 
-#include "optimise/methods.hpp"
+#include "base/nan.hpp"
+#include "calibration/method.hpp"
 #include "study/points.hpp"
 
 #include <algorithm>
@@ -15,17 +16,6 @@ namespace bemcal::calibration {
 namespace {
 
 constexpr std::uint32_t staged_stream = 0x73746167;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-optimise::Method method_of(const OptimisationOptions& options, std::size_t stage) {
-    optimise::MethodOptions method;
-    method.kind = static_cast<optimise::MethodKind>(options.method);
-    method.swarm.n_particles = options.n_particles;
-    method.with_kicks = options.restart;
-    method.seed = options.seed;
-    method.stream = staged_stream + static_cast<std::uint32_t>(stage);
-    return make_method(method);
-}
 
 struct Range {
     double least, most;
@@ -98,7 +88,8 @@ void StagedPath::begin_stage() {
     limits.evaluations = stage.fit.evaluations;
     optimiser_ = std::make_unique<optimise::Optimiser>(
         optimise::Space(std::move(variables)), 1, limits,
-        method_of(stage.fit, found_.size() - 1));
+        method_of(stage.fit,
+                  staged_stream + static_cast<std::uint32_t>(found_.size() - 1)));
 }
 
 Matrix StagedPath::next_points() const {

@@ -2,11 +2,11 @@
 /// told alone. Made anew and told the same, it is where it was.
 #pragma once
 
+#include "base/nan.hpp"
 #include "calibration/staged_options.hpp"
 #include "optimise/optimiser.hpp"
 #include "study/case.hpp"
 
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -16,7 +16,7 @@ namespace bemcal::calibration {
 struct StageFound {
     std::vector<double> start, value;
     std::vector<double> least, most;  ///< NaN where the stage leaves it alone
-    double objective = std::numeric_limits<double>::quiet_NaN();  ///< the best
+    double objective = nan;           ///< the best
     std::size_t n_evaluated = 0;
 };
 

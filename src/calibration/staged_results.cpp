@@ -4,18 +4,16 @@
 /// Deviations take ranges as flat priors; curvature and discrete parameters are left out.
 #include "calibration/staged_results.hpp"
 
+#include "base/nan.hpp"
 #include "stats/estimate_spread.hpp"
 #include "study/fit.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 namespace bemcal::calibration {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// One meter over all periods of a comparison, one after the other.
 struct Joined {

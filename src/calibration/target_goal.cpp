@@ -5,19 +5,17 @@
 /// again.
 #include "calibration/target_goal.hpp"
 
+#include "base/nan.hpp"
 #include "study/points.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 namespace bemcal::calibration {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::size_t column_of(const std::vector<study::Output>& outputs,
                       const std::string& name) {

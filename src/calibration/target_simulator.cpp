@@ -5,6 +5,7 @@
 /// by the hour or finer, but not all.
 #include "calibration/target_simulator.hpp"
 
+#include "base/nan.hpp"
 #include "study/step_series.hpp"
 
 #include <algorithm>
@@ -21,8 +22,6 @@ namespace {
 using physics::Interval;
 using physics::is_temperature;
 using physics::Quantity;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The quantities that a statistic asks for, each once.
 std::vector<Quantity> asked(const std::vector<OutputSpec>& specs, Statistic statistic) {

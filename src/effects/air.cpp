@@ -5,9 +5,10 @@
 /// Missing values stay missing; frost (saturation over ice) is left out.
 #include "effects/air.hpp"
 
+#include "base/nan.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace bemcal::effects {
 namespace {
@@ -18,7 +19,7 @@ constexpr double stefan_boltzmann = 5.670374e-8;  // [W/(m2 K4)]
 constexpr double kelvin = 273.15;
 constexpr double lag_of_ground_h = 60 * 24;
 constexpr std::size_t year_h = 8760;
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr double missing = nan;
 
 /// Magnus formula over water [Pa].
 double saturation_pressure(double theta) {

@@ -7,6 +7,7 @@
 #include "effects/air.hpp"
 #include "effects/shapes.hpp"
 #include "effects/steps.hpp"
+#include "physics/calendar.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,7 @@ using Series = std::vector<double>;
 using Shapes = std::vector<Shape>;
 
 constexpr double base_temperature = 20;
-constexpr double year_s = 365.25 * 86400;
+constexpr double year_s = 365.25 * physics::day_s;
 
 /// Wind over its mean in all of the weather, less 1.
 Series relative_wind(const Weather& weather) {

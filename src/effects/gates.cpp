@@ -5,6 +5,7 @@
 #include "effects/gates.hpp"
 
 #include "effects/steps.hpp"
+#include "physics/calendar.hpp"
 
 #include <algorithm>
 
@@ -16,7 +17,8 @@ using Series = std::vector<double>;
 /// Mean of theta_e over the seven days before each step ends.
 Series week_means(const Surroundings& around) {
     const Series& theta_e = around.drive->theta_e;
-    const auto week = static_cast<std::size_t>(7 * 86400 / around.drive->axis.step_s);
+    const auto week =
+        static_cast<std::size_t>(7 * physics::day_s / around.drive->axis.step_s);
     double sum = 0;
     return each_step(around, [&](std::size_t k) {
         sum += theta_e[k];

@@ -4,6 +4,8 @@
 /// after a week. Left out: schedules that repeat over another span than a week.
 #include "effects/schedules.hpp"
 
+#include "physics/calendar.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -22,7 +24,7 @@ std::size_t index(int step) {
 }
 
 int per_day(const physics::Drive& drive) {
-    return 86400 / drive.axis.step_s;
+    return physics::day_s / drive.axis.step_s;
 }
 
 int day_of(const physics::Drive& drive, int step) {

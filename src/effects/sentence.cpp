@@ -36,13 +36,10 @@ const char* unit_of_threshold(const Effect& effect) {
 
 /// A day of the year as a date of a year that is no leap year: "1 May".
 std::string date_of(double day_of_year) {
-    constexpr const char* months[] = {"January",   "February", "March",    "April",
-                                      "May",       "June",     "July",     "August",
-                                      "September", "October",  "November", "December"};
     using namespace std::chrono;
     const auto step = physics::calendar_step(sys_days(year(2021) / January / 1) +
                                              days(static_cast<int>(day_of_year) % 365));
-    return fmt::format("{} {}", step.day, months[step.month - 1]);
+    return fmt::format("{} {}", step.day, physics::name_of_month(step.month));
 }
 
 std::string window_of(const Effect& effect) {

@@ -5,6 +5,7 @@
 #include "external/command_simulator.hpp"
 
 #include "base/hash.hpp"
+#include "base/nan.hpp"
 #include "external/process.hpp"
 #include "external/regular_file.hpp"
 
@@ -13,7 +14,6 @@
 #include <csignal>
 #include <cstring>
 #include <fstream>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -130,8 +130,7 @@ class CommandSimulator : public study::Simulator {
 
     void evaluate(const Matrix& points, Matrix& answers,
                   std::vector<std::string>& failures) const override {
-        answers = Matrix(points.rows, outputs_.size(),
-                         std::numeric_limits<double>::quiet_NaN());
+        answers = Matrix(points.rows, outputs_.size(), nan);
         failures.assign(points.rows, {});
         for (std::size_t r = 0; r < points.rows; ++r)
             failures[r] = answer(points.row(r), answers.row(r));

@@ -5,13 +5,14 @@
 /// Clocks are left to `check_clocks`, shared meters to `check_shared_meters`.
 #include "input/checks.hpp"
 
+#include "base/nan.hpp"
 #include "input/data_runs.hpp"
 #include "input/data_steps.hpp"
+#include "physics/calendar.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -20,8 +21,6 @@ namespace bemcal::input {
 namespace {
 
 using physics::Quantity;
-
-constexpr int day_s = 86400;
 
 struct UnitRatio {
     double ratio;
@@ -77,8 +76,7 @@ class ReadingChecks {
 
     void mask(const std::vector<Run>& runs) {
         for (const Run& run : runs)
-            std::fill_n(series_.values.begin() + run.first, run.n,
-                        std::numeric_limits<double>::quiet_NaN());
+            std::fill_n(series_.values.begin() + run.first, run.n, nan);
     }
 
     /// "3 runs of WHAT, 50 h in all; the longest: 24 h from ..."
@@ -197,7 +195,7 @@ DataSeries data_series(const std::vector<double>& values, const physics::TimeAxi
                        Quantity quantity) {
     const physics::CalendarStep first = physics::calendar_step(axis.start);
     const auto midnight = std::chrono::floor<std::chrono::days>(axis.start);
-    return {values, day_s / axis.step_s,
+    return {values, physics::day_s / axis.step_s,
             static_cast<int>((axis.start - midnight).count() / axis.step_s),
             first.weekday, driver_of(quantity)};
 }

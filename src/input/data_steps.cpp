@@ -4,10 +4,10 @@
 /// most of the time, temperatures. Whether to mend is the caller's.
 #include "input/data_steps.hpp"
 
+#include "base/nan.hpp"
 #include "input/data_runs.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace bemcal::input {
 
@@ -23,7 +23,6 @@ constexpr double least_scatter = 0.05;
 constexpr std::size_t enough_d = 300;   ///< of a year, to know its seasons
 constexpr double most_of_season = 0.4;  ///< of the step's logarithm
 constexpr double most_of_quantum = 0.2;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Logarithm of the readings above 0; NaN elsewhere.
 std::vector<double> logarithms(const DataSeries& series) {

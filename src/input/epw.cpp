@@ -6,11 +6,11 @@
 #include "input/epw.hpp"
 
 #include "base/error.hpp"
+#include "base/nan.hpp"
 #include "input/epw_table.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -138,8 +138,7 @@ void drop_empty_parts(Chain& chain) {
         return;
     }
     for (auto series : {&Weather::direct_normal, &Weather::diffuse_horizontal})
-        (weather.*series)
-            .assign((weather.*series).size(), std::numeric_limits<double>::quiet_NaN());
+        (weather.*series).assign((weather.*series).size(), nan);
 }
 
 void complete(Chain& chain) {

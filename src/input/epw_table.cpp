@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
@@ -47,7 +46,6 @@ using physics::Seconds;
 using std::chrono::hours;
 
 constexpr int n_fields = 35;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// One line of the file, split at its commas.
 struct Line {

@@ -5,7 +5,6 @@
 #include "input/intervals.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace bemcal::input {
 
@@ -15,8 +14,6 @@ using physics::Interval;
 using physics::Seconds;
 using std::chrono::seconds;
 
-constexpr int day_s = 86400;
-
 /// An hourly axis from the interval with `first` to the end of that with `last`, all
 /// missing.
 RegularSeries empty_hours(Seconds first, Seconds last, Interval interval) {
@@ -24,8 +21,7 @@ RegularSeries empty_hours(Seconds first, Seconds last, Interval interval) {
     const Seconds end = next_interval(interval_begin(last, interval), interval);
     RegularSeries hours;
     hours.axis = {start, 3600, static_cast<int>((end - start).count() / 3600)};
-    hours.values.assign(static_cast<std::size_t>(hours.axis.n_steps),
-                        std::numeric_limits<double>::quiet_NaN());
+    hours.values.assign(static_cast<std::size_t>(hours.axis.n_steps), nan);
     return hours;
 }
 
@@ -38,8 +34,8 @@ double& value_at(RegularSeries& series, Seconds time) {
 Interval interval_of_rows(int step_s) {
     if (step_s < 3600) return Interval::step;
     if (step_s == 3600) return Interval::hourly;
-    if (step_s <= day_s) return Interval::daily;
-    return step_s <= 31 * day_s ? Interval::monthly : Interval::annual;
+    if (step_s <= physics::day_s) return Interval::daily;
+    return step_s <= 31 * physics::day_s ? Interval::monthly : Interval::annual;
 }
 
 Seconds interval_begin(Seconds time, Interval interval) {
@@ -53,7 +49,8 @@ Seconds interval_begin(Seconds time, Interval interval) {
 }
 
 Seconds next_interval(Seconds begin, Interval interval) {
-    constexpr int longest_s[] = {0, 3600, day_s, 31 * day_s, 366 * day_s};
+    constexpr int longest_s[] = {0, 3600, physics::day_s, 31 * physics::day_s,
+                                 366 * physics::day_s};
     return interval_begin(begin + seconds(longest_s[static_cast<int>(interval)]),
                           interval);
 }

@@ -6,11 +6,11 @@
 #include "input/series.hpp"
 
 #include "base/error.hpp"
+#include "base/nan.hpp"
 #include "input/steps.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -25,8 +25,6 @@ constexpr long long most_steps = 20'000'000;
     throw UserError(ExitCode::data,
                     fmt::format("{}:{}: {}", csv.file, csv.lines[row], message));
 }
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Rows [first, last) of one step.
 struct Rows {
@@ -171,8 +169,7 @@ void append(RegularSeries& series, const RegularSeries& next, const std::string&
     const int between = static_cast<int>(seconds / series.axis.step_s);
     const int begin = series.axis.n_steps + between;
     if (between > 0) series.gaps.push_back({series.axis.n_steps, between, row});
-    series.values.resize(static_cast<std::size_t>(begin),
-                         std::numeric_limits<double>::quiet_NaN());
+    series.values.resize(static_cast<std::size_t>(begin), nan);
     series.values.insert(series.values.end(), next.values.begin(), next.values.end());
     for (const Gap& gap : next.gaps)
         series.gaps.push_back({begin + gap.first, gap.n, gap.row});

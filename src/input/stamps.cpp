@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "input/steps.hpp"
+#include "physics/calendar.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,12 +21,12 @@ namespace bemcal::input {
 
 namespace {
 
+using physics::day_s;
 using physics::Seconds;
 using std::chrono::seconds;
 
 constexpr seconds hour{3600};
 constexpr seconds half_day{12 * 3600};
-constexpr int day_s = 86400;
 
 const char* rule_of(Clock clock) {
     return clock == Clock::us ? "us" : "eu";

@@ -5,6 +5,8 @@
 /// calendar's matter; steps that do not divide a day stay.
 #include "input/steps.hpp"
 
+#include "physics/calendar.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
@@ -14,9 +16,9 @@ namespace bemcal::input {
 
 namespace {
 
+using physics::day_s;
 using physics::Seconds;
 
-constexpr long long day_s = 86400;
 constexpr long long usual[] = {1,     2,     3,     4,     5,     6,    10,   12,
                                15,    20,    30,    60,    120,   180,  240,  300,
                                360,   600,   720,   900,   1200,  1800, 3600, 7200,

@@ -13,6 +13,7 @@
 #include "job/repeated.hpp"
 #include "job/result_names.hpp"
 #include "job/timed_csv.hpp"
+#include "physics/calendar.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,8 +31,7 @@ using physics::Quantity;
 using physics::Seconds;
 using study::Meter;
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-constexpr int day_s = 86400;
+constexpr double missing = nan;
 
 const input::Unit& unit_of(const schema::Section& section, Quantity quantity) {
     const bool temperature = physics::is_temperature(quantity);
@@ -158,7 +158,7 @@ class MeterReader {
         note_gaps(series);
         correct(series);
         const input::CheckOptions options = check_options();
-        if (series.axis.step_s <= 3600 && day_s % series.axis.step_s == 0) {
+        if (series.axis.step_s <= 3600 && physics::day_s % series.axis.step_s == 0) {
             for (input::Finding& found :
                  input::check_series(series, meter_.quantity, options))
                 decide(std::move(found.finding), std::move(found.action));

@@ -4,6 +4,7 @@
 /// A longer gap within a period is an error; before it the warm-up only gets shorter.
 /// Clocks are checked by `check_weather_clock`.
 #include "base/error.hpp"
+#include "base/nan.hpp"
 #include "input/checks.hpp"
 #include "input/epw.hpp"
 #include "input/time_zone.hpp"
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ namespace {
 
 using physics::Weather;
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr double missing = nan;
 
 struct Column {
     const char* key;

@@ -99,7 +99,7 @@ Batch::Batch(const physics::Building& nominal, std::vector<physics::Parameter> p
     plan_all(*plan_);
     for (std::size_t k = 0; k < n_intervals; ++k)
         plan_->bounds[k] =
-            physics::interval_bounds(period_of(drive), static_cast<physics::Interval>(k));
+            physics::interval_bounds(drive.period(), static_cast<physics::Interval>(k));
 }
 
 std::vector<int> BatchPlan::bounds_of(const physics::Intervals& intervals) const {

@@ -3,11 +3,11 @@
 /// Follows from affine, meter_rows and the kernel's table. Numbers before the first that
 /// changed are not written again. What the points share is in batch_plan, buildings that
 /// run plain are run in batch.cpp.
+#include "base/nan.hpp"
 #include "kernel/batch_plan.hpp"
 #include "kernel/meter_rows.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace bemcal::kernel {
 
@@ -30,11 +30,11 @@ BatchGroup::Zone make_zone(const ZonePlan& plan, int lanes) {
             LaneArray(2, lanes)};
 }
 
+}  // namespace
+
 BatchGroup::Rows make_rows(std::size_t steps, int lanes) {
     return {LaneArray(steps, lanes), LaneArray(steps, lanes), LaneArray(steps, lanes)};
 }
-
-}  // namespace
 
 Show show_for(physics::Quantity quantity) {
     return quantity == physics::Quantity::air_temperature ? Show::powers_and_air
@@ -52,7 +52,7 @@ const double* shown_as_it_is(physics::Quantity quantity, const BatchPlan& plan,
 BatchGroup::Written::Written(const BatchPlan& plan)
     : buildings(static_cast<std::size_t>(plan.table.lanes), plan.nominal),
       points(buildings.size(), plan.parameters.size()) {
-    std::ranges::fill(points.values, std::numeric_limits<double>::quiet_NaN());
+    std::ranges::fill(points.values, nan);
 }
 
 BatchGroup::BatchGroup(const BatchPlan& shared)
@@ -114,8 +114,7 @@ void BatchGroup::copy_lane(int from, int to) {
 
 void BatchGroup::clear_lane(int lane) {
     buildings[static_cast<std::size_t>(lane)] = plan.nominal;
-    std::ranges::fill(written->points.row(static_cast<std::size_t>(lane)),
-                      std::numeric_limits<double>::quiet_NaN());
+    std::ranges::fill(written->points.row(static_cast<std::size_t>(lane)), nan);
     for (Zone& zone : zones)
         for (LaneArray* array : {&zone.regimes, &zone.rows, &zone.state})
             array->clear_lane(lane);

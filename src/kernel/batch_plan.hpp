@@ -110,6 +110,9 @@ struct BatchGroup {
     std::optional<physics::Quantity> mixed_is_of_;
 };
 
+/// \return rows of `steps`, of each quantity
+BatchGroup::Rows make_rows(std::size_t steps, int lanes);
+
 /// What a run has to show for a quantity.
 Show show_for(physics::Quantity quantity);
 

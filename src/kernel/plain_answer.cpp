@@ -74,13 +74,6 @@ bool is_finer_than_month(physics::Interval interval) {
            interval == physics::Interval::daily;
 }
 
-physics::TimeAxis period_of(const physics::Drive& drive) {
-    physics::TimeAxis period = drive.axis;
-    period.start = drive.axis.begin_of(drive.n_warm_up);
-    period.n_steps = drive.n_steps() - drive.n_warm_up;
-    return period;
-}
-
 std::vector<int> month_of_steps(const physics::TimeAxis& period) {
     const std::vector<int> bounds =
         physics::interval_bounds(period, physics::Interval::monthly);
@@ -93,7 +86,7 @@ std::vector<int> month_of_steps(const physics::TimeAxis& period) {
 
 PointAnswer plain_answer(const physics::Building& building, const physics::Drive& drive,
                          const Request& request) {
-    const physics::TimeAxis period = period_of(drive);
+    const physics::TimeAxis period = drive.period();
     const physics::Trajectory trajectory = physics::simulate(building, drive);
     const auto shown = [&](physics::Quantity quantity) {
         return physics::predict(building, drive, trajectory, quantity);

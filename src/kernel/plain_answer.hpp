@@ -20,7 +20,4 @@ bool is_finer_than_month(physics::Interval interval);
 /// Index of the calendar month, from 0, of every step of the period.
 std::vector<int> month_of_steps(const physics::TimeAxis& period);
 
-/// The steps of the drive that are asked for.
-physics::TimeAxis period_of(const physics::Drive& drive);
-
 }  // namespace bemcal::kernel

@@ -64,11 +64,8 @@ std::vector<int> offsets_of(const Partition& rows, int doubles_per_row) {
 }
 
 std::vector<Span> plan_months(const physics::Drive& drive) {
-    physics::TimeAxis period = drive.axis;
-    period.start = drive.axis.begin_of(drive.n_warm_up);
-    period.n_steps = drive.n_steps() - drive.n_warm_up;
     const std::vector<int> bounds =
-        physics::interval_bounds(period, physics::Interval::monthly);
+        physics::interval_bounds(drive.period(), physics::Interval::monthly);
     std::vector<Span> months;
     months.reserve(bounds.size());
     for (std::size_t k = 0; k + 1 < bounds.size(); ++k)

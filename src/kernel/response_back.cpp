@@ -4,10 +4,10 @@
 /// (checkpointing). Not for buildings that run plain or have numbers that follow from
 /// others.
 #include "adjoint/meters_adjoint.hpp"
+#include "base/nan.hpp"
 #include "kernel/response.hpp"
 #include "kernel/response_plan.hpp"
 
-#include <limits>
 #include <stdexcept>
 
 namespace bemcal::kernel {
@@ -200,8 +200,7 @@ void Response::pull_back(Run& run, Matrix& gradient) const {
         StretchBack(*plan_, k, run).pull();
     for (std::size_t k = 0; k < run.count; ++k) {
         if (!run.failures[k].empty()) {
-            std::fill(gradient.row(k).begin(), gradient.row(k).end(),
-                      std::numeric_limits<double>::quiet_NaN());
+            std::fill(gradient.row(k).begin(), gradient.row(k).end(), nan);
             continue;
         }
         pull_building(*plan_, static_cast<int>(k), run);

@@ -140,10 +140,6 @@ LaneArray like(const Partition& classes, int columns, int lanes) {
     return {static_cast<std::size_t>(classes.size() * columns), lanes};
 }
 
-BatchGroup::Rows make_rows(std::size_t steps, int lanes) {
-    return {LaneArray(steps, lanes), LaneArray(steps, lanes), LaneArray(steps, lanes)};
-}
-
 int tape_columns(const ZonePlan& zone) {
     return zone.is_standard()
                ? static_cast<int>(StandardTape::count)

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace bemcal::loop {
 namespace {
@@ -66,14 +67,20 @@ void add_days(const LoopData& data, const Place& place, const Standing& standing
     }
 }
 
+/// Of an even number the upper one of the two in the middle.
+double upper_median(std::vector<double> values) {
+    std::ranges::nth_element(values,
+                             values.begin() + static_cast<long>(values.size() / 2));
+    return values[values.size() / 2];
+}
+
 /// Each day's share of a Sunday, of those days that would show it.
 std::map<int, double> shares_of(const std::map<int, DaySums>& sums) {
     std::vector<double> sizes;
     sizes.reserve(sums.size());
     for (const auto& [day, of_day] : sums) sizes.push_back(of_day.with_itself);
     if (sizes.empty()) return {};
-    std::ranges::nth_element(sizes, sizes.begin() + static_cast<long>(sizes.size() / 2));
-    const double typical = sizes[sizes.size() / 2];
+    const double typical = upper_median(std::move(sizes));
     std::map<int, double> shares;
     for (const auto& [day, of_day] : sums)
         if (of_day.with_itself > 0.1 * typical && of_day.with_itself > 0)
@@ -81,18 +88,12 @@ std::map<int, double> shares_of(const std::map<int, DaySums>& sums) {
     return shares;
 }
 
-double median_of(std::vector<double> values) {
-    std::ranges::nth_element(values,
-                             values.begin() + static_cast<long>(values.size() / 2));
-    return values[values.size() / 2];
-}
-
 /// How the shares of ordinary days spread, by the median of their distances.
 double spread_of(const std::map<int, double>& shares, double middle) {
     std::vector<double> distances;
     distances.reserve(shares.size());
     for (const auto& [day, share] : shares) distances.push_back(std::abs(share - middle));
-    return 1.4826 * median_of(distances);
+    return 1.4826 * upper_median(std::move(distances));
 }
 
 bool is_weekend(int day) {
@@ -141,7 +142,7 @@ std::optional<effects::Effect> closed_days(const LoopData& data, const Place& pl
     std::vector<double> values;
     values.reserve(shares.size());
     for (const auto& [day, share] : shares) values.push_back(share);
-    const double middle = median_of(values), spread = spread_of(shares, middle);
+    const double middle = upper_median(values), spread = spread_of(shares, middle);
     std::vector<int> closed;
     for (const auto& [day, share] : shares)
         if (share - middle > standard_deviations * spread && share > least_share &&

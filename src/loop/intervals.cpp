@@ -5,6 +5,7 @@
 /// Intervals are symmetric: curvature is left out.
 #include "loop/intervals.hpp"
 
+#include "physics/calendar.hpp"
 #include "stats/least_squares.hpp"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ namespace {
 constexpr double of_model = 0.08;
 
 double days_of(const study::Period& period) {
-    return static_cast<double>((period.to - period.from).count()) / 86400;
+    return static_cast<double>((period.to - period.from).count()) / physics::day_s;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 /// are not read by the hour.
 #include "loop/late_clock.hpp"
 
+#include "base/nan.hpp"
 #include "effects/catalogue.hpp"
 
 #include <algorithm>
@@ -19,8 +20,6 @@ namespace bemcal::loop {
 namespace {
 
 using Effects = std::vector<effects::Effect>;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 double at(std::span<const double> series, std::ptrdiff_t k) {
     const bool is_there = k >= 0 && k < static_cast<std::ptrdiff_t>(series.size());

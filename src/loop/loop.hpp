@@ -13,6 +13,9 @@
 
 namespace bemcal::loop {
 
+/// Simulations that the search in one building takes, about.
+inline constexpr long long usual_simulations = 20000;
+
 /// A building is an item; it is searched in training, and its other periods are read for
 /// the errors that are reported only (but the job's data checks, which correct units and
 /// mask readings, have looked at a meter's whole series before). The datasets of a

@@ -7,12 +7,12 @@
 
 #include "base/error.hpp"
 #include "effects/make_surroundings.hpp"
+#include "physics/calendar.hpp"
 #include "physics/interval_hours.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -21,7 +21,6 @@
 namespace bemcal::loop {
 namespace {
 
-constexpr long long day_s = 86400;
 constexpr double days_of_noise = 7;  ///< blocks over which errors are counted as one
 
 /// Whether options name it; no names = all.
@@ -31,8 +30,8 @@ bool is_chosen(const std::vector<std::string>& names, const std::string& name) {
 
 int block_at(physics::Seconds time, physics::Seconds from, double days) {
     const auto seconds = (time - from).count();
-    return static_cast<int>(
-        std::floor(static_cast<double>(seconds) / (days * static_cast<double>(day_s))));
+    return static_cast<int>(std::floor(static_cast<double>(seconds) /
+                                       (days * static_cast<double>(physics::day_s))));
 }
 
 /// Months since year 0.
@@ -330,7 +329,7 @@ std::vector<kernel::Readings> training_readings(const study::Case& building,
         if (meter.interval == physics::Interval::monthly) continue;
         const auto begins = study::begins_of(axis, meter.interval);
         for (std::size_t k = 0; k < begins.size() && begins[k] < period.from + first; ++k)
-            meter.values[k] = std::numeric_limits<double>::quiet_NaN();
+            meter.values[k] = nan;
     }
     return readings;
 }

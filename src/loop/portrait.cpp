@@ -6,11 +6,11 @@
 
 #include "effects/profiles.hpp"
 #include "loop/search.hpp"
+#include "physics/calendar.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 
@@ -20,7 +20,6 @@ namespace bemcal::loop {
 namespace {
 
 constexpr double critical = 1.628;  ///< 99 % of the largest of a Brownian bridge
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 using effects::Driver;
 using effects::Hook;
@@ -167,10 +166,9 @@ std::vector<double> bin_means(const LoopData& data, std::size_t channel,
 }
 
 std::string cell_name(std::size_t cell) {
-    constexpr const char* months[] = {"January",   "February", "March",    "April",
-                                      "May",       "June",     "July",     "August",
-                                      "September", "October",  "November", "December"};
-    return fmt::format("{}, {} to {} h", months[cell / 24], cell % 24, cell % 24 + 1);
+    return fmt::format("{}, {} to {} h",
+                       physics::name_of_month(static_cast<int>(cell / 24) + 1), cell % 24,
+                       cell % 24 + 1);
 }
 
 Unexplained unexplained_of(const LoopData& data, const Standing& standing,

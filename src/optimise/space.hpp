@@ -6,9 +6,9 @@
 #pragma once
 
 #include "base/matrix.hpp"
+#include "base/nan.hpp"
 #include "base/random.hpp"
 
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -17,7 +17,7 @@ namespace bemcal::optimise {
 struct Variable {
     double least = 0, most = 1;
     std::vector<double> values{};  ///< discrete: one of these; least and most are unused
-    double start = std::numeric_limits<double>::quiet_NaN();  ///< default: the middle
+    double start = nan;            ///< default: the middle
 };
 
 using Position = std::vector<double>;

@@ -79,7 +79,7 @@ std::chrono::seconds parse_clock(std::string_view text, const std::string& whole
     const int hour = digits(text, 0, 2), minute = digits(text, 3, 2);
     const int second = text.size() > 5 ? digits(text, 6, 2) : 0;
     const long long of_day = 3600LL * hour + 60 * minute + second;
-    if (minute > 59 || second > 59 || of_day > 86400)
+    if (minute > 59 || second > 59 || of_day > day_s)
         throw std::invalid_argument(
             fmt::format("'{}': expected a time of day from 00:00 to 24:00", whole));
     return std::chrono::seconds(of_day);
@@ -103,6 +103,13 @@ TimeAxis TimeAxis::between(Seconds from, Seconds to) const {
         std::clamp(step_of(from + std::chrono::seconds(step_s - 1)), 0, n_steps);
     const int last = std::clamp(step_of(to), first, std::max(first, n_steps));
     return {begin_of(first), step_s, last - first};
+}
+
+const char* name_of_month(int month) {
+    constexpr const char* names[] = {"January",   "February", "March",    "April",
+                                     "May",       "June",     "July",     "August",
+                                     "September", "October",  "November", "December"};
+    return names[month - 1];
 }
 
 CalendarStep calendar_step(Seconds begin_of_step) {

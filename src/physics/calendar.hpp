@@ -15,6 +15,8 @@ namespace bemcal::physics {
 using Seconds =
     std::chrono::sys_seconds;  ///< local standard time; the offset is the site's
 
+inline constexpr int day_s = 86400;  ///< seconds of a day
+
 struct TimeAxis {
     Seconds start{};    ///< begin of the first step
     int step_s = 3600;  ///< length of a step [s]; divides 3600
@@ -38,6 +40,9 @@ struct CalendarStep {
     int day_of_year;       ///< 1..366
 };
 CalendarStep calendar_step(Seconds begin_of_step);
+
+/// \param month  from 1
+const char* name_of_month(int month);
 
 /// "2021-03-05" or "2021-03-05 14:30[:00]" (T allowed between; 24:00 is the day's end);
 /// throws std::invalid_argument with a sentence that says what was expected.

@@ -229,7 +229,7 @@ struct Layout {
 /// does not begin as if it had been there before.
 Layout lay_out(Span period, int step_s, int n_warm_up, bool real_warm_up) {
     const auto count = static_cast<int>((period.to - period.from).count() / step_s);
-    const int per_day = 86400 / step_s;
+    const int per_day = day_s / step_s;
     const int year = 52 * 7 * per_day;
     const int days = std::min((n_warm_up + per_day - 1) / per_day, count / per_day);
     const int repeated = count >= year ? year : days > 0 ? days * per_day : count;

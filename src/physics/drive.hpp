@@ -32,6 +32,10 @@ struct Drive {
     Matrix irradiance;  ///< [n_planes x n_steps] on Building::planes [W/m2]
     Matrix profiles;    ///< [n_profiles x n_steps]
     int n_steps() const { return axis.n_steps; }
+    /// The steps that are asked for, without the warm-up.
+    TimeAxis period() const {
+        return {axis.begin_of(n_warm_up), axis.step_s, n_steps() - n_warm_up};
+    }
     double profile_at(int profile, int step) const {
         return profiles(static_cast<std::size_t>(profile),
                         static_cast<std::size_t>(step));

@@ -5,13 +5,13 @@
 /// switches are left to the job's reader.
 #include "physics/fields.hpp"
 
-#include <limits>
+#include "base/nan.hpp"
 
 namespace bemcal::physics {
 
 namespace {
 
-constexpr double required = std::numeric_limits<double>::quiet_NaN();
+constexpr double required = nan;
 
 template <class Owner, class Value>
 Owner owner_of(Value Owner::*);

@@ -11,12 +11,15 @@
 #include "physics/office_hour.hpp"
 
 #include "base/error.hpp"
+#include "base/nan.hpp"
 #include "physics/hour.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <iterator>
 #include <numbers>
+#include <stdexcept>
 
 namespace bemcal::physics {
 namespace {
@@ -151,13 +154,22 @@ std::span<const OfficeHourInput> office_hour_inputs() {
     return inputs_of_table_2;
 }
 
+std::size_t office_hour_input_number(const std::string& name) {
+    const auto* found = std::ranges::find_if(
+        inputs_of_table_2,
+        [&](const OfficeHourInput& input) { return input.name == name; });
+    if (found == std::end(inputs_of_table_2))
+        throw std::invalid_argument("no input of the office hour is called " + name);
+    return static_cast<std::size_t>(found - std::begin(inputs_of_table_2));
+}
+
 double office_hour_energy(std::span<const double> inputs,
                           const OfficeHourAssumptions& assumed) {
     require(inputs.size() == n_inputs, "the office hour takes 19 inputs");
     const Office office = office_of(inputs);
     const auto faces = faces_of(office);
     const Network network = network_of(office, faces, assumed);
-    if (!is_possible(office, network)) return std::numeric_limits<double>::quiet_NaN();
+    if (!is_possible(office, network)) return nan;
     HourDrive drive;
     drive.theta_e = drive.theta_em = drive.theta_sup = office.theta_ext;
     drive.phi_int = office.phi_int * office.GFA;

@@ -20,6 +20,8 @@ struct OfficeHourInput {
 };
 /// The 19 inputs in Table 2's order; GFA and theta_prev are numbers 1 and 14 there.
 std::span<const OfficeHourInput> office_hour_inputs();
+/// The place of an input among them. Throws std::invalid_argument for another name.
+std::size_t office_hour_input_number(const std::string& name);
 
 /// What paper 1 leaves open. Its ventilation is taken to recover heat, as in the most
 /// used open implementation of the method: 6 air changes of outdoor air without recovery

@@ -88,7 +88,7 @@ StepSun sunlit_sun(const Site& site, Seconds begin, int step_s, double at_begin,
 SunPosition sun_position(const Site& site, Seconds local_standard) {
     const double since =
         static_cast<double>(local_standard.time_since_epoch().count() - j2000);
-    const Equatorial sun = equatorial((since - site.utc_offset_h * 3600) / 86400);
+    const Equatorial sun = equatorial((since - site.utc_offset_h * 3600) / day_s);
     const double hour_angle = sun.sidereal + site.longitude * deg - sun.right_ascension;
     const double sin_phi = std::sin(site.latitude * deg),
                  cos_phi = std::cos(site.latitude * deg);

@@ -5,12 +5,12 @@
 /// light under a low sun is limited. Temperatures are not filled in.
 #include "physics/weather.hpp"
 
+#include "base/nan.hpp"
 #include "physics/decomposition.hpp"
 #include "physics/sun.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -101,7 +101,7 @@ void complete_irradiance(Weather& weather) {
                         format_time(weather.axis.begin_of(unknown.front()))));
     for (auto* series : {&weather.global_horizontal, &weather.direct_normal,
                          &weather.diffuse_horizontal})
-        series->resize(suns.size(), std::numeric_limits<double>::quiet_NaN());
+        series->resize(suns.size(), nan);
     fill_global(weather, suns);
     for (std::size_t k = 0; k < suns.size(); ++k) fill_parts(weather, suns[k], k);
 }

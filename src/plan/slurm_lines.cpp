@@ -4,6 +4,8 @@
 /// Leaves out partitions and accounts. Time ends at a day: an unfinished job is requeued.
 #include "plan/slurm_lines.hpp"
 
+#include "physics/calendar.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +16,7 @@ namespace bemcal::plan {
 namespace {
 
 constexpr int most_cores_of_rank = 8, usual_cores = 16;
-constexpr double half_an_hour = 1800, ten_minutes = 600, day = 86400;
+constexpr double half_an_hour = 1800, ten_minutes = 600, day = physics::day_s;
 constexpr double megabyte = 1e6, program_bytes = 1e8;
 
 struct Shape {

@@ -5,6 +5,8 @@
 /// other; those of months and years have no memory.
 #include "posterior/building_model.hpp"
 
+#include "base/nan.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -32,7 +34,7 @@ std::vector<double> training_readings(const std::vector<double>& values,
     std::vector<double> kept = values;
     if (meter >= choice.trains.size() || choice.trains[meter].empty()) return kept;
     for (std::size_t k = 0; k < kept.size(); ++k)
-        if (!choice.trains[meter][k]) kept[k] = std::numeric_limits<double>::quiet_NaN();
+        if (!choice.trains[meter][k]) kept[k] = nan;
     return kept;
 }
 
@@ -249,8 +251,7 @@ std::vector<Matrix> BuildingModel::predict(const Matrix& parameters) const {
     std::vector<Matrix> predictions;
     predictions.reserve(meters_.size());
     for (const MeterModel& model : meters_)
-        predictions.emplace_back(parameters.rows, model.measured.size(),
-                                 std::numeric_limits<double>::quiet_NaN());
+        predictions.emplace_back(parameters.rows, model.measured.size(), nan);
     const auto run = response_->make_run();
     const auto n_lanes = static_cast<std::size_t>(lanes());
     for (std::size_t first = 0; first < parameters.rows; first += n_lanes) {

@@ -5,17 +5,15 @@
 #include "posterior/contraction.hpp"
 
 #include "base/error.hpp"
+#include "base/nan.hpp"
 #include "stats/chain_moments.hpp"
 #include "stats/coverage.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace bemcal::posterior {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// A prior, or a discrete parameter's values as one, by its numbers.
 struct Belief {

@@ -5,6 +5,7 @@
 /// are read by `read_koh`.
 #include "posterior/koh_runs.hpp"
 
+#include "base/nan.hpp"
 #include "posterior/koh_posterior.hpp"
 #include "stats/sobol_sequence.hpp"
 #include "study/datasets.hpp"
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -167,8 +167,7 @@ class KohRunsStage : public study::Stage {
     }
     /// [n_runs]; NaN = failed
     std::vector<double> outputs_of(const std::vector<study::ItemAnswer>& answers) const {
-        std::vector<double> outputs(design_.n_runs(),
-                                    std::numeric_limits<double>::quiet_NaN());
+        std::vector<double> outputs(design_.n_runs(), nan);
         for (std::size_t k = 0; k < outputs.size(); ++k)
             if (!answers[k].values.empty()) outputs[k] = answers[k].values[0];
         return outputs;

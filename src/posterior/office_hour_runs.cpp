@@ -19,16 +19,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-std::size_t number_of(const std::string& name) {
-    const auto inputs = physics::office_hour_inputs();
-    const auto found = std::ranges::find_if(
-        inputs, [&](const auto& input) { return input.name == name; });
-    if (found == inputs.end())
-        throw std::invalid_argument(
-            fmt::format("no input of the office hour is called {}", name));
-    return static_cast<std::size_t>(found - inputs.begin());
-}
-
 /// Where the numbers of the 19 inputs come from: each from one place.
 struct Places {
     std::vector<std::size_t> x, t;
@@ -40,7 +30,7 @@ Places places_of(const OfficeHourDesign& design, const emulator::Observations& o
     Places places{{}, {}, std::vector<double>(inputs.size())};
     std::vector<int> n_uses(inputs.size());
     const auto take = [&](const std::string& name) {
-        const std::size_t number = number_of(name);
+        const std::size_t number = physics::office_hour_input_number(name);
         if (++n_uses[number] > 1)
             throw std::invalid_argument(fmt::format(
                 "{} stands in two of inputs, calibrated and fixed; expected one", name));
@@ -76,7 +66,8 @@ std::vector<study::Coordinate> office_hour_coordinates(const Names& names) {
     std::vector<study::Coordinate> made;
     made.reserve(names.size());
     for (const std::string& name : names) {
-        const auto& input = physics::office_hour_inputs()[number_of(name)];
+        const auto& input =
+            physics::office_hour_inputs()[physics::office_hour_input_number(name)];
         stats::Prior prior;
         prior.least = input.least;
         prior.most = input.most;

@@ -5,6 +5,7 @@
 /// asks. Of the n_predictive draws 64 are stored at most.
 #include "posterior/posterior_results.hpp"
 
+#include "physics/calendar.hpp"
 #include "posterior/lasting_errors.hpp"
 #include "posterior/predictive.hpp"
 #include "posterior/validation_results.hpp"
@@ -83,7 +84,7 @@ void add_inference_data(const MeterPrediction& meter, study::DatasetBuilder& dat
 
 /// From the middle of one to the middle of the other.
 double years_between(const study::Period& a, const study::Period& b) {
-    constexpr double seconds_of_two_years = 2 * 365.25 * 86400;
+    constexpr double seconds_of_two_years = 2 * 365.25 * physics::day_s;
     const auto distance = (a.from - b.from) + (a.to - b.to);
     return std::abs(static_cast<double>(distance.count())) / seconds_of_two_years;
 }

@@ -4,10 +4,11 @@
 /// result_file's.
 #include "report/lookup.hpp"
 
+#include "base/nan.hpp"
+#include "store/dataset_path.hpp"
 #include "store/layout.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace bemcal::report {
 
@@ -64,7 +65,7 @@ const std::string& Group::unit(const std::string& leaf) const {
 
 double Group::value(const std::string& leaf) const {
     const Numbers found = values(leaf);
-    return found.empty() ? std::numeric_limits<double>::quiet_NaN() : found[0];
+    return found.empty() ? nan : found[0];
 }
 
 std::vector<Group> groups_with(const store::ResultFile& result, const std::string& leaf) {

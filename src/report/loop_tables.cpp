@@ -2,13 +2,13 @@
 /// search, what became of the parameters; what is read first stands last.
 /// Made from stored datasets alone; other tables of a loop are in loop_fit_tables and
 /// loop_data_tables, pictures in scripts/loop_report.
+#include "base/nan.hpp"
 #include "report/loop_parts.hpp"
 #include "report/sections.hpp"
 #include "report/text_table.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include <fmt/format.h>

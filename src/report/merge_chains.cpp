@@ -4,6 +4,7 @@
 /// predictions, and tables stored of single runs, stay those of the first.
 #include "report/merge_chains.hpp"
 
+#include "store/dataset_path.hpp"
 #include "store/layout.hpp"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 /// unknown before and after, and what the data could tell.
 /// Convergence is computed again by convergence_of. What the data could tell is the
 /// stored sentence; correlations among unknowns are not shown.
+#include "base/nan.hpp"
 #include "report/sections.hpp"
 #include "report/text_table.hpp"
 #include "stats/convergence.hpp"
@@ -16,7 +17,6 @@
 namespace bemcal::report {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// Above it squares are not finite, and no order of the draws is one.
 constexpr double most_draw = 1e75;
 

@@ -94,7 +94,9 @@ void add_row(TextTable& table, const std::string& period, const std::string& met
              const FitMetrics& best, stats::Resolution resolution) {
     table.add({period, meter, interval, in_short(best.n),
                change(nominal.cv_rmse, best.cv_rmse), change(nominal.nmbe, best.nmbe),
-               change(nominal.mape, best.mape), verdict(nominal, best, resolution)});
+               change(nominal.mape, best.mape),
+               verdict(meets_guideline_14(nominal, resolution),
+                       meets_guideline_14(best, resolution))});
 }
 
 void add_meter(TextTable& table, const Group& study, const std::string& period,

@@ -3,13 +3,13 @@
 /// Source: the form of paper 2's Tables 2 to 6. Errors are computed again from the stored
 /// series, standard deviations are as stored; "do not constrain" is above 0.8 of a flat
 /// range.
+#include "base/nan.hpp"
 #include "report/sections.hpp"
 #include "report/text_table.hpp"
 #include "stats/metrics.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -116,8 +116,7 @@ std::string parameter_table(const Group& study, std::size_t stage) {
     const auto at = [&](const char* leaf, std::size_t k) {
         const auto& values = study.values(leaf);
         const std::size_t index = stage * names.size() + k;
-        return index < values.size() ? values[index]
-                                     : std::numeric_limits<double>::quiet_NaN();
+        return index < values.size() ? values[index] : nan;
     };
     for (std::size_t k = 0; k < names.size(); ++k) {
         const Calibrated it{at("calibration_least", k), at("calibration_most", k),

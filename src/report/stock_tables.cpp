@@ -48,10 +48,6 @@ std::vector<Errors> errors_of(const Group& stock) {
     return errors;
 }
 
-std::string percent(double share) {
-    return std::isfinite(share) ? fmt::format("{:.1f} %", 100 * share) : "-";
-}
-
 std::string number(double value) {
     return std::isfinite(value) ? fmt::format("{:.6g}", value) : "";
 }

@@ -1,7 +1,6 @@
 /// Aligned columns of text: words to the left, numbers to the right, wide cells cut; and
 /// how numbers are shown.
-/// Plain text without a source. Widths count characters of UTF-8, but a cut counts bytes;
-/// wide characters count as one.
+/// Plain text without a source. Widths count characters of UTF-8; wide ones count as one.
 #include "report/text_table.hpp"
 
 #include "base/terminal.hpp"
@@ -14,10 +13,21 @@
 namespace bemcal::report {
 namespace {
 
-/// Characters, not bytes, of UTF-8.
+/// Whether the byte is the first of a character of UTF-8.
+bool begins_character(char c) {
+    return (c & 0xc0) != 0x80;
+}
+
+/// In characters.
 std::size_t width_of(const std::string& cell) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(cell, [](char c) { return (c & 0xc0) != 0x80; }));
+    return static_cast<std::size_t>(std::ranges::count_if(cell, begins_character));
+}
+
+/// The first n characters.
+std::string beginning_of(const std::string& cell, std::size_t n) {
+    const auto end = std::ranges::find_if(
+        cell, [&](char c) { return begins_character(c) && n-- == 0; });
+    return {cell.begin(), end};
 }
 
 /// A column is one of numbers where every cell below the header begins like one.
@@ -33,7 +43,7 @@ std::string padded(const std::string& cell, std::size_t width, bool to_right) {
 }  // namespace
 
 std::string cut(const std::string& cell, std::size_t widest) {
-    return width_of(cell) <= widest ? cell : cell.substr(0, widest - 2) + "..";
+    return width_of(cell) <= widest ? cell : beginning_of(cell, widest - 2) + "..";
 }
 
 /// A cell is one line, whatever a name holds.

@@ -7,15 +7,11 @@
 #include "report/text_table.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
 namespace bemcal::report {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The readings of a meter in a period, or those that were held out.
 struct Part {
@@ -81,17 +77,15 @@ std::string change(const Pair& share) {
 /// "no -> yes" by the hourly (0) or monthly (1) limits.
 std::string verdict(const Group& part, std::size_t limits) {
     const auto& met = part.values("guideline_14_met");
-    const auto word = [&](std::size_t k) { return at(met, k) == 1 ? "yes" : "no"; };
-    return fmt::format("{:>3} -> {}", word(limits), word(2 + limits));
+    return verdict(at(met, limits) == 1, at(met, 2 + limits) == 1);
 }
 
 void add_row(TextTable& table, const Part& of, Resolution resolution,
              const std::string& interval, const std::string& verdict_text) {
     const double n = metric_of(of.part, resolution, "n").after;
     if (!(n > 0)) return;
-    table.add({of.place, interval, in_short(n),
-               change(metric_of(of.part, resolution, "cv_rmse")),
-               change(metric_of(of.part, resolution, "nmbe")), verdict_text});
+    table.add({of.place, interval, in_short(n), change_of(of, resolution, "cv_rmse"),
+               change_of(of, resolution, "nmbe"), verdict_text});
 }
 
 void add_fits(TextTable& table, const Part& of) {
@@ -101,7 +95,7 @@ void add_fits(TextTable& table, const Part& of) {
         interval == "monthly" || interval == "billed" || interval == "annual";
     add_row(table, of, own, interval, verdict(of.part, is_coarse ? 1 : 0));
     if (is_fine) add_row(table, of, daily, "daily", "");
-    if (!is_coarse) add_row(table, of, monthly, "monthly", verdict(of.part, 1));
+    if (!is_coarse) add_row(table, of, monthly, "monthly", verdict_by(of.part, 1));
 }
 
 std::string text_of(const TextTable& table) {

@@ -5,6 +5,7 @@
 /// are made in `scenario`.
 #include "retrofit/retrofit.hpp"
 
+#include "base/nan.hpp"
 #include "stats/quantile.hpp"
 #include "study/datasets.hpp"
 #include "study/failures.hpp"
@@ -24,7 +25,6 @@ namespace {
 
 using physics::Quantity;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t points_per_item = 64;
 constexpr double quantiles[] = {0.05, 0.5, 0.95};
 /// A thermostat holds its set-point but for rounding: nearer than this is not outside.

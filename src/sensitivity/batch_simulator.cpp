@@ -2,10 +2,10 @@
 /// fast kernel.
 /// Follows from `Batch`; a point that fails is a row of NaN with its reason.
 /// Leaves out months and peaks (`target_simulator`), and series by step.
+#include "base/nan.hpp"
 #include "sensitivity/simulators.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace bemcal::sensitivity {
 namespace {
@@ -35,8 +35,7 @@ class BatchSimulator : public study::Simulator {
 
     void evaluate(const Matrix& points, Matrix& answers,
                   std::vector<std::string>& failures) const override {
-        answers = Matrix(points.rows, outputs_.size(),
-                         std::numeric_limits<double>::quiet_NaN());
+        answers = Matrix(points.rows, outputs_.size(), nan);
         failures.assign(points.rows, {});
         const auto found = batch_.evaluate(points, request_);
         for (std::size_t r = 0; r < found.size(); ++r) {

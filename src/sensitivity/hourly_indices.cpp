@@ -5,15 +5,15 @@
 /// where blocks have failed.
 #include "sensitivity/hourly_indices.hpp"
 
+#include "base/nan.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace bemcal::sensitivity {
 namespace {
 
 constexpr double t_975_31 = 2.0395134463964077;  ///< Student's t, 31 degrees of freedom
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Half width of the 95 % jackknife interval.
 double jackknife_half_width(const std::vector<double>& without) {

@@ -2,26 +2,15 @@
 /// keep their value, the others vary over their ranges.
 /// Source: paper 1, step 1 and Table 2, by `office_hour_energy`.
 /// The fast kernel is not used. An impossible box is a failed point.
+#include "physics/office_hour.hpp"
 #include "sensitivity/simulators.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
 namespace bemcal::sensitivity {
 namespace {
 
 using Fixed = std::vector<std::pair<std::string, double>>;
-
-std::size_t number_of(const std::string& name) {
-    const auto inputs = physics::office_hour_inputs();
-    std::string known;
-    for (std::size_t k = 0; k < inputs.size(); ++k) {
-        if (inputs[k].name == name) return k;
-        known += std::string(k == 0 ? "" : ", ") + inputs[k].name;
-    }
-    throw std::invalid_argument("no input of the office hour is called " + name +
-                                "; they are " + known);
-}
 
 class OfficeHourSimulator : public study::Simulator {
   public:
@@ -32,8 +21,8 @@ class OfficeHourSimulator : public study::Simulator {
         inputs_.resize(inputs.size());
         std::vector<bool> is_fixed(inputs.size());
         for (const auto& [name, value] : fixed) {
-            inputs_[number_of(name)] = value;
-            is_fixed[number_of(name)] = true;
+            inputs_[physics::office_hour_input_number(name)] = value;
+            is_fixed[physics::office_hour_input_number(name)] = true;
         }
         for (std::size_t k = 0; k < inputs.size(); ++k)
             if (!is_fixed[k]) vary(k, inputs[k]);

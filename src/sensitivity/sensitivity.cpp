@@ -4,13 +4,13 @@
 /// First and total order only. Every hour of a year is in `hourly_sensitivity`.
 #include "sensitivity/sensitivity.hpp"
 
+#include "base/nan.hpp"
 #include "stats/saltelli.hpp"
 #include "study/datasets.hpp"
 #include "study/failures.hpp"
 #include "study/points.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace bemcal::sensitivity {
 namespace {
@@ -80,8 +80,7 @@ study::ItemAnswer Sensitivity::run(int item) const {
 
 /// All outputs in the design's order; NaN where an item failed. \return [rows x outputs]
 Matrix Sensitivity::outputs_of(const std::vector<study::ItemAnswer>& answers) const {
-    Matrix outputs(options_.n_base * rows_per_base_point(), n_outputs(),
-                   std::numeric_limits<double>::quiet_NaN());
+    Matrix outputs(options_.n_base * rows_per_base_point(), n_outputs(), nan);
     for (std::size_t item = 0; item < answers.size(); ++item) {
         const std::size_t row = first_of(item) * rows_per_base_point();
         std::ranges::copy(answers[item].values, outputs.row(row).data());

@@ -4,10 +4,10 @@
 #include "stats/chain_moments.hpp"
 
 #include "base/error.hpp"
+#include "base/nan.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace bemcal::stats {
 
@@ -23,7 +23,7 @@ double variance_of(std::span<const double> values) {
 
 double covariance_of(std::span<const double> a, std::span<const double> b) {
     require(a.size() == b.size(), "a covariance needs as many of either");
-    if (a.size() < 2) return std::numeric_limits<double>::quiet_NaN();
+    if (a.size() < 2) return nan;
     const double mean_a = mean_of(a), mean_b = mean_of(b);
     double sum = 0;
     for (std::size_t k = 0; k < a.size(); ++k) sum += (a[k] - mean_a) * (b[k] - mean_b);

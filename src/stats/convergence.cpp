@@ -5,6 +5,7 @@
 /// Autocorrelation is effective_size's.
 #include "stats/convergence.hpp"
 
+#include "base/nan.hpp"
 #include "stats/chain_moments.hpp"
 #include "stats/distributions.hpp"
 #include "stats/effective_size.hpp"
@@ -13,13 +14,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace bemcal::stats {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> sorted(const Matrix& draws) {
     std::vector<double> values = draws.values;

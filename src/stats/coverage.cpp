@@ -6,17 +6,15 @@
 #include "stats/coverage.hpp"
 
 #include "base/error.hpp"
+#include "base/nan.hpp"
 #include "stats/distributions.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace bemcal::stats {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// f(reading, its sorted draws) for each reading that has all of its draws.
 template <class F>

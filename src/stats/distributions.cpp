@@ -4,6 +4,8 @@
 /// a range (prior_standard).
 #include "stats/distributions.hpp"
 
+#include "base/nan.hpp"
+
 #include <cmath>
 #include <limits>
 
@@ -41,7 +43,7 @@ double with(const Distribution& d, F f) {
         case Family::student_t:
             return f(bm::students_t_distribution<double, Policy>(d.a));
     }
-    return std::numeric_limits<double>::quiet_NaN();
+    return nan;
 }
 
 }  // namespace

@@ -4,13 +4,13 @@
 /// few draws. Chains are not split here: callers do it.
 #include "stats/effective_size.hpp"
 
+#include "base/nan.hpp"
 #include "stats/chain_moments.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <numeric>
 
 #include <unsupported/Eigen/FFT>
@@ -101,8 +101,7 @@ std::vector<double> mean_autocovariance(const Matrix& draws) {
 }
 
 double effective_size(const Matrix& draws) {
-    if (draws.cols < 3 || !is_finite_and_varied(draws))
-        return std::numeric_limits<double>::quiet_NaN();
+    if (draws.cols < 3 || !is_finite_and_varied(draws)) return nan;
     InitialSequence sequence = initial_positive(draws);
     make_monotone(sequence);
     const auto& rho = sequence.rho;

@@ -4,8 +4,9 @@
 /// between the points is not seen; first-order indices are left out.
 #include "stats/factorial_indices.hpp"
 
+#include "base/nan.hpp"
+
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace bemcal::stats {
@@ -106,7 +107,7 @@ std::vector<double> total_order_on_grid(const std::vector<std::vector<double>>& 
     const double variance = mean_square(axes, centred);
     // A function that does not vary leaves no more than its rounding.
     const bool varies = variance > 1e-24 * mean * mean;
-    std::vector<double> indices(axes.size(), std::numeric_limits<double>::quiet_NaN());
+    std::vector<double> indices(axes.size(), nan);
     for (std::size_t i = 0; i < axes.size() && varies; ++i) {
         std::vector<Axis> others = axes;
         const std::vector<double> means = mean_along(others, i, centred);

@@ -3,17 +3,12 @@
 /// multivariate statistic, the correction for degrees of freedom.
 #include "stats/gelman_rubin.hpp"
 
+#include "base/nan.hpp"
 #include "stats/chain_moments.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace bemcal::stats {
-namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
 
 GelmanRubin gelman_rubin_of(const Matrix& draws) {
     if (draws.rows < 2 || draws.cols < 2) return {nan, nan, nan, nan};

@@ -5,15 +5,13 @@
 #include "stats/metrics.hpp"
 
 #include "base/error.hpp"
+#include "base/nan.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace bemcal::stats {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 double squared_correlation(const PairSums& s) {
     const double covariance = s.n * s.product - s.simulated * s.measured;

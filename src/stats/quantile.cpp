@@ -3,13 +3,14 @@
 /// predictive intervals take another place (coverage).
 #include "stats/quantile.hpp"
 
+#include "base/nan.hpp"
+
 #include <algorithm>
-#include <limits>
 
 namespace bemcal::stats {
 
 double quantile_of_sorted(std::span<const double> sorted, double p) {
-    if (sorted.empty()) return std::numeric_limits<double>::quiet_NaN();
+    if (sorted.empty()) return nan;
     const double place = p * static_cast<double>(sorted.size() - 1);
     const auto below = static_cast<std::size_t>(place);
     const std::size_t above = std::min(below + 1, sorted.size() - 1);

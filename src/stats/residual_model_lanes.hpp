@@ -2,11 +2,12 @@
 /// lane whatever its neighbours hold. Internal to the residual model.
 #pragma once
 
+#include "base/nan.hpp"
+
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 #include <Eigen/Core>
 
@@ -78,7 +79,7 @@ class LogProduct {
         }
         sum = sum * 0.6931471805599453 + product_.log();
         const auto is_sound = least_ > 0 && most_.isFinite();
-        return choose(is_sound, sum, all(std::numeric_limits<double>::quiet_NaN()));
+        return choose(is_sound, sum, all(nan));
     }
 
   private:

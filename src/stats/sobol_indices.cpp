@@ -4,19 +4,18 @@
 /// matrix product, whose bits depend on the machine. Left out: second order; base points
 /// with a failed row.
 #include "base/error.hpp"
+#include "base/nan.hpp"
 #include "base/random.hpp"
 #include "stats/saltelli.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <span>
 
 namespace bemcal::stats {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double normal_975 = 1.959963984540054;  ///< 97.5 % quantile
 constexpr std::uint32_t bootstrap_stream = 0x424F4F54;
 constexpr std::size_t n_abreast = 4;  ///< resamples summed in one pass over the terms

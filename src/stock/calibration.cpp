@@ -10,6 +10,7 @@
 #include "input/input_files.hpp"
 #include "job/kind.hpp"
 #include "job/stages.hpp"
+#include "loop/loop.hpp"
 #include "loop/options.hpp"
 
 #include <algorithm>
@@ -79,9 +80,10 @@ StockRecord::Fit fit_with_readings(const Case& building, const study::FoundFit& 
 /// Daily sums of the first meter of an energy, over the last days with readings.
 void sketch(const Case& building, StockRecord& record) {
     for (const study::Meter& meter : building.meters) {
-        const bool daily = meter.axis.step_s <= 3600 && 86400 % meter.axis.step_s == 0;
+        const bool daily =
+            meter.axis.step_s <= 3600 && physics::day_s % meter.axis.step_s == 0;
         if (!daily || physics::is_temperature(meter.quantity)) continue;
-        const int per_day = 86400 / meter.axis.step_s;
+        const int per_day = physics::day_s / meter.axis.step_s;
         const auto last = std::chrono::floor<std::chrono::days>(
             std::min(meter.axis.end(), building.periods.back().to));
         const auto first = last - std::chrono::days(sketch_days);
@@ -93,7 +95,7 @@ void sketch(const Case& building, StockRecord& record) {
                 const int step = meter.axis.step_of(
                     physics::Seconds(day) + std::chrono::seconds(k * meter.axis.step_s));
                 sum += step < 0 || step >= meter.axis.n_steps
-                           ? std::numeric_limits<double>::quiet_NaN()
+                           ? nan
                            : meter.values[static_cast<std::size_t>(step)];
             }
             record.daily.push_back(static_cast<float>(sum));
@@ -182,7 +184,8 @@ constexpr StockKind stock_kinds[] = {
          return static_cast<double>(study.as<calibration::ScreeningOptions>().n_points);
      }},
     {"posterior", nullptr, [](const job::StudySpec&) { return 500000.0; }},
-    {"loop", nullptr, [](const job::StudySpec&) { return 20000.0; }},
+    {"loop", nullptr,
+     [](const job::StudySpec&) { return double(loop::usual_simulations); }},
 };
 
 const StockKind& stock_kind_of(const job::StudySpec& study) {

@@ -6,6 +6,8 @@
 /// Left out: chunks, compression, types other than doubles and texts.
 #include "store/hdf5.hpp"
 
+#include "store/dataset_path.hpp"
+
 #include <algorithm>
 #include <memory>
 #include <new>
@@ -112,10 +114,6 @@ Handle open_dataset(hid_t file, const std::string& path) {
 
 Handle open_object(hid_t file, const std::string& path) {
     return {H5Oopen(file, path.c_str(), H5P_DEFAULT), H5Oclose, "open", path};
-}
-
-std::string leaf_of(const std::string& path) {
-    return path.substr(path.rfind('/') + 1);
 }
 
 std::string object_path(hid_t object) {

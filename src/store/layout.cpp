@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "physics/quantities.hpp"
+#include "store/dataset_path.hpp"
 
 #include <iterator>
 #include <string_view>
@@ -486,32 +487,6 @@ bool is_of_kind(const study::Dataset& dataset, const LayoutRow& row) {
 std::span<const LayoutRow> layout() {
     static const std::vector<LayoutRow> rows = all_rows();
     return rows;
-}
-
-std::string leaf_of(const std::string& path) {
-    return path.substr(path.rfind('/') + 1);
-}
-
-std::string group_of(const std::string& path) {
-    const std::size_t end = path.rfind('/');
-    return end == std::string::npos ? std::string() : path.substr(0, end);
-}
-
-const LayoutRow* known_layout(const study::Dataset& dataset) {
-    const std::string leaf = leaf_of(dataset.path);
-    const std::string inner = leaf_of(group_of(dataset.path)) + "/" + leaf;
-    const std::string dims = dims_of(dataset);
-    const LayoutRow* row = nullptr;
-    for (const LayoutRow& each : layout()) {
-        if (!matches(each.leaf, leaf) && !matches(each.leaf, inner)) continue;
-        row = &each;
-        if (matches(each.dims, dims)) break;
-    }
-    return row;
-}
-
-bool is_as(const study::Dataset& dataset, const LayoutRow& row) {
-    return matches(row.dims, dims_of(dataset)) && is_of_kind(dataset, row);
 }
 
 const LayoutRow& layout_of(const study::Dataset& dataset) {

@@ -37,9 +37,6 @@ const LayoutRow* known_layout(const study::Dataset& dataset);
 /// Whether dimensions and kind are those of the row.
 bool is_as(const study::Dataset& dataset, const LayoutRow& row);
 
-std::string leaf_of(const std::string& path);   ///< "c" of "a/b/c"
-std::string group_of(const std::string& path);  ///< "a/b" of "a/b/c"; "" at the root
-
 /// The table as text, for `describe results`.
 std::string describe_results();
 

@@ -8,6 +8,7 @@
 #include "base/disk.hpp"
 #include "base/error.hpp"
 #include "base/hash.hpp"
+#include "store/dataset_path.hpp"
 #include "store/hdf5.hpp"
 #include "store/layout.hpp"
 #include "store/result_reading.hpp"

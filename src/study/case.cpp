@@ -5,15 +5,16 @@
 /// Where no hours are known before a period, `make_drive` repeats some for the warm-up.
 #include "study/case.hpp"
 
+#include "base/nan.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace bemcal::study {
 namespace {
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr double missing = nan;
 constexpr std::chrono::hours a_day{24};
 
 /// Bounds of the intervals that lie whole within the period; a cut last one has no

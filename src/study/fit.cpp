@@ -5,10 +5,10 @@
 #include "study/fit.hpp"
 
 #include "base/error.hpp"
+#include "base/nan.hpp"
 #include "physics/simulate.hpp"
 
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace bemcal::study {
@@ -84,8 +84,7 @@ class PlainRun {
         if (trajectory_)
             return physics::predict(building_, drive_, *trajectory_, quantity);
         return std::vector<double>(
-            static_cast<std::size_t>(drive_.n_steps() - drive_.n_warm_up),
-            std::numeric_limits<double>::quiet_NaN());
+            static_cast<std::size_t>(drive_.n_steps() - drive_.n_warm_up), nan);
     }
 
   private:

@@ -4,6 +4,7 @@
 /// It ends in the nearest minimum. How errors hang together is left to the weights.
 #include "study/fit_model.hpp"
 
+#include "base/nan.hpp"
 #include "stats/least_squares.hpp"
 
 #include <algorithm>
@@ -14,7 +15,6 @@
 namespace bemcal::study {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double difference = 0.05;  ///< of an unknown, for its derivative [prior sd]
 
 /// The unknowns' values, in the parameters' units.

@@ -6,6 +6,7 @@
 #include "study/hold_out.hpp"
 
 #include "base/random.hpp"
+#include "physics/calendar.hpp"
 
 namespace bemcal::study {
 namespace {
@@ -14,7 +15,8 @@ constexpr std::uint32_t weeks_stream = 0x7765656b, hours_stream = 0x686f7572;
 
 /// Weeks since 1970 began, from Thursday to Wednesday.
 std::uint64_t week_of(physics::Seconds begin) {
-    return static_cast<std::uint64_t>(begin.time_since_epoch().count() / (7 * 86400));
+    return static_cast<std::uint64_t>(begin.time_since_epoch().count() /
+                                      (7 * physics::day_s));
 }
 
 bool chosen(std::uint64_t seed, std::uint32_t stream, std::uint64_t item, double share) {

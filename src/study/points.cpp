@@ -40,4 +40,10 @@ Matrix part_of(const Matrix& matrix, std::size_t first, std::size_t n) {
     return part;
 }
 
+double end_of_range(double value, double least, double most) {
+    const double near = 1e-3 * (most - least);
+    if (value <= least + near) return -1;
+    return value >= most - near ? 1 : 0;
+}
+
 }  // namespace bemcal::study

@@ -24,4 +24,8 @@ Matrix nominal_row(std::span<const physics::Parameter> parameters);
 /// Rows [first, first + n) of a matrix.
 Matrix part_of(const Matrix& matrix, std::size_t first, std::size_t n);
 
+/// -1 or 1 where a value lies at the lower or upper end of its range, within a thousandth
+/// of it; else 0.
+double end_of_range(double value, double least, double most);
+
 }  // namespace bemcal::study

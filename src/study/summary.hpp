@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/matrix.hpp"
+#include "base/nan.hpp"
 #include "study/decision.hpp"
 
 #include <limits>
@@ -24,10 +25,10 @@ struct FoundValue {
 struct FoundFit {
     std::size_t period = 0, meter = 0;  ///< of the case
     /// CV(RMSE) where the study began.
-    double before = std::numeric_limits<double>::quiet_NaN();
+    double before = nan;
     /// Where it ended.
-    double cv_rmse = std::numeric_limits<double>::quiet_NaN();
-    double nmbe = std::numeric_limits<double>::quiet_NaN();
+    double cv_rmse = nan;
+    double nmbe = nan;
 };
 
 /// Points that agree with the readings: draws, all alike, or best points, best first.

@@ -4,20 +4,18 @@
 /// Days and months count by `complete_intervals`. Predictions are made in `predictive`.
 #include "study/validation.hpp"
 
+#include "base/nan.hpp"
 #include "study/complete_intervals.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
 namespace bemcal::study {
 namespace {
 
 using physics::Interval;
 using physics::Seconds;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 using Fits = BeforeAfter<stats::FitMetrics>;
 
