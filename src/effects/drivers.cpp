@@ -25,13 +25,14 @@ constexpr double year_s = 365.25 * physics::day_s;
 
 /// Wind over its mean in all of the weather, less 1.
 Series relative_wind(const Weather& weather) {
-    constexpr double least = -0.6;  ///< so that no share of leaks takes all of them
+    /// So that no share of leaks takes all of them.
+    constexpr double least_excess = -0.6;
     const double mean = mean_of_known(weather.wind_speed);
     if (!(mean > 0)) return {};
     Series relative;
     relative.reserve(weather.wind_speed.size());
     for (const double wind : weather.wind_speed)
-        relative.push_back(std::max(wind / mean - 1, least));
+        relative.push_back(std::max(wind / mean - 1, least_excess));
     return relative;
 }
 

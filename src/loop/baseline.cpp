@@ -95,13 +95,13 @@ std::vector<std::size_t> in_order_of(const Promises& promises) {
 std::optional<Better> best_refinement(const LoopData& data, const Baseline& baseline,
                                       Promises& promises,
                                       std::vector<TriedStructure>& tried) {
-    constexpr double least = 6;  ///< of deviance: what a refinement must bring
-    constexpr double far = 2;    ///< of what was promised
+    constexpr double least_evidence = 6;  ///< of deviance: what a refinement must bring
+    constexpr double promise_ratio = 2;   ///< of what one brings to what another promised
     std::optional<Better> best;
-    double most = least;
+    double most = least_evidence;
     const auto& now = baseline.chosen.model.structure;
     for (const std::size_t k : in_order_of(promises)) {
-        if (best && most > far * promises[k]) break;
+        if (best && most > promise_ratio * promises[k]) break;
         if (std::ranges::any_of(now, [&](std::size_t there) {
                 return there == k || are_of_one_kind(there, k);
             }))

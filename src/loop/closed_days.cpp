@@ -16,9 +16,10 @@
 namespace bemcal::loop {
 namespace {
 
-constexpr int apart = 3;  ///< days between those that are closed at a time
+constexpr int days_apart = 3;  ///< of those that are closed at a time
 constexpr double least_share = 0.5, most_share = 1.7;  ///< of a Sunday, to be one
-constexpr double standard_deviations = 5;              ///< of the other days' shares
+constexpr double least_deviation = 5;  ///< standard deviations of all days' shares
+constexpr double least_meter_share = 0.5;
 
 int day_of(physics::Seconds time) {
     return static_cast<int>(
@@ -40,7 +41,7 @@ void add_days(const LoopData& data, const Place& place, const Standing& standing
               int pass, std::map<int, DaySums>& sums) {
     const int first = day_of(data.training().from), last = day_of(data.training().to);
     std::vector<effects::Days> days;
-    for (int day = first + pass; day < last; day += apart)
+    for (int day = first + pass; day < last; day += days_apart)
         days.push_back({day, day, false});
     std::vector<effects::Effect> all = standing.model.effects;
     all.push_back(effects::closed_days(std::move(days)));
@@ -52,11 +53,12 @@ void add_days(const LoopData& data, const Place& place, const Standing& standing
     const Matrix predicted = built.fit_model->predict(point);
     for (std::size_t c = 0; c < data.targets.n_channels(); ++c) {
         const ChannelNoise& noise = standing.noise[c];
-        if (noise.share < least_share || !is_by_the_day(data.targets.channels[c]))
+        if (noise.share < least_meter_share || !is_by_the_day(data.targets.channels[c]))
             continue;
         for (std::size_t k = data.targets.first[c]; k < data.targets.first[c + 1]; ++k) {
             const int day = day_of(data.begins[k]);
-            if ((day - first) % apart != pass || std::isnan(data.targets.measured[k]))
+            if ((day - first) % days_apart != pass ||
+                std::isnan(data.targets.measured[k]))
                 continue;
             const double moved =
                 (predicted(0, k) - standing.fit.at.predicted[k]) / noise.sigma;
@@ -110,7 +112,7 @@ bool is_next_working_day(int day, int next) {
 /// Days that were closed, with the weekends between them; a longer run takes in the
 /// weekends at its ends, whose dates are working days in another year.
 std::vector<effects::Days> runs_of(const std::vector<int>& days) {
-    constexpr int longer = 3;
+    constexpr int least_long = 3;  ///< days of a run whose ends are weekends
     std::vector<effects::Days> runs;
     for (const int day : days) {
         if (is_weekend(day)) continue;
@@ -119,7 +121,7 @@ std::vector<effects::Days> runs_of(const std::vector<int>& days) {
         runs.back().last = day;
     }
     for (effects::Days& run : runs) {
-        if (run.last - run.first + 1 < longer) continue;
+        if (run.last - run.first + 1 < least_long) continue;
         while (is_weekend(run.first - 1)) --run.first;
         while (is_weekend(run.last + 1)) ++run.last;
     }
@@ -132,7 +134,7 @@ std::optional<effects::Effect> closed_days(const LoopData& data, const Place& pl
                                            const Standing& standing) {
     std::map<int, DaySums> sums;
     try {
-        for (int pass = 0; pass < apart; ++pass)
+        for (int pass = 0; pass < days_apart; ++pass)
             add_days(data, place, standing, pass, sums);
     } catch (const CannotSimulate&) {
         return std::nullopt;  // nothing is scheduled
@@ -145,7 +147,7 @@ std::optional<effects::Effect> closed_days(const LoopData& data, const Place& pl
     const double middle = upper_median(values), spread = spread_of(shares, middle);
     std::vector<int> closed;
     for (const auto& [day, share] : shares)
-        if (share - middle > standard_deviations * spread && share > least_share &&
+        if (share - middle > least_deviation * spread && share > least_share &&
             share < most_share)
             closed.push_back(day);
     const auto runs = runs_of(closed);

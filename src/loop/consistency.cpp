@@ -13,8 +13,8 @@ namespace {
 /// Those in which the models differ: an effect of a season is seen in that season. All
 /// where these are too few to tell how they scatter.
 std::vector<double> falls_where_moved(const std::vector<BlockChange>& changes) {
-    constexpr double at_all = 0.05;  ///< of the block that moves most
-    constexpr std::size_t enough = 4;
+    constexpr double least_share = 0.05;  ///< of the block that moves most
+    constexpr std::size_t least_blocks = 4;
     double most = 0;
     for (const BlockChange& change : changes) most = std::max(most, change.moved);
     std::vector<double> all, moved;
@@ -22,9 +22,9 @@ std::vector<double> falls_where_moved(const std::vector<BlockChange>& changes) {
     moved.reserve(changes.size());
     for (const BlockChange& change : changes) {
         all.push_back(change.fall);
-        if (change.moved >= at_all * most) moved.push_back(change.fall);
+        if (change.moved >= least_share * most) moved.push_back(change.fall);
     }
-    return moved.size() < enough ? all : moved;
+    return moved.size() < least_blocks ? all : moved;
 }
 
 /// Their sum over its standard error, brought to what a normal variable exceeds as seldom

@@ -6,6 +6,7 @@
 #include "loop/gates.hpp"
 
 #include "loop/moves.hpp"
+#include "stats/distributions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ physics::Seconds last_quarter_of(const LoopData& data) {
 /// Whether the effect acts in the last quarter: what it changes there, of all, counts.
 bool acts_in_last_quarter(const LoopData& data, const Standing& before,
                           const Standing& after) {
-    constexpr double at_all = 0.05;
+    constexpr double least_share = 0.05;  ///< of the squares of what it changes
     const auto from = last_quarter_of(data);
     const auto weights = weights_of(data.targets, before.noise);
     double sum = 0, all = 0;
@@ -30,7 +31,7 @@ bool acts_in_last_quarter(const LoopData& data, const Standing& before,
         all += weights[k] * moved * moved;
         if (data.begins[k] >= from) sum += weights[k] * moved * moved;
     }
-    return sum > at_all * all;
+    return sum > least_share * all;
 }
 
 /// By how much the newest effect changes the only meter's last quarter [-].
@@ -52,16 +53,17 @@ double change_of_level(const LoopData& data, const Standing& with) {
 /// bench/bench_level_change.py): a meter alone cannot tell the two apart.
 bool is_within_usual_change(const LoopData& data, const Refitted& candidate) {
     using physics::Measured;
-    constexpr double of_electricity = 0.06, of_fuel = 0.18, one_of_ten = 1.645;
+    constexpr double sd_of_electricity = 0.06, sd_of_fuel = 0.18;  ///< of the level [-]
     const Measured measured = physics::row_of(data.targets.channels[0].quantity).measured;
     if (candidate.effect.driver != effects::Driver::elapsed ||
         data.targets.n_channels() > 1 || measured == Measured::temperature)
         return false;
-    const double usual = measured == Measured::electricity ? of_electricity : of_fuel;
-    return change_of_level(data, candidate.standing) < one_of_ten * usual;
+    const double usual =
+        measured == Measured::electricity ? sd_of_electricity : sd_of_fuel;
+    return change_of_level(data, candidate.standing) < stats::z_90_two_sided * usual;
 }
 
-constexpr double matters = 0.5;  ///< a meter's share, for the mean over the meters
+constexpr double least_share_in_mean = 0.5;  ///< of a meter, for the mean over meters
 
 /// Relative changes of the left-out errors of the meters that count.
 struct ErrorChange {
@@ -73,7 +75,7 @@ ErrorChange error_change_of(const Standing& before, const Refitted& candidate) {
     ErrorChange change;
     double n = 0;
     for (std::size_t c = 0; c < candidate.error.size(); ++c) {
-        if (before.noise[c].share < matters) continue;
+        if (before.noise[c].share < least_share_in_mean) continue;
         change.mean += candidate.error[c];
         n += 1;
         change.highest = std::max(change.highest, candidate.error[c]);
@@ -86,27 +88,29 @@ ErrorChange error_change_of(const Standing& before, const Refitted& candidate) {
 /// Whether the error of a meter that carries little falls by much: it says nothing of the
 /// mean, but what happens there is seen there alone.
 bool mends_small_meter(const Standing& before, const Refitted& candidate) {
-    constexpr double much = 0.15;
+    constexpr double least_fall = 0.15;  ///< of the error [-]
     if (!candidate.effect.is_named()) return false;
     for (std::size_t c = 0; c < candidate.error.size(); ++c)
-        if (before.noise[c].share < matters && candidate.error[c] < -much) return true;
+        if (before.noise[c].share < least_share_in_mean &&
+            candidate.error[c] < -least_fall)
+            return true;
     return false;
 }
 
 /// Whether what enters at a meter lowers the error there by much: the others do not see
 /// it, and a mean over all would ask for more the more there are.
 bool mends_its_meter(const Refitted& candidate, double threshold, double lowest) {
-    constexpr double much = 0.05;
+    constexpr double least_fall = 0.05;  ///< of the error [-]
     return candidate.effect.is_named() && effects::is_at_a_meter(candidate.effect.hook) &&
-           is_overwhelming(candidate.gain, threshold) && lowest < -much;
+           is_overwhelming(candidate.gain, threshold) && lowest < -least_fall;
 }
 
 /// Whether an effect with a name has so much evidence that what it brings may be small,
 /// where no meter that counts has a larger error with it.
 bool is_certain_if_small(const Refitted& candidate, double threshold, double highest) {
-    constexpr double much = 150;  ///< of evidence: half of it is seen in buildings that
-                                  ///< lack nothing
-    return candidate.effect.is_named() && candidate.gain > much &&
+    /// Of deviance: half of it is seen in buildings that lack nothing.
+    constexpr double certain_evidence = 150;
+    return candidate.effect.is_named() && candidate.gain > certain_evidence &&
            is_overwhelming(candidate.gain, threshold) && highest <= 0;
 }
 

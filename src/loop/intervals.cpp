@@ -17,7 +17,7 @@ namespace {
 /// What the hour's model makes of an effect that another model of a building made: root
 /// mean square error of the coefficients that bench/bench_loop.py can compare, beyond
 /// what else their intervals hold [-].
-constexpr double of_model = 0.08;
+constexpr double error_of_model = 0.08;
 
 double days_of(const study::Period& period) {
     return static_cast<double>((period.to - period.from).count()) / physics::day_s;
@@ -55,15 +55,15 @@ std::vector<double> deviations_of(const LoopData& data, const Standing& standing
 }
 
 double deviation_of(const Found& found, double of_noise, double coefficient) {
-    return std::hypot(std::hypot(of_noise, of_model * coefficient), found.of_shape,
+    return std::hypot(std::hypot(of_noise, error_of_model * coefficient), found.of_shape,
                       found.of_missing);
 }
 
 Fate fate_of(double certainty, double gain, double threshold) {
-    constexpr double nearly_nothing = 3.5;
-    constexpr double far_above = 6;
-    if (certainty >= nearly_nothing) return Fate::stays;
-    return gain > far_above * threshold ? Fate::is_doubtful : Fate::leaves;
+    constexpr double least_certainty = 3.5;  ///< standard errors
+    constexpr double doubtful_evidence = 6;  ///< thresholds, that do not leave
+    if (certainty >= least_certainty) return Fate::stays;
+    return gain > doubtful_evidence * threshold ? Fate::is_doubtful : Fate::leaves;
 }
 
 }  // namespace bemcal::loop

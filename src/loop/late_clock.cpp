@@ -63,7 +63,7 @@ double objective_of(const BuiltModel& built, const study::Targets& targets,
     return best.failed ? std::numeric_limits<double>::infinity() : best.objective;
 }
 
-constexpr double clearly = 10;  ///< of the objective
+constexpr double least_fall = 10;  ///< of the objective, by a clock that is set
 
 /// Summer time, which people may keep though the building does not say so, or the
 /// reverse: beside a clock it is half a year's hour, and the clock alone would stop
@@ -99,11 +99,11 @@ std::optional<LateClock> late_clock_in_place_of(const LoopData& data,
     const double without = by_clock({}, hours);
     const double gained =
         objective_of(build(plain, {schedules}), data.targets, standing.noise) - without;
-    if (!(gained > clearly)) return {};
+    if (!(gained > least_fall)) return {};
     const auto summers = summers_of(data, plain);
     const auto with_summers = [&](int late, double least) {
         for (const effects::Effect& summer : summers)
-            least = std::min(least, clearly + by_clock({summer}, late));
+            least = std::min(least, least_fall + by_clock({summer}, late));
         return least;
     };
     const double least = with_summers(hours, without);
@@ -111,7 +111,8 @@ std::optional<LateClock> late_clock_in_place_of(const LoopData& data,
     for (const int other : {hours - 1, hours + 1}) {
         if (other == 0) continue;
         const double more = least - with_summers(other, by_clock({}, other));
-        if (more > clearly && gained + more > best.gained) best = {other, gained + more};
+        if (more > least_fall && gained + more > best.gained)
+            best = {other, gained + more};
     }
     return best;
 }

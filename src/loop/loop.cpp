@@ -153,11 +153,12 @@ class Search {
     /// only where it carries clearly more than the best of those that did not pass (an
     /// empirical null: Efron 2004, JASA 99).
     void leave_what_does_not_stand_out(const Place& place) {
-        constexpr double clearly = 1.5;
+        constexpr double least_evidence_ratio = 1.5;  ///< to the best that did not pass
         if (result_.candidates.empty()) return;
         if (threshold_ > 0)
             result_.misfit = std::max(1.0, result_.candidates[0].second / threshold_);
-        drop(prune(data_, place, result_.last, clearly * result_.candidates[0].second),
+        drop(prune(data_, place, result_.last,
+                   least_evidence_ratio * result_.candidates[0].second),
              "left: does not stand out from the model's misfit");
     }
 

@@ -133,8 +133,8 @@ std::vector<physics::Target> free_targets(const Place& place, const char* path) 
 /// A number of the structure ends where it would be something else: a second mass as slow
 /// as the ground, a sky that stands for a station's offset.
 std::pair<double, double> limits_of(double mean, double sd, double least, double most) {
-    constexpr double far = 2.5;  ///< prior standard deviations
-    return {std::max(least, mean - far * sd), std::min(most, mean + far * sd)};
+    constexpr double reach = 2.5;  ///< standard deviations of the prior
+    return {std::max(least, mean - reach * sd), std::min(most, mean + reach * sd)};
 }
 
 void add_number(const Refinement::Number& number, Place& place) {
@@ -237,18 +237,18 @@ double largest_mean(const LoopData& data) {
 
 /// What energy a meter carries, next to that of the largest.
 std::vector<double> shares_of(const LoopData& data) {
-    constexpr double enough = 0.1;  ///< of the largest: then it counts whole
-    constexpr double least = 0.01;
+    constexpr double share_of_largest = 0.1;  ///< from it on a meter counts whole
+    constexpr double least_share = 0.01;
     const double largest = largest_mean(data);
     std::vector<double> shares;
     for (std::size_t c = 0; c < data.targets.n_channels(); ++c) {
         if (is_air(data.targets.channels[c]))
             shares.push_back(1);
         else if (largest > 0)
-            shares.push_back(
-                std::clamp(hourly_mean(data, c) / (enough * largest), least, 1.0));
+            shares.push_back(std::clamp(
+                hourly_mean(data, c) / (share_of_largest * largest), least_share, 1.0));
         else
-            shares.push_back(least);
+            shares.push_back(least_share);
     }
     return shares;
 }
@@ -270,9 +270,9 @@ bool is_hourly(const kernel::Channel& channel) {
 /// than any model deserves: what is below a fifth of the limit of ASHRAE Guideline 14
 /// (15 % of a month) is not evidence.
 double least_sigma(const study::Targets& targets, std::size_t channel) {
-    constexpr double share = 0.03;
+    constexpr double least_error = 0.03;  ///< of a month [-]
     if (!is_monthly(targets.channels[channel])) return 0;
-    return share * std::abs(mean_of_measured(targets, channel));
+    return least_error * std::abs(mean_of_measured(targets, channel));
 }
 
 double kappa_of(const LoopData& data, std::size_t channel,

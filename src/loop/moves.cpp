@@ -15,7 +15,7 @@
 namespace bemcal::loop {
 namespace {
 
-constexpr double clearly = 6;  ///< of evidence
+constexpr double least_evidence = 6;  ///< of deviance: what a swap or a split must bring
 
 constexpr double two_weeks = 0.04;  ///< [a]
 
@@ -150,7 +150,7 @@ double deviation_over_shapes(const LoopData& data, const Place& place,
 int swap(const LoopData& data, const Place& place, Standing& standing, std::size_t effect,
          const std::vector<effects::Effect>& rivals) {
     int best = -1;
-    double most = clearly;
+    double most = least_evidence;
     Standing chosen;
     const std::size_t unknown = standing.built.first_effect() + effect;
     const bool has_name = standing.model.effects[effect].is_named();
@@ -181,9 +181,9 @@ void join_halves(const effects::Effect& gone, std::vector<effects::Effect>& all)
     using effects::Hook;
     for (effects::Effect& half : all) {
         const bool is_plant = half.hook == Hook::plant_operation &&
-                              gone.name == half.name + of_use,
+                              gone.name == half.name + suffix_of_use,
                    is_use = gone.hook == Hook::plant_operation &&
-                            half.name == gone.name + of_use;
+                            half.name == gone.name + suffix_of_use;
         if (!is_plant && !is_use) continue;
         half.hook = Hook::operation;
         if (is_use) half.name = gone.name;
@@ -203,7 +203,7 @@ bool split(const LoopData& data, const Place& place, Standing& standing,
     plant.hook = effects::Hook::plant_operation;
     effects::Effect use = whole;
     use.hook = effects::Hook::occupation;
-    use.name += of_use;
+    use.name += suffix_of_use;
     tried.model.effects.push_back(use);
     try {
         tried.built = build(place, tried.model.effects);
@@ -213,11 +213,13 @@ bool split(const LoopData& data, const Place& place, Standing& standing,
     std::vector<double> start = standing.fit.at.x;
     start.push_back(start[standing.built.first_effect() + effect]);
     refit(data, tried, std::move(start), {8, 1e-3});
-    if (tried.fit.failed || evidence(data, standing, tried) < std::max(least, clearly))
+    if (tried.fit.failed ||
+        evidence(data, standing, tried) < std::max(least, least_evidence))
         return false;
-    constexpr double apart = 0.2;  ///< of the coefficients: else one name says it all
+    /// Of the two coefficients: else one name says it all.
+    constexpr double least_difference = 0.2;
     const std::size_t last = tried.model.effects.size() - 1;
-    if (std::abs(tried.coefficient(effect) - tried.coefficient(last)) < apart)
+    if (std::abs(tried.coefficient(effect) - tried.coefficient(last)) < least_difference)
         return false;
     tried = refine_shape(data, place, std::move(tried), effect);
     standing = refine_shape(data, place, std::move(tried), standing.model.effects.size());
@@ -302,8 +304,8 @@ namespace {
 /// 1 for the others. Errors below what a model may have are none.
 std::vector<double> growth_of(const LoopData& data, const Standing& before,
                               const Standing& after) {
-    constexpr double counts =
-        0.1;  ///< share: where next to nothing flows, nothing can be kept
+    /// Of a meter: where next to nothing flows, nothing can be kept.
+    constexpr double least_share = 0.1;
     const auto old = mean_squares(data.targets, before.residuals),
                now = mean_squares(data.targets, after.residuals);
     std::vector<double> growth;
@@ -311,17 +313,17 @@ std::vector<double> growth_of(const LoopData& data, const Standing& before,
     for (std::size_t c = 0; c < old.size(); ++c) {
         const ChannelNoise& noise = before.noise[c];
         const double met = std::pow(std::hypot(noise.least, 1e-3 * noise.sigma), 2);
-        growth.push_back(noise.share < counts ? 1 : (now[c] + met) / (old[c] + met));
+        growth.push_back(noise.share < least_share ? 1 : (now[c] + met) / (old[c] + met));
     }
     return growth;
 }
 
 /// Whether the effects are still what was found.
 bool are_the_same(const Standing& found, const Standing& now) {
-    constexpr double moved = 0.1;  ///< of a coefficient
+    constexpr double largest_change = 0.1;  ///< of a coefficient [-]
     for (std::size_t k = 0; k < found.model.effects.size(); ++k) {
         const double was = found.coefficient(k), is = now.coefficient(k);
-        if (std::abs(is - was) > moved * std::abs(was) ||
+        if (std::abs(is - was) > largest_change * std::abs(was) ||
             now.fit.bound[now.built.first_effect() + k] != 0)
             return false;
     }
@@ -332,15 +334,15 @@ bool are_the_same(const Standing& found, const Standing& now) {
 
 bool spare_meters(const LoopData& data, const Standing& before, Standing& standing) {
     constexpr int most_rounds = 8;
-    constexpr double worse = 1.004;  ///< mean square: 0.2 % of the error
+    constexpr double largest_growth = 1.004;  ///< of a mean square: 0.2 % of the error
     std::vector<double> growth = growth_of(data, before, standing);
     double least = std::ranges::max(growth);
     Standing tried = standing, best = standing;
     bool is_better = false;
-    for (int round = 0; round < most_rounds && std::ranges::max(growth) > worse;
+    for (int round = 0; round < most_rounds && std::ranges::max(growth) > largest_growth;
          ++round) {
         for (std::size_t c = 0; c < growth.size(); ++c)
-            if (growth[c] > worse)
+            if (growth[c] > largest_growth)
                 tried.noise[c].sigma /= std::min(1.5, std::pow(growth[c], 4));
         refit(data, tried, tried.fit.at.x, {6, 3e-4});
         if (tried.fit.failed || !are_the_same(standing, tried)) break;

@@ -38,7 +38,7 @@ int swap(const LoopData& data, const Place& place, Standing& standing, std::size
          const std::vector<effects::Effect>& rivals);
 
 /// What split adds to the name of an effect of use.
-inline constexpr const char* of_use = ": use";
+inline constexpr const char* suffix_of_use = ": use";
 
 /// Where all schedules follow another day's, the plant's and those of use may do so to
 /// different degrees: the effect becomes the plant's, and one of use joins as the last,

@@ -224,8 +224,8 @@ double alarm_of(const LoopData& data, const Place& place, const Standing& standi
 }
 
 bool is_over(double before, double after) {
-    constexpr double much = 0.5;  ///< of the alarm may stay: a model is never exact
-    return after <= std::max(1.0, much * before);
+    constexpr double largest_share_left = 0.5;  ///< of the alarm: no model is exact
+    return after <= std::max(1.0, largest_share_left * before);
 }
 
 std::vector<Unexplained> unexplained_of(const LoopData& data, const Standing& standing) {

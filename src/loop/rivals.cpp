@@ -6,6 +6,7 @@
 #include "loop/rivals.hpp"
 
 #include "effects/catalogue.hpp"
+#include "stats/distributions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,8 @@
 namespace bemcal::loop {
 namespace {
 
-constexpr double one_of_twenty = 1.645;  ///< standard deviations
 /// Of deviance: a smaller difference is none, however regular it is.
-constexpr double nothing_to_speak_of = 6;
+constexpr double negligible_evidence = 6;
 constexpr std::size_t most_names = 3, most_rivals = 8;
 
 /// Weighted squares of what unseen blocks leave. [blocks]
@@ -33,7 +33,7 @@ std::vector<double> losses_of(const LoopData& data, const Standing& before,
 /// Only what has most of the evidence, too; a term of the grammar, which often says the
 /// same with other words, where it has clearly more.
 bool is_near(const Refitted& other, const Refitted& chosen) {
-    const double share = other.effect.is_named() ? of_a_rival : 1.1;
+    const double share = other.effect.is_named() ? rival_share : 1.1;
     return other.gain > share * chosen.gain;
 }
 
@@ -53,7 +53,7 @@ bool is_as_good(std::span<const double> losses, std::span<const double> chosen) 
         square += more * more;
     }
     const double spread = std::sqrt(std::max(0.0, square - sum * sum / n));
-    return sum <= std::max(one_of_twenty * spread, nothing_to_speak_of);
+    return sum <= std::max(stats::z_90_two_sided * spread, negligible_evidence);
 }
 
 EffectClass class_of(const LoopData& data, const Standing& before, const Step& step) {

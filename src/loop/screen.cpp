@@ -176,10 +176,10 @@ std::optional<Screened> screen_one(const LoopData& data, const Place& place,
     Screened screened = judged(data, standing, tangent, effect, best_secant,
                                points(best, built.unknowns.size() - 1), keep);
     screened.visibility = best_secant.own_share();
-    constexpr std::size_t small = 2;  ///< of the amplitudes
-    if (keep == Keep::of_typical && !std::isnan(predicted(small, 0))) {
-        const Secant secant = secant_of(standing, tangent, predicted.row(small),
-                                        points(small, points.cols - 1));
+    constexpr std::size_t small_amplitude = 2;  ///< its place among them
+    if (keep == Keep::of_typical && !std::isnan(predicted(small_amplitude, 0))) {
+        const Secant secant = secant_of(standing, tangent, predicted.row(small_amplitude),
+                                        points(small_amplitude, points.cols - 1));
         if (secant.sums.with_itself > 0) screened.visibility = secant.own_share();
     }
     return screened;

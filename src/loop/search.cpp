@@ -206,20 +206,22 @@ void finish(const LoopData& data, const Standing& before, Refitted& candidate) {
 
 /// Whether other dates may make a candidate the best.
 bool may_lead_by_dates(const Refitted& candidate, double best_gain) {
-    constexpr double share = 0.3, enough = 100;
+    constexpr double least_share_of_best = 0.3;  ///< of its evidence
+    constexpr double least_evidence = 100;       ///< of deviance
     return candidate.effect.is_named() && is_dated(candidate.effect) &&
-           candidate.gain > std::max(share * best_gain, enough);
+           candidate.gain > std::max(least_share_of_best * best_gain, least_evidence);
 }
 
 /// Moves the dates of what may lead by others, once for each name: the catalogue has a
 /// few dates only, where runs of days are picked to the day.
 void move_dates(const LoopData& data, const Place& place, const Standing& before,
                 std::vector<Refitted>& ranking, std::size_t n_judged) {
-    constexpr std::size_t most = 3;
-    static const double of_dates = 2 * 2 * std::log(28.0);  ///< two, of four weeks' days
+    constexpr std::size_t most_names = 3;
+    static const double price_of_dates =
+        2 * 2 * std::log(28.0);  ///< two, of four weeks' days
     std::vector<std::string> done;
     const double best_gain = ranking.empty() ? 0 : ranking[0].gain;
-    for (std::size_t k = 0; k < n_judged && done.size() < most; ++k) {
+    for (std::size_t k = 0; k < n_judged && done.size() < most_names; ++k) {
         Refitted& candidate = ranking[k];
         if (!may_lead_by_dates(candidate, best_gain) ||
             std::ranges::find(done, candidate.effect.name) != done.end())
@@ -227,7 +229,7 @@ void move_dates(const LoopData& data, const Place& place, const Standing& before
         done.push_back(candidate.effect.name);
         const std::size_t newest = before.model.effects.size();
         Standing moved = with_best_shape(data, place, candidate.standing, newest);
-        const double more = evidence(data, candidate.standing, moved) - of_dates;
+        const double more = evidence(data, candidate.standing, moved) - price_of_dates;
         if (more <= 0) continue;
         candidate.gain += more;
         candidate.effect = moved.model.effects[newest];
@@ -255,18 +257,18 @@ double threshold_of(const LoopData& data, const Place& place, const Standing& st
 /// None where what does not pass explains clearly more: then it is the model's misfit
 /// that they all take a part of.
 int choice_of(std::vector<Refitted>& ranking) {
-    constexpr double near = 0.6;  ///< of the gain
-    constexpr double clearly = 1.25;
+    constexpr double least_share_of_best = 0.6;      ///< of its evidence, of a named one
+    constexpr double largest_evidence_ratio = 1.25;  ///< of one that does not pass
     int first = -1;
     for (std::size_t k = 0; k < ranking.size(); ++k) {
         if (!ranking[k].objection.empty()) continue;
-        if (first < 0 && ranking[0].gain > clearly * ranking[k].gain) {
+        if (first < 0 && ranking[0].gain > largest_evidence_ratio * ranking[k].gain) {
             ranking[k].objection = "others that do not pass explain more";
             continue;
         }
         if (first < 0) first = static_cast<int>(k);
         const double best = ranking[static_cast<std::size_t>(first)].gain;
-        if (ranking[k].effect.is_named() && ranking[k].gain > near * best)
+        if (ranking[k].effect.is_named() && ranking[k].gain > least_share_of_best * best)
             return static_cast<int>(k);
     }
     return first;
@@ -295,7 +297,7 @@ Step search(const LoopData& data, const Place& place, const Standing& standing,
         }
         candidate.coefficient =
             candidate.standing.coefficient(candidate.standing.model.effects.size() - 1);
-        if (candidate.gain > of_a_rival * step.threshold)
+        if (candidate.gain > rival_share * step.threshold)
             judge_left_out(data, standing, unseen, candidate);
         candidate.objection =
             objection_to(data, standing, candidate, step.threshold, last_quarter);

@@ -69,6 +69,6 @@ constexpr bool is_overwhelming(double gain, double threshold) {
 }
 
 /// Of the chosen one's evidence, what another must have to be of its class.
-constexpr double of_a_rival = 0.7;
+constexpr double rival_share = 0.7;
 
 }  // namespace bemcal::loop

@@ -10,7 +10,7 @@
 namespace bemcal::optimise {
 namespace {
 
-constexpr double same = 1e-14;  ///< parents so close are not crossed
+constexpr double least_distance = 1e-14;  ///< parents so close are not crossed
 
 /// How far the children lie from the middle, in half distances of the parents, where
 /// `room` (of the same unit, >= 1) is left up to the nearer bound.
@@ -50,7 +50,7 @@ std::pair<Position, Position> cross(const Space& space, const Nsga2Options& opti
     for (std::size_t k = 0; k < space.size(); ++k) {
         if (random.uniform() > 0.5) continue;
         double &a = children.first[k], &b = children.second[k];
-        if (!space.is_discrete(k) && std::abs(a - b) > same) {
+        if (!space.is_discrete(k) && std::abs(a - b) > least_distance) {
             const auto [low, high] = cross_numbers(std::min(a, b), std::max(a, b),
                                                    options.crossover_index, random);
             a = low;

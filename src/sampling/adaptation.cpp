@@ -19,8 +19,8 @@ double target_of(const SamplerOptions& options) {
 }  // namespace
 
 Windows windows_of(int n_warm_up) {
-    constexpr int least = 20;
-    if (n_warm_up < least) return {n_warm_up, {}};
+    constexpr int least_transitions = 20;
+    if (n_warm_up < least_transitions) return {n_warm_up, {}};
     const bool is_short = n_warm_up < 75 + 25 + 50;
     const int arrival = is_short ? n_warm_up * 3 / 20 : 75;
     const int last = n_warm_up - (is_short ? n_warm_up / 10 : 50);

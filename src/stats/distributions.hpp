@@ -29,6 +29,9 @@ struct Distribution {
 
 double normal_cdf(double z);       ///< of the standard normal
 double normal_quantile(double p);  ///< of the standard normal
-double log_gamma(double x);        ///< log |Gamma(x)|
+/// Of the standard normal: 90 % of it lies within so many standard deviations to both
+/// sides, 95 % to one.
+inline constexpr double z_90_two_sided = 1.645;
+double log_gamma(double x);  ///< log |Gamma(x)|
 
 }  // namespace bemcal::stats

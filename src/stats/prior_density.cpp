@@ -146,14 +146,14 @@ LogDensity PriorDensity::on_the_line(double u) const {
 
 /// Of a beta by its distance from either end.
 double PriorDensity::quantile_on_the_line(double p) const {
-    constexpr double most = 700;  // its exponential is a number
+    constexpr double most_u = 700;  // its exponential is a number
     double u = transform_.inverse(prior_.quantile(p));
     if (prior_.kind == PriorKind::beta) {
         const Distribution share{Family::beta, prior_.a, prior_.b};
         const Distribution rest{Family::beta, prior_.b, prior_.a};
         u = std::log(share.quantile(p)) - std::log(rest.upper_quantile(p));
     }
-    return std::clamp(u, -most, most);
+    return std::clamp(u, -most_u, most_u);
 }
 
 }  // namespace bemcal::stats

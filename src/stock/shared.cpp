@@ -23,7 +23,8 @@ namespace bemcal::stock {
 namespace {
 
 constexpr std::size_t least_days = 60;
-constexpr double near = 0.1, least_share = 0.7, least_variation = 1.2;
+constexpr double ratio_width = 0.1;  ///< of days that count as at one ratio [-]
+constexpr double least_share = 0.7, least_variation = 1.2;
 constexpr double least_correlation = 0.97;  ///< of the changes from day to day
 constexpr std::string_view shared_with = "shared with ";
 constexpr std::string_view kept = "kept; shared: both may show one meter";

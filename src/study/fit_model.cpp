@@ -118,9 +118,9 @@ struct Descent {
     std::vector<char> held(const Linearised& at, std::span<const double> right) const {
         std::vector<char> held(at.x.size(), 0);
         for (std::size_t k = 0; k < at.x.size(); ++k) {
-            constexpr double near = 1e-9;
-            held[k] = (at.x[k] <= unknowns[k].lowest() + near && right[k] < 0) ||
-                      (at.x[k] >= unknowns[k].highest() - near && right[k] > 0);
+            constexpr double tolerance = 1e-9;
+            held[k] = (at.x[k] <= unknowns[k].lowest() + tolerance && right[k] < 0) ||
+                      (at.x[k] >= unknowns[k].highest() - tolerance && right[k] > 0);
         }
         return held;
     }

@@ -141,7 +141,7 @@ TEST(LoopMoves, AHalfStandsForBothWhereTheOtherLeaves) {
     effects::Effect plant = whole, use = whole;
     plant.hook = effects::Hook::plant_operation;
     use.hook = effects::Hook::occupation;
-    use.name += of_use;
+    use.name += suffix_of_use;
     for (const auto& halves : {std::vector{plant, use}, std::vector{use, plant}}) {
         Standing standing = calibrate(data, place, {{}, halves},
                                       std::vector<double>(place.unknowns.size() + 2, 0));
