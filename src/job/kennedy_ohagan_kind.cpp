@@ -52,8 +52,7 @@ constexpr schema::Key keys[] = {
      "[study.prior] does not say."},
     {"study", "runs", Type::text, "", "", 0, 0,
      "CSV file of simulator runs: output, inputs, calibrated; cheapest where every "
-     "design "
-     "of the calibrated is run at all field points."},
+     "design of the calibrated is run at all field points."},
     {"study", "runs_output", Type::text, "", "", 0, 0,
      "Column of the runs' output; default: field_output."},
     {"study", "output_factor", Type::number, "-", "1", -1e9, 1e9,
@@ -62,10 +61,9 @@ constexpr schema::Key keys[] = {
     {"study", "output_unit", Type::text, "", "kWh", 0, 0, "Of the output, for tables."},
     {"study", "simulator", Type::choice, "office_hour|command", "", 0, 0,
      "In place of runs: designs are simulated at all field points. office_hour: paper "
-     "1's "
-     "hour; inputs, calibrated and [study.fixed] name its 19 inputs. command: the job's "
-     "[simulator]; parameters that are neither in inputs nor calibrated stay nominal, "
-     "runs_output is one of its outputs."},
+     "1's hour; inputs, calibrated and [study.fixed] name its 19 inputs. command: the "
+     "job's [simulator]; parameters that are neither in inputs nor calibrated stay "
+     "nominal, runs_output is one of its outputs."},
     {"study", "n_designs", Type::integer, "", "100", 2, 10000,
      "With a simulator: scrambled Sobol points."},
     {"study", "prior", Type::table, "", "", 0, 0, "[study.prior]"},

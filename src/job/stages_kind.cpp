@@ -26,8 +26,7 @@ constexpr const char* required = nullptr;
 constexpr schema::SectionInfo sections[] = {
     {"study", "[[study]] kind = \"stages\"", "",
      "A calibration in stages: each calibrates some parameters on some periods, and "
-     "hands "
-     "on what it finds."},
+     "hands on what it finds."},
     {"study.stage", "[[study.stage]]", "", "One of them, in their order."},
     {"study.ranges", "ranges = {NAME = [0.1, 1.5]}", "",
      "Ranges of this stage, within the parameters' own.", true},

@@ -13,8 +13,7 @@ constexpr Key table[] = {
     {"simulator", "command", Type::texts, "", required, 0, 0,
      "The program and its arguments, run without a shell: [\"energyplus\", \"-w\", "
      "\"site.epw\", \"house.idf\"]. A name with a slash lies beside the job, another one "
-     "is "
-     "found on PATH."},
+     "is found on PATH."},
     {"simulator", "shell", Type::flag, "", "false", 0, 0,
      "The command is one text for /bin/sh."},
     {"simulator", "time_limit", Type::number, "s", "600", 0.01, 1e7,
@@ -48,8 +47,7 @@ constexpr Key table[] = {
      "That the program writes, in its folder; default: what it prints."},
     {"simulator.output", "column", Type::text, "", "", 0, 0,
      "Of a CSV file, or one with columns between blanks, by its name in the header; "
-     "empty "
-     "cells are left out."},
+     "empty cells are left out."},
     {"simulator.output", "pattern", Type::text, "", "", 0, 0,
      "In place of a column: a regular expression as of grep -E, sought in each line (its "
      "first 4,000 characters); its first group is the number: \"heating: *([0-9.]+) "

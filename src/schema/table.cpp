@@ -50,8 +50,7 @@ constexpr SectionInfo section_table[] = {
      "Infiltration, ventilation: air that enters the zone."},
     {"zone.load", "[[zone.load]]", "",
      "People, lights, equipment, hot water, fans, a base load: anything that draws power "
-     "by "
-     "the clock."},
+     "by the clock."},
     {"zone.coupling", "[[zone.coupling]]", "",
      "Heat and air exchanged with another zone."},
     {"zone.radiator", "[zone.radiator]", "",
@@ -63,8 +62,7 @@ constexpr SectionInfo section_table[] = {
     {"parameter", "[[parameter]]", "", "An uncertain number of the building."},
     {"link", "[[link]]", "",
      "Numbers of the building that follow from others: a polynomial of them, or the row "
-     "of "
-     "a table; links are followed in the order of the file."},
+     "of a table; links are followed in the order of the file."},
     {"link.term", "[[link.term]]", "", "A term of a polynomial."},
     {"link.row", "[[link.row]]", "", "A row of a table."},
     {"prior", "prior = {...} (of a [[parameter]])", "",
@@ -86,8 +84,7 @@ constexpr SectionInfo section_table[] = {
      "job's."},
     {"simulator", "[simulator]", "",
      "A program that is studied in place of a building: it runs once for each point, in "
-     "a "
-     "folder of its own."},
+     "a folder of its own."},
     {"simulator.template", "[[simulator.template]]", "",
      "An input file of the program with @NAME@ where a parameter's value belongs."},
     {"simulator.parameter", "[[simulator.parameter]]", "",
@@ -113,8 +110,7 @@ constexpr Key table[] = {
     // stock
     {"stock", "table", Type::text, "", "", 0, 0,
      "CSV file with a building a line: its name and, as columns, its own file, the "
-     "places "
-     "of the template, or floor_area, floors, weather, gas, electricity, ..."},
+     "places of the template, or floor_area, floors, weather, gas, electricity, ..."},
     {"stock", "folder", Type::text, "", "", 0, 0,
      "In place of a table: each *.toml in it is a building."},
     {"stock", "template", Type::text, "", "", 0, 0,
@@ -122,8 +118,7 @@ constexpr Key table[] = {
      "one, and without a column `file`, the columns themselves describe it."},
     {"stock", "recent_days", Type::number, "d", "28", 0, 3660,
      "Of buildings that their columns describe: the last days with readings are kept "
-     "from "
-     "the calibration and show how well it predicts."},
+     "from the calibration and show how well it predicts."},
     {"stock", "window_days", Type::number, "d", "365", 1, 36600,
      "Of the same: so many days before these are calibrated on."},
     {"stock", "budget", Type::number, "", "0", 0, 1e15,
@@ -132,8 +127,7 @@ constexpr Key table[] = {
      "After so long no further building is begun in this night; 0 = no limit."},
     {"stock", "drift_value", Type::number, "-", "0.2", 0, 1,
      "A parameter drifts if it has moved by more than this share of its range, and out "
-     "of "
-     "its interval of the night before."},
+     "of its interval of the night before."},
     {"stock", "drift_error", Type::number, "-", "1.5", 0, 1000,
      "The error drifts if the RMSE of the recent days is above that of the calibration, "
      "times this."},
@@ -174,8 +168,7 @@ constexpr Key table[] = {
     {"weather", "format", Type::choice, "epw|csv", "epw", 0, 0, "Of the files."},
     {"weather", "temperature", Type::choice, "hour_mean|as_read", "", 0, 0,
      "hour_mean: mean of the readings at both ends of an hour (default for EPW); "
-     "as_read: "
-     "the value stands for its hour (default for CSV)."},
+     "as_read: the value stands for its hour (default for CSV)."},
     {"weather", "year", Type::integer, "", "", 1900, 2100,
      "Of the first EPW file, for typical years whose months are of several."},
     {"weather", "sky", Type::choice, "perez|isotropic|hay_davies", "perez", 0, 0,
@@ -213,8 +206,7 @@ constexpr Key table[] = {
      "steps."},
     {"source", "clock", Type::choice, "standard|eu|us", "", 0, 0,
      "eu, us: the stamps follow the wall clock, with that summer time. Left out: "
-     "standard, "
-     "and a clock change in the data is an error."},
+     "standard, and a clock change in the data is an error."},
     {"source", "utc_offset", Type::number, "h", "", -12, 14,
      "Of the file's clock (0 = UTC) where it is not the site's."},
     {"source", "time_format", Type::text, "", "", 0, 0,
@@ -244,8 +236,7 @@ constexpr Key table[] = {
      "eu, us: its hours follow the wall clock."},
     {"schedule", "register", Type::text, "", "", 0, 0,
      "CSV file with a date in its first column and a number for that day: the hours' "
-     "values "
-     "are multiplied by it, and by 0 on days that it leaves out."},
+     "values are multiplied by it, and by 0 on days that it leaves out."},
     {"schedule", "register_column", Type::text, "", "persons", 0, 0,
      "Of the day's number."},
     {"schedule", "period", Type::tables, "", "", 0, 0, "[[schedule.period]]"},
@@ -291,8 +282,7 @@ constexpr Key table[] = {
     {"zone", "class", Type::choice, "very light|light|medium|heavy|very heavy|layers",
      "medium", 0, 0,
      "ISO 13790 Table 12: sets heat_capacity and mass_area_ratio where they are left "
-     "out; "
-     "layers: they follow from the layers of the zone's surfaces."},
+     "out; layers: they follow from the layers of the zone's surfaces."},
     {"zone", "surface", Type::tables, "", "", 0, 0, "[[zone.surface]]"},
     {"zone", "window", Type::tables, "", "", 0, 0, "[[zone.window]]"},
     {"zone", "flow", Type::tables, "", "", 0, 0, "[[zone.flow]]"},
@@ -359,8 +349,7 @@ constexpr Key table[] = {
      "\"2013-04-02 03:00/2013-04-02 09:00\"."},
     {"meter", "zeros", Type::choice, "check|keep|missing", "check", 0, 0,
      "Zeros. check: missing where the meter is well above 0 at the same hours of the "
-     "days "
-     "around; keep: none is; missing: every run longer than zero_run is."},
+     "days around; keep: none is; missing: every run longer than zero_run is."},
     {"meter", "zero_run", Type::integer, "h", "24", 1, 10000, "Longer runs are stated."},
     {"meter", "constant", Type::choice, "check|keep|missing", "check", 0, 0,
      "The same value (not 0) again and again. check: missing where it stays longer than "
