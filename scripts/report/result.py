@@ -64,8 +64,7 @@ TRIED = {"name": text("structure"), "score": number("structure_score")}
 PARAMETER = {"name": text("parameter"), "unit": text("parameter_unit"),
              "mean": number("parameter_prior_mean"), "sd": number("parameter_prior_sd")}
 CHANNEL = {"name": text("channel"), "unit": text("channel_unit"),
-           "unexplained": number("unexplained"), "where": text("unexplained_where"),
-           "floor": number("noise_floor")}
+           "unexplained": number("unexplained"), "where": text("unexplained_where")}
 
 
 def texts_of(group, name):
@@ -220,10 +219,8 @@ class Loop:
             mean = metric("rmse") / metric("cv_rmse")
         error = metric("rmse") if is_temperature else 100 * metric("cv_rmse")
         bias = metric("nmbe") * (mean if is_temperature else 100)
-        floor = of_channel.floor * (1 if is_temperature else 100)
         return Error(of_channel.name, self.periods[period], self.resolutions[resolution],
-                     metric("n")[PLAIN], error, bias, "K" if is_temperature else "%",
-                     floor if resolution == HOURLY else np.nan)
+                     metric("n")[PLAIN], error, bias, "K" if is_temperature else "%")
 
     def errors(self):
         """Of all channels, periods and resolutions that are measured."""

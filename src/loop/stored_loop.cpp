@@ -22,7 +22,6 @@ void visit_tables(Loop& loop, Table&& table) {
         see("channel_unit", row.unit);
         see("unexplained", row.unexplained);
         see("unexplained_where", row.unexplained_where);
-        see("noise_floor", row.noise_floor);
     });
     const auto names = [&](const char* name, auto& rows) {
         table(name, rows, [name](auto& row, auto&& see) { see(name, row); });

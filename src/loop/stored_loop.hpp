@@ -23,7 +23,7 @@ struct StoredLoop {
     /// A meter that it learns from.
     struct Channel {
         std::string name, unit, unexplained_where;
-        double unexplained = nan, noise_floor = nan;
+        double unexplained = nan;
     };
     struct Parameter {
         std::string name, unit;

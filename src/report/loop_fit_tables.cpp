@@ -47,10 +47,6 @@ std::string fixed(double value, int digits) {
                                 : std::string("-");
 }
 
-std::string floor_of(const Row& row, double floor) {
-    return row.unit == "K" ? fixed(floor, 2) : fixed(100 * floor, 1);
-}
-
 void add_row(TextTable& table, const std::string& period, const std::string& interval,
              const Row& row) {
     const int digits = row.unit == "K" ? 2 : 1;
@@ -101,17 +97,14 @@ std::string loop_headline(const StoredLoop& loop) {
 }
 
 std::string loop_fit_table(const StoredLoop& loop) {
-    TextTable table({"error", "", "", "n", "plain", "before", "after", "floor",
-                     "bias: plain", "before", "after", ""});
+    TextTable table({"error", "", "", "n", "plain", "before", "after", "bias: plain",
+                     "before", "after", ""});
     for (std::size_t p = 0; p < loop.periods.size(); ++p)
         for (std::size_t c = 0; c < loop.channels.size(); ++c)
             for (std::size_t r = 0; r < loop.resolutions.size(); ++r) {
                 const Row row = row_of(loop, p, r, c);
                 if (row.is_measured())
-                    add_row(table, loop.periods[p], loop.resolutions[r], row,
-                            r == StoredLoop::hourly
-                                ? floor_of(row, loop.channels[c].noise_floor)
-                                : "");
+                    add_row(table, loop.periods[p], loop.resolutions[r], row);
             }
     return text_of(table, 18);
 }

@@ -155,7 +155,6 @@ store::ResultFile loop_result(bool is_held_out = true, bool is_adequate = true) 
               {"60 h of the same value", "one class with u_floor"}));
     add(texts("decision_action", "decision", {"masked", "told apart where it is large"}));
     add(texts("decision_kind", "decision", {"data", "class"}));
-    add(numbers("noise_floor", "channel", {0.08, nan}));
     add_effect(result, is_adequate);
     add_background(result);
     return result;
