@@ -278,18 +278,4 @@ EpwFile parse_epw_chain(const std::vector<EpwText>& files, const EpwOptions& opt
     return finish(std::move(chain), options);
 }
 
-EpwFile read_epw_chain(const std::vector<std::filesystem::path>& files,
-                       const EpwOptions& options) {
-    InputFiles inputs;
-    std::vector<EpwText> texts;
-    texts.reserve(files.size());
-    for (const std::filesystem::path& file : files)
-        texts.push_back({file.string(), inputs.data(file)});
-    return parse_epw_chain(texts, options);
-}
-
-EpwFile read_epw(const std::filesystem::path& file, const EpwOptions& options) {
-    return read_epw_chain({file}, options);
-}
-
 }  // namespace bemcal::input

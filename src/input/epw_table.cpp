@@ -7,6 +7,7 @@
 #include "input/epw_table.hpp"
 
 #include "base/error.hpp"
+#include "base/nan.hpp"
 #include "input/data_text.hpp"
 #include "input/time_zone.hpp"
 

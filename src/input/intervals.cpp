@@ -4,6 +4,9 @@
 /// Coarse readings are not split. An interval that is cut or has a gap is missing.
 #include "input/intervals.hpp"
 
+#include "base/nan.hpp"
+#include "physics/calendar.hpp"
+
 #include <cmath>
 
 namespace bemcal::input {

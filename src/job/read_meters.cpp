@@ -4,6 +4,7 @@
 /// Readings over an hour apart are not checked, and of months only one file is read.
 /// Stamps are read by `stamps`.
 #include "base/error.hpp"
+#include "base/nan.hpp"
 #include "input/bills.hpp"
 #include "input/checks.hpp"
 #include "input/intervals.hpp"
@@ -66,8 +67,9 @@ class MeterReader {
         if (!section_.has("file")) return without_readings();
         section_.node("column");
         const std::vector<TimedCsv> sources = open_files();
-        input::RegularSeries series =
-            sources[0].stamps.step_s <= day_s ? even_rows(sources) : billed_rows(sources);
+        input::RegularSeries series = sources[0].stamps.step_s <= physics::day_s
+                                          ? even_rows(sources)
+                                          : billed_rows(sources);
         meter_.axis = series.axis;
         meter_.values = std::move(series.values);
         check_readings(sources);
@@ -109,7 +111,8 @@ class MeterReader {
     }
 
     int nominal_step() const {
-        constexpr int steps[] = {3600, 3600, day_s, 31 * day_s, 365 * day_s};
+        constexpr int steps[] = {3600, 3600, physics::day_s, 31 * physics::day_s,
+                                 365 * physics::day_s};
         return steps[static_cast<int>(meter_.interval.kind)];
     }
 
@@ -196,7 +199,8 @@ class MeterReader {
     }
 
     void check_step_of_bills(int step_s) const {
-        constexpr int longest_month = 130 * day_s, shortest_year = 300 * day_s;
+        constexpr int longest_month = 130 * physics::day_s,
+                      shortest_year = 300 * physics::day_s;
         if (meter_.interval < Interval::monthly ||
             (meter_.interval == Interval::monthly ? step_s > longest_month
                                                   : step_s < shortest_year))
@@ -283,10 +287,11 @@ class MeterReader {
     input::RegularSeries on_intervals(input::RegularSeries series) {
         const int step_s = series.axis.step_s;
         const Interval rows = input::interval_of_rows(step_s);
-        if ((rows == Interval::step ? 3600 : day_s) % step_s != 0) refuse_rows(step_s);
+        if ((rows == Interval::step ? 3600 : physics::day_s) % step_s != 0)
+            refuse_rows(step_s);
         if (meter_.interval == Interval::step) return series;
         if (rows > meter_.interval) refuse_rows(step_s);
-        return step_s == day_s ? on_days(std::move(series)) : summed(series);
+        return step_s == physics::day_s ? on_days(std::move(series)) : summed(series);
     }
 
     input::RegularSeries summed(const input::RegularSeries& series) const {

@@ -104,7 +104,7 @@ Batch::Batch(const physics::Building& nominal, std::vector<physics::Parameter> p
 
 std::vector<int> BatchPlan::bounds_of(const physics::Intervals& intervals) const {
     if (!intervals.are_own()) return bounds[static_cast<std::size_t>(intervals.kind)];
-    return physics::interval_bounds(period_of(drive), intervals);
+    return physics::interval_bounds(drive.period(), intervals);
 }
 
 Batch::~Batch() = default;

@@ -245,7 +245,7 @@ class Search {
         for (std::size_t k = 0; k < result_.found.size(); ++k) {
             const std::string& name = result_.last.model.effects[k].name;
             auto& said = result_.found[k].equivalents;
-            if (said == std::vector{name + of_use}) said = {name};
+            if (said == std::vector{name + suffix_of_use}) said = {name};
         }
     }
 

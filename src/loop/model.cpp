@@ -6,6 +6,7 @@
 #include "loop/model.hpp"
 
 #include "base/error.hpp"
+#include "base/nan.hpp"
 #include "effects/make_surroundings.hpp"
 #include "physics/calendar.hpp"
 #include "physics/interval_hours.hpp"

@@ -4,6 +4,7 @@
 /// Days count as independent. Causes are left to `search`.
 #include "loop/portrait.hpp"
 
+#include "base/nan.hpp"
 #include "effects/profiles.hpp"
 #include "loop/search.hpp"
 #include "physics/calendar.hpp"

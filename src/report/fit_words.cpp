@@ -1,25 +1,12 @@
 /// The words that tables of fits share.
-/// Plain formatting; a month is any interval of two to forty days.
+/// Plain formatting; NaN is "-".
 #include "report/fit_words.hpp"
-
-#include "physics/calendar.hpp"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
 namespace bemcal::report {
-
-const char* interval_name(const std::vector<double>& begins) {
-    constexpr double day = physics::day_s;
-    const double seconds = begins.size() < 2 ? 0 : begins[1] - begins[0];
-    return seconds <= 0         ? "once"
-           : seconds < 3600     ? "steps"
-           : seconds < 7200     ? "hourly"
-           : seconds < 2 * day  ? "daily"
-           : seconds < 40 * day ? "monthly"
-                                : "annual";
-}
 
 std::string change(double before, double after) {
     const auto number = [](double share) {

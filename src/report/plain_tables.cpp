@@ -5,6 +5,7 @@
 /// and groups within the study's, only by name.
 #include "report/sections.hpp"
 #include "report/text_table.hpp"
+#include "store/dataset_path.hpp"
 #include "store/layout.hpp"
 
 #include <algorithm>

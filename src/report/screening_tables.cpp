@@ -3,6 +3,7 @@
 /// Errors are computed again from the stored series (metrics: ASHRAE Guideline 14); the
 /// counts are as stored. Days are left out: own interval and months only.
 #include "physics/calendar.hpp"
+#include "report/fit_words.hpp"
 #include "report/interval_name.hpp"
 #include "report/sections.hpp"
 #include "report/text_table.hpp"
@@ -69,24 +70,6 @@ FitMetrics monthly_metrics(const Series& series) {
         measured.push_back(sums.measured / (series.is_mean ? sums.n : 1));
     }
     return stats::metrics_of(simulated, measured);
-}
-
-/// "12.3 -> 4.5 %"
-std::string change(double nominal, double best) {
-    const auto number = [](double share) {
-        return std::isfinite(share) ? fmt::format("{:.1f}", 100 * share)
-                                    : std::string("-");
-    };
-    return fmt::format("{:>6} -> {:>5}", number(nominal), number(best));
-}
-
-/// "no -> yes": whether each meets ASHRAE Guideline 14.
-std::string verdict(const FitMetrics& nominal, const FitMetrics& best,
-                    stats::Resolution resolution) {
-    const auto word = [&](const FitMetrics& metrics) {
-        return meets_guideline_14(metrics, resolution) ? "yes" : "no";
-    };
-    return fmt::format("{:>3} -> {}", word(nominal), word(best));
 }
 
 void add_row(TextTable& table, const std::string& period, const std::string& meter,

@@ -2,6 +2,8 @@
 /// what was held out of it and in the other periods, with coverage of the intervals.
 /// Made from the stored `validation_fit` and `coverage`, which are not computed again.
 /// Guideline 14's verdicts are as stored, too.
+#include "base/nan.hpp"
+#include "report/fit_words.hpp"
 #include "report/interval_name.hpp"
 #include "report/sections.hpp"
 #include "report/text_table.hpp"
@@ -65,17 +67,13 @@ Pair metric_of(const Group& part, Resolution resolution, const std::string& name
     return {number(0), number(1)};
 }
 
-/// "12.3 -> 4.5"
-std::string change(const Pair& share) {
-    const auto number = [](double value) {
-        return std::isfinite(value) ? fmt::format("{:.1f}", 100 * value)
-                                    : std::string("-");
-    };
-    return fmt::format("{:>6} -> {:>5}", number(share.before), number(share.after));
+std::string change_of(const Part& of, Resolution resolution, const char* metric) {
+    const Pair share = metric_of(of.part, resolution, metric);
+    return change(share.before, share.after);
 }
 
-/// "no -> yes" by the hourly (0) or monthly (1) limits.
-std::string verdict(const Group& part, std::size_t limits) {
+/// By the hourly (0) or monthly (1) limits.
+std::string verdict_by(const Group& part, std::size_t limits) {
     const auto& met = part.values("guideline_14_met");
     return verdict(at(met, limits) == 1, at(met, 2 + limits) == 1);
 }
@@ -93,7 +91,7 @@ void add_fits(TextTable& table, const Part& of) {
     const bool is_fine = interval == "steps" || interval == "hourly";
     const bool is_coarse =
         interval == "monthly" || interval == "billed" || interval == "annual";
-    add_row(table, of, own, interval, verdict(of.part, is_coarse ? 1 : 0));
+    add_row(table, of, own, interval, verdict_by(of.part, is_coarse ? 1 : 0));
     if (is_fine) add_row(table, of, daily, "daily", "");
     if (!is_coarse) add_row(table, of, monthly, "monthly", verdict_by(of.part, 1));
 }

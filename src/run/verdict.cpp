@@ -4,7 +4,7 @@
 /// of the stage's simulations. Whether results are plausible is not judged.
 #include "run/verdict.hpp"
 
-#include "store/layout.hpp"
+#include "store/dataset_path.hpp"
 
 #include <cstdlib>
 #include <utility>

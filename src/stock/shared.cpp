@@ -109,7 +109,7 @@ class Sketches {
     struct Row {
         std::ptrdiff_t first, end, at;
     };
-    static inline const double width = std::log(1 + 3 * near);
+    static inline const double width = std::log(1 + 3 * ratio_width);
 
     void add(const StockRecord& record) {
         const auto start = static_cast<std::ptrdiff_t>(record.daily_start);
@@ -145,7 +145,7 @@ bool is_shared(const StockRecord& a, const StockRecord& b, Share& share) {
     const auto [low, high] = std::ranges::minmax(pairs.first);
     share.ratio = middle_of(pairs.ratios);
     return high >= least_variation * low &&
-           share_near(pairs.ratios, share.ratio, near) >= least_share &&
+           share_near(pairs.ratios, share.ratio, ratio_width) >= least_share &&
            correlation(pairs.first, pairs.second) >= least_correlation;
 }
 

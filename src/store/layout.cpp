@@ -489,6 +489,23 @@ std::span<const LayoutRow> layout() {
     return rows;
 }
 
+const LayoutRow* known_layout(const study::Dataset& dataset) {
+    const std::string leaf = leaf_of(dataset.path);
+    const std::string inner = leaf_of(group_of(dataset.path)) + "/" + leaf;
+    const std::string dims = dims_of(dataset);
+    const LayoutRow* row = nullptr;
+    for (const LayoutRow& each : layout()) {
+        if (!matches(each.leaf, leaf) && !matches(each.leaf, inner)) continue;
+        row = &each;
+        if (matches(each.dims, dims)) break;
+    }
+    return row;
+}
+
+bool is_as(const study::Dataset& dataset, const LayoutRow& row) {
+    return matches(row.dims, dims_of(dataset)) && is_of_kind(dataset, row);
+}
+
 const LayoutRow& layout_of(const study::Dataset& dataset) {
     const LayoutRow* row = known_layout(dataset);
     if (row == nullptr)

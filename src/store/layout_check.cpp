@@ -5,6 +5,7 @@
 #include "store/layout_check.hpp"
 
 #include "base/error.hpp"
+#include "store/dataset_path.hpp"
 #include "store/layout.hpp"
 
 #include <map>

@@ -298,7 +298,7 @@ std::string with(std::string text, const std::string& from, const std::string& t
 
 /// Latitude, longitude, time zone and elevation of `header`, whatever its place is.
 void expect_place(const std::string& text, const std::string& place) {
-    const input::EpwFile file = input::parse_epw(text, "w.epw");
+    const input::EpwFile file = test::parse_epw(text, "w.epw");
     EXPECT_EQ(file.place, place);
     const physics::Site& site = file.weather.site;
     EXPECT_EQ(site.latitude, 50) << place;
@@ -377,12 +377,12 @@ TEST(EpwRows, OfHours0To23AreRefused) {
 TEST(EpwRows, OfAPartOfAYearAreRead) {
     const auto until_november = [](const auto& step) { return step.month < 12; };
     const input::EpwFile part =
-        input::parse_epw(header + rows(2021, 2021, {}, until_november), "w.epw");
+        test::parse_epw(header + rows(2021, 2021, {}, until_november), "w.epw");
     EXPECT_EQ(part.weather.axis.n_steps, 334 * 24);
     EXPECT_EQ(decisions(part),
               "w.epw:8024: its rows end on 11/30, the header says 12/31: is the file cut "
               "off here?");
-    const input::EpwFile said = input::parse_epw(
+    const input::EpwFile said = test::parse_epw(
         with(header, "12/31", "11/30") + rows(2021, 2021, {}, until_november), "w.epw");
     EXPECT_TRUE(said.decisions.empty()) << decisions(said);
 }
@@ -391,7 +391,7 @@ TEST(EpwRows, HaveNaNAndBlanksWhereAValueIsMissing) {
     input::EpwOptions as_read;
     as_read.temperature = input::TemperatureConvention::as_read;
     for (const char* word : {"NaN", "nan", "", " ", "NA", "null"}) {
-        const input::EpwFile file = input::parse_epw(
+        const input::EpwFile file = test::parse_epw(
             header + rows(2021, 2021, {{9, {{7, word}, {14, word}, {22, word}}}}),
             "w.epw", as_read);
         EXPECT_EQ(file.weather.theta_e[9], 9) << word;
@@ -405,7 +405,7 @@ TEST(EpwRows, HaveGlobalIrradianceOfTheOthersWhereItsColumnIsACode) {
         std::map<int, Changes> changes;
         for (int k = 0; k < 8760; ++k) changes[k] = {{14, code}, {15, "0"}};
         const input::EpwFile file =
-            input::parse_epw(header + rows(2021, 2021, changes), "w.epw");
+            test::parse_epw(header + rows(2021, 2021, changes), "w.epw");
         EXPECT_EQ(file.weather.global_horizontal[12], 100) << code;
         const bool is_foreign = code[0] == '-';
         EXPECT_EQ(decisions(file).find(fmt::format("w.epw:9:14: global horizontal "
@@ -434,7 +434,7 @@ TEST(EpwChain, HoursOfTwoFilesAreTakenOnceWhereTheyAreAlike) {
     };
     const std::string a = cut(1, 7), b = cut(6, 12);
     const input::EpwFile chain = input::parse_epw_chain({{"a.epw", a}, {"b.epw", b}});
-    const input::EpwFile whole = input::parse_epw(header + rows(2021, 2021), "w.epw");
+    const input::EpwFile whole = test::parse_epw(header + rows(2021, 2021), "w.epw");
     EXPECT_EQ(chain.weather.theta_e, whole.weather.theta_e);
     EXPECT_NE(decisions(chain).find("b.epw: 1464 h that the files before it have, too"),
               std::string::npos)
@@ -588,9 +588,9 @@ TEST(Epw, RealFilesAreReadInOtherForms) {
     std::ostringstream stream;
     stream << std::ifstream(path, std::ios::binary).rdbuf();
     const std::string text = stream.str();
-    const physics::Weather whole = input::parse_epw(text, "w.epw").weather;
+    const physics::Weather whole = test::parse_epw(text, "w.epw").weather;
     const auto expect_same = [&](const std::string& form) {
-        const physics::Weather weather = input::parse_epw(form, "w.epw").weather;
+        const physics::Weather weather = test::parse_epw(form, "w.epw").weather;
         EXPECT_EQ(weather.site.latitude, 52.45);
         EXPECT_EQ(weather.site.longitude, -1.73);
         EXPECT_EQ(weather.site.elevation, 99);
@@ -605,7 +605,7 @@ TEST(Epw, RealFilesAreReadInOtherForms) {
     std::ranges::replace(old, '\n', '\r');
     expect_same(old);
     const std::string june = text.substr(0, text.find("\n", text.find(",6,30,24,")) + 1);
-    const input::EpwFile half = input::parse_epw(june, "w.epw");
+    const input::EpwFile half = test::parse_epw(june, "w.epw");
     EXPECT_EQ(half.weather.axis.n_steps, 181 * 24);
     EXPECT_TRUE(std::equal(half.weather.theta_e.begin(), half.weather.theta_e.end(),
                            whole.theta_e.begin()));
