@@ -9,6 +9,7 @@
 #include "report/tables.hpp"
 #include "stock/record.hpp"
 #include "stock/shared.hpp"
+#include "store/dataset_path.hpp"
 #include "store/layout.hpp"
 #include "store/layout_check.hpp"
 

@@ -11,6 +11,7 @@
 #include "input/stamps.hpp"
 #include "job/small_office.hpp"
 #include "job/stock.hpp"
+#include "support/epw_files.hpp"
 
 #include <string>
 

@@ -40,7 +40,7 @@ kernel::Readings readings_for(const RandomCase& made, Quantity quantity,
     kernel::Readings readings{
         quantity, interval,
         aggregate(predict(made.building, made.drive, trajectory, quantity),
-                  interval_bounds(kernel::period_of(made.drive), interval), quantity)};
+                  interval_bounds(made.drive.period(), interval), quantity)};
     for (std::size_t k = 0; k < readings.values.size(); ++k) {
         readings.values[k] *= 1 + 0.2 * std::sin(static_cast<double>(k));
         if (k % 9 == 4) readings.values[k] = nan;
@@ -53,7 +53,7 @@ kernel::Readings readings_for(const RandomCase& made, Quantity quantity,
 Intervals bills_of(const RandomCase& made) {
     Intervals bills(Interval::monthly);
     for (const int day : {1, 10, 30})
-        bills.bounds.push_back(kernel::period_of(made.drive).start +
+        bills.bounds.push_back(made.drive.period().start +
                                std::chrono::days(day));
     return bills;
 }

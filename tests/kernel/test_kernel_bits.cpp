@@ -26,7 +26,7 @@ kernel::Request totals() {
 /// Totals, and errors against hourly and daily readings of two quantities.
 kernel::Request totals_and_readings(const RandomCase& made) {
     kernel::Request request = totals();
-    const TimeAxis period = kernel::period_of(made.drive);
+    const TimeAxis period = made.drive.period();
     for (Interval interval : {Interval::hourly, Interval::daily})
         for (Quantity quantity : {Quantity::gas, Quantity::air_temperature}) {
             const std::size_t n = interval_bounds(period, interval).size() - 1;

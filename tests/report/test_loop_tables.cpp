@@ -1,4 +1,5 @@
 #include "report/tables.hpp"
+#include "store/dataset_path.hpp"
 #include "store/layout.hpp"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "job/stages.hpp"
 #include "report/studies.hpp"
 #include "report/tables.hpp"
+#include "store/dataset_path.hpp"
 #include "store/layout.hpp"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 #include "report/merge_chains.hpp"
 #include "report/tables.hpp"
 #include "report/text_table.hpp"
+#include "store/dataset_path.hpp"
 #include "store/layout.hpp"
 
 #include <cmath>

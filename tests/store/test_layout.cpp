@@ -1,4 +1,5 @@
 #include "job/result_names.hpp"
+#include "store/dataset_path.hpp"
 #include "store/layout.hpp"
 
 #include <algorithm>
