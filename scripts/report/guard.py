@@ -44,7 +44,7 @@ def sound(dataset):
     """A dataset of the file itself, no larger than it can hold."""
     if not isinstance(dataset, h5py.Dataset) or dataset.is_virtual or dataset.external:
         raise ValueError(f"{dataset.name} is no dataset of its own")
-    size = os.path.getsize(dataset.file.filename)
+    size = dataset.file.id.get_filesize()
     if dataset.shape is None or dataset.nbytes > PACKING * size:
         raise ValueError(f"dataset {dataset.name} has shape {dataset.shape}, more than the file can hold")
     return dataset

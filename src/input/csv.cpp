@@ -517,6 +517,11 @@ std::size_t Csv::column(const std::string& name) const {
     return index;
 }
 
+void Csv::check_is_whole(std::size_t row) const {
+    for (const ShortRow& at : short_rows)
+        if (at.line == lines[row]) fail_data(wrong_width(*this, at.line, at.n_cells));
+}
+
 CsvNames find_names(std::string_view text, const std::string& file, const CsvForm& form) {
     return NameFinder(text, file, form).find();
 }

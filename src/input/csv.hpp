@@ -47,6 +47,8 @@ struct Csv {
     /// Index of a column; throws UserError (data) that lists the columns and the nearest,
     /// or says that two have that name, or which row ends before it.
     std::size_t column(const std::string& name) const;
+    /// Throws UserError (data) where the row ends before the last names.
+    void check_is_whole(std::size_t row) const;
 };
 
 /// Where the names stand, found without reading the rest.

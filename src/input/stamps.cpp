@@ -105,6 +105,7 @@ class Reader {
             try {
                 raw_.push_back(stamp_in(csv_, row, time_, rules_.format));
             } catch (const std::invalid_argument& error) {
+                csv_.check_is_whole(row);
                 fail(row, error.what() + hint_of_column(row) + advice_on(row));
             }
             check_zone(row);

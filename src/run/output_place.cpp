@@ -150,7 +150,8 @@ bool is_unfinished(const fs::path& output) {
     const StoredIdentity identity =
         files.has_identity ? read_identity(folder) : StoredIdentity{};
     if (!identity.is_sound) return !fs::exists(output);
-    return !is_done(output, hash_of(identity.entries));
+    return !fs::exists(output) ||
+           !is_of(store::read_head(output), hash_of(identity.entries));
 }
 
 OutputPlace prepare_output(const fs::path& output, Existing existing,

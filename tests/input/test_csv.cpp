@@ -192,7 +192,8 @@ TEST(CsvLines, AStampAloneIsARowWithoutReadings) {
 
 TEST(CsvLines, OfAnotherWidthAreRefused) {
     const auto said = [](const std::string& text) {
-        return complaint([&] { input::parse_csv(text, "x.csv", asks_for({"kwh"})); });
+        return complaint(
+            [&] { input::parse_csv(text, "x.csv", asks_for({"kwh"})).column("kwh"); });
     };
     EXPECT_EQ(said("time,a,kwh\n2021-01-01 00:00,5\n"),
               "x.csv:2: has 2 cells; expected 3 as in the first line");

@@ -62,7 +62,8 @@ TEST(StoredLoop, ComesBackAsItWas) {
 }
 
 TEST(StoredLoop, HasItsFitByModelPeriodResolutionChannelAndMetric) {
-    const auto& fit = test::find(datasets_of("a/loop", made(), {}), "fit");
+    const auto datasets = datasets_of("a/loop", made(), {});
+    const study::Dataset& fit = test::find(datasets, "fit");
     EXPECT_EQ(fit.shape, (std::vector<std::size_t>{3, 1, 2, 2, 4}));
     EXPECT_EQ(fit.values[(((1 * 1 + 0) * 2 + 1) * 2 + 1) * 4 + 2], -0.1);
 }

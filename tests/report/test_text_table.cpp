@@ -12,7 +12,7 @@ TEST(TextTable, CutsCellsThatAreTooWide) {
 
 TEST(TextTable, CutsBetweenCharactersNotWithinOne) {
     EXPECT_EQ(cut("W\u00e4rmed\u00e4mmung", 12), "W\u00e4rmed\u00e4mmung");
-    EXPECT_EQ(cut("W\u00e4rmed\u00e4mmung", 10), "W\u00e4rmed\u00e4..");
+    EXPECT_EQ(cut("W\u00e4rmed\u00e4mmung", 10), "W\u00e4rmed\u00e4m..");
     EXPECT_EQ(cut("\u0442\u0435\u043f\u043b\u043e", 4), "\u0442\u0435..");
 }
 
