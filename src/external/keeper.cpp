@@ -31,7 +31,7 @@ using Clock = std::chrono::steady_clock;
 using std::chrono::duration;
 
 /// What we are called when we keep a command.
-constexpr std::string_view keeper_name = "bemcal-keeper";
+constexpr const char* keeper_name = "bemcal-keeper";
 /// Between SIGTERM and SIGKILL at the time limit.
 constexpr duration<double> grace{2};
 /// For what SIGKILL does not end.
@@ -140,6 +140,7 @@ class Keeper {
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);
         limit_files(kept_.output_limit);
         std::vector<char*> words;
+        words.reserve(kept_.arguments.size() + 1);
         for (std::string& word : kept_.arguments) words.push_back(word.data());
         words.push_back(nullptr);
         ::execve(kept_.program.c_str(), words.data(), environ);
@@ -154,7 +155,7 @@ class Keeper {
             ends_before(Clock::now() + grace);
             return {Ending::time_limit, 0};
         }
-        if (is_over_) return {Ending::killed, SIGTERM};
+        if (is_over_ || !status_) return {Ending::killed, SIGTERM};
         if (WIFSIGNALED(*status_)) return {Ending::killed, WTERMSIG(*status_)};
         return {Ending::exited, WEXITSTATUS(*status_)};
     }
@@ -199,7 +200,7 @@ void keep(const std::vector<std::string>& words) {
     ::fcntl(report_descriptor, F_SETFD, FD_CLOEXEC);
     const sigset_t signals = watched();
     ::sigprocmask(SIG_BLOCK, &signals, nullptr);
-    ::prctl(PR_SET_NAME, keeper_name.data());
+    ::prctl(PR_SET_NAME, keeper_name);
     ::prctl(PR_SET_CHILD_SUBREAPER, 1);
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (::getppid() != number_in(words[1])) return;  // it has gone

@@ -105,9 +105,7 @@ class Records {
     void join(Record& record) {
         std::string_view rest = rest_, line;
         for (int n = 1; n < most_lines_of_a_cell && next_line(rest, line); ++n) {
-            const std::string_view joined(
-                record.text.data(),
-                static_cast<std::size_t>(line.data() + line.size() - record.text.data()));
+            const std::string_view joined(record.text.begin(), line.end());
             if (leaves_quote_open(joined)) continue;
             record.text = joined;
             rest_ = rest;

@@ -149,11 +149,14 @@ void refuse_other_kinds(std::string_view bytes, const std::string& path) {
 }
 
 bool is_utf8(std::string_view text) {
-    for (std::size_t k = 0; k < text.size(); ++k) {
-        int n = n_following(static_cast<unsigned char>(text[k]));
+    for (std::size_t k = 0; k < text.size();) {
+        const int n = n_following(static_cast<unsigned char>(text[k]));
         if (n < 0) return false;
-        for (; n > 0; --n)
-            if (++k >= text.size() || !is_following(text[k])) return false;
+        const std::string_view following =
+            text.substr(k + 1, static_cast<std::size_t>(n));
+        if (std::ssize(following) != n || !std::ranges::all_of(following, is_following))
+            return false;
+        k += static_cast<std::size_t>(n) + 1;
     }
     return true;
 }

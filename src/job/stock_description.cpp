@@ -190,8 +190,9 @@ class Writer {
             "\"{}\"\n",
             name, physics::name_of(kind.quantity), word(name, ""), column);
         text += said_keys(name, "meter", {"name", "quantity", "file", "column", "unit"});
-        for (const std::string key : {"interval", "estimated"})
-            if (line_.cell(name + "_" + key).empty() && !line_.cell(key).empty())
+        for (const char* key : {"interval", "estimated"})
+            if (line_.cell(fmt::format("{}_{}", name, key)).empty() &&
+                !line_.cell(key).empty())
                 text += fmt::format("{} = \"{}\"\n", key, word(key, ""));
         return text;
     }
