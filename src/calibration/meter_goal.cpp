@@ -74,7 +74,7 @@ double weighted_error(const stats::FitMetrics& metrics,
     const double scale = options.objective == Objective::percent ? 100 : 1;
     const double unexplained =
         metrics.n < 3 ? 0 : (std::isnan(metrics.r2) ? 1 : 1 - metrics.r2);
-    return options.cv_weight * scale * std::abs(metrics.cv_rmse) +
+    return options.cv_weight * scale * stats::relative_error(metrics) +
            options.r2_weight * unexplained;
 }
 
@@ -126,7 +126,8 @@ std::vector<std::string> MeterGoal::units() const {
 }
 
 double MeterGoal::error_of(const stats::FitMetrics& metrics) const {
-    if (options_.errors == MeterError::cv_rmse) return 100 * std::abs(metrics.cv_rmse);
+    if (options_.errors == MeterError::cv_rmse)
+        return 100 * stats::relative_error(metrics);
     if (options_.errors == MeterError::absolute) return 100 * std::abs(metrics.nmbe);
     return metrics.nmbe >= 0 ? 100 * metrics.nmbe : nan;
 }

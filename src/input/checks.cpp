@@ -68,6 +68,16 @@ class ReadingChecks {
         return std::move(findings_);
     }
 
+    /// Days repeat more easily than hours: two weekends, a rounded base load.
+    std::vector<Finding> check_long_fills() {
+        constexpr double least_h = 14 * 24;
+        std::vector<Run> fills = constant_fills(data_);
+        std::erase_if(fills, [&](const Run& run) { return hours_of(run.n) < least_h; });
+        if (options_.constant == Handling::check)
+            mask_found(fills, "the same value, longer than chance allows", "constant");
+        return std::move(findings_);
+    }
+
   private:
     std::string time_of(int step) const {
         return physics::format_time(series_.axis.begin_of(step));
@@ -203,6 +213,11 @@ DataSeries data_series(const std::vector<double>& values, const physics::TimeAxi
 std::vector<Finding> check_series(RegularSeries& series, Quantity quantity,
                                   const CheckOptions& options) {
     return ReadingChecks(series, quantity, options).check();
+}
+
+std::vector<Finding> check_days(RegularSeries& series, Quantity quantity,
+                                const CheckOptions& options) {
+    return ReadingChecks(series, quantity, options).check_long_fills();
 }
 
 }  // namespace bemcal::input

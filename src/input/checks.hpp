@@ -36,6 +36,11 @@ DataSeries data_series(const std::vector<double>& values, const physics::TimeAxi
 std::vector<Finding> check_series(RegularSeries& series, physics::Quantity quantity,
                                   const CheckOptions& options);
 
+/// The same of readings over an hour apart, up to a day: a fortnight of one value or
+/// more.
+std::vector<Finding> check_days(RegularSeries& series, physics::Quantity quantity,
+                                const CheckOptions& options);
+
 /// Summer time and lag of the days of each meter read by hours or finer, against the
 /// schedules and the declared electrical loads; stated only.
 void check_clocks(study::Case& building);

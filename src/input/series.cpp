@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -81,6 +82,13 @@ physics::Seconds whole_step_after(physics::Seconds time, int step_s) {
     return phase == 0 ? time : time + std::chrono::seconds(step_s - phase);
 }
 
+double folded(std::span<const double> fine, Fold fold) {
+    if (fold == Fold::first) return fine.front();
+    double sum = 0;
+    for (const double value : fine) sum += value;
+    return fold == Fold::sum ? sum : sum / static_cast<double>(fine.size());
+}
+
 /// A gap of the fine steps as one of the longer steps that it touches.
 Gap coarsened(const Gap& gap, int skipped, int per_step, int n_steps) {
     const int first = std::max(gap.first - skipped, 0) / per_step;
@@ -118,10 +126,8 @@ RegularSeries coarsened(const RegularSeries& fine, int step_s, Fold fold) {
     const int skipped = fine.axis.step_of(coarse.axis.start);
     coarse.axis.n_steps = std::max(0, fine.axis.n_steps - skipped) / per_step;
     for (int k = 0; k < coarse.axis.n_steps; ++k) {
-        double sum = 0;
-        for (int i = 0; i < per_step; ++i)
-            sum += fine.values[static_cast<std::size_t>(skipped + k * per_step + i)];
-        coarse.values.push_back(fold == Fold::sum ? sum : sum / per_step);
+        const auto first = fine.values.begin() + skipped + k * per_step;
+        coarse.values.push_back(folded({first, first + per_step}, fold));
     }
     for (const Gap& gap : fine.gaps)
         if (const Gap whole = coarsened(gap, skipped, per_step, coarse.axis.n_steps);

@@ -20,8 +20,9 @@ struct RegularSeries {
     std::vector<Gap> gaps;       ///< absent rows
 };
 
-/// What finer rows make of a longer step: an energy is their sum, all else their mean.
-enum class Fold { sum, mean };
+/// What finer rows make of a longer step: an energy is their sum, a register the first of
+/// them, all else their mean.
+enum class Fold { sum, mean, first };
 
 /// Lays rows on an axis. Where their step changes, the axis has the shortest step that
 /// all of them divide. Throws UserError (data) where a stamp is off the grid of the

@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "base/nan.hpp"
 #include "input/bills.hpp"
-#include "input/checks.hpp"
+#include "input/checks_values.hpp"
 #include "input/intervals.hpp"
 #include "input/suggest.hpp"
 #include "input/units.hpp"
@@ -20,6 +20,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -121,8 +122,11 @@ class MeterReader {
             {meter_.name, std::move(finding), std::move(action)});
     }
 
+    bool counts() const { return section_.choice("register") == "difference"; }
+
     /// Energies of finer rows add up; powers and temperatures are averaged.
     input::Fold fold() const {
+        if (counts()) return input::Fold::first;
         return unit_of(section_, meter_.quantity).kind == input::UnitKind::energy
                    ? input::Fold::sum
                    : input::Fold::mean;
@@ -144,6 +148,7 @@ class MeterReader {
         int step_s = 1;
         for (const TimedCsv& source : sources) {
             parts.push_back(series_of(source, column_, fold()));
+            if (counts()) stamp_by_instant(source, parts.back().axis);
             step_s = std::lcm(step_s, parts.back().axis.step_s);
         }
         input::RegularSeries series = input::coarsened(parts[0], step_s, fold());
@@ -156,18 +161,66 @@ class MeterReader {
         return series;
     }
 
+    /// A register is read at an instant, whichever interval the stamp closes.
+    static void stamp_by_instant(const TimedCsv& source, physics::TimeAxis& axis) {
+        if (source.rules.at_end) axis.start += std::chrono::seconds(axis.step_s);
+    }
+
     input::RegularSeries even_rows(const std::vector<TimedCsv>& sources) {
         input::RegularSeries series = joined(sources);
         note_gaps(series);
+        const bool checked = physics::day_s % series.axis.step_s == 0;
+        if (checked && meter_checks("codes"))
+            decide(input::mask_codes(series, meter_.quantity));
+        take_use(series, sources, checked);
         correct(series);
-        const input::CheckOptions options = check_options();
-        if (series.axis.step_s <= 3600 && physics::day_s % series.axis.step_s == 0) {
-            for (input::Finding& found :
-                 input::check_series(series, meter_.quantity, options))
-                decide(std::move(found.finding), std::move(found.action));
-        }
+        if (checked) check(series, sources);
         convert(series);
         return on_intervals(std::move(series));
+    }
+
+    bool meter_checks(const char* key) const { return section_.choice(key) == "check"; }
+
+    void decide(std::vector<input::Finding> findings) {
+        for (input::Finding& found : findings)
+            decide(std::move(found.finding), std::move(found.action));
+    }
+
+    /// What the file leaves open, at the row that shows it.
+    void ask(const std::optional<input::Question>& question,
+             const input::RegularSeries& series,
+             const std::vector<TimedCsv>& sources) const {
+        if (!question) return;
+        const physics::Seconds begin = series.axis.begin_of(question->at);
+        const auto source = std::ranges::find_if(sources, [&](const TimedCsv& candidate) {
+            return candidate.stamps.begins.back() >= begin;
+        });
+        const TimedCsv& of = source == sources.end() ? sources.back() : *source;
+        throw UserError(ExitCode::data, fmt::format("{}:{}: {}", row_at(of, begin),
+                                                    column_, question->text));
+    }
+
+    /// The use of each step where the readings are a register's.
+    void take_use(input::RegularSeries& series, const std::vector<TimedCsv>& sources,
+                  bool checked) {
+        if (counts())
+            decide(input::take_differences(series));
+        else if (checked && meter_checks("register"))
+            ask(input::doubt_of_register(series, meter_.quantity), series, sources);
+    }
+
+    /// Values, then runs and steps.
+    void check(input::RegularSeries& series, const std::vector<TimedCsv>& sources) {
+        const input::CheckOptions options = check_options();
+        std::optional<input::Question> question;
+        decide(input::check_negative(series, meter_.quantity,
+                                     section_.choice_as<input::Handling>("negative"),
+                                     question));
+        ask(question, series, sources);
+        if (meter_checks("spikes")) decide(input::mask_spikes(series, meter_.quantity));
+        decide(series.axis.step_s <= 3600
+                   ? input::check_series(series, meter_.quantity, options)
+                   : input::check_days(series, meter_.quantity, options));
     }
 
     /// Months and years of the calendar, and bills between any reads.
@@ -189,6 +242,7 @@ class MeterReader {
                  fmt::format("read as {} bills, each over its own time", bills.size())});
         }
         input::RegularSeries series = input::series_of(bills, notes);
+        if (meter_checks("codes")) decide(input::mask_codes(series, meter_.quantity));
         for (input::TimeNote& note : notes)
             building_.decisions.push_back({"stamps of " + meter_.name,
                                            std::move(note.finding),

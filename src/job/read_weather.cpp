@@ -7,7 +7,9 @@
 #include "base/nan.hpp"
 #include "input/checks.hpp"
 #include "input/epw.hpp"
+#include "input/suggest.hpp"
 #include "input/time_zone.hpp"
+#include "input/weather_units.hpp"
 #include "job/building_readers.hpp"
 #include "job/repeated.hpp"
 #include "job/timed_csv.hpp"
@@ -16,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -28,18 +31,27 @@ using physics::Weather;
 
 constexpr double missing = nan;
 
+using input::SunColumn;
+using input::WeatherKind;
+
 struct Column {
     const char* key;
     std::vector<double> Weather::* series;
+    WeatherKind kind;
+    std::optional<SunColumn> sun = {};  ///< which share of the sun it is
 };
-constexpr Column columns[] = {{"outdoor_temperature", &Weather::theta_e},
-                              {"global_horizontal", &Weather::global_horizontal},
-                              {"direct_normal", &Weather::direct_normal},
-                              {"diffuse_horizontal", &Weather::diffuse_horizontal},
-                              {"wind_speed", &Weather::wind_speed},
-                              {"relative_humidity", &Weather::relative_humidity},
-                              {"cloud_cover", &Weather::cloud_cover},
-                              {"infrared", &Weather::infrared}};
+constexpr Column columns[] = {
+    {"outdoor_temperature", &Weather::theta_e, WeatherKind::temperature},
+    {"global_horizontal", &Weather::global_horizontal, WeatherKind::irradiance,
+     SunColumn::global_horizontal},
+    {"direct_normal", &Weather::direct_normal, WeatherKind::irradiance,
+     SunColumn::direct_normal},
+    {"diffuse_horizontal", &Weather::diffuse_horizontal, WeatherKind::irradiance,
+     SunColumn::diffuse_horizontal},
+    {"wind_speed", &Weather::wind_speed, WeatherKind::speed},
+    {"relative_humidity", &Weather::relative_humidity, WeatherKind::humidity},
+    {"cloud_cover", &Weather::cloud_cover, WeatherKind::cloud},
+    {"infrared", &Weather::infrared, WeatherKind::irradiance}};
 
 void read_site(const schema::Section& section, physics::Site& site) {
     section.number_if("latitude", site.latitude);
@@ -63,11 +75,25 @@ void check_zone(const schema::Section& section, const physics::Site& site) {
 struct ColumnSource {
     std::string column;
     double factor = 1, offset = 0;
+    const input::WeatherUnit* unit = nullptr;  ///< as said
     bool at_end = false;
 };
 
-ColumnSource column_source(const schema::Section& section, const char* key,
+const input::WeatherUnit& unit_of(const schema::Section& section, WeatherKind kind) {
+    const std::string name = section.text("unit");
+    std::vector<std::string> names;
+    for (const input::WeatherUnit& unit : input::weather_units()) {
+        if (unit.kind != kind) continue;
+        if (name == unit.name) return unit;
+        names.emplace_back(unit.name);
+    }
+    section.fail_value("unit",
+                       "is not a unit of this column" + input::suggestion(name, names));
+}
+
+ColumnSource column_source(const schema::Section& section, const Column& of,
                            const input::StampRules& rules) {
+    const char* key = of.key;
     ColumnSource source;
     source.at_end = rules.at_end;
     if (section.node(key).kind != schema::Node::Kind::table) {
@@ -76,6 +102,7 @@ ColumnSource column_source(const schema::Section& section, const char* key,
     }
     const schema::Section more = section.table(key, "column");
     source.column = more.text("column");
+    if (more.has("unit")) source.unit = &unit_of(more, of.kind);
     source.factor = more.number("factor");
     source.offset = more.number("offset");
     if (more.has("stamp")) source.at_end = more.choice("stamp") == "end";
@@ -134,7 +161,7 @@ class CsvWeather {
         n_again_ = 0;
         for (const Column& column : columns) {
             if (!names_.has(column.key)) continue;
-            const input::RegularSeries part = read_column(column.key, source);
+            const input::RegularSeries part = read_column(column, source);
             if (first) extend(part.axis, source.csv->file);
             first = false;
             append(column, part);
@@ -150,18 +177,46 @@ class CsvWeather {
         decisions_.push_back({std::move(series), std::move(finding), std::move(action)});
     }
 
-    input::RegularSeries read_column(const char* key, const TimedCsv& file) {
-        const ColumnSource source = column_source(names_, key, file.rules);
-        const schema::Key& row = *schema::find_key("weather.columns", key);
+    input::RegularSeries read_column(const Column& column, const TimedCsv& file) {
+        const ColumnSource source = column_source(names_, column, file.rules);
+        const schema::Key& row = *schema::find_key("weather.columns", column.key);
         input::RegularSeries series = series_of(file, source.column);
-        for (double& value : series.values) value = value * source.factor + source.offset;
-        check_range(series, row, file, source.column);
+        convert(series, source);
         const int shift =
             static_cast<int>(source.at_end) - static_cast<int>(file.rules.at_end);
         const std::chrono::seconds later(shift * series.axis.step_s);
+        if (source.unit == nullptr)
+            check_unit(series, column, file, source.column, later);
+        check_range(series, row, file, source.column);
         if (is_irradiance(row)) take_off_night(series, row, file, source.column, later);
         series.axis.start -= later;
         return hourly_means(series, file.csv->file);
+    }
+
+    static void convert(input::RegularSeries& series, const ColumnSource& source) {
+        const input::WeatherUnit* unit = source.unit;
+        for (double& value : series.values) {
+            value = value * source.factor + source.offset;
+            if (unit != nullptr)
+                value = value * factor_of(*unit, series.axis.step_s) + unit->offset;
+        }
+    }
+
+    /// Refuses what is in no place of the Earth what the column is to hold.
+    void check_unit(const input::RegularSeries& series, const Column& of,
+                    const TimedCsv& file, const std::string& name,
+                    std::chrono::seconds later) const {
+        input::RegularSeries stamped = series;
+        stamped.axis.start -= later;
+        std::optional<std::string> doubt;
+        if (of.sun)
+            doubt = input::doubt_of_irradiance(stamped, weather_.site, *of.sun);
+        else if (of.kind == WeatherKind::temperature)
+            doubt = input::doubt_of_temperature(stamped, weather_.site);
+        if (doubt)
+            throw UserError(
+                ExitCode::data,
+                fmt::format("{}: {} as {}: {}", file.csv->file, name, of.key, *doubt));
     }
 
     /// A pyranometer reads a little below 0 at night; by day that is a fault.

@@ -191,8 +191,12 @@ constexpr Key table[] = {
      "Horizontal, from the sky."},
     {"column", "column", Type::text, "", required, 0, 0,
      "Its name in the file's first line."},
+    {"column", "unit", Type::text, "", "", 0, 0,
+     "degC, 0.1 degC, 0.01 degC, K, degF; W/m2, kW/m2, and of a row's step Wh/m2, "
+     "kWh/m2, J/m2, kJ/m2, MJ/m2, J/cm2, cal/cm2, Btu/ft2; m/s, km/h, knots, mph; %, 0 "
+     "to 1, tenths, oktas. Left out: the one that is expected, if that is possible."},
     {"column", "factor", Type::number, "-", "1", -1e9, 1e9,
-     "To the unit that is expected: value x factor + offset."},
+     "To the unit that is said or expected: value x factor + offset."},
     {"column", "offset", Type::number, "", "0", -1e9, 1e9, ""},
     {"column", "stamp", Type::choice, "start|end", "", 0, 0,
      "Where it differs from the file's."},
@@ -359,6 +363,17 @@ constexpr Key table[] = {
     {"meter", "steps", Type::choice, "check|keep", "check", 0, 0,
      "Steps by the ratio of two units. check: corrected where they are certain; keep: "
      "stated only."},
+    {"meter", "codes", Type::choice, "check|keep", "check", 0, 0,
+     "Numbers that stand for no reading (-9999, 65535) and lie far from all others. "
+     "check: missing; keep: none is. Name others in missing."},
+    {"meter", "spikes", Type::choice, "check|keep", "check", 0, 0,
+     "One or two readings far above all others. check: missing; keep: none is."},
+    {"meter", "negative", Type::choice, "check|keep|missing", "check", 0, 0,
+     "Energies below 0. check: a few are missing, tiny ones 0, many are asked about; "
+     "keep: a meter that feeds in; missing: all are."},
+    {"meter", "register", Type::choice, "check|keep|difference", "check", 0, 0,
+     "Readings that count on. check: asked about; keep: each is a use; difference: the "
+     "use is from one to the next."},
     {"meter", "scale", Type::tables, "", "", 0, 0, "[[meter.scale]]"},
     {"meter.scale", "from", Type::date, "", required, 0, 0, "First day or time."},
     {"meter.scale", "to", Type::date, "", "", 0, 0, "Last day; default: the end."},

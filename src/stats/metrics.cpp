@@ -1,7 +1,8 @@
 /// Error metrics from sums over pairs: NMBE, CV(RMSE), MAPE, R2, and Guideline 14's
 /// verdict.
 /// Source: ASHRAE Guideline 14-2014 with p = 1; paper 1, its misprints mended. MAPE
-/// leaves out readings of 0 and says how many; a metric that is not defined is NaN.
+/// leaves out readings of 0 and says how many; a metric that is not defined is NaN, as
+/// CV(RMSE) is of readings whose mean is not above 0.
 #include "stats/metrics.hpp"
 
 #include "base/error.hpp"
@@ -49,8 +50,12 @@ FitMetrics metrics_of(const PairSums& s) {
     const double mean = ratio(s.measured, s.n);
     m.rmse = s.n > 0 ? std::sqrt(s.square / s.n) : nan;
     m.nmbe = ratio(s.error, s.measured);
-    m.cv_rmse = ratio(m.rmse, mean);
-    m.cv_rmse_n1 = s.n > 1 ? ratio(std::sqrt(s.square / (s.n - 1)), mean) : nan;
+    if (mean > 0) {
+        m.cv_rmse = m.rmse / mean;
+        m.cv_rmse_n1 = s.n > 1 ? std::sqrt(s.square / (s.n - 1)) / mean : nan;
+    } else {
+        m.cv_rmse = m.cv_rmse_n1 = nan;
+    }
     m.mape = ratio(s.relative, s.n_relative);
     m.r2 = squared_correlation(s);
     return m;
@@ -65,6 +70,10 @@ FitMetrics metrics_of(std::span<const double> simulated,
         if (!std::isnan(simulated[k]) && !std::isnan(measured[k]))
             add(sums, simulated[k], measured[k]);
     return metrics_of(sums);
+}
+
+double relative_error(const FitMetrics& m) {
+    return std::isnan(m.cv_rmse) ? m.rmse : m.cv_rmse;
 }
 
 /// The guideline divides both sums by n - p with p = 1, which nmbe does not.

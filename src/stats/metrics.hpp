@@ -6,9 +6,11 @@
 namespace bemcal::stats {
 
 struct FitMetrics {
-    double n = 0;           ///< pairs compared
-    double nmbe = 0;        ///< sum of errors / sum of measured [-]
-    double cv_rmse = 0;     ///< sqrt(mean squared error) / mean of measured, with n [-]
+    double n = 0;     ///< pairs compared
+    double nmbe = 0;  ///< sum of errors / sum of measured [-]
+    /// sqrt(mean squared error) / mean of measured, with n [-]; NaN unless that is above
+    /// 0
+    double cv_rmse = 0;
     double cv_rmse_n1 = 0;  ///< the same with n - 1 (Guideline 14 with p = 1) [-]
     double mape = 0;        ///< mean |error| / |measured| over non-zero readings [-]
     double n_left_out = 0;  ///< readings of zero, left out of mape
@@ -27,6 +29,9 @@ FitMetrics metrics_of(const PairSums& sums);
 /// Pairs with a NaN on either side are left out.
 FitMetrics metrics_of(std::span<const double> simulated,
                       std::span<const double> measured);
+
+/// CV(RMSE); where it is not defined the RMSE itself, so that points can be ranked.
+double relative_error(const FitMetrics& metrics);
 
 /// ASHRAE Guideline 14-2014: at most 10 % NMBE and 30 % CV(RMSE) hourly, 5 % and 15 %
 /// monthly.

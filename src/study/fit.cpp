@@ -132,7 +132,10 @@ bool meet_guideline_14(const std::vector<kernel::Readings>& readings,
 double score_of(const std::vector<MeterFit>& fits) {
     double score = 0;
     for (const MeterFit& fit : fits)
-        if (fit.own.n > 0) score += fit.own.cv_rmse * fit.own.cv_rmse;
+        if (fit.own.n > 0) {
+            const double error = stats::relative_error(fit.own);
+            score += error * error;
+        }
     return score;
 }
 

@@ -46,6 +46,17 @@ TEST(FitMetrics, AreUnknownWithoutPairsOrWithoutAMean) {
     EXPECT_TRUE(std::isnan(metrics_of(simulated, zeros).r2));
 }
 
+TEST(FitMetrics, OfReadingsWhoseMeanIsNotAboveZeroHaveNoCvRmse) {
+    const std::vector<double> feeding_in{-3, 1}, simulated{1, 1};
+    const FitMetrics m = metrics_of(simulated, feeding_in);
+    EXPECT_TRUE(std::isnan(m.cv_rmse));
+    EXPECT_TRUE(std::isnan(m.cv_rmse_n1));
+    EXPECT_FALSE(meets_guideline_14(m, Resolution::hourly));
+    EXPECT_DOUBLE_EQ(relative_error(m), std::sqrt(8.0));
+    EXPECT_DOUBLE_EQ(relative_error(metrics_of(simulated, std::vector<double>{1, 3})),
+                     std::sqrt(2.0) / 2);
+}
+
 FitMetrics with(double nmbe, double cv_rmse_n1) {
     FitMetrics m;
     m.n = 8760;
