@@ -9,11 +9,13 @@
 #include "base/machine.hpp"
 #include "input/data_text.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -58,13 +60,30 @@ std::string key_of(const std::string& path, const CsvForm& form, const CsvNames&
                        fmt::join(form.skip_lines, ","), fmt::join(form.skip_texts, "\n"));
 }
 
+/// What would be waited for, or read without end; nullptr = a file, one that is missing,
+/// or the pipe of a shell, like <(...).
+const char* what_is_no_file(const std::filesystem::path& path) {
+    using enum std::filesystem::file_type;
+    constexpr std::pair<std::filesystem::file_type, const char*> others[] = {
+        {directory, "a folder"},
+        {character, "a device"},
+        {block, "a device"},
+        {socket, "a socket"},
+        {fifo, "a pipe"}};
+    std::error_code ignored;
+    const auto type = std::filesystem::status(path, ignored).type();
+    if (type == fifo && path.native().starts_with("/dev/")) return nullptr;
+    const auto* const found =
+        std::ranges::find(others, type, &std::pair<std::filesystem::file_type, const char*>::first);
+    return found == std::end(others) ? nullptr : found->second;
+}
+
 }  // namespace
 
 std::string read_bytes(const std::filesystem::path& path) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored))
+    if (const char* other = what_is_no_file(path))
         throw UserError(ExitCode::no_input,
-                        fmt::format("{}: is a folder; expected a file", path.string()));
+                        fmt::format("{}: is {}; expected a file", path.string(), other));
     std::ifstream in(path, std::ios::binary);
     if (!in && is_of_machine(errno))
         throw MachineError(errno, fmt::format("{}: cannot be opened: {}", path.string(),
@@ -73,6 +92,7 @@ std::string read_bytes(const std::filesystem::path& path) {
         throw UserError(ExitCode::no_input,
                         fmt::format("{}: cannot be opened ({})", path.string(),
                                     std::strerror(errno)));
+    std::error_code ignored;
     const std::uintmax_t size = std::filesystem::file_size(path, ignored);
     std::string bytes(ignored ? 0 : size, '\0');
     in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));

@@ -92,9 +92,11 @@ std::string begin_of(const fs::path& path, std::size_t n) {
     return bytes;
 }
 
-/// Whether a file stands there that does not begin so. An empty one is nobody's loss.
+/// Whether a pipe or device stands there, or a file that does not begin so. An empty one
+/// is nobody's loss.
 bool is_of_another(const fs::path& path, const std::string& head) {
     std::error_code ignored;
+    if (fs::is_other(path, ignored)) return true;
     if (!fs::is_regular_file(path, ignored)) return false;
     const std::string begin = begin_of(path, head.size());
     return !begin.empty() && begin != head;
@@ -163,7 +165,7 @@ fs::path result_of(const job::Job& job, const OutputWish& wish, const Inputs& in
 fs::path beside(const fs::path& result, const std::string& first,
                 const std::string& other, const char* head, const Inputs& inputs) {
     const auto is_free = [&](const fs::path& path) {
-        return !inputs.at(path) && !is_of_another(path, head);
+        return !inputs.at(path) && !is_of_another(path, head) && !fs::is_directory(path);
     };
     fs::path path = fs::path(result).replace_filename(first + ".csv");
     if (is_free(path)) return path;

@@ -4,6 +4,7 @@
 /// Files that changed for single items of a stock are the stage's to tell.
 #include "run/output_place.hpp"
 
+#include "base/disk.hpp"
 #include "base/error.hpp"
 #include "base/hash.hpp"
 #include "run/part_files.hpp"
@@ -77,6 +78,7 @@ std::string other_version(const StoredIdentity& stored, const Identity& identity
 void check_damaged(const fs::path& folder, const StoredIdentity& stored,
                    const Identity& identity, OutputPlace& place) {
     const std::string file = (folder / identity_name).string();
+    if (is_taken(file)) read_regular(file);  // a folder is refused
     if (const std::string change = other_version(stored, identity); !change.empty())
         refuse(
             fmt::format("{}: is damaged, or was changed: {}; where it is only damaged, "

@@ -2,9 +2,14 @@
 #include "base/error.hpp"
 #include "input/data_text.hpp"
 #include "input/input_files.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 namespace bemcal::job {
 namespace {
@@ -85,6 +90,23 @@ TEST(DataText, LinesEndInEveryWay) {
     std::string all;
     while (input::next_line(rest, line)) all += fmt::format("[{}]", line);
     EXPECT_EQ(all, "[a][b][c][d][]");
+}
+
+TEST(InputFiles, WhatIsNoFileIsNamedAndNotWaitedFor) {
+    const test::TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder / "pipe.csv").c_str(), 0600), 0);
+    const std::pair<std::string, const char*> others[] = {
+        {folder.path().string(), "a folder"},
+        {(folder / "pipe.csv").string(), "a pipe"},
+        {"/dev/zero", "a device"}};
+    for (const auto& [path, what] : others) try {
+            input::read_bytes(path);
+            ADD_FAILURE() << path;
+        } catch (const UserError& error) {
+            EXPECT_EQ(error.exit_code(), ExitCode::no_input);
+            EXPECT_EQ(error.what(),
+                      fmt::format("{}: is {}; expected a file", path, what));
+        }
 }
 
 TEST(InputFiles, LatinColumnsAreNamedInUtf8) {

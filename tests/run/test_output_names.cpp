@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 namespace bemcal::run {
 namespace {
@@ -131,6 +132,17 @@ TEST_F(OutputNames, AFileThatIsNoResultIsNotReplacedByOne) {
     expect_refused("night.h5", "night.h5: is there already, and is no result");
     write("night.h5", "\x89HDF...");
     EXPECT_EQ(chosen("night.h5"), "night.h5");
+}
+
+TEST_F(OutputNames, APipeADeviceOrAFolderIsNotReplacedByOne) {
+    make_stock();
+    ASSERT_EQ(::mkfifo((folder_ / "pipe.h5").c_str(), 0600), 0);
+    fs::create_symlink("/dev/null", folder_ / "device.h5");
+    for (const char* name : {"pipe.h5", "device.h5"})
+        expect_refused(name, std::string(name) + ": is there already, and is no result");
+    ASSERT_EQ(::mkfifo((folder_ / "night.csv").c_str(), 0600), 0);
+    fs::create_directory(folder_ / "night-table.csv");
+    EXPECT_EQ(table("night.h5"), "night-table-2.csv");
 }
 
 TEST_F(OutputNames, LongNamesAreRefusedOrShortened) {

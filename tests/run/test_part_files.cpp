@@ -157,6 +157,23 @@ TEST_F(Part, WithoutItsIdentityTheRecordsTellWhoseTheyAre) {
     EXPECT_TRUE(has_identity(part(), identity));
 }
 
+TEST_F(Part, AnIdentityThatIsAFolderIsNamedAndNothingIsLost) {
+    leave_run();
+    fs::remove(part() / identity_name);
+    fs::create_directory(part() / identity_name);
+    try {
+        prepare_output(output(), Existing::resume, identity);
+        ADD_FAILURE() << "not refused";
+    } catch (const UserError& error) {
+        EXPECT_EQ(error.exit_code(), ExitCode::data);
+        EXPECT_EQ(error.what(),
+                  (part() / identity_name).string() + ": is a folder; expected a file");
+    }
+    fs::remove(part() / identity_name);
+    EXPECT_EQ(prepare_output(output(), Existing::resume, identity).logs.records.size(),
+              9U);
+}
+
 TEST_F(Part, DamageAtAnyPlaceOfTheIdentityLosesNothingAndIsSaid) {
     leave_run();
     const std::string whole = text(identity_name);

@@ -3,8 +3,9 @@
        cc -shared -fPIC -O1 -o failing.so failing.c -ldl
        FAIL_AT=17 FAIL_ERRNO=28 LD_PRELOAD=./failing.so PROGRAM ...
 
-   Counted are calls that write, sync, close or rename a regular file, or sync a folder. FAIL_AT: which of them
-   fails, once; 0 = none. FAIL_ERRNO: with what (5 = EIO, 28 = ENOSPC), or -1: a write that writes half and says so.
+   Counted are calls that write, cut, sync, close or rename a regular file, or sync a folder. FAIL_AT: which of
+   them fails, once; 0 = none. FAIL_EVERY: each k-th does. FAIL_ERRNO: with what (5 = EIO, 28 = ENOSPC), or -1: a
+   write that writes half and says so. FAIL_READ=1: files that were only read are closed with an error, too.
    FAIL_LOCKS=1: flock fails with ENOLCK. FAIL_COUNT: a file that gets the number of calls at the end. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -27,7 +28,8 @@ static int number_in(const char* name) {
 
 /* Whether this call is the one. */
 static int is_chosen(void) {
-    return __atomic_add_fetch(&counted, 1, __ATOMIC_SEQ_CST) == number_in("FAIL_AT");
+    const int number = __atomic_add_fetch(&counted, 1, __ATOMIC_SEQ_CST), every = number_in("FAIL_EVERY");
+    return number == number_in("FAIL_AT") || (every > 0 && number % every == 0);
 }
 
 static int fails(int file, int with_folders) {
@@ -65,10 +67,16 @@ int fsync(int file) { return fails(file, 1) ? refused() : (int)syscall(SYS_fsync
 
 int fdatasync(int file) { return fails(file, 1) ? refused() : (int)syscall(SYS_fdatasync, file); }
 
-/* It is closed all the same, as Linux does. Files that were only read are not counted. */
+int ftruncate64(int file, off64_t size) {
+    return fails(file, 0) ? refused() : (int)syscall(SYS_ftruncate, file, size);
+}
+
+int ftruncate(int file, off_t size) { return ftruncate64(file, size); }
+
+/* It is closed all the same, as Linux does. */
 int close(int file) {
     const int flags = (int)syscall(SYS_fcntl, file, F_GETFL);
-    const int failed = flags >= 0 && (flags & O_ACCMODE) != O_RDONLY && fails(file, 0);
+    const int failed = flags >= 0 && ((flags & O_ACCMODE) != O_RDONLY || number_in("FAIL_READ")) && fails(file, 0);
     const int result = (int)syscall(SYS_close, file);
     return failed ? refused() : result;
 }
