@@ -27,6 +27,12 @@ class Goal {
     /// What the best point is like.
     virtual void describe(std::span<const double> best,
                           study::DatasetBuilder& datasets) const = 0;
+    /// How the best point falls short of the readings, in a sentence; empty = it does
+    /// not.
+    virtual std::string shortfall_of(std::span<const double> best) const {
+        static_cast<void>(best);
+        return {};
+    }
     /// Whether the readings of a building are met, not other targets.
     virtual bool is_of_readings() const { return false; }
     /// Whether a failed point may succeed when it is done again.

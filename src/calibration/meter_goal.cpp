@@ -7,6 +7,7 @@
 
 #include "base/nan.hpp"
 #include "calibration/candidates.hpp"
+#include "study/bias.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -160,6 +161,11 @@ Matrix MeterGoal::evaluate(const Matrix& points,
             std::ranges::copy(objectives_of(answers[r]), values.row(r).begin());
     }
     return values;
+}
+
+std::string MeterGoal::shortfall_of(std::span<const double> best) const {
+    return study::bias_beyond(building_, period_,
+                              models_[period_]->fits_at(best, period_, meters_));
 }
 
 void MeterGoal::describe(std::span<const double> best,

@@ -29,6 +29,7 @@ class MeterGoal : public Goal {
     Matrix evaluate(const Matrix& points,
                     std::vector<std::string>& failures) const override;
     /// Nominal and `best`, every meter and period.
+    std::string shortfall_of(std::span<const double> best) const override;
     void describe(std::span<const double> best,
                   study::DatasetBuilder& datasets) const override;
 

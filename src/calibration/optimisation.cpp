@@ -197,6 +197,7 @@ std::vector<study::Summary> summaries_of(const std::string& name, const Goal& go
     summary.study = name;
     for (std::size_t k = 0; k < best.size(); ++k)
         summary.values.push_back({goal.parameters()[k].name, best[k], best[k], best[k]});
+    summary.shortfall = goal.shortfall_of(best);
     return {std::move(summary)};
 }
 

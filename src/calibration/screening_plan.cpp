@@ -3,6 +3,7 @@
 /// What points are simulated for is left to `screening`.
 #include "calibration/screening_plan.hpp"
 
+#include "base/nan.hpp"
 #include "stats/sobol_sequence.hpp"
 
 #include <algorithm>
@@ -23,6 +24,23 @@ PeriodModel::PeriodModel(const study::Case& building, const study::Period& perio
     : drive(study::drive_of(building, period)),
       batch(building.building, building.parameters, drive),
       request{{}, {}, study::readings_of(building, period)} {}
+
+std::vector<study::FoundFit> PeriodModel::fits_at(
+    std::span<const double> point, std::size_t period,
+    const std::vector<std::size_t>& meters) const {
+    Matrix points(1, point.size());
+    points.values.assign(point.begin(), point.end());
+    const kernel::PointAnswer answer = batch.evaluate(points, request).at(0);
+    std::vector<study::FoundFit> fits;
+    for (const std::size_t m : meters) {
+        if (!answer.failure.empty()) break;
+        const stats::FitMetrics own =
+            study::fit_of(request.readings[m], answer.errors[m], answer.monthly_errors[m])
+                .own;
+        fits.push_back({period, m, nan, own.cv_rmse, own.nmbe});
+    }
+    return fits;
+}
 
 ScreeningPlan::ScreeningPlan(std::string stage, const study::Case& given,
                              const ScreeningOptions& chosen)

@@ -6,6 +6,7 @@
 #include "study/points.hpp"
 #include "study/stage.hpp"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,12 @@ struct PeriodModel {
     physics::Drive drive;
     kernel::Batch batch;
     kernel::Request request;
+
+    /// Errors of a point against some meters, as fits of that period of the case; empty
+    /// where it failed.
+    std::vector<study::FoundFit> fits_at(std::span<const double> point,
+                                         std::size_t period,
+                                         const std::vector<std::size_t>& meters) const;
 };
 
 struct ScreeningPlan {

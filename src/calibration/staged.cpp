@@ -7,6 +7,7 @@
 
 #include "base/nan.hpp"
 #include "calibration/staged_results.hpp"
+#include "study/bias.hpp"
 #include "study/failures.hpp"
 #include "study/points.hpp"
 
@@ -173,6 +174,7 @@ class StagedCalibration : public study::Stage {
         const std::vector<StageFound>& found) const;
     void add_comparisons(const StagedPath& path, study::DatasetBuilder& datasets) const;
     std::vector<Version> versions_beside(const StagedPath& path) const;
+    study::Summary summary_of(const StagedPath& path) const;
 
     std::string name_;
     study::Case building_;
@@ -388,6 +390,24 @@ void StagedCalibration::add_comparisons(const StagedPath& path,
     }
 }
 
+/// What the stages of the job end with, each on its own periods.
+study::Summary StagedCalibration::summary_of(const StagedPath& path) const {
+    std::vector<std::string> biases;
+    for (std::size_t s = 0; s < options_.stages.size(); ++s)
+        for (const std::string& name : stages_[s].periods) {
+            const auto period = static_cast<std::size_t>(&exact_period(building_, name) -
+                                                         building_.periods.data());
+            const auto fits = models_.at(name)->fits_at(path.found()[s].value, period,
+                                                        goals_[s].meters());
+            const std::string bias = study::bias_beyond(building_, period, fits);
+            if (!bias.empty()) biases.push_back(stages_[s].name + ": " + bias);
+        }
+    study::Summary summary;
+    summary.study = name_;
+    summary.shortfall = study::joined_sentences(biases);
+    return summary;
+}
+
 study::Conclusion StagedCalibration::conclude(
     const std::vector<study::ItemAnswer>& answers) const {
     History history = start();
@@ -399,7 +419,7 @@ study::Conclusion StagedCalibration::conclude(
     add_stages(history.path, datasets);
     add_comparisons(history.path, datasets);
     datasets.failures(history.failures);
-    return {datasets.take()};
+    return {datasets.take(), {summary_of(history.path)}};
 }
 
 }  // namespace

@@ -237,6 +237,10 @@ std::string words_of(const NamedGrid& grid) {
     return fmt::format("{} = {} points", fmt::join(axes, " x "), n_points(grid));
 }
 
+std::vector<Fitted> fitted(const StudySpec& study, const study::Case& building) {
+    return fitted_by(study.as<GridStudy>().targets, study.period, building);
+}
+
 std::string sentence(const StudySpec& study) {
     const calibration::GridOptions& options = study.as<GridStudy>().options;
     std::vector<std::string> grids;
@@ -278,6 +282,7 @@ extern const Kind grid_kind{.word = "grid",
                             .check = check,
                             .stages = stages,
                             .sentence = sentence,
-                            .points_of = stage_name};
+                            .points_of = stage_name,
+                            .fitted = fitted};
 
 }  // namespace bemcal::job

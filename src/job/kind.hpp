@@ -61,6 +61,12 @@ struct Effort {
     std::optional<double> seconds{};  ///< on one core, where steps are not what it takes
 };
 
+/// Meters whose readings of a period are fitted.
+struct Fitted {
+    std::string period;               ///< empty = the first
+    std::vector<std::string> meters;  ///< empty = all with readings
+};
+
 struct Kind {
     const char* word;  ///< in a job, and in a result, where the study's dataset `kind` is
                        ///< written by its stages
@@ -90,6 +96,9 @@ struct Kind {
     /// can take; left out: it finds none.
     std::string (*points_of)(const StudySpec& study,
                              const study::Case& building) = nullptr;
+    /// What it fits of a building; left out: it fits no meter.
+    std::vector<Fitted> (*fitted)(const StudySpec& study,
+                                  const study::Case& building) = nullptr;
 };
 
 /// "BUILDING/STUDY": the stage of a building.

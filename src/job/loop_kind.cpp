@@ -137,6 +137,11 @@ std::string sentence(const StudySpec& study) {
         excluded, options.block_days, options.least_gain, options.most_loss);
 }
 
+std::vector<Fitted> fitted(const StudySpec& study, const study::Case&) {
+    const auto& options = study.as<LoopOptions>();
+    return {{options.period, options.meters}};
+}
+
 }  // namespace
 
 extern const Kind loop_kind{.word = "loop",
@@ -146,6 +151,7 @@ extern const Kind loop_kind{.word = "loop",
                             .read = read,
                             .check = check,
                             .stages = stages,
-                            .sentence = sentence};
+                            .sentence = sentence,
+                            .fitted = fitted};
 
 }  // namespace bemcal::job

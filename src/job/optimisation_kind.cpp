@@ -156,6 +156,12 @@ void cost(const StudyStage& stage, Effort& effort) {
         effort.simulations / static_cast<double>(points) / stage.stage.n_items();
 }
 
+std::vector<Fitted> fitted(const StudySpec& study, const study::Case& building) {
+    const auto& [options, targets] = study.as<OptimisationStudy>();
+    if (targets.empty()) return {{options.period, options.meters}};
+    return fitted_by(targets, study.period, building);
+}
+
 }  // namespace
 
 extern const Kind optimisation_kind{.word = "optimisation",
@@ -165,6 +171,7 @@ extern const Kind optimisation_kind{.word = "optimisation",
                                     .read = read,
                                     .check = check,
                                     .stages = stages,
-                                    .cost = cost};
+                                    .cost = cost,
+                                    .fitted = fitted};
 
 }  // namespace bemcal::job

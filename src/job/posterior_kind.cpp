@@ -205,6 +205,12 @@ std::string points_of(const StudySpec& study, const Case& building) {
     return is_pooled(study) ? study.name : stage_name(study, building);
 }
 
+std::vector<Fitted> fitted(const StudySpec& study, const Case& building) {
+    const auto& options = study.as<PosteriorOptions>();
+    if (is_unseen(options, building)) return {};
+    return {{options.period, options.meters}};
+}
+
 }  // namespace
 
 extern const Kind posterior_kind{.word = "posterior",
@@ -216,6 +222,7 @@ extern const Kind posterior_kind{.word = "posterior",
                                  .check = check,
                                  .stages = stages,
                                  .cost = cost,
-                                 .points_of = points_of};
+                                 .points_of = points_of,
+                                 .fitted = fitted};
 
 }  // namespace bemcal::job

@@ -329,6 +329,8 @@ class MeterReader {
 
     void convert(input::RegularSeries& series) {
         const input::Unit& unit = unit_of(section_, meter_.quantity);
+        meter_.unit = unit.name;
+        meter_.row_s = series.axis.step_s;
         const double hours =
             unit.kind == input::UnitKind::power ? series.axis.step_s / 3600.0 : 1;
         const double factor = section_.number("factor") * unit.factor * hours;

@@ -69,6 +69,10 @@ void cost(const StudyStage& stage, Effort& effort) {
     effort.hours = hours / static_cast<double>(stage.building->periods.size());
 }
 
+std::vector<Fitted> fitted(const StudySpec&, const study::Case&) {
+    return {{}};
+}
+
 }  // namespace
 
 extern const Kind screening_kind{.word = "screening",
@@ -79,6 +83,7 @@ extern const Kind screening_kind{.word = "screening",
                                  .check = check,
                                  .stages = stages,
                                  .cost = cost,
-                                 .points_of = stage_name};
+                                 .points_of = stage_name,
+                                 .fitted = fitted};
 
 }  // namespace bemcal::job

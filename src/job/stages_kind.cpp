@@ -288,6 +288,14 @@ void cost(const StudyStage& stage, Effort& effort) {
                     (stage.stage.n_items() * calibration::points_per_staged_item);
 }
 
+std::vector<Fitted> fitted(const StudySpec& study, const study::Case&) {
+    std::vector<Fitted> all;
+    for (const calibration::CalibrationStage& stage : study.as<StagedOptions>().stages)
+        for (const std::string& period : stage.periods)
+            all.push_back({period, stage.fit.meters});
+    return all;
+}
+
 }  // namespace
 
 extern const Kind stages_kind{.word = "stages",
@@ -296,6 +304,7 @@ extern const Kind stages_kind{.word = "stages",
                               .read = read,
                               .check = check,
                               .stages = stages,
-                              .cost = cost};
+                              .cost = cost,
+                              .fitted = fitted};
 
 }  // namespace bemcal::job

@@ -180,6 +180,16 @@ std::vector<GridTarget> targets_of(const TargetSpecs& specs,
     return targets;
 }
 
+std::vector<Fitted> fitted_by(const TargetSpecs& specs, const std::string& period,
+                              const study::Case& building) {
+    Fitted fitted{period, {}};
+    for (const TargetSpec& target : or_usual(specs))
+        if (target.measured.empty() && target.output.statistic != Statistic::peak)
+            fitted.meters.push_back(building.meters[meter_of(target, building)].name);
+    if (fitted.meters.empty()) return {};
+    return {std::move(fitted)};
+}
+
 std::shared_ptr<const study::Simulator> target_simulator(const TargetSpecs& specs,
                                                          const study::Case& building,
                                                          const study::Period& period) {

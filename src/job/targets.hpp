@@ -4,6 +4,7 @@
 
 #include "calibration/grid.hpp"
 #include "calibration/target_simulator.hpp"
+#include "job/kind.hpp"
 #include "schema/section.hpp"
 #include "schema/words.hpp"
 #include "study/case.hpp"
@@ -69,6 +70,10 @@ std::vector<calibration::GridTarget> targets_of(const TargetSpecs& specs,
 std::shared_ptr<const study::Simulator> target_simulator(const TargetSpecs& specs,
                                                          const study::Case& building,
                                                          const study::Period& period);
+
+/// The meters that targets are taken from; none where the job gives all numbers.
+std::vector<Fitted> fitted_by(const TargetSpecs& specs, const std::string& period,
+                              const study::Case& building);
 
 /// Throw UserError where a target has no measured value.
 void check_targets(const schema::Section& study, const TargetSpecs& specs,

@@ -12,6 +12,7 @@
 #include "loop/loads.hpp"
 #include "loop/stored_loop.hpp"
 #include "stats/metrics.hpp"
+#include "study/bias.hpp"
 
 #include <algorithm>
 #include <array>
@@ -394,6 +395,9 @@ class Writer {
                                         error(StoredLoop::after, StoredLoop::cv_rmse),
                                         error(StoredLoop::after, StoredLoop::nmbe)});
             }
+        const auto period =
+            static_cast<std::size_t>(&data_.training() - data_.building.periods.data());
+        summary.shortfall = study::bias_beyond(data_.building, period, summary.fits);
         for (const StoredLoop::Effect& effect : loop_.effects)
             summary.findings.push_back(
                 {"loop",

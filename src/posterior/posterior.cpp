@@ -108,8 +108,9 @@ class DirectPosterior : public Posterior {
             own.points = points_of(values, parts_->arrangement->reported_of(b));
             summaries.push_back(std::move(own));
         }
-        summaries[0].fits =
-            add_predictions({*parts_, unseen_, options_}, draws, datasets);
+        auto predicted = add_predictions({*parts_, unseen_, options_}, draws, datasets);
+        summaries[0].fits = std::move(predicted.fits);
+        summaries[0].shortfall = std::move(predicted.bias);
     }
 
   private:

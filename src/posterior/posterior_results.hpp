@@ -13,11 +13,14 @@ struct CalibratedBuildings {
     const PosteriorOptions& options;
 };
 
-/// \return the errors of a building that is alone: each period and meter of its case, of
-/// the readings that train where some do
-std::vector<study::FoundFit> add_predictions(const CalibratedBuildings& buildings,
-                                             const ChainDraws& draws,
-                                             study::DatasetBuilder& datasets);
+struct PredictedFits {
+    /// Of a building that is alone: each period and meter of its case, of the readings
+    /// that train where some do.
+    std::vector<study::FoundFit> fits;
+    std::string bias;  ///< beyond Guideline 14 in a training period; empty = none
+};
+PredictedFits add_predictions(const CalibratedBuildings& buildings,
+                              const ChainDraws& draws, study::DatasetBuilder& datasets);
 
 const study::Period& training_period(const study::Case& building,
                                      const PosteriorOptions& options);

@@ -79,8 +79,9 @@ void append_chains(Dataset& to, const Dataset& from) {
 
 /// What single runs said of convergence no longer holds.
 void append_result(ResultFile& to, const ResultFile& from) {
-    std::erase_if(to.datasets,
-                  [](const Dataset& d) { return d.path.ends_with("/shortfall"); });
+    std::erase_if(to.datasets, [](const Dataset& d) {
+        return d.path.ends_with("/shortfall") && !d.path.ends_with("/data/shortfall");
+    });
     for (Dataset& dataset : to.datasets) {
         if (!is_of_chains(dataset)) continue;
         const auto same = std::ranges::find(from.datasets, dataset.path, &Dataset::path);

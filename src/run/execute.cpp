@@ -180,6 +180,7 @@ class Execution {
                         counted(threads_.n_threads_total, "compute thread"),
                         options_.output.string()));
         for (const std::string& warning : threads_.warnings) say("warning: " + warning);
+        verdict_.take_shortfalls(work_.frame.datasets);
         if (is_first() && options_.on_stage) options_.on_stage(work_.frame);
     }
 
@@ -297,9 +298,10 @@ class Execution {
         part.attributes = result_.attributes;
         study::Conclusion conclusion = stage.conclude(answers);
         part.datasets = std::move(conclusion.datasets);
+        std::ranges::move(
+            shortfall_datasets(stage, stage.shortfall(answers), conclusion.summaries),
+            std::back_inserter(part.datasets));
         std::ranges::move(conclusion.summaries, std::back_inserter(found_));
-        const std::string missed = stage.shortfall(answers);
-        if (!missed.empty()) part.datasets.push_back(shortfall_dataset(stage, missed));
         std::ranges::move(failed_item_datasets(stage, answers),
                           std::back_inserter(part.datasets));
         verdict_.take_shortfalls(part.datasets);

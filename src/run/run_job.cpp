@@ -5,6 +5,7 @@
 #include "run/run_job.hpp"
 
 #include "job/kind.hpp"
+#include "job/model_range.hpp"
 #include "job/stages.hpp"
 #include "job/stock.hpp"
 #include "kernel/batch.hpp"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
+#include <iterator>
 #include <memory>
 
 #include <fmt/format.h>
@@ -140,6 +142,15 @@ stock::StockNight night_of(const JobOptions& options, double hours, Work& work) 
     return night;
 }
 
+/// On rank 0, which writes them.
+void add_ranges(Comm& comm, const job::Job& job, store::ResultFile& frame) {
+    if (comm.rank() != 0) return;
+    for (const study::Case& building : job.buildings)
+        std::ranges::move(
+            job::range_datasets(building, job::fitted_ranges(job, building)),
+            std::back_inserter(frame.datasets));
+}
+
 std::vector<std::unique_ptr<study::Stage>> stages_of(const job::Job& job,
                                                      const JobOptions& options,
                                                      Work& work) {
@@ -193,6 +204,7 @@ Outcome run_job(Comm& comm, const JobOptions& options) {
         const Timer timer(seconds_plan);
         work = work_of(job, options);
         work.stages = stages_of(job, options, work);
+        add_ranges(comm, job, work.frame);
         work.data = kept;
     });
     work.frame.run["seconds_read"] = fmt::format("{:.3f}", seconds_read);

@@ -5,6 +5,7 @@
 #include "run/verdict.hpp"
 
 #include "store/dataset_path.hpp"
+#include "study/bias.hpp"
 
 #include <cstdlib>
 #include <utility>
@@ -96,8 +97,17 @@ std::vector<std::string> Verdict::sentences() const {
     return all;
 }
 
-study::Dataset shortfall_dataset(const study::Stage& stage, const std::string& sentence) {
-    return {stage.name() + "/" + leaf, {}, {}, {}, {sentence}};
+std::vector<study::Dataset> shortfall_datasets(const study::Stage& stage,
+                                               const std::string& sentence,
+                                               const std::vector<study::Summary>& found) {
+    std::map<std::string, std::vector<std::string>> missed{{stage.name(), {sentence}}};
+    for (const study::Summary& summary : found)
+        missed[summary.study].push_back(summary.shortfall);
+    std::vector<study::Dataset> datasets;
+    for (const auto& [study, sentences] : missed)
+        if (std::string said = study::joined_sentences(sentences); !said.empty())
+            datasets.push_back({study + "/" + leaf, {}, {}, {}, {std::move(said)}});
+    return datasets;
 }
 
 std::vector<study::Dataset> failed_item_datasets(

@@ -45,8 +45,11 @@ class Verdict {
     std::vector<std::string> shortfalls_;
 };
 
-/// The dataset that tells of a missed target. \param sentence  not empty
-study::Dataset shortfall_dataset(const study::Stage& stage, const std::string& sentence);
+/// The datasets that tell of missed targets: the stage's, and those of what it found, one
+/// for each study. \param sentence  of the stage; empty = none
+std::vector<study::Dataset> shortfall_datasets(const study::Stage& stage,
+                                               const std::string& sentence,
+                                               const std::vector<study::Summary>& found);
 
 /// The datasets that tell of items that failed as a whole; none where none did.
 std::vector<study::Dataset> failed_item_datasets(

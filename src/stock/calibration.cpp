@@ -9,6 +9,7 @@
 #include "calibration/screening.hpp"
 #include "input/input_files.hpp"
 #include "job/kind.hpp"
+#include "job/model_range.hpp"
 #include "job/stages.hpp"
 #include "loop/loop.hpp"
 #include "loop/options.hpp"
@@ -34,6 +35,7 @@ using study::ItemAnswer;
 using study::Stage;
 
 constexpr int sketch_days = 180;
+constexpr const char* doubtful = "calibrated all the same: its values are doubtful";
 
 /// All rounds of a stage. A failed item keeps its reason.
 std::vector<ItemAnswer> answers_of(Stage& stage) {
@@ -210,6 +212,17 @@ void summarise(const Case& building, const study::Summary& summary, StockRecord&
         record.fits.push_back(fit_with_readings(building, fit));
     record.findings.insert(record.findings.end(), summary.findings.begin(),
                            summary.findings.end());
+    if (!summary.shortfall.empty())
+        record.findings.push_back({"fit", summary.shortfall, doubtful});
+}
+
+/// Meters that the model cannot reach, whatever is calibrated.
+void find_unreached(const job::Job& job, StockRecord& record) {
+    const Case& building = job.buildings.at(0);
+    for (const auto& [range, beyond] : job::fitted_ranges(job, building))
+        if (!beyond.empty())
+            record.findings.push_back(
+                {building.meters[range.meter].name, beyond, doubtful});
 }
 
 }  // namespace
@@ -234,6 +247,7 @@ Calibrated calibrate(const job::Job& stock_job, const job::StockLine& line,
     prepare(job.studies[0], stock_job.stock->options);
     Calibrated result;
     result.record.findings = building.decisions;
+    find_unreached(job, result.record);
     const auto do_again = stock_kind_of(job.studies[0]).do_again;
     const bool goes_on = before != nullptr && do_again != nullptr;
     result.conclusion = goes_on ? do_again(job, result.record.simulations)

@@ -167,8 +167,10 @@ class StockStage : public study::Stage {
             result.record.files.push_back({name_of(file.path), file.hash});
         answer.values = pack(result.record);
         if (stock_.options.keep_results && answer.failures.empty()) {
-            for (study::Summary& summary : result.conclusion.summaries)
-                summary.points = {};  // nothing goes on with them
+            for (study::Summary& summary : result.conclusion.summaries) {
+                summary.points = {};     // nothing goes on with them
+                summary.shortfall = {};  // it is a finding; the batch has not failed
+            }
             const auto whole = study::pack(result.conclusion);
             answer.values.insert(answer.values.end(), whole.begin(), whole.end());
         }

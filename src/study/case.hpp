@@ -19,6 +19,8 @@ struct Meter {
     physics::TimeAxis axis;  ///< steps of the readings (hourly, daily: 3600 s steps are
                              ///< used and a day's reading stands at its first step)
     std::vector<double> values;  ///< [axis.n_steps] kWh or degC; NaN = missing or masked
+    std::string unit = "kWh";    ///< that its numbers were read in
+    int row_s = 3600;            ///< length of the rows that they were read from
 };
 
 /// What is believed of a parameter beforehand; a discrete one takes one of `values`, all

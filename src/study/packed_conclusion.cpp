@@ -56,6 +56,7 @@ void visit(is_a<Summary> auto& summary, auto&& see) {
     see(summary.findings);
     see(summary.score);
     see(summary.failure);
+    see(summary.shortfall);
     see(summary.has_page);
 }
 void visit(is_a<Conclusion> auto& conclusion, auto&& see) {

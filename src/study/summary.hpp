@@ -48,6 +48,7 @@ struct Summary {
     /// By which two runs of the same study can be told apart: smaller is better.
     double score = std::numeric_limits<double>::infinity();
     std::string failure;    ///< why nothing was found; empty = something was
+    std::string shortfall;  ///< how what was found falls short of a target; empty = none
     bool has_page = false;  ///< whether scripts/loop_report draws it
 };
 

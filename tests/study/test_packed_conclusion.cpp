@@ -38,6 +38,7 @@ TEST(PackedConclusion, HasItsSummariesAsTheyWere) {
     given.findings = {{"loop", "found: wind", "accepted"}};
     given.score = 3.5;
     given.failure = "why";
+    given.shortfall = "biased";
     given.has_page = true;
     const auto all = unpack_conclusion(pack({{}, {Summary{}, given}})).summaries;
     ASSERT_EQ(all.size(), 2U);
@@ -67,5 +68,6 @@ TEST(PackedConclusion, HasItsSummariesAsTheyWere) {
     EXPECT_EQ(back.findings[0].action, "accepted");
     EXPECT_EQ(back.score, 3.5);
     EXPECT_EQ(back.failure, "why");
+    EXPECT_EQ(back.shortfall, "biased");
     EXPECT_TRUE(back.has_page);
 }
