@@ -73,8 +73,8 @@ const char* what_is_no_file(const std::filesystem::path& path) {
     std::error_code ignored;
     const auto type = std::filesystem::status(path, ignored).type();
     if (type == fifo && path.native().starts_with("/dev/")) return nullptr;
-    const auto* const found =
-        std::ranges::find(others, type, &std::pair<std::filesystem::file_type, const char*>::first);
+    const auto* const found = std::ranges::find(
+        others, type, &std::pair<std::filesystem::file_type, const char*>::first);
     return found == std::end(others) ? nullptr : found->second;
 }
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace bemcal::job {
+namespace bemcal::description {
 class WeatherMemory;  // of a stock, carried along for its readers
 }
 
@@ -51,7 +51,7 @@ class InputFiles {
     const std::vector<InputFile>& log() const { return log_; }
 
     /// Of a stock: weathers that were read already; empty = there are none.
-    std::shared_ptr<job::WeatherMemory> weathers;
+    std::shared_ptr<description::WeatherMemory> weathers;
     /// A file that was read before by somebody else.
     void note(const std::filesystem::path& path, const std::string& hash);
 

@@ -4,8 +4,8 @@
 /// Targets are read by `read_targets`, refinement is in `grid_rounds`.
 #include "job/grid_kind.hpp"
 
+#include "description/words.hpp"
 #include "job/kind.hpp"
-#include "job/words.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -176,8 +176,8 @@ struct Owner {
 
 void check_values_of(const schema::Section& section, const std::string& name,
                      const std::vector<double>& values, const Owner& owner) {
-    check_word(section, name, name, names_of(owner.parameters),
-               "parameter of " + owner.name);
+    description::check_word(section, name, name, description::names_of(owner.parameters),
+                            "parameter of " + owner.name);
     const auto& parameter =
         *std::ranges::find(owner.parameters, name, &physics::Parameter::name);
     for (const double value : values)

@@ -2,14 +2,14 @@
 /// chains. Source: Kennedy and O'Hagan 2001; hyperpriors of paper 1, Table 7, or of
 /// bc-stan. Data are read by `koh_data`, the posterior is in `koh_posterior`; runs of a
 /// command are made in `koh_runs`.
+#include "description/read_prior.hpp"
+#include "description/result_names.hpp"
+#include "description/words.hpp"
 #include "input/suggest.hpp"
 #include "job/chains.hpp"
 #include "job/kind.hpp"
 #include "job/koh_data.hpp"
 #include "job/office_hour_inputs.hpp"
-#include "job/read_prior.hpp"
-#include "job/result_names.hpp"
-#include "job/words.hpp"
 #include "posterior/koh_posterior.hpp"
 #include "posterior/koh_runs.hpp"
 #include "posterior/office_hour_runs.hpp"
@@ -112,7 +112,7 @@ void simulate_runs(const schema::Section& section, std::uint64_t seed,
     posterior::OfficeHourDesign design{
         static_cast<std::size_t>(section.integer("n_designs")), seed,
         read_constants(section)};
-    at_key(section, "simulator", [&] {
+    description::at_key(section, "simulator", [&] {
         options.calibrated =
             posterior::office_hour_coordinates(options.observations.t_names);
         posterior::add_office_hour_runs(design, options.observations);
@@ -127,8 +127,9 @@ posterior::KohRuns runs_to_make(const schema::Section& section, const OutputScal
         section.fail_value("simulator",
                            "the job has none; expected a section [simulator]");
     const std::string output = section.text(key_of_output(section));
-    const std::vector<std::string> names = names_of(simulator->outputs());
-    check_word(section, key_of_output(section), output, names, "output of the simulator");
+    const std::vector<std::string> names = description::names_of(simulator->outputs());
+    description::check_word(section, key_of_output(section), output, names,
+                            "output of the simulator");
     posterior::KohRuns runs{
         simulator,
         static_cast<std::size_t>(std::ranges::find(names, output) - names.begin()),
@@ -136,11 +137,11 @@ posterior::KohRuns runs_to_make(const schema::Section& section, const OutputScal
         scale.offset,
         static_cast<std::size_t>(section.integer("n_designs")),
         seed};
-    at_key(section, "calibrated", [&] {
+    description::at_key(section, "calibrated", [&] {
         options.calibrated =
             posterior::simulator_coordinates(*simulator, options.observations.t_names);
     });
-    at_key(section, "inputs", [&] {
+    description::at_key(section, "inputs", [&] {
         posterior::simulator_coordinates(*simulator, options.observations.x_names);
     });
     return runs;
@@ -163,8 +164,9 @@ void read_priors(const schema::Section& section, KohOptions& options) {
         parameter.least = found->prior.least;
         parameter.most = found->prior.most;
         const schema::Section prior = table.table(entry.key, "prior");
-        found->prior = read_distribution(prior, parameter);
-        at_key(prior, "kind", [&] { posterior::on_unit_scale(found->prior); });
+        found->prior = description::read_distribution(prior, parameter);
+        description::at_key(prior, "kind",
+                            [&] { posterior::on_unit_scale(found->prior); });
     }
 }
 
@@ -215,7 +217,7 @@ void read_data(const StudySource& source, KohStudy& study) {
 
 void read(const StudySource& source, StudySpec& spec) {
     const schema::Section& section = source.section;
-    check_name(section, "name", Named::building, spec.name);
+    description::check_name(section, "name", description::Named::building, spec.name);
     KohStudy study;
     KohOptions& options = study.options;
     read_koh_chains(section, source.seed, options.chains);
@@ -225,8 +227,8 @@ void read(const StudySource& source, StudySpec& spec) {
     options.form = section.choice_as<posterior::KohForm>("form");
     options.n_predictive = static_cast<int>(section.integer("n_predictive"));
     if (!study.runs)
-        at_key(section, section.has("form") ? "form" : "kind",
-               [&] { posterior::make_koh_posterior(options); });
+        description::at_key(section, section.has("form") ? "form" : "kind",
+                            [&] { posterior::make_koh_posterior(options); });
     spec.options = std::move(study);
 }
 

@@ -5,8 +5,8 @@
 #include "job/koh_data.hpp"
 
 #include "base/error.hpp"
+#include "description/result_names.hpp"
 #include "input/csv_numbers.hpp"
-#include "job/result_names.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -161,7 +161,8 @@ void read_field(const schema::Section& section, input::InputFiles& files,
     o.x_names = read_names(section, "inputs", {});
     o.t_names = read_names(section, "calibrated", o.x_names);
     for (const std::string& name : o.t_names)
-        if (const std::string refusal = refusal_of_name(Named::meter, name);
+        if (const std::string refusal =
+                description::refusal_of_name(description::Named::meter, name);
             !refusal.empty() || name == "chain" || name == "draw")
             section.fail("calibrated", fmt::format("\"{}\": draws cannot be stored under "
                                                    "this name; expected another one",

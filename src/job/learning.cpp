@@ -4,7 +4,7 @@
 /// Whether the readings are enough is not asked.
 #include "job/learning.hpp"
 
-#include "job/words.hpp"
+#include "description/words.hpp"
 
 #include <fmt/format.h>
 
@@ -24,18 +24,19 @@ bool has_reading(const Case& building, const study::Period& period,
 
 void check_parameters(const schema::Section& section, const Learning& learning,
                       const Case& building) {
-    const std::vector<std::string> names = names_of(building.parameters);
+    const std::vector<std::string> names = description::names_of(building.parameters);
     for (const std::string& parameter : learning.parameters)
-        check_word(section, "parameters", parameter, names,
-                   "parameter of " + building.name);
+        description::check_word(section, "parameters", parameter, names,
+                                "parameter of " + building.name);
 }
 
 void check_meters(const schema::Section& section, const Learning& learning,
                   const Case& building) {
-    const std::vector<std::string> names = names_of(building.meters);
+    const std::vector<std::string> names = description::names_of(building.meters);
     const study::Period& period = period_of(building, learning.period);
     for (const std::string& meter : learning.meters) {
-        check_word(section, "meters", meter, names, "meter of " + building.name);
+        description::check_word(section, "meters", meter, names,
+                                "meter of " + building.name);
         if (!has_reading(building, period, meter))
             section.fail("meters",
                          fmt::format("{} of {} has no reading in the period {}; expected "

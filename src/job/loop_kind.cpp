@@ -3,10 +3,10 @@
 /// Follows from `make_loop`.
 /// Buildings without derivatives (coupled zones, a radiator, links) are refused. The
 /// search is in `loop`.
+#include "description/words.hpp"
 #include "effects/catalogue.hpp"
 #include "job/kind.hpp"
 #include "job/learning.hpp"
-#include "job/words.hpp"
 #include "kernel/response.hpp"
 #include "loop/loop.hpp"
 
@@ -77,8 +77,9 @@ void read(const StudySource& source, StudySpec& study) {
 void check_columns(const schema::Section& section, const LoopOptions& options,
                    const study::Case& building) {
     for (const std::string& column : options.columns)
-        check_word(section, "columns", column, names_of(building.columns),
-                   "[[series]] of " + building.name);
+        description::check_word(section, "columns", column,
+                                description::names_of(building.columns),
+                                "[[series]] of " + building.name);
 }
 
 /// Names of the grammar are sentences with a colon; any of them may stand there.
@@ -89,8 +90,8 @@ void check_exclude(const schema::Section& section, const LoopOptions& options) {
         names.push_back(entry.effect.name);
     for (const std::string& name : options.exclude)
         if (name.find(": ") == std::string::npos)
-            check_word(section, "exclude", name, names,
-                       "effect of the catalogue (describe effects)");
+            description::check_word(section, "exclude", name, names,
+                                    "effect of the catalogue (describe effects)");
 }
 
 void check_building(const schema::Section& section, const LoopOptions& options,

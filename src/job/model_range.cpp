@@ -5,9 +5,9 @@
 /// A unit that is only named is not proven: a building may be described wrongly as well.
 #include "job/model_range.hpp"
 
+#include "description/words.hpp"
 #include "input/units.hpp"
 #include "job/kind.hpp"
-#include "job/words.hpp"
 #include "study/bias.hpp"
 #include "study/datasets.hpp"
 
@@ -46,8 +46,9 @@ std::map<std::size_t, std::set<std::string>> fitted_meters(const Job& job,
         if (study.kind->fitted == nullptr) continue;
         for (const Fitted& each : study.kind->fitted(study, building)) {
             const study::Period& period = period_of(building, each.period);
-            const auto meters =
-                each.meters.empty() ? names_of(building.meters) : each.meters;
+            const auto meters = each.meters.empty()
+                                    ? description::names_of(building.meters)
+                                    : each.meters;
             fitted[static_cast<std::size_t>(&period - building.periods.data())].insert(
                 meters.begin(), meters.end());
         }

@@ -3,10 +3,10 @@
 /// Source: Vehtari et al. 2021 for the targets of chains (`read_chains`).
 /// Priors are in `read_prior`. Whether buildings can be pooled is checked by
 /// `make_posterior`.
+#include "description/words.hpp"
 #include "job/chains.hpp"
 #include "job/kind.hpp"
 #include "job/learning.hpp"
-#include "job/words.hpp"
 #include "posterior/posterior.hpp"
 
 #include <algorithm>
@@ -133,7 +133,8 @@ void check_unseen(const schema::Section& section, const PosteriorOptions& option
                   const std::vector<Case>& buildings) {
     if (options.unseen.empty()) return;
     for (const std::string& name : options.unseen)
-        check_word(section, "unseen", name, names_of(buildings), "building of this job");
+        description::check_word(section, "unseen", name, description::names_of(buildings),
+                                "building of this job");
     if (options.unseen.size() >= buildings.size())
         section.fail("unseen", "has every building: none is left to learn from");
     const auto seen = std::ranges::find_if(

@@ -4,13 +4,13 @@
 /// The sections' keys are the readers' (`read_*`). Lines of a stock are read where they
 /// are worked on.
 #include "base/error.hpp"
-#include "input/checks.hpp"
-#include "job/building_readers.hpp"
+#include "checks/series.hpp"
+#include "description/building_readers.hpp"
+#include "description/read_quantities.hpp"
+#include "description/read_simulator.hpp"
+#include "description/result_names.hpp"
 #include "job/job.hpp"
 #include "job/kinds.hpp"
-#include "job/read_quantities.hpp"
-#include "job/read_simulator.hpp"
-#include "job/result_names.hpp"
 #include "job/stock.hpp"
 #include "job/studies.hpp"
 
@@ -23,58 +23,8 @@ namespace bemcal::job {
 
 namespace {
 
-void read_run(const Sources& sources, study::Case& building) {
-    if (!sources.has("run")) return;
-    const schema::Section section = sources.with("run").table("run", "run");
-    building.step_s = static_cast<int>(section.integer("step"));
-    if (3600 % building.step_s != 0)
-        section.fail_value("step",
-                           "expected a number of seconds that divides an hour: 3600, "
-                           "1800, 1200, 900, 600, ...");
-    building.warm_up_hours =
-        static_cast<int>(std::lround(section.number("warm_up_days") * 24));
-}
-
-std::string name_of_file(const std::filesystem::path& file) {
-    return file.stem().string();
-}
-
-void check_meter_steps(const Sources& sources, const study::Case& building) {
-    for (const study::Meter& meter : building.meters)
-        if (meter.interval == physics::Interval::step &&
-            meter.axis.step_s != building.step_s)
-            sources.with("meter").fail(
-                "meter",
-                fmt::format("{} has interval = \"step\" and a reading every {} s, but "
-                            "[run] step = {}; make them equal, or set interval",
-                            meter.name, meter.axis.step_s, building.step_s));
-}
-
-}  // namespace
-
-study::Case read_case(const Sources& sources, input::InputFiles& files) {
-    study::Case building;
-    const schema::Section& own = sources.own;
-    building.name = own.has("name") ? own.text("name") : name_of_file(own.file());
-    building.periods = read_periods(sources);
-    read_run(sources, building);
-    read_weather(sources, files, building);
-    building.profiles =
-        read_profiles(sources, files, building.weather.site, building.decisions);
-    building.columns = read_columns(sources);
-    building.building = read_building(sources, building.profiles);
-    building.building.name = building.name;
-    check_building(sources, building);
-    read_parameters(sources, building);
-    read_meters(sources, files, building);
-    check_meter_steps(sources, building);
-    return building;
-}
-
-namespace {
-
 void add_case(Job& job, study::Case building, const schema::Section& own) {
-    check_name(own, "name", Named::building, building.name);
+    description::check_name(own, "name", description::Named::building, building.name);
     for (const study::Case& other : job.buildings)
         if (other.name == building.name)
             own.fail("name",
@@ -99,7 +49,7 @@ void read_building_files(const schema::Section& root, input::InputFiles& files,
         trees.back().tree = schema::parse_document(
             files.text(path, root.where("buildings")), trees.back().name);
         const schema::Section own(trees.back().tree, "building", trees.back().name);
-        add_case(job, read_case({own, root}, files), own);
+        add_case(job, description::read_case({own, root}, files), own);
         schema::check_all_used(trees.back().tree, trees.back().name);
     }
 }
@@ -115,7 +65,8 @@ void read_output(const schema::Section& root, Job& job) {
     if (!root.has("output")) return;
     const schema::Section section = root.table("output", "output");
     job.output = section.text("file");
-    for (const physics::Quantity quantity : read_quantities(section, "hourly"))
+    for (const physics::Quantity quantity :
+         description::read_quantities(section, "hourly"))
         job.hourly_outputs.emplace_back(physics::name_of(quantity));
     job.max_failed_share = section.number("max_failed_share");
 }
@@ -150,11 +101,11 @@ Job read_job(const std::filesystem::path& file, input::InputFiles& files) {
     const std::string name = file.string();
     const schema::Node tree = schema::parse_document(job.text, name);
     const schema::Section root(tree, "job", name);
-    job.name = root.has("name") ? root.text("name") : name_of_file(file);
+    job.name = root.has("name") ? root.text("name") : file.stem().string();
     job.seed = static_cast<std::uint64_t>(root.integer("seed"));
     if (root.has("simulator"))
-        job.simulator = external::make_command_simulator(
-            read_simulator(root.table("simulator", "simulator"), files, job.name));
+        job.simulator = external::make_command_simulator(description::read_simulator(
+            root.table("simulator", "simulator"), files, job.name));
     job.studies = read_studies(root, files, job.seed, job.simulator);
     read_output(root, job);
     if (root.has("stock")) {
@@ -167,8 +118,8 @@ Job read_job(const std::filesystem::path& file, input::InputFiles& files) {
     } else if (root.has("buildings"))
         read_building_files(root, files, job);
     else if (needs_building(job) || root.has("zone"))
-        add_case(job, read_case({root, std::nullopt}, files), root);
-    input::check_shared_meters(job.buildings);
+        add_case(job, description::read_case({root, std::nullopt}, files), root);
+    checks::check_shared_meters(job.buildings);
     check_studies_of(root, job);
     schema::check_all_used(tree, name);
     job.inputs = files.log();

@@ -4,8 +4,8 @@
 /// A line that cannot be used keeps its complaint. Data are read by the worker alone.
 #include "base/error.hpp"
 #include "base/hash.hpp"
-#include "job/building_readers.hpp"
-#include "job/result_names.hpp"
+#include "description/building_readers.hpp"
+#include "description/result_names.hpp"
 #include "job/stock.hpp"
 #include "job/stock_description.hpp"
 #include "job/studies.hpp"
@@ -39,7 +39,8 @@ void check_names(std::vector<StockLine>& lines) {
         else if (found == "stock")
             line.complaint = "the name \"stock\" is taken by the result";
         else
-            line.complaint = refusal_of_name(Named::building, found);
+            line.complaint =
+                description::refusal_of_name(description::Named::building, found);
         if (line.complaint.empty() && !known.insert(found).second)
             line.complaint = fmt::format("another line has the name \"{}\"", found);
         if (!line.complaint.empty()) line.name = fmt::format("line {}", line.line);
@@ -148,7 +149,7 @@ std::uint64_t seed_of(std::uint64_t seed, const std::string& name) {
 
 void add_building(const schema::Section& own, const schema::Section& root,
                   const StockLine& line, input::InputFiles& files, Job& job) {
-    study::Case building = read_case({own, root}, files);
+    study::Case building = description::read_case({own, root}, files);
     building.name = building.building.name = line.name;
     job.buildings.push_back(std::move(building));
 }
@@ -184,7 +185,7 @@ std::string Stock::hash_of(const StockLine& line) const {
 std::shared_ptr<Stock> read_stock(const schema::Section& section,
                                   input::InputFiles& files) {
     auto stock = std::make_shared<Stock>();
-    stock->weathers = std::make_shared<WeatherMemory>();
+    stock->weathers = std::make_shared<description::WeatherMemory>();
     if (section.has("table") == section.has("folder"))
         section.fail("table", "expected either table or folder");
     const bool is_folder = section.has("folder");

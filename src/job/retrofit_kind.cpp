@@ -3,9 +3,9 @@
 /// Follows from targets as of parameters; insulation is thickness over conductivity.
 /// Numbers set by links or layers are refused. Ranges are checked as described here, and
 /// for each point in `scenario`. Costs are left out.
+#include "description/words.hpp"
 #include "job/kind.hpp"
 #include "job/kinds.hpp"
-#include "job/words.hpp"
 #include "physics/derived.hpp"
 #include "retrofit/retrofit.hpp"
 
@@ -73,7 +73,7 @@ const Way& way_of(const schema::Section& section) {
 ScenarioChange read_change(const schema::Section& section, const study::Case& building) {
     ScenarioChange change;
     for (const std::string& path : section.texts("target"))
-        for (const physics::Target& target : at_key(section, "target", [&] {
+        for (const physics::Target& target : description::at_key(section, "target", [&] {
                  return physics::resolve(building.building, path);
              }))
             change.targets.push_back(target);
@@ -156,8 +156,8 @@ std::string stage_of(const StudyPlace& place, const study::Case& building) {
 int profile_of(const schema::Section& section, const study::Case& building) {
     if (!section.has("occupied")) return -1;
     const std::string name = section.text("occupied");
-    const std::vector<std::string> names = names_of(building.profiles);
-    check_word(section, "occupied", name, names, "schedule");
+    const std::vector<std::string> names = description::names_of(building.profiles);
+    description::check_word(section, "occupied", name, names, "schedule");
     return static_cast<int>(std::ranges::find(names, name) - names.begin());
 }
 

@@ -2,8 +2,8 @@
 /// the [simulator].
 /// Source: paper 1, step 1.
 /// Indices by the hour are a kind of their own.
+#include "description/read_quantities.hpp"
 #include "job/kind.hpp"
-#include "job/read_quantities.hpp"
 #include "job/sobol_keys.hpp"
 #include "sensitivity/simulators.hpp"
 
@@ -35,7 +35,7 @@ void read(const StudySource& source, StudySpec& study) {
     made.options.seed = source.seed;
     read_design(source.section, made.options);
     read_indices(source.section, made.options);
-    made.quantities = read_quantities(source.section, "quantities");
+    made.quantities = description::read_quantities(source.section, "quantities");
     if (made.quantities.empty()) made.quantities = {Quantity::heating, Quantity::cooling};
     study.period = source.section.text("period");
     study.options = std::move(made);

@@ -4,10 +4,10 @@
 /// A stage has one objective, so NSGA-II is no method here. Rules among stages are
 /// checked by `make_staged`.
 #include "calibration/staged.hpp"
+#include "description/result_names.hpp"
+#include "description/words.hpp"
 #include "job/fit_keys.hpp"
 #include "job/kind.hpp"
-#include "job/result_names.hpp"
-#include "job/words.hpp"
 
 #include <algorithm>
 
@@ -152,7 +152,7 @@ calibration::CalibrationStage read_stage(const schema::Section& stage,
                                          double independent_hours) {
     calibration::CalibrationStage read;
     read.name = stage.text("name");
-    check_name(stage, "name", Named::study, read.name);
+    description::check_name(stage, "name", description::Named::study, read.name);
     if (read.name == calibration::initial_values || read.name == calibration::all_at_once)
         stage.fail_value("name", "stands for something else; expected another name");
     read.from = stage.has("from") ? stage.text("from") : before;
@@ -202,16 +202,18 @@ void check_set(const schema::Section& stage, const calibration::CalibrationStage
 void check_words(const schema::Section& section, const char* key,
                  const std::vector<std::string>& words,
                  const std::vector<std::string>& names, const std::string& what) {
-    for (const std::string& word : words) check_word(section, key, word, names, what);
+    for (const std::string& word : words)
+        description::check_word(section, key, word, names, what);
 }
 
 void check_stage(const schema::Section& stage, const calibration::CalibrationStage& read,
                  const study::Case& building) {
-    check_words(stage, "periods", read.periods, names_of(building.periods),
+    check_words(stage, "periods", read.periods, description::names_of(building.periods),
                 "period of " + building.name);
-    check_words(stage, "parameters", read.parameters, names_of(building.parameters),
+    check_words(stage, "parameters", read.parameters,
+                description::names_of(building.parameters),
                 "parameter of " + building.name);
-    check_words(stage, "meters", read.fit.meters, names_of(building.meters),
+    check_words(stage, "meters", read.fit.meters, description::names_of(building.meters),
                 "meter of " + building.name);
     check_ranges(stage, read, building);
     check_set(stage, read, building);
@@ -266,9 +268,11 @@ void check_building(const schema::Section& section, const StagedOptions& options
     for (const schema::Section& validation :
          section.tables("validation", "study.validation"))
         check_words(validation, "period", {validation.text("period")},
-                    names_of(building.periods), "period of " + building.name);
-    at_key(section, "kind",
-           [&] { return calibration::make_staged("checked", building, options); });
+                    description::names_of(building.periods),
+                    "period of " + building.name);
+    description::at_key(section, "kind", [&] {
+        return calibration::make_staged("checked", building, options);
+    });
 }
 
 void check(const StudyPlace& place, StudySpec& study) {

@@ -8,8 +8,8 @@
 /// (stock_description.hpp). Sections that it leaves out are the job's.
 #pragma once
 
+#include "description/weather_memory.hpp"
 #include "job/job.hpp"
-#include "job/weather_memory.hpp"
 #include "schema/section.hpp"
 
 #include <memory>
@@ -49,7 +49,7 @@ class Stock {
     std::string template_text;
     std::vector<StockLine> lines;
     StockOptions options;
-    std::shared_ptr<WeatherMemory> weathers;
+    std::shared_ptr<description::WeatherMemory> weathers;
 
     /// What the line and its template say, before any data are read.
     std::string hash_of(const StockLine& line) const;

@@ -6,8 +6,8 @@
 #include "job/stock_description.hpp"
 
 #include "base/machine.hpp"
+#include "description/timed_csv.hpp"
 #include "input/stock_readings.hpp"
-#include "job/timed_csv.hpp"
 #include "physics/calendar.hpp"
 
 #include <algorithm>
@@ -208,11 +208,11 @@ class Writer {
             {section.text("from"), section.text("to"), section.text("estimated")},
             interval};
         const bool is_long = interval > physics::Interval::hourly;
-        const OpenOptions options{
+        const description::OpenOptions options{
             is_long ? 31 * 86400 : 3600, false,           column, is_long,
             columns.bills.from,          columns.bills.to};
-        const TimedCsv source = open_csv(section, "file", section.text("file"), files_,
-                                         physics::Site{}, options);
+        const description::TimedCsv source = description::open_csv(
+            section, "file", section.text("file"), files_, physics::Site{}, options);
         const input::Csv& csv = *source.csv;
         return input::look_at(
             {csv, source.stamps, source.rules,

@@ -4,8 +4,8 @@
 /// What one kind needs beside that is in the kind's own file.
 #include "job/studies.hpp"
 
+#include "description/result_names.hpp"
 #include "job/kinds.hpp"
-#include "job/result_names.hpp"
 
 #include <algorithm>
 
@@ -20,7 +20,7 @@ StudySpec read_study(const Kind& kind, const StudySource& source) {
     StudySpec study;
     study.kind = &kind;
     study.name = section.has("name") ? section.text("name") : kind.word;
-    check_name(section, "name", Named::study, study.name);
+    description::check_name(section, "name", description::Named::study, study.name);
     kind.read(source, study);
     return study;
 }
@@ -60,7 +60,7 @@ void check_simulator(const schema::Section& section, const StudySpec& study) {
             "kind",
             "needs a building, and the job has a [simulator] in its place; expected " +
                 words_of_kinds([](const Kind& kind) { return kind.takes_simulator; }));
-    check_name(section, "name", Named::building, study.name);
+    description::check_name(section, "name", description::Named::building, study.name);
     for (const char* key : {"period", "quantities"})
         if (section.has(key))
             section.fail(key,

@@ -5,9 +5,9 @@
 /// Errors are computed by the grid or the optimisation.
 #include "job/targets.hpp"
 
+#include "description/words.hpp"
 #include "input/suggest.hpp"
 #include "input/units.hpp"
-#include "job/words.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -160,7 +160,7 @@ std::vector<GridTarget> targets_of(const TargetSpecs& specs, const study::Case& 
 
 std::vector<GridTarget> targets_of(const TargetSpecs& specs,
                                    const study::Simulator& simulator) {
-    const std::vector<std::string> names = names_of(simulator.outputs());
+    const std::vector<std::string> names = description::names_of(simulator.outputs());
     if (specs.empty())
         throw std::invalid_argument(
             "the targets of a [simulator] are missing; expected a [[study.target]] with "
@@ -199,8 +199,9 @@ std::shared_ptr<const study::Simulator> target_simulator(const TargetSpecs& spec
 void check_targets(const schema::Section& study, const TargetSpecs& specs,
                    const std::string& period, const std::vector<study::Case>& buildings) {
     for (const study::Case& building : buildings)
-        at_key(study, key_of_targets(study),
-               [&] { targets_of(specs, building, period_of(building, period)); });
+        description::at_key(study, key_of_targets(study), [&] {
+            targets_of(specs, building, period_of(building, period));
+        });
     for (const schema::Section& target : study.tables("target", target_section))
         if (target.has("output"))
             target.fail("output",
@@ -210,7 +211,8 @@ void check_targets(const schema::Section& study, const TargetSpecs& specs,
 
 void check_targets(const schema::Section& study, const TargetSpecs& specs,
                    const study::Simulator& simulator) {
-    at_key(study, key_of_targets(study), [&] { targets_of(specs, simulator); });
+    description::at_key(study, key_of_targets(study),
+                        [&] { targets_of(specs, simulator); });
 }
 
 }  // namespace bemcal::job

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/error.hpp"
-#include "input/checks.hpp"
+#include "checks/series.hpp"
 #include "input/csv_numbers.hpp"
 #include "input/epw.hpp"
 #include "input/input_files.hpp"
@@ -109,7 +109,7 @@ inline void try_csv(const std::string& text) {
             for (std::size_t column = 1; column < csv.columns.size(); ++column) {
                 input::RegularSeries series =
                     input::lay(csv, stamps, input::numbers_in(csv, column));
-                input::check_series(series, physics::Quantity::electricity, {});
+                checks::check_series(series, physics::Quantity::electricity, {});
                 input::fill_gaps(series.values, 3);
             }
         } catch (const UserError&) {

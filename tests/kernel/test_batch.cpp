@@ -53,8 +53,7 @@ kernel::Readings readings_for(const RandomCase& made, Quantity quantity,
 Intervals bills_of(const RandomCase& made) {
     Intervals bills(Interval::monthly);
     for (const int day : {1, 10, 30})
-        bills.bounds.push_back(made.drive.period().start +
-                               std::chrono::days(day));
+        bills.bounds.push_back(made.drive.period().start + std::chrono::days(day));
     return bills;
 }
 

@@ -170,8 +170,7 @@ void expect_plain_readings(const RandomCase& made, unsigned seed) {
         const auto [quantity, interval] = response.channels()[c];
         expect_near(readings_of(response, *run, c, 0),
                     aggregate(predict(building, made.drive, trajectory, quantity),
-                              interval_bounds(made.drive.period(), interval),
-                              quantity));
+                              interval_bounds(made.drive.period(), interval), quantity));
     }
 }
 

@@ -1,4 +1,4 @@
-#include "job/result_names.hpp"
+#include "description/result_names.hpp"
 #include "store/dataset_path.hpp"
 #include "store/layout.hpp"
 
@@ -47,22 +47,26 @@ TEST(Layout, NoPeriodMayBeCalledAsWhatAScreeningStores) {
         for (auto row = first; row <= last; ++row) {
             std::istringstream names(std::string(row->leaf) + " " + row->dims);
             for (std::string name; names >> name;)
-                EXPECT_NE(job::refusal_of_name(job::Named::period, name), "") << name;
+                EXPECT_NE(description::refusal_of_name(description::Named::period, name),
+                          "")
+                    << name;
         }
     };
     check(at("parameter"), at("failed_reason"));
     check(at("meter"), at("n_points"));
     check(at("unknown"), at("data_words"));
     check(at("channel"), at("misfit"));
-    EXPECT_EQ(job::refusal_of_name(job::Named::period, "heating"), "");
+    EXPECT_EQ(description::refusal_of_name(description::Named::period, "heating"), "");
 }
 
 TEST(Layout, NoPeriodOrBuildingMayBeCalledAsAGroupOfAPosterior) {
     for (const LayoutRow& row : layout()) {
         const std::string group = group_of(row.leaf);
         if (group.empty()) continue;
-        EXPECT_NE(job::refusal_of_name(job::Named::period, group), "") << group;
-        EXPECT_NE(job::refusal_of_name(job::Named::building, group), "") << group;
+        EXPECT_NE(description::refusal_of_name(description::Named::period, group), "")
+            << group;
+        EXPECT_NE(description::refusal_of_name(description::Named::building, group), "")
+            << group;
     }
 }
 

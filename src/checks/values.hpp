@@ -1,0 +1,37 @@
+/// Readings of a meter that are none by their value, masked or asked about; every finding
+/// becomes a line of the decisions.
+#pragma once
+
+#include "checks/series.hpp"
+
+#include <optional>
+
+namespace bemcal::checks {
+
+/// What only the job can answer.
+struct Question {
+    int at = 0;  ///< the step that shows it
+    std::string text;
+};
+
+/// Codes for missing (-9999, 65535), in the readings as they stand in the file; masked.
+std::vector<Finding> mask_codes(input::RegularSeries& series, physics::Quantity quantity);
+
+/// Whether the readings of an energy are a register's, which counts on.
+std::optional<Question> doubt_of_register(const input::RegularSeries& series,
+                                          physics::Quantity quantity);
+
+/// The use of each step, from a register's counts at the beginnings of the steps.
+std::vector<Finding> take_differences(input::RegularSeries& series);
+
+/// Spikes; masked.
+std::vector<Finding> mask_spikes(input::RegularSeries& series,
+                                 physics::Quantity quantity);
+
+/// An energy below 0: offsets become 0, single hours are masked, more is asked about.
+/// Every one is kept or masked where the job says so.
+std::vector<Finding> check_negative(input::RegularSeries& series,
+                                    physics::Quantity quantity, Handling handling,
+                                    std::optional<Question>& question);
+
+}  // namespace bemcal::checks

@@ -1,0 +1,73 @@
+/// The readers of a building's sections: each turns sections into a plain struct of
+/// physics/ or study/, and says where a mistake stands.
+#pragma once
+
+#include "description/words.hpp"
+#include "input/input_files.hpp"
+#include "schema/section.hpp"
+#include "study/case.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace bemcal::description {
+
+/// A building's file and the job's: a section that the first leaves out is taken from the
+/// second.
+struct Sources {
+    schema::Section own;
+    std::optional<schema::Section> shared;
+    const schema::Section& with(std::string_view key) const {
+        return own.has(key) || !shared ? own : *shared;
+    }
+    bool has(std::string_view key) const { return with(key).has(key); }
+};
+
+/// A whole building; throws UserError.
+study::Case read_case(const Sources& sources, input::InputFiles& files);
+
+/// Site, sky and weather, cut to the periods and their warm-up, which must be known
+/// already.
+void read_weather(const Sources& sources, input::InputFiles& files,
+                  study::Case& building);
+
+/// "training" first, the others in the order of the file.
+std::vector<study::Period> read_periods(const Sources& sources);
+
+/// [from, to); a last day without an hour is included. Throws UserError at `key`.
+study::Period read_range(const schema::Section& section, std::string_view key,
+                         const std::string& from, const std::string& to);
+/// The same of "from/to", or of one day.
+study::Period read_slashed_range(const schema::Section& section, std::string_view key,
+                                 const std::string& text);
+
+/// Schedules, then series: the rows that `Input::profile` counts.
+std::vector<physics::Profile> read_profiles(const Sources& sources,
+                                            input::InputFiles& files,
+                                            const physics::Site& site,
+                                            std::vector<study::DataDecision>& decisions);
+
+/// The series among them, with their units.
+std::vector<study::Column> read_columns(const Sources& sources);
+
+physics::Building read_building(const Sources& sources,
+                                const std::vector<physics::Profile>& profiles);
+
+/// [[link]], into the building, and all that follows from its numbers.
+void read_links(const Sources& sources, physics::Building& building);
+/// Throws UserError at `key` where a linked number leaves its range.
+void check_linked(const schema::Section& section, const char* key,
+                  const physics::Building& building);
+
+/// Throws UserError (config) where the building is outside the method: H_tr,op >=
+/// H_tr,ms, an area that is not positive, heating above cooling set-points in an hour of
+/// the periods.
+void check_building(const Sources& sources, const study::Case& building);
+
+/// Parameters and their priors, into the case.
+void read_parameters(const Sources& sources, study::Case& building);
+
+/// Readings, corrected as the job says; findings and what was done go to case.decisions.
+void read_meters(const Sources& sources, input::InputFiles& files, study::Case& building);
+
+}  // namespace bemcal::description

@@ -1,0 +1,158 @@
+/// Reads [[parameter]]: uncertain numbers of the building, their ranges, and the numbers
+/// that they replace, multiply or shift.
+/// Follows from `fields()`: both ends of a range must keep every number within its
+/// limits, linked ones too.
+/// What links do between the two ends is not looked at. Priors are in `read_prior`.
+#include "description/building_readers.hpp"
+#include "description/read_prior.hpp"
+#include "physics/derived.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace bemcal::description {
+
+namespace {
+
+using physics::Building;
+using physics::Effect;
+using physics::Field;
+using physics::Parameter;
+using physics::Target;
+
+void read_targets(const schema::Section& section, const Building& building,
+                  Parameter& parameter) {
+    const std::vector<std::string> paths = section.texts("target");
+    if (paths.empty()) section.fail("target", "is empty; expected the path of a number");
+    for (const std::string& path : paths) {
+        const std::vector<Target> found =
+            at_key(section, "target", [&] { return physics::resolve(building, path); });
+        parameter.targets.insert(parameter.targets.end(), found.begin(), found.end());
+    }
+    for (const Target& target : parameter.targets)
+        if (physics::is_derived(building, target))
+            section.fail("target",
+                         fmt::format("{} follows from others, by a [[link]] or from "
+                                     "layers; expected one of those in its place",
+                                     field_of(target).key));
+    for (const Target& target : parameter.targets)
+        if (std::string_view(field_of(target).unit) !=
+            std::string_view(field_of(parameter.targets[0]).unit))
+            section.fail(
+                "target",
+                fmt::format("links numbers in {} and in {}; expected one unit",
+                            field_of(parameter.targets[0]).unit, field_of(target).unit));
+}
+
+/// What a number of the building becomes at `value`.
+double effect_of(const Parameter& parameter, double nominal, double value) {
+    if (parameter.effect == Effect::factor) return nominal * value;
+    return parameter.effect == Effect::offset ? nominal + value : value;
+}
+
+/// Min and max, or the first and last of its values.
+void read_range(const schema::Section& section, Parameter& parameter) {
+    if (section.has("values")) {
+        const std::vector<double> values = read_values(section);
+        parameter.least = values.front();
+        parameter.most = values.back();
+        return;
+    }
+    for (const char* key : {"min", "max"}) section.node(key);
+    parameter.least = section.number("min");
+    parameter.most = section.number("max");
+    if (parameter.least >= parameter.most)
+        section.fail("min", fmt::format("is {:g}, but max = {:g}; expected min < max",
+                                        parameter.least, parameter.most));
+}
+
+/// One end of the range, which a key says.
+void check_end(const schema::Section& section, const char* key, const Building& building,
+               const Parameter& parameter, double end) {
+    for (const Target& target : parameter.targets) {
+        const Field& field = field_of(target);
+        const double value =
+            effect_of(parameter, physics::number_at(building, target), end);
+        if (value >= field.least && value <= field.most) continue;
+        section.fail_value(
+            key, fmt::format("makes {} = {:g}: expected {:g} to {:g} {} ({})", field.key,
+                             value, field.least, field.most, field.unit, field.sentence));
+    }
+}
+
+void check_range(const schema::Section& section, const Building& building,
+                 const Parameter& parameter) {
+    const bool has_values = section.has("values");
+    check_end(section, has_values ? "values" : "min", building, parameter,
+              parameter.least);
+    check_end(section, has_values ? "values" : "max", building, parameter,
+              parameter.most);
+}
+
+/// What follows from the parameter stays within its ranges, too.
+void check_links(const schema::Section& section, const Building& building,
+                 const Parameter& parameter) {
+    Building changed = building;
+    const bool has_values = section.has("values");
+    for (const double end : {parameter.least, parameter.most}) {
+        physics::apply(building, {&parameter, 1}, {&end, 1}, changed);
+        const char* key = has_values ? "values" : end == parameter.least ? "min" : "max";
+        check_linked(section, key, changed);
+    }
+}
+
+/// A factor has none, and a shift of a temperature is a difference.
+std::string unit_of(const Parameter& parameter) {
+    if (parameter.effect == Effect::factor) return "-";
+    const std::string unit = field_of(parameter.targets[0]).unit;
+    return parameter.effect == Effect::offset && unit == "degC" ? "K" : unit;
+}
+
+double nominal_of(const Building& building, const Parameter& parameter) {
+    if (parameter.effect == Effect::factor) return 1;
+    if (parameter.effect == Effect::offset) return 0;
+    return physics::number_at(building, parameter.targets[0]);
+}
+
+/// Two parameters that write to the same place: the later one would undo the earlier.
+void check_overlap(const schema::Section& section, const std::vector<Parameter>& before,
+                   const Parameter& parameter) {
+    for (const Parameter& other : before) {
+        if (other.name == parameter.name)
+            section.fail_value("name", "another parameter has this name");
+        for (const Target& a : other.targets)
+            for (const Target& b : parameter.targets)
+                if (physics::is_same_number(a, b))
+                    section.fail("target",
+                                 fmt::format("sets the same {} as the parameter {}",
+                                             field_of(b).key, other.name));
+    }
+}
+
+Parameter read_parameter(const schema::Section& section, const Building& building) {
+    Parameter parameter;
+    parameter.name = section.text("name");
+    parameter.effect = section.choice_as<Effect>("mode");
+    read_range(section, parameter);
+    read_targets(section, building, parameter);
+    check_range(section, building, parameter);
+    check_links(section, building, parameter);
+    parameter.unit = unit_of(parameter);
+    parameter.nominal = nominal_of(building, parameter);
+    return parameter;
+}
+
+}  // namespace
+
+void read_parameters(const Sources& sources, study::Case& building) {
+    for (const schema::Section& section :
+         sources.with("parameter").tables("parameter", "parameter")) {
+        Parameter parameter = read_parameter(section, building.building);
+        check_overlap(section, building.parameters, parameter);
+        building.priors.push_back(read_prior(section, parameter));
+        building.parameters.push_back(std::move(parameter));
+    }
+}
+
+}  // namespace bemcal::description

@@ -1,0 +1,187 @@
+/// Reads [[schedule]], [[series]] and the holidays into profiles: hours of a week,
+/// periods of a year, a register of days, a CSV column. The more exact key of a day wins.
+/// Follows from the schema; the register is paper 2's class register.
+/// Schedules are evaluated by `values_of`. Gaps in a period are found by
+/// `check_building`.
+#include "base/error.hpp"
+#include "description/building_readers.hpp"
+#include "description/timed_csv.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace bemcal::description {
+
+namespace {
+
+using physics::Day;
+
+Day read_day(const schema::Section& section, const char* key) {
+    const schema::Node& value = section.node(key);
+    const schema::Key& row = *schema::find_key(section.schema(), key);
+    const std::string where = section.where(key);
+    Day day{};
+    if (value.kind == schema::Node::Kind::number) {
+        day.fill(schema::checked_number(value, row, where));
+        return day;
+    }
+    if (value.kind != schema::Node::Kind::array || value.entries.size() != day.size())
+        section.fail(key, fmt::format("has {} values; expected {}", value.entries.size(),
+                                      schema::expectation(row)));
+    for (std::size_t hour = 0; hour < day.size(); ++hour)
+        day[hour] = schema::checked_number(value.entries[hour].node, row, where);
+    return day;
+}
+
+struct DayKey {
+    const char* key;
+    int first, last;  ///< weekdays, 0 = Monday
+};
+/// The more exact key stands later and wins.
+constexpr DayKey day_keys[] = {
+    {"every_day", 0, 6}, {"weekdays", 0, 4},  {"weekend", 5, 6},  {"monday", 0, 0},
+    {"tuesday", 1, 1},   {"wednesday", 2, 2}, {"thursday", 3, 3}, {"friday", 4, 4},
+    {"saturday", 5, 5},  {"sunday", 6, 6}};
+
+std::array<Day, 7> read_week(const schema::Section& section) {
+    constexpr const char* names[] = {"monday", "tuesday",  "wednesday", "thursday",
+                                     "friday", "saturday", "sunday"};
+    std::array<Day, 7> week{};
+    std::array<bool, 7> known{};
+    for (const DayKey& key : day_keys) {
+        if (!section.has(key.key)) continue;
+        const Day day = read_day(section, key.key);
+        for (int d = key.first; d <= key.last; ++d) {
+            week[static_cast<std::size_t>(d)] = day;
+            known[static_cast<std::size_t>(d)] = true;
+        }
+    }
+    for (std::size_t d = 0; d < week.size(); ++d)
+        if (!known[d])
+            section.fail(
+                "", fmt::format("has no values for {}; give {}, weekdays, weekend or "
+                                "every_day",
+                                names[d], names[d]));
+    return week;
+}
+
+std::vector<physics::DateRange> read_dates(const schema::Section& section,
+                                           const char* key) {
+    std::vector<physics::DateRange> ranges;
+    for (const std::string& text : section.texts(key))
+        ranges.push_back(
+            at_key(section, key, [&] { return physics::parse_date_range(text); }));
+    return ranges;
+}
+
+/// The days of a register with their numbers; a day may stand in it once.
+std::map<std::chrono::sys_days, double> read_register(const schema::Section& section,
+                                                      input::InputFiles& files) {
+    const input::Csv& csv =
+        files.csv(section.path(section.text("register")), section.where("register"));
+    const std::size_t column = csv.column(section.text("register_column"));
+    std::map<std::chrono::sys_days, double> days;
+    for (std::size_t row = 0; row < csv.n_rows(); ++row) {
+        const std::string date(csv.cell(row, 0)),
+            where = fmt::format("{}:{}", csv.file, csv.lines[row]);
+        const double number = input::number_in(csv, row, column);
+        if (!(number >= 0))
+            throw UserError(ExitCode::data,
+                            where + ": expected a number of persons, 0 or more");
+        try {
+            const auto day =
+                std::chrono::floor<std::chrono::days>(physics::parse_time(date));
+            if (!days.emplace(day, number).second)
+                throw UserError(ExitCode::data, fmt::format("{}: {} stands there twice; "
+                                                            "expected one row a day",
+                                                            where, date));
+        } catch (const std::invalid_argument& error) {
+            throw UserError(ExitCode::data, fmt::format("{}: {}", where, error.what()));
+        }
+    }
+    return days;
+}
+
+physics::Profile read_schedule(const schema::Section& section,
+                               const std::vector<physics::DateRange>& holidays,
+                               input::InputFiles& files) {
+    physics::Profile profile;
+    physics::Schedule& schedule = profile.schedule;
+    profile.name = schedule.name = section.text("name");
+    schedule.week = read_week(section);
+    schedule.holiday =
+        section.has("holiday") ? read_day(section, "holiday") : schedule.week[6];
+    schedule.holidays =
+        section.has("holidays") ? read_dates(section, "holidays") : holidays;
+    schedule.summer_time = section.choice("summer_time");
+    if (section.has("register"))
+        schedule.days = read_register(section, files);
+    else if (section.has("register_column"))
+        section.fail("register_column", "has no effect without register");
+    for (const schema::Section& part : section.tables("period", "schedule.period"))
+        schedule.periods.push_back(
+            {at_key(part, "dates",
+                    [&] { return physics::parse_date_range(part.text("dates")); }),
+             read_week(part)});
+    return profile;
+}
+
+physics::Profile read_series(const schema::Section& section, input::InputFiles& files,
+                             const physics::Site& site,
+                             std::vector<study::DataDecision>& decisions) {
+    const TimedCsv source = open_csv(section, "file", section.text("file"), files, site);
+    note_stamps(source, section.text("name"), decisions);
+    state_lines(source, decisions);
+    const input::RegularSeries series = series_of(source, section.text("column"));
+    physics::Profile profile;
+    profile.name = section.text("name");
+    profile.is_series = true;
+    profile.axis = series.axis;
+    profile.values = series.values;
+    const double factor = section.number("factor"), offset = section.number("offset");
+    for (double& value : profile.values) value = value * factor + offset;
+    input::fill_gaps(profile.values, static_cast<int>(section.integer("fill_gaps") *
+                                                      3600 / series.axis.step_s));
+    return profile;
+}
+
+void add(std::vector<physics::Profile>& profiles, physics::Profile profile,
+         const schema::Section& section) {
+    for (const physics::Profile& other : profiles)
+        if (other.name == profile.name)
+            section.fail_value("name", "another schedule or series has this name");
+    profiles.push_back(std::move(profile));
+}
+
+}  // namespace
+
+std::vector<physics::Profile> read_profiles(const Sources& sources,
+                                            input::InputFiles& files,
+                                            const physics::Site& site,
+                                            std::vector<study::DataDecision>& decisions) {
+    const std::vector<physics::DateRange> holidays =
+        read_dates(sources.with("holidays"), "holidays");
+    std::vector<physics::Profile> profiles;
+    for (const schema::Section& section :
+         sources.with("schedule").tables("schedule", "schedule"))
+        add(profiles, read_schedule(section, holidays, files), section);
+    for (const schema::Section& section :
+         sources.with("series").tables("series", "series"))
+        add(profiles, read_series(section, files, site, decisions), section);
+    return profiles;
+}
+
+std::vector<study::Column> read_columns(const Sources& sources) {
+    std::vector<study::Column> columns;
+    for (const schema::Section& section :
+         sources.with("series").tables("series", "series"))
+        columns.push_back({section.text("name"),
+                           section.has("unit") ? section.text("unit") : std::string()});
+    return columns;
+}
+
+}  // namespace bemcal::description

@@ -1,0 +1,240 @@
+/// Reads [simulator], another program in place of a building: command, templates, files,
+/// parameters, rules for outputs. Each parameter must have a place in a template or the
+/// command.
+/// Follows from paper 3's tool, which runs EnergyPlus once per point.
+/// It is run by `command_simulator`. Whether outputs appear only a run shows.
+#include "description/read_simulator.hpp"
+
+#include "description/result_names.hpp"
+#include "description/words.hpp"
+#include "external/process.hpp"
+#include "input/suggest.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace bemcal::description {
+
+namespace {
+
+namespace fs = std::filesystem;
+using external::CommandOptions;
+using external::OutputRule;
+using external::Take;
+
+/// As a template writes it between two @.
+bool is_plain_name(const std::string& name) {
+    const auto is_letter = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    };
+    return is_letter(name[0]) && std::ranges::all_of(name, [&](char c) {
+               return is_letter(c) || (c >= '0' && c <= '9') || c == '_';
+           });
+}
+
+/// Names of one kind, each once.
+void add_name(const schema::Section& section, const std::string& name,
+              std::set<std::string>& names) {
+    if (!names.insert(name).second)
+        section.fail_value("name", "stands twice; expected another name");
+}
+
+std::vector<physics::Parameter> read_parameters(const schema::Section& simulator) {
+    std::vector<physics::Parameter> parameters;
+    std::set<std::string> names;
+    for (const schema::Section& section :
+         simulator.tables("parameter", "simulator.parameter")) {
+        physics::Parameter made;
+        made.name = section.text("name");
+        add_name(section, made.name, names);
+        if (!is_plain_name(made.name))
+            section.fail_value("name",
+                               "expected a letter, then letters, digits and underscores, "
+                               "so that it can stand in a template");
+        check_name(section, "name", Named::meter, made.name);
+        made.unit = section.text("unit");
+        made.least = section.number("min");
+        made.most = section.number("max");
+        if (made.least >= made.most)
+            section.fail("min", fmt::format("is {:g}, but max = {:g}; expected min < max",
+                                            made.least, made.most));
+        made.nominal = (made.least + made.most) / 2;
+        section.number_if("nominal", made.nominal);
+        parameters.push_back(std::move(made));
+    }
+    if (parameters.empty())
+        simulator.fail("parameter",
+                       "is missing; expected sections [[simulator.parameter]]");
+    return parameters;
+}
+
+void read_take(const schema::Section& section, OutputRule& rule) {
+    if (!section.has("row")) {
+        rule.take = section.choice_as<Take>("take");
+        return;
+    }
+    rule.take = Take::row;
+    rule.row = static_cast<int>(section.integer("row"));
+}
+
+OutputRule read_output(const schema::Section& section) {
+    OutputRule rule;
+    rule.name = section.text("name");
+    rule.unit = section.text("unit");
+    rule.file = section.has("file") ? section.text("file") : external::standard_output;
+    if (section.has("column") == section.has("pattern"))
+        section.fail(section.has("column") ? "column" : "name",
+                     "expected either column, of a CSV file, or pattern, a regular "
+                     "expression");
+    if (section.has("column")) {
+        rule.column = section.text("column");
+        rule.header_line = static_cast<int>(section.integer("header"));
+        rule.skipped = static_cast<int>(section.integer("skip"));
+    } else {
+        rule.pattern = section.text("pattern");
+        at_key(section, "pattern", [&] { external::check_pattern(rule.pattern); });
+    }
+    read_take(section, rule);
+    rule.factor = section.number("factor");
+    rule.offset = section.number("offset");
+    return rule;
+}
+
+std::vector<OutputRule> read_outputs(const schema::Section& simulator) {
+    std::vector<OutputRule> outputs;
+    std::set<std::string> names;
+    for (const schema::Section& section :
+         simulator.tables("output", "simulator.output")) {
+        outputs.push_back(read_output(section));
+        add_name(section, outputs.back().name, names);
+    }
+    if (outputs.empty())
+        simulator.fail("output", "is missing; expected sections [[simulator.output]]");
+    return outputs;
+}
+
+/// "house.idf.in" and "house.template.idf" are templates of "house.idf".
+std::string name_of_filled(const fs::path& file) {
+    std::string name = file.filename().string();
+    for (const std::string ending : {".in", ".template"})
+        if (name.ends_with(ending) && name.size() > ending.size())
+            return name.substr(0, name.size() - ending.size());
+    return name;
+}
+
+/// The names that already stand for a file in a point's folder.
+class Folder {
+  public:
+    void add(const schema::Section& section, std::string_view key,
+             const std::string& name) {
+        if (name.find('/') != std::string::npos)
+            section.fail(key, fmt::format("\"{}\" has a slash; expected the name of a "
+                                          "file in the folder of a point",
+                                          name));
+        if (!names_.insert(name).second)
+            section.fail(key, fmt::format("a second file would be called \"{}\" in the "
+                                          "folder of a point; expected another name",
+                                          name));
+    }
+
+  private:
+    std::set<std::string> names_{external::standard_output, external::standard_error};
+};
+
+void read_inputs(const schema::Section& simulator, input::InputFiles& files,
+                 CommandOptions& options) {
+    const std::vector<std::string> names = names_of(options.parameters);
+    Folder folder;
+    for (const schema::Section& section :
+         simulator.tables("template", "simulator.template")) {
+        const fs::path path = section.path(section.text("file"));
+        const std::string name =
+            section.has("as") ? section.text("as") : name_of_filled(path);
+        folder.add(section, section.has("as") ? "as" : "file", name);
+        options.inputs.push_back(
+            {name, external::TextTemplate(files.text(path, section.where("file")),
+                                          path.string(), names)});
+    }
+    for (const std::string& file : simulator.texts("files")) {
+        const fs::path path = simulator.path(file);
+        folder.add(simulator, "files", path.filename().string());
+        files.text(path, simulator.where("files"));
+        options.links.push_back(fs::absolute(path));
+    }
+}
+
+/// The words of the command; with a shell those that start it.
+std::vector<std::string> read_words(const schema::Section& simulator) {
+    std::vector<std::string> words = simulator.texts("command");
+    if (words.empty() || words[0].empty())
+        simulator.fail("command", "is empty; expected a program and its arguments");
+    if (!simulator.flag("shell")) return words;
+    if (words.size() > 1)
+        simulator.fail("command",
+                       "is a list, but shell = true; expected one text for the shell");
+    return {"/bin/sh", "-c", words[0]};
+}
+
+void read_command(const schema::Section& simulator, CommandOptions& options) {
+    const std::vector<std::string> words = read_words(simulator);
+    const fs::path beside = fs::path(simulator.file()).parent_path();
+    options.program = external::find_program(words[0], beside).string();
+    if (options.program.empty())
+        simulator.fail(
+            "command",
+            fmt::format("\"{}\" is no program that can be run; expected {}", words[0],
+                        words[0].find('/') == std::string::npos
+                            ? "one that is found on PATH, or a path with a slash"
+                            : "an executable file there"));
+    for (const std::string& word : words)
+        options.arguments.emplace_back(word, simulator.where("command"),
+                                       names_of(options.parameters));
+}
+
+/// What no template asks for cannot have an effect.
+void check_use(const schema::Section& simulator, const CommandOptions& options) {
+    const auto sections = simulator.tables("parameter", "simulator.parameter");
+    for (std::size_t k = 0; k < sections.size(); ++k) {
+        const bool in_input = std::ranges::any_of(
+            options.inputs, [&](const auto& input) { return input.text.uses(k); });
+        const bool in_command = std::ranges::any_of(
+            options.arguments, [&](const auto& word) { return word.uses(k); });
+        if (!in_input && !in_command)
+            sections[k].fail_value(
+                "name", fmt::format("no template uses it; expected @{}@ in one, or in "
+                                    "the command",
+                                    options.parameters[k].name));
+    }
+}
+
+/// The points' folders lie in it.
+void check_folder(const schema::Section& simulator, const fs::path& folder) {
+    std::error_code ignored;
+    if (fs::exists(folder, ignored) && !fs::is_directory(folder, ignored))
+        simulator.fail("folder",
+                       fmt::format("{} is a file; expected the name of a folder "
+                                   "for the points",
+                                   folder.string()));
+}
+
+}  // namespace
+
+CommandOptions read_simulator(const schema::Section& simulator, input::InputFiles& files,
+                              const std::string& job) {
+    CommandOptions options;
+    options.parameters = read_parameters(simulator);
+    options.outputs = read_outputs(simulator);
+    read_inputs(simulator, files, options);
+    read_command(simulator, options);
+    check_use(simulator, options);
+    options.time_limit_s = simulator.number("time_limit");
+    options.output_limit = 1e6 * simulator.number("output_limit");
+    options.keep = simulator.choice_as<external::Keep>("keep");
+    options.folder = simulator.has("folder") ? simulator.text("folder") : job + ".points";
+    check_folder(simulator, options.folder);
+    return options;
+}
+
+}  // namespace bemcal::description
