@@ -30,14 +30,15 @@ constexpr double known_codes[] = {
 /// Sensors of temperature: cut off, just switched on, at 0.
 constexpr double codes_of_temperature[] = {-127, 85, 0};
 
-constexpr double apart_again = 1.5;       ///< of a known code that is read twice or more
-constexpr double apart_once = 3;          ///< of one that is read once
-constexpr double apart_unknown = 20;      ///< of any other value: a machine of one power
-constexpr int least_unknown = 3;          ///< times that such a value is read
-constexpr int least_readings = 3;         ///< beside codes, to stand apart from
-constexpr double least_spread = 5;        ///< [K], of a temperature that hardly moves
-constexpr double usual_share = 0.001;     ///< on either side of what a temperature spans
-constexpr std::size_t enough = 50;        ///< readings above 0, to know a meter's reach
+constexpr double apart_again = 1.5;    ///< of a known code that is read twice or more
+constexpr double apart_once = 3;       ///< of one that is read once
+constexpr double apart_unknown = 20;   ///< of any other value: a machine of one power
+constexpr double most_unknown = 0.1;   ///< of the readings above 0, with all higher ones
+constexpr int least_unknown = 3;       ///< times that such a value is read
+constexpr int least_readings = 3;      ///< beside codes, to stand apart from
+constexpr double least_spread = 5;     ///< [K], of a temperature that hardly moves
+constexpr double usual_share = 0.001;  ///< on either side of what a temperature spans
+constexpr std::size_t enough = 50;     ///< readings above 0, to know a meter's reach
 constexpr double least_spike_quanta = 5;  ///< of the highest other reading
 constexpr double most_negative = 0.01;    ///< of all readings
 constexpr double most_offset = 0.01;      ///< of what the meter usually reaches
@@ -56,6 +57,7 @@ constexpr struct {
 } spikes_by_ratio[] = {{1000, 0.002}, {30, 0.001}, {3, 0.00025}};
 constexpr std::size_t few_spikes = 3;
 constexpr int longest_spike = 2;  ///< in a row
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool is_known(double value, bool temperature) {
     return std::ranges::find(known_codes, value) != std::end(known_codes) ||
@@ -113,12 +115,16 @@ class CodeSearch {
 
     /// From the lowest on, as one of them may stand below another.
     void add_unknown(std::vector<double>& codes) {
+        double below = 0, n_above = 0;
+        for (const auto& [value, n] : others_) n_above += value > 0 ? n : 0;
         for (auto it = others_.begin(); it != others_.end();) {
             const auto [value, n] = *it;
-            const bool is_code = value > 0 && n >= least_unknown &&
-                                 it != others_.begin() && std::prev(it)->first > 0 &&
+            const bool is_code = value > 0 && n >= least_unknown && below > 0 &&
+                                 n_above <= most_unknown * (below + n_above) &&
                                  is_apart(value, apart_unknown);
             if (is_code) codes.push_back(value);
+            if (value > 0) n_above -= n;
+            if (value > 0 && !is_code) below += n;
             it = is_code ? others_.erase(it) : std::next(it);
         }
     }
@@ -139,17 +145,19 @@ std::vector<double> above_zero(std::span<const double> values) {
 double least_spike(std::vector<double> heights, double quantum) {
     std::ranges::sort(heights);
     const std::size_t n = heights.size();
-    if (n >= enough)
-        for (const auto& [ratio, share] : spikes_by_ratio) {
-            const auto most = static_cast<std::size_t>(share * static_cast<double>(n));
-            for (std::size_t k = n - std::max(most, few_spikes); k < n; ++k) {
-                const double rest = heights[k - 1];
-                const bool coarse =
-                    ratio < 10 && rest < least_spike_quanta * quantum * (1 - 1e-9);
-                if (!coarse && heights[k] >= ratio * rest) return heights[k];
-            }
+    if (n < enough) return infinity;
+    double least = infinity;
+    for (const auto& [ratio, share] : spikes_by_ratio) {
+        const auto most = static_cast<std::size_t>(share * static_cast<double>(n));
+        for (std::size_t k = n - std::max(most, few_spikes); k < n; ++k) {
+            const double rest = heights[k - 1];
+            const bool coarse =
+                ratio < 10 && rest < least_spike_quanta * quantum * (1 - 1e-9);
+            if (!coarse && heights[k] >= ratio * rest)
+                least = std::min(least, heights[k]);
         }
-    return std::numeric_limits<double>::infinity();
+    }
+    return least;
 }
 
 /// Those of at least this height; none where more stand in a row than a spike has.

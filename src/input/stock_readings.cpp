@@ -5,6 +5,7 @@
 /// Leaves out gaps, and steps below 20 of the finest ones.
 #include "input/stock_readings.hpp"
 
+#include "input/data_values.hpp"
 #include "physics/calendar.hpp"
 
 #include <algorithm>
@@ -142,12 +143,21 @@ void look_at_bills(const LookRows& rows, const LookColumns& columns, ReadingsLoo
     look.last_day = day_before(bills.back().to);
 }
 
+/// Of the readings that are no codes for missing.
+double total_of(const std::vector<double>& values) {
+    double total = 0, of_codes = 0;
+    for (const double value : values)
+        if (!std::isnan(value)) total += value;
+    for (const Code& code : codes_in({values}))
+        of_codes += code.value * static_cast<double>(code.at.size());
+    return total - of_codes;
+}
+
 }  // namespace
 
 ReadingsLook look_at(const LookRows& rows, const LookColumns& columns) {
     ReadingsLook look = look_for_quantum(rows.values);
-    for (const double value : rows.values)
-        if (!std::isnan(value)) look.total += value;
+    look.total = total_of(rows.values);
     if (columns.interval < physics::Interval::monthly)
         look_at_rows(rows, look);
     else
