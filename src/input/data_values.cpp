@@ -48,7 +48,9 @@ constexpr double most_falls = 0.01;    ///< of all changes; a meter's use: about
 constexpr double most_restarts = 0.1;  ///< the same, of a register of the day
 constexpr double starts_again = 0.1;   ///< of the reading before it
 constexpr double nearly_full = 0.9;    ///< of the next power of ten
-constexpr int most_overflows = 3;      ///< falls of a register that is full now and then
+constexpr int most_overflows = 3;      ///< falls of a register that is full, or so seldom
+constexpr double of_largest_rise = 3;  ///< past its full number
+constexpr int least_rises_of_bills = 9;  ///< a season rises half a year
 
 /// How far a spike stands above the highest other reading, and how many there may be:
 /// the farther, the more of them are no peaks.
@@ -187,17 +189,39 @@ bool starts_anew(double from, double to) {
     return 0 <= to && to <= starts_again * from;
 }
 
+bool is_seldom(int n_falls, const Course& course) {
+    return n_falls <= most_falls * (course.n_rises + course.n_falls);
+}
+
 /// A register that drops for a reading and goes on from where it was.
 bool is_dip(std::span<const double> counts, std::size_t k) {
     return k > 0 && k + 1 < counts.size() && counts[k] < counts[k - 1] &&
            counts[k + 1] >= counts[k - 1];
 }
 
-/// From one count to a lower one.
-double over_a_fall(double from, double to, bool overflows) {
-    if (!starts_anew(from, to)) return nan;
+/// What a register counts past its full number; 0 where that is more than steps count.
+double over_full(double from, double to, double most) {
     const double full = std::pow(10, std::ceil(std::log10(from)));
-    return overflows && from >= nearly_full * full ? full - from + to : to;
+    const double use = full - from + to;
+    return from >= nearly_full * full && use <= most ? use : 0;
+}
+
+/// From one count to a lower one.
+double over_a_fall(double from, double to, double most) {
+    if (!starts_anew(from, to)) return nan;
+    const double use = over_full(from, to, most);
+    return use > 0 ? use : to;
+}
+
+/// The largest use past a full number; 0 of a register that starts again every day.
+double most_over_full(std::span<const double> counts) {
+    const Course course = course_of(counts);
+    if (course.n_falls > most_overflows && !is_seldom(course.n_falls, course)) return 0;
+    double largest = 0;
+    for (std::size_t k = 0; k + 1 < counts.size(); ++k)
+        if (counts[k + 1] > counts[k])
+            largest = std::max(largest, counts[k + 1] - counts[k]);
+    return of_largest_rise * largest;
 }
 
 }  // namespace
@@ -264,19 +288,24 @@ Course course_of(std::span<const double> values) {
 
 bool is_register(const Course& course) {
     const double n = course.n_rises + course.n_falls;
+    const bool starts_again_only =
+        course.n_restarts == course.n_falls && course.n_falls <= most_restarts * n;
     return course.n_rises >= least_rises &&
-           (course.n_falls <= most_falls * n ||
-            (course.n_restarts == course.n_falls && course.n_falls <= most_restarts * n));
+           (is_seldom(course.n_falls, course) || starts_again_only);
+}
+
+bool is_register_of_bills(const Course& course) {
+    return course.n_rises >= least_rises_of_bills && course.n_falls == 0;
 }
 
 std::vector<double> differences_of(std::span<const double> counts) {
-    const bool overflows = course_of(counts).n_falls <= most_overflows;
+    const double most = most_over_full(counts);
     std::vector<double> differences;
     for (std::size_t k = 0; k + 1 < counts.size(); ++k) {
         const double from = counts[k], to = counts[k + 1];
         const bool dips = is_dip(counts, k) || is_dip(counts, k + 1);
         differences.push_back(dips        ? nan
-                              : to < from ? over_a_fall(from, to, overflows)
+                              : to < from ? over_a_fall(from, to, most)
                                           : to - from);
     }
     return differences;

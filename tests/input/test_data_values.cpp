@@ -204,6 +204,19 @@ TEST(Registers, GoOnPastTheirFullNumber) {
     EXPECT_EQ(differences_of(Values{99'990, 99'998, 7, 15}), (Values{8, 9, 8}));
 }
 
+TEST(Registers, OfTheMonthAreNotTakenForFullOnes) {
+    // 95 to 1: five to 100 and one on would be six, but steps count 1 at most.
+    Values counts;
+    for (int k = 0; k < 190; ++k) counts.push_back(1 + k % 95);
+    EXPECT_EQ(differences_of(counts)[94], 1);
+}
+
+TEST(Registers, OfBillsRiseNineTimesAndNeverFall) {
+    EXPECT_TRUE(is_register_of_bills({9, 0}));
+    EXPECT_FALSE(is_register_of_bills({8, 0}));
+    EXPECT_FALSE(is_register_of_bills({11, 1}));
+}
+
 TEST(Registers, ThatWereReplacedCountFromTheirNewStart) {
     EXPECT_EQ(differences_of(Values{5000, 5004, 2, 6}), (Values{4, 2, 4}));
     EXPECT_TRUE(std::isnan(differences_of(Values{5000, 5004, 4990, 4995})[1]));
