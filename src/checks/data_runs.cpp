@@ -15,6 +15,8 @@ namespace {
 
 constexpr double chance = 1e-4;      ///< of a fill found in a series without one
 constexpr double least_quanta = 50;  ///< 2 % of noise move such a value by a quantum
+constexpr double least_quanta_of_month = 10;  ///< 5 % of noise do so once in a month
+constexpr int month_h = 27 * 24;
 constexpr int days_around = 28;      ///< on either side of a run of zeros
 constexpr double most_zeros = 0.1;   ///< of a weather-driven meter's neighbours
 constexpr double least_share = 0.3;  ///< of the usual reading: the lowest neighbours
@@ -173,7 +175,10 @@ std::vector<Run> constant_fills(const DataSeries& series) {
     const double quantum = quantum_of(series.values);
     const RepeatTable table = repeats_in(series.values);
     std::erase_if(fills, [&](const Run& run) {
-        const bool coarse = !temperature && run.value < least_quanta * quantum;
+        const bool month = series.hours(run.n) >= month_h;
+        const bool coarse =
+            !temperature &&
+            run.value < (month ? least_quanta_of_month : least_quanta) * quantum;
         return coarse || expected_by_chance(table, run) > chance;
     });
     return fills;

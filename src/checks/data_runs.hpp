@@ -21,7 +21,7 @@ double quantum_of(std::span<const double> values);
 
 /// Runs of a value other than 0 that chance makes in fewer than one series of 10,000, of
 /// half a day at least (a day of a temperature). Left out: a meter's value below 50
-/// quanta, where rounding hides what moves.
+/// quanta (10 if it stays for a month), where rounding hides what moves.
 std::vector<Run> constant_fills(const DataSeries& series);
 
 /// Runs of zeros that mean missing. Weather-driven meters: 16 h to two weeks (a mild

@@ -30,14 +30,15 @@ constexpr double known_codes[] = {
 /// Sensors of temperature: cut off, just switched on, at 0.
 constexpr double codes_of_temperature[] = {-127, 85, 0};
 
-constexpr double apart_again = 1.5;       ///< of a known code that is read twice or more
-constexpr double apart_once = 3;          ///< of one that is read once
-constexpr double apart_unknown = 20;      ///< of any other value: a machine of one power
-constexpr int least_unknown = 3;          ///< times that such a value is read
-constexpr int least_readings = 3;         ///< beside codes, to stand apart from
-constexpr double least_spread = 5;        ///< [K], of a temperature that hardly moves
-constexpr double usual_share = 0.001;     ///< on either side of what a temperature spans
-constexpr std::size_t enough = 50;        ///< readings above 0, to know a meter's reach
+constexpr double apart_again = 1.5;    ///< of a known code that is read twice or more
+constexpr double apart_once = 3;       ///< of one that is read once
+constexpr double apart_unknown = 20;   ///< of any other value: a machine of one power
+constexpr double most_unknown = 0.1;   ///< of the readings above 0, with all higher ones
+constexpr int least_unknown = 3;       ///< times that such a value is read
+constexpr int least_readings = 3;      ///< beside codes, to stand apart from
+constexpr double least_spread = 5;     ///< [K], of a temperature that hardly moves
+constexpr double usual_share = 0.001;  ///< on either side of what a temperature spans
+constexpr std::size_t enough = 50;     ///< readings above 0, to know a meter's reach
 constexpr double least_spike_quanta = 5;  ///< of the highest other reading
 constexpr double most_negative = 0.01;    ///< of all readings
 constexpr double most_offset = 0.01;      ///< of what the meter usually reaches
@@ -47,7 +48,9 @@ constexpr double most_falls = 0.01;    ///< of all changes; a meter's use: about
 constexpr double most_restarts = 0.1;  ///< the same, of a register of the day
 constexpr double starts_again = 0.1;   ///< of the reading before it
 constexpr double nearly_full = 0.9;    ///< of the next power of ten
-constexpr int most_overflows = 3;      ///< falls of a register that is full now and then
+constexpr int most_overflows = 3;      ///< falls of a register that is full, or so seldom
+constexpr double of_largest_rise = 3;  ///< past its full number
+constexpr int least_rises_of_bills = 9;  ///< a season rises half a year
 
 /// How far a spike stands above the highest other reading, and how many there may be:
 /// the farther, the more of them are no peaks.
@@ -56,6 +59,7 @@ constexpr struct {
 } spikes_by_ratio[] = {{1000, 0.002}, {30, 0.001}, {3, 0.00025}};
 constexpr std::size_t few_spikes = 3;
 constexpr int longest_spike = 2;  ///< in a row
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool is_known(double value, bool temperature) {
     return std::ranges::find(known_codes, value) != std::end(known_codes) ||
@@ -113,12 +117,16 @@ class CodeSearch {
 
     /// From the lowest on, as one of them may stand below another.
     void add_unknown(std::vector<double>& codes) {
+        double below = 0, n_above = 0;
+        for (const auto& [value, n] : others_) n_above += value > 0 ? n : 0;
         for (auto it = others_.begin(); it != others_.end();) {
             const auto [value, n] = *it;
-            const bool is_code = value > 0 && n >= least_unknown &&
-                                 it != others_.begin() && std::prev(it)->first > 0 &&
+            const bool is_code = value > 0 && n >= least_unknown && below > 0 &&
+                                 n_above <= most_unknown * (below + n_above) &&
                                  is_apart(value, apart_unknown);
             if (is_code) codes.push_back(value);
+            if (value > 0) n_above -= n;
+            if (value > 0 && !is_code) below += n;
             it = is_code ? others_.erase(it) : std::next(it);
         }
     }
@@ -139,17 +147,19 @@ std::vector<double> above_zero(std::span<const double> values) {
 double least_spike(std::vector<double> heights, double quantum) {
     std::ranges::sort(heights);
     const std::size_t n = heights.size();
-    if (n >= enough)
-        for (const auto& [ratio, share] : spikes_by_ratio) {
-            const auto most = static_cast<std::size_t>(share * static_cast<double>(n));
-            for (std::size_t k = n - std::max(most, few_spikes); k < n; ++k) {
-                const double rest = heights[k - 1];
-                const bool coarse =
-                    ratio < 10 && rest < least_spike_quanta * quantum * (1 - 1e-9);
-                if (!coarse && heights[k] >= ratio * rest) return heights[k];
-            }
+    if (n < enough) return infinity;
+    double least = infinity;
+    for (const auto& [ratio, share] : spikes_by_ratio) {
+        const auto most = static_cast<std::size_t>(share * static_cast<double>(n));
+        for (std::size_t k = n - std::max(most, few_spikes); k < n; ++k) {
+            const double rest = heights[k - 1];
+            const bool coarse =
+                ratio < 10 && rest < least_spike_quanta * quantum * (1 - 1e-9);
+            if (!coarse && heights[k] >= ratio * rest)
+                least = std::min(least, heights[k]);
         }
-    return std::numeric_limits<double>::infinity();
+    }
+    return least;
 }
 
 /// Those of at least this height; none where more stand in a row than a spike has.
@@ -179,17 +189,39 @@ bool starts_anew(double from, double to) {
     return 0 <= to && to <= starts_again * from;
 }
 
+bool is_seldom(int n_falls, const Course& course) {
+    return n_falls <= most_falls * (course.n_rises + course.n_falls);
+}
+
 /// A register that drops for a reading and goes on from where it was.
 bool is_dip(std::span<const double> counts, std::size_t k) {
     return k > 0 && k + 1 < counts.size() && counts[k] < counts[k - 1] &&
            counts[k + 1] >= counts[k - 1];
 }
 
-/// From one count to a lower one.
-double over_a_fall(double from, double to, bool overflows) {
-    if (!starts_anew(from, to)) return nan;
+/// What a register counts past its full number; 0 where that is more than steps count.
+double over_full(double from, double to, double most) {
     const double full = std::pow(10, std::ceil(std::log10(from)));
-    return overflows && from >= nearly_full * full ? full - from + to : to;
+    const double use = full - from + to;
+    return from >= nearly_full * full && use <= most ? use : 0;
+}
+
+/// From one count to a lower one.
+double over_a_fall(double from, double to, double most) {
+    if (!starts_anew(from, to)) return nan;
+    const double use = over_full(from, to, most);
+    return use > 0 ? use : to;
+}
+
+/// The largest use past a full number; 0 of a register that starts again every day.
+double most_over_full(std::span<const double> counts) {
+    const Course course = course_of(counts);
+    if (course.n_falls > most_overflows && !is_seldom(course.n_falls, course)) return 0;
+    double largest = 0;
+    for (std::size_t k = 0; k + 1 < counts.size(); ++k)
+        if (counts[k + 1] > counts[k])
+            largest = std::max(largest, counts[k + 1] - counts[k]);
+    return of_largest_rise * largest;
 }
 
 }  // namespace
@@ -256,19 +288,24 @@ Course course_of(std::span<const double> values) {
 
 bool is_register(const Course& course) {
     const double n = course.n_rises + course.n_falls;
+    const bool starts_again_only =
+        course.n_restarts == course.n_falls && course.n_falls <= most_restarts * n;
     return course.n_rises >= least_rises &&
-           (course.n_falls <= most_falls * n ||
-            (course.n_restarts == course.n_falls && course.n_falls <= most_restarts * n));
+           (is_seldom(course.n_falls, course) || starts_again_only);
+}
+
+bool is_register_of_bills(const Course& course) {
+    return course.n_rises >= least_rises_of_bills && course.n_falls == 0;
 }
 
 std::vector<double> differences_of(std::span<const double> counts) {
-    const bool overflows = course_of(counts).n_falls <= most_overflows;
+    const double most = most_over_full(counts);
     std::vector<double> differences;
     for (std::size_t k = 0; k + 1 < counts.size(); ++k) {
         const double from = counts[k], to = counts[k + 1];
         const bool dips = is_dip(counts, k) || is_dip(counts, k + 1);
         differences.push_back(dips        ? nan
-                              : to < from ? over_a_fall(from, to, overflows)
+                              : to < from ? over_a_fall(from, to, most)
                                           : to - from);
     }
     return differences;

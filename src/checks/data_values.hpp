@@ -42,10 +42,12 @@ Course course_of(std::span<const double> values);
 /// Whether it is a register: it rises on, with next to no falls, or few where it starts
 /// again, every day perhaps.
 bool is_register(const Course& course);
+/// The same of bills: nine rises and no fall.
+bool is_register_of_bills(const Course& course);
 
 /// What a register of instants counts until the next one [one less]; NaN beside a missing
 /// reading and where it falls a little. Where it starts again near 0, what it shows since
-/// then, and what was left to its full number if it was nearly there and seldom is.
+/// then, and what was left to its full number if that is no more than steps count.
 std::vector<double> differences_of(std::span<const double> counts);
 
 }  // namespace bemcal::checks

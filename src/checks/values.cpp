@@ -108,6 +108,16 @@ std::optional<Question> doubt_of_register(const input::RegularSeries& series,
                        course.n_rises, course.n_falls)};
 }
 
+std::vector<Finding> state_bills(const input::RegularSeries& series, Quantity quantity) {
+    const Course course = course_of(series.values);
+    if (physics::is_temperature(quantity) || !is_register_of_bills(course)) return {};
+    return {
+        {fmt::format("its bills rise {} times and never fall: perhaps what a register "
+                     "shows",
+                     course.n_rises),
+         "kept as uses; the file would have to hold the use of each"}};
+}
+
 std::vector<Finding> take_differences(input::RegularSeries& series) {
     const Course course = course_of(series.values);
     series.values = differences_of(series.values);

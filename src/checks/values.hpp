@@ -21,6 +21,10 @@ std::vector<Finding> mask_codes(input::RegularSeries& series, physics::Quantity 
 std::optional<Question> doubt_of_register(const input::RegularSeries& series,
                                           physics::Quantity quantity);
 
+/// Bills that may be a register's; stated only, as a steady rise of use is possible.
+std::vector<Finding> state_bills(const input::RegularSeries& series,
+                                 physics::Quantity quantity);
+
 /// The use of each step, from a register's counts at the beginnings of the steps.
 std::vector<Finding> take_differences(input::RegularSeries& series);
 

@@ -63,11 +63,11 @@ struct Clearness {
 };
 constexpr Clearness clearness_of[] = {{0.30, 0.45, 0.75, 1.2, "global irradiance"},
                                       {0.20, 0.35, 0.65, 1.2, "direct irradiance"},
-                                      {0.10, 0.17, 0.38, 0.9, "diffuse irradiance"}};
+                                      {0.05, 0.10, 0.38, 0.9, "diffuse irradiance"}};
 constexpr double clear_quantile = 0.98;
-constexpr double low_sun = 0.2;    ///< cosine of the zenith: stamps weigh too much
-constexpr double of_noon = 0.7;    ///< of the day's highest cosine: midday
-constexpr double most_off = 1.35;  ///< of a unit from the usual clearness
+constexpr double low_sun = 0.2;  ///< cosine of the zenith: stamps weigh too much
+constexpr double of_noon = 0.7;  ///< of the day's highest cosine: midday
+constexpr double most_off = 2;   ///< of a unit from the usual clearness: haze
 constexpr int least_days = 2, fortnight = 14, half_year = 180;
 constexpr int other_steps_min[] = {10, 15, 30, 60};
 

@@ -242,7 +242,7 @@ class MeterReader {
                  fmt::format("read as {} bills, each over its own time", bills.size())});
         }
         input::RegularSeries series = input::series_of(bills, notes);
-        if (meter_checks("codes")) decide(checks::mask_codes(series, meter_.quantity));
+        check_bills(series);
         for (input::TimeNote& note : notes)
             building_.decisions.push_back({"stamps of " + meter_.name,
                                            std::move(note.finding),
@@ -250,6 +250,16 @@ class MeterReader {
         correct(series);
         convert(series);
         return series;
+    }
+
+    void check_bills(input::RegularSeries& series) {
+        if (meter_checks("codes")) decide(checks::mask_codes(series, meter_.quantity));
+        if (counts())
+            section_.fail_value("register",
+                                "is of rows up to a day apart; write the use of each "
+                                "bill in place of what the register shows");
+        if (meter_checks("register"))
+            decide(checks::state_bills(series, meter_.quantity));
     }
 
     void check_step_of_bills(int step_s) const {

@@ -109,21 +109,26 @@ ColumnSource column_source(const schema::Section& section, const Column& of,
     return source;
 }
 
-/// Numbers outside the range that the table gives are a wrong unit or a missing-value
-/// code.
-void check_range(const input::RegularSeries& series, const schema::Key& row,
-                 const TimedCsv& file, const std::string& column) {
-    for (std::size_t k = 0; k < series.values.size(); ++k) {
-        const double value = series.values[k];
-        if (!(value < row.least || value > row.most)) continue;
-        throw UserError(
-            ExitCode::data,
-            fmt::format(
-                "{}:{}: {:g}: expected {:g} to {:g} {} for {}; set factor and offset for "
-                "another unit, leave the cell empty where it is missing",
-                row_at(file, series.axis.begin_of(static_cast<int>(k))), column, value,
-                row.least, row.most, row.unit, row.key));
-    }
+/// The first number outside the range that the table gives; -1 = none is.
+int first_outside(const input::RegularSeries& series, const schema::Key& row) {
+    const auto outside = [&](double v) { return v < row.least || v > row.most; };
+    const auto found = std::ranges::find_if(series.values, outside);
+    return found == series.values.end() ? -1
+                                        : static_cast<int>(found - series.values.begin());
+}
+
+/// Such a number is a wrong unit or a missing-value code.
+[[noreturn]] void refuse_range(const input::RegularSeries& series, int k,
+                               const schema::Key& row, const TimedCsv& file,
+                               const std::string& column) {
+    throw UserError(
+        ExitCode::data,
+        fmt::format(
+            "{}:{}: {:g}: expected {:g} to {:g} {} for {}; set factor and offset for "
+            "another unit, leave the cell empty where it is missing",
+            row_at(file, series.axis.begin_of(k)), column,
+            series.values[static_cast<std::size_t>(k)], row.least, row.most, row.unit,
+            row.key));
 }
 
 bool is_irradiance(const schema::Key& row) {
@@ -185,10 +190,16 @@ class CsvWeather {
         const int shift =
             static_cast<int>(source.at_end) - static_cast<int>(file.rules.at_end);
         const std::chrono::seconds later(shift * series.axis.step_s);
-        if (source.unit == nullptr)
-            check_unit(series, column, file, source.column, later);
-        check_range(series, row, file, source.column);
+        const auto doubt_unit = [&] {
+            if (source.unit == nullptr)
+                check_unit(series, column, file, source.column, later);
+        };
+        if (const int k = first_outside(series, row); k >= 0) {
+            doubt_unit();
+            refuse_range(series, k, row, file, source.column);
+        }
         if (is_irradiance(row)) take_off_night(series, row, file, source.column, later);
+        doubt_unit();
         series.axis.start -= later;
         return hourly_means(series, file.csv->file);
     }

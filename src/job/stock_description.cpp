@@ -6,8 +6,8 @@
 #include "job/stock_description.hpp"
 
 #include "base/machine.hpp"
+#include "description/stock_readings.hpp"
 #include "description/timed_csv.hpp"
-#include "input/stock_readings.hpp"
 #include "physics/calendar.hpp"
 
 #include <algorithm>
@@ -198,13 +198,14 @@ class Writer {
     }
 
     /// The readings as the reader of meters will find them.
-    input::ReadingsLook look_at(const std::string& text, const std::string& column) {
+    description::ReadingsLook look_at(const std::string& text,
+                                      const std::string& column) {
         const std::string file = fmt::format("{}:{}", stock_.table.string(), line_.line);
         const schema::Node tree = schema::parse_document(text, file);
         const schema::Section root(tree, "building", file);
         const schema::Section section = root.tables("meter", "meter").at(0);
         const auto interval = section.choice_as<physics::Interval>("interval");
-        const input::LookColumns columns{
+        const description::LookColumns columns{
             {section.text("from"), section.text("to"), section.text("estimated")},
             interval};
         const bool is_long = interval > physics::Interval::hourly;
@@ -214,7 +215,7 @@ class Writer {
         const description::TimedCsv source = description::open_csv(
             section, "file", section.text("file"), files_, physics::Site{}, options);
         const input::Csv& csv = *source.csv;
-        return input::look_at(
+        return description::look_at(
             {csv, source.stamps, source.rules,
              input::numbers_in(csv, csv.column(column), source.numbers)},
             columns);
@@ -224,7 +225,7 @@ class Writer {
         const std::string name = kind.name;
         const std::string column = word(name + "_column", line_.name);
         const std::string text = meter_text(kind, column);
-        const input::ReadingsLook look = look_at(text, column);
+        const description::ReadingsLook look = look_at(text, column);
         if (look.last_day.empty())
             fail(name,
                  fmt::format("{} has no reading of {}", path(name).string(), column));
@@ -247,7 +248,8 @@ class Writer {
     }
 
     /// By a year's gas of a square metre; says what the others would make of it.
-    std::string chosen_unit(const std::string& name, const input::ReadingsLook& look) {
+    std::string chosen_unit(const std::string& name,
+                            const description::ReadingsLook& look) {
         const double year = look.total / look.hours * 8760 / floor_area_;
         const auto oddity = [&](const GasUnit& unit) {
             return std::abs(std::log(std::max(year * unit.kwh, 1e-9) / usual_gas));

@@ -80,7 +80,18 @@ TEST(Codes, UnknownToTheTableStandTwentyfoldAboveAndAreReadThrice) {
     EXPECT_TRUE(codes(with(meter(), 20 * 20 - 1, {5, 60, 700})).empty());
     EXPECT_TRUE(codes(with(meter(), 400, {5, 60})).empty());
     EXPECT_EQ(codes(with(with(meter(), 12345, {5, 60, 700}), 54321, {1, 2, 3})),
-              (Values{12345}));
+              (Values{12345, 54321}));
+}
+
+TEST(Codes, UnknownToTheTableAreATenthOfTheReadingsAtMost) {
+    Values values;  // rounding beside 0, then use in whole numbers
+    for (int k = 0; k < 1000; ++k) values.push_back(k % 10 == 0 ? 1e-13 : 5 + k % 7);
+    EXPECT_TRUE(codes(values).empty());
+    std::vector<std::size_t> tenth;
+    for (std::size_t k = 0; k < 100; ++k) tenth.push_back(10 * k);
+    EXPECT_EQ(codes(with(meter(), 12345, tenth)), Values{12345});
+    tenth.push_back(15);
+    EXPECT_TRUE(codes(with(meter(), 12345, tenth)).empty());
 }
 
 TEST(Codes, OfTemperaturesStandApartByWhatTheySpan) {
@@ -191,6 +202,19 @@ TEST(Registers, GiveTheUseBetweenTwoReadings) {
 
 TEST(Registers, GoOnPastTheirFullNumber) {
     EXPECT_EQ(differences_of(Values{99'990, 99'998, 7, 15}), (Values{8, 9, 8}));
+}
+
+TEST(Registers, OfTheMonthAreNotTakenForFullOnes) {
+    // 95 to 1: five to 100 and one on would be six, but steps count 1 at most.
+    Values counts;
+    for (int k = 0; k < 190; ++k) counts.push_back(1 + k % 95);
+    EXPECT_EQ(differences_of(counts)[94], 1);
+}
+
+TEST(Registers, OfBillsRiseNineTimesAndNeverFall) {
+    EXPECT_TRUE(is_register_of_bills({9, 0}));
+    EXPECT_FALSE(is_register_of_bills({8, 0}));
+    EXPECT_FALSE(is_register_of_bills({11, 1}));
 }
 
 TEST(Registers, ThatWereReplacedCountFromTheirNewStart) {

@@ -79,7 +79,7 @@ TEST(WeatherUnits, OfQuartersAreThoseOfTheStep) {
 }
 
 TEST(WeatherUnits, SayTheRatioAndHowToKeepThem) {
-    EXPECT_EQ(doubt(changed(sunshine("2021-01-01", 365), 3.6)).substr(0, 75),
+    EXPECT_EQ(doubt(changed(sunshine("2021-01-01", 365), 3.6)).substr(0, 76),
               "at its clearest middays it is 2.7 of what the sun sends outside the "
               "atmosphe");
     EXPECT_NE(doubt(changed(sunshine("2021-01-01", 365), 3.6))

@@ -1,6 +1,7 @@
 /// Meters as published, where they are at hand: what the checks find in them, printed as
 /// a table.
 #include "checks/series.hpp"
+#include "checks/values.hpp"
 #include "input/csv_numbers.hpp"
 #include "input/input_files.hpp"
 #include "input/stamps.hpp"
@@ -68,6 +69,74 @@ class Checked {
 
 bool is_here(const std::filesystem::path& path) {
     return std::filesystem::exists(path);
+}
+
+/// What is said of the values of a column, by its own steps and by days.
+int doubts_in(const input::RegularSeries& series, Quantity quantity) {
+    int n = 0;
+    for (const int step_s : {series.axis.step_s, physics::day_s}) {
+        input::RegularSeries rows = input::coarsened(series, step_s, input::Fold::sum);
+        std::optional<input::Question> question;
+        n += static_cast<int>(checks::mask_codes(rows, quantity).size());
+        n += checks::doubt_of_register(rows, quantity) ? 1 : 0;
+        n += static_cast<int>(
+            checks::check_negative(rows, quantity, checks::Handling::check, question)
+                .size());
+        n += static_cast<int>(checks::mask_spikes(rows, quantity).size());
+        n += question ? 1 : 0;
+    }
+    return n;
+}
+
+constexpr struct {
+    const char *file, *columns;
+} real_meters[] = {{"data/cambridge/gas_as_published.csv.gz", "*"},
+                   {"data/cambridge/electricity_kwh.csv.gz", "*"},
+                   {"data/tartu/b10045.csv.gz", "heat_kW"},
+                   {"data/tartu/b11491.csv.gz", "heat_kW"},
+                   {"data/building_1298/hourly.csv.gz",
+                    "elec_kWh chilledwater_kWh steam_kWh hotwater_kWh"},
+                   {"data/phoenix_office/office_abigail.csv.gz", "elec_kWh"},
+                   {"data/uk_home/gas.csv.gz", "gas_kWh"},
+                   {"data/uk_home/electricity.csv.gz", "electricity_kWh"},
+                   {"meters/cambridge_gas.csv.gz", "*"},
+                   {"meters/hong_kong_cooling.csv.gz", "*"},
+                   {"meters/orlando_hannah.csv.gz", "*"},
+                   {"meters/tartu_bPr01_heat.csv.gz", "*"}};
+
+TEST(RealMeters, HaveNoCodesSpikesNegativesAndAreNoRegisters) {
+    int n_meters = 0;
+    for (const auto& [name, columns] : real_meters) {
+        const auto file = data.parent_path() / name;
+        if (!is_here(file)) GTEST_SKIP() << file << " is not here";
+        input::InputFiles files;
+        const input::Csv& csv = files.csv(file);
+        input::StampRules rules;
+        rules.clock = input::Clock::standard;
+        const input::Stamps stamps = input::stamps_in(csv, 0, rules);
+        for (std::size_t k = 1; k < csv.columns.size(); ++k) {
+            if (std::string(columns) != "*" &&
+                std::string(columns).find(csv.columns[k]) == std::string::npos)
+                continue;
+            const auto series = input::lay(csv, stamps, input::numbers_in(csv, k));
+            EXPECT_EQ(doubts_in(series, Quantity::district), 0)
+                << name << " " << csv.columns[k];
+            ++n_meters;
+        }
+    }
+    fmt::print("{} meters, by their steps and by days\n", n_meters);
+}
+
+TEST(RealMeters, AHeatMetersRegisterIsKnown) {
+    const auto file = data / "tartu" / "b10045.csv.gz";
+    if (!is_here(file)) GTEST_SKIP() << file << " is not here";
+    input::InputFiles files;
+    const input::Csv& csv = files.csv(file);
+    input::StampRules rules;
+    rules.clock = input::Clock::standard;
+    const auto series = input::lay(csv, input::stamps_in(csv, 0, rules),
+                                   input::numbers_in(csv, csv.column("energy_cum_kWh")));
+    EXPECT_TRUE(checks::doubt_of_register(series, Quantity::district).has_value());
 }
 
 TEST(RealMeters, CambridgesGasHasItsZeroFillsMasked) {

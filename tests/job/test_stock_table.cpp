@@ -1,6 +1,6 @@
 /// Tables of stocks as spreadsheets leave them, and buildings that their columns
 /// describe.
-#include "input/stock_readings.hpp"
+#include "description/stock_readings.hpp"
 #include "job/small_office.hpp"
 #include "job/stock.hpp"
 
@@ -165,7 +165,8 @@ TEST(StockReadings, KnowTheirHoursAndWholeDays) {
     const std::string text = "time,kwh\n2021-03-01,1\n";
     const input::Csv csv = input::parse_csv(text, "x.csv");
     const input::StampRules rules;
-    const input::ReadingsLook look = input::look_at({csv, stamps, rules, values}, {});
+    const description::ReadingsLook look =
+        description::look_at({csv, stamps, rules, values}, {});
     EXPECT_EQ(look.hours, (4 * 24 * 3 - 3) / 4.0);
     EXPECT_EQ(look.first_day, "2021-03-01");
     EXPECT_EQ(look.last_day, "2021-03-02") << "the third day lacks half an hour";

@@ -1,8 +1,8 @@
 /// What a stock's lines become, and what a night knows of them.
 #include "base/error.hpp"
 #include "calibration/screening.hpp"
+#include "description/stock_readings.hpp"
 #include "input/input_files.hpp"
-#include "input/stock_readings.hpp"
 #include "job/small_office.hpp"
 #include "job/stock.hpp"
 #include "stock/drift.hpp"
@@ -208,12 +208,12 @@ TEST(StockReadings, AreASharesPulsesWhereTheyAreMultiplesOfNoRoundNumber) {
         litres.push_back(5.0 * pulses + (k % 400 == 0 ? 0.1 : 0));
         plain.push_back(std::round(1000 * std::abs(std::sin(k))) / 10);
     }
-    const input::ReadingsLook found = input::look_for_quantum(shares);
+    const description::ReadingsLook found = description::look_for_quantum(shares);
     EXPECT_NEAR(found.quantum, 6.748, 0.01);
     EXPECT_GT(found.quantum_share, 0.9);
-    EXPECT_EQ(input::look_for_quantum(litres).quantum, 0);
-    EXPECT_EQ(input::look_for_quantum(plain).quantum, 0);
-    EXPECT_EQ(input::look_for_quantum({}).quantum, 0);
+    EXPECT_EQ(description::look_for_quantum(litres).quantum, 0);
+    EXPECT_EQ(description::look_for_quantum(plain).quantum, 0);
+    EXPECT_EQ(description::look_for_quantum({}).quantum, 0);
 }
 
 /// A stock of the small office, with places.

@@ -3,8 +3,9 @@
 /// Follows from rounded pulses: the step is sought by least squares around the usual
 /// distance of frequent values, and taken where it is no round number.
 /// Leaves out gaps, and steps below 20 of the finest ones.
-#include "input/stock_readings.hpp"
+#include "description/stock_readings.hpp"
 
+#include "checks/data_values.hpp"
 #include "physics/calendar.hpp"
 
 #include <algorithm>
@@ -14,7 +15,7 @@
 
 #include <fmt/format.h>
 
-namespace bemcal::input {
+namespace bemcal::description {
 
 namespace {
 
@@ -130,24 +131,34 @@ void look_at_rows(const LookRows& rows, ReadingsLook& look) {
 }
 
 void look_at_bills(const LookRows& rows, const LookColumns& columns, ReadingsLook& look) {
-    std::vector<TimeNote> notes;
-    std::vector<Bill> bills = bills_in(rows.csv, columns.bills, rows.stamps, rows.rules,
-                                       rows.values, columns.interval, false, notes);
-    std::erase_if(bills, [](const Bill& bill) { return std::isnan(bill.value); });
+    std::vector<input::TimeNote> notes;
+    std::vector<input::Bill> bills =
+        input::bills_in(rows.csv, columns.bills, rows.stamps, rows.rules, rows.values,
+                        columns.interval, false, notes);
+    std::erase_if(bills, [](const input::Bill& bill) { return std::isnan(bill.value); });
     if (bills.empty()) return;
-    look.bounds = bounds_of(bills);
-    for (const Bill& bill : bills)
+    look.bounds = input::bounds_of(bills);
+    for (const input::Bill& bill : bills)
         look.hours += static_cast<double>((bill.to - bill.from).count()) / 3600;
     look.first_day = physics::format_date(bills.front().from);
     look.last_day = day_before(bills.back().to);
+}
+
+/// Of the readings that are no codes for missing.
+double total_of(const std::vector<double>& values) {
+    double total = 0, of_codes = 0;
+    for (const double value : values)
+        if (!std::isnan(value)) total += value;
+    for (const checks::Code& code : checks::codes_in({values}))
+        of_codes += code.value * static_cast<double>(code.at.size());
+    return total - of_codes;
 }
 
 }  // namespace
 
 ReadingsLook look_at(const LookRows& rows, const LookColumns& columns) {
     ReadingsLook look = look_for_quantum(rows.values);
-    for (const double value : rows.values)
-        if (!std::isnan(value)) look.total += value;
+    look.total = total_of(rows.values);
     if (columns.interval < physics::Interval::monthly)
         look_at_rows(rows, look);
     else
@@ -155,4 +166,4 @@ ReadingsLook look_at(const LookRows& rows, const LookColumns& columns) {
     return look;
 }
 
-}  // namespace bemcal::input
+}  // namespace bemcal::description

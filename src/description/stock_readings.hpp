@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-namespace bemcal::input {
+namespace bemcal::description {
 
 /// Where a meter's readings stand in its file.
 struct LookColumns {
-    BillColumns bills;  ///< of months and bills
+    input::BillColumns bills;  ///< of months and bills
     physics::Interval interval = physics::Interval::hourly;
 };
 
@@ -30,9 +30,9 @@ struct ReadingsLook {
 
 /// A meter's rows as they were read.
 struct LookRows {
-    const Csv& csv;
-    const Stamps& stamps;
-    const StampRules& rules;
+    const input::Csv& csv;
+    const input::Stamps& stamps;
+    const input::StampRules& rules;
     std::vector<double> values;  ///< [n_rows], NaN = missing
 };
 
@@ -42,4 +42,4 @@ ReadingsLook look_at(const LookRows& rows, const LookColumns& columns);
 /// The same of the readings alone. \return quantum and share, or zeros
 ReadingsLook look_for_quantum(const std::vector<double>& values);
 
-}  // namespace bemcal::input
+}  // namespace bemcal::description
