@@ -184,6 +184,7 @@ std::vector<study::Dataset> range_datasets(const study::Case& building,
     datasets.texts("range_period", "range", std::move(periods));
     for (const auto& [leaf, value] : range_numbers) {
         std::vector<double> column;
+        column.reserve(ranges.size());
         for (const FittedRange& each : ranges) column.push_back(each.range.*value);
         datasets.vector(leaf, "range", std::move(column));
     }

@@ -42,10 +42,10 @@ class Stock3 {
     void misread_second() const {
         std::string text = "time,elec_kWh,T_air_C\n";
         for (int k = 0; k < 24 * 59; ++k)
-            text += fmt::format("{},{},20\n",
+            text += fmt::format("{},{},{:.1f}\n",
                                 physics::format_time(physics::parse_time("2021-01-01") +
                                                      std::chrono::hours(k + 1)),
-                                12000 + k % 24);
+                                12000 + k % 24, 20 + 0.1 * (k % 24));
         folder_.write("two.csv", text);
     }
     Job job() const { return read_job(folder_ / "job.toml"); }
