@@ -133,11 +133,18 @@ std::string words_of_units(const std::vector<OtherUnit>& units, const std::strin
                        own, fmt::join(words, " or "));
 }
 
+/// "2.53", "2531"
+std::string words_of_number(double number) {
+    return number < 1000 ? fmt::format("{:.3g}", number) : fmt::format("{:.0f}", number);
+}
+
 /// "2.5 times the most that", "1/2.5 of the least that"
 std::string words_of_factor(const MeterRange& range) {
     return range.measured > range.most
-               ? fmt::format("{:.3g} times the most that", range.measured / range.most)
-               : fmt::format("1/{:.3g} of the least that", range.least / range.measured);
+               ? fmt::format("{} times the most that",
+                             words_of_number(range.measured / range.most))
+               : fmt::format("1/{} of the least that",
+                             words_of_number(range.least / range.measured));
 }
 
 }  // namespace
@@ -185,6 +192,7 @@ std::vector<study::Dataset> range_datasets(const study::Case& building,
     datasets.texts("range_period", "range", std::move(periods));
     for (const auto& [leaf, value] : range_numbers) {
         std::vector<double> column;
+        column.reserve(ranges.size());
         for (const FittedRange& each : ranges) column.push_back(each.range.*value);
         datasets.vector(leaf, "range", std::move(column));
     }

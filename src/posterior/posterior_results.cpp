@@ -147,6 +147,7 @@ double sum_where(std::span<const double> measured, std::span<const double> value
 bool holds_total(const MeterPrediction& meter) {
     if (meter.draws.rows == 0) return false;
     std::vector<double> totals;
+    totals.reserve(meter.draws.rows);
     for (std::size_t r = 0; r < meter.draws.rows; ++r)
         totals.push_back(sum_where(meter.measured, meter.draws.row(r)));
     std::ranges::sort(totals);

@@ -39,6 +39,15 @@ TEST(ModelRange, NamesTheFactorAndTheUnitsThatWouldFit) {
               "MWh (times 200) or as GJ 56.9 MWh (times 277.8)");
 }
 
+TEST(ModelRange, LargeFactorsAreWrittenInFull) {
+    const auto says = [](double kwh, const char* words) {
+        const std::string said = words_of_range(case_with("kWh"), metered(kwh));
+        EXPECT_NE(said.find(words), std::string::npos) << said;
+    };
+    says(6.6e8, " 10000 times the most that ");
+    says(10, " 1/2000 of the least that ");
+}
+
 TEST(ModelRange, KnowsTheUnitThatWasDeclared) {
     // Numbers of kWh that the job calls Wh.
     const std::string said = words_of_range(case_with("Wh"), metered(41));

@@ -12,13 +12,13 @@ awk '/^\[\[meter\]\]/ { held = $0; next }
   !skipping { print }' "$job" >"$folder/job.toml" && mv "$folder/job.toml" "$job"
 readings=$jobs/quickstart/measured_2021_2022.csv
 cp "$readings" "$folder/right.csv"
-run() {  # run CODE FACTOR: of the electricity; the report's first line is in $first
+run() {  # run CODE FACTOR: of the electricity; the first line of what is printed is in $first
   local code=0
   awk -F, -v OFS=, -v factor="$2" 'NR > 1 && $2 != "" { $2 = sprintf("%.9g", $2 * factor) } { print }' \
     "$folder/right.csv" >"$readings"
-  "$BEMCAL_PROGRAM" run "$job" -o "$folder/result.h5" --force --no-report >"$folder/log" 2>&1 || code=$?
-  [[ $code == "$1" ]] || { cat "$folder/log" >&2; fail "electricity times $2: exit code $code, not $1"; }
-  first=$("$BEMCAL_PROGRAM" report "$folder/result.h5" | head -n 1)
+  "$BEMCAL_PROGRAM" run "$job" -o "$folder/result.h5" --force --no-report >"$folder/log" 2>"$folder/errors" || code=$?
+  [[ $code == "$1" ]] || { cat "$folder/log" "$folder/errors" >&2; fail "electricity times $2: exit code $code, not $1"; }
+  first=$(head -n 1 "$folder/log")
 }
 says() { [[ $first == *"$1"* ]] || fail "the first line does not say \"$1\": $first"; }
 

@@ -5,6 +5,7 @@
 #include "stock/record.hpp"
 #include "stock/stage.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -37,6 +38,16 @@ class Stock3 {
     /// Of the second building, the last day is missing from now on.
     void change_second() const { folder_.write("two.csv", small_readings(24 * 58)); }
     void add_third() const { folder_.write("three.csv", small_readings()); }
+    /// Its numbers of electricity are Wh from now on.
+    void misread_second() const {
+        std::string text = "time,elec_kWh,T_air_C\n";
+        for (int k = 0; k < 24 * 59; ++k)
+            text += fmt::format("{},{},{:.1f}\n",
+                                physics::format_time(physics::parse_time("2021-01-01") +
+                                                     std::chrono::hours(k + 1)),
+                                12000 + k % 24, 20 + 0.1 * (k % 24));
+        folder_.write("two.csv", text);
+    }
     Job job() const { return read_job(folder_ / "job.toml"); }
 
   private:
@@ -105,6 +116,28 @@ TEST(StockNight, OfPosteriorsDoesWhatHasChanged) {
 
 TEST(StockNight, OfLoopsDoesWhatHasChanged) {
     expect_only_changes_done(Stock3(loop_study));
+}
+
+/// Whether a finding says so.
+bool says(const stock::StockRecord& record, const std::string& words) {
+    return std::ranges::any_of(record.findings, [&](const study::DataDecision& found) {
+        return found.finding.find(words) != std::string::npos;
+    });
+}
+
+TEST(StockNight, TellsOfAMeterBeyondTheModelAndGoesOn) {
+    const Stock3 stock("kind = \"screening\"\nn_points = 4\n");
+    stock.misread_second();
+    const Job job = stock.job();
+    const auto stage = stock::make_stock_stage(job, {"1", {}});
+    const auto answers = answers_of(*stage);
+    const auto records = stock::records_in(stage->conclude(answers).datasets);
+    EXPECT_EQ(records.at(1).status, "calibrated") << records[1].reason;
+    EXPECT_TRUE(says(records[1], "the most that the model reaches"));
+    EXPECT_TRUE(says(records[1], "the bias of "));
+    EXPECT_TRUE(stage->shortfall(answers).empty());
+    for (const study::Summary& found : stage->conclude(answers).summaries)
+        EXPECT_EQ(found.shortfall, "");
 }
 
 TEST(StockNight, FindsAnAnswerOutdatedWhoseFileHasChangedOrCome) {
