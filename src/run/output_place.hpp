@@ -33,7 +33,7 @@ OutputPlace prepare_output(const std::filesystem::path& output, Existing existin
                            const Identity& identity);
 
 /// Whether a run of that output has items to do: a part folder without, or not of, a
-/// complete result.
+/// complete result. One that is damaged is complete here: that it is damaged is told.
 bool is_unfinished(const std::filesystem::path& output);
 
 }  // namespace bemcal::run
