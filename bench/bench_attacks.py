@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 """What a run loses, or says falsely, when the disk fails, its files are damaged or mixed, or it is killed.
 
-Usage: bench_attacks.py [--stride 1] [--damage 300] [--mixed 50] [--kills 100] [--seed 1]
+Usage: bench_attacks.py [--stride 1] [--every 40] [--damage 300] [--mixed 50] [--kills 100] [--seed 1]
 
-failing   every call to the disk (write, sync, close, rename: tests/support/failing.c) fails once, one after the
-          other, in three jobs; --stride 7 takes each seventh
+failing   every call to the disk (write, cut, sync, close, rename: tests/support/failing.c) fails once, one after
+          the other, in three jobs; --stride 7 takes each seventh
+every     each k-th call fails, again and again, for k = 1, 2, ..., 40
 damage    a stopped run's folder NAME.part is damaged at a random place
 mixed     logs of another run, of other ranges, get into it in some way
 kills     kill -9 at a random moment
@@ -33,7 +34,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(large_job.ROOT / "tests" / "generator"))
 
 CODES = {1, 64, 65, 66, 70, 71, 73, 74, 75, 78}
-EIO, ENOSPC, HALF = "5", "28", "-1"
+ERRORS = ("5", "28", "-1")  # EIO, ENOSPC, and half of it written
 
 
 def screening(folder, wide=False):
@@ -147,18 +148,19 @@ class Attacks:
             self.counts["not_the_same_by_resume"] += 1
             print(f"after code {code}: {again.returncode}: {again.stderr[-300:]}", file=sys.stderr)
 
-    def fail(self, job, at, error):
+    def fail(self, job, way, at, error):
+        """way: FAIL_AT, or FAIL_EVERY."""
         self.clear()
-        done = self.run(job, LD_PRELOAD=str(self.library), FAIL_AT=str(at), FAIL_ERRNO=error)
+        done = self.run(job, LD_PRELOAD=str(self.library), FAIL_READ="1", FAIL_ERRNO=error, **{way: str(at)})
         before = self.counts.copy()
         self.judge(job, done.returncode)
         if self.counts["exits_0_damaged"] > before["exits_0_damaged"]:
-            print(f"call {at} of {job.path.name}: code {done.returncode}, damaged", file=sys.stderr)
+            print(f"{way} {at} of {job.path.name}: code {done.returncode}, damaged", file=sys.stderr)
 
     def n_calls(self, job):
         self.clear()
         count = self.folder / "count"
-        self.run(job, LD_PRELOAD=str(self.library), FAIL_COUNT=str(count))
+        self.run(job, LD_PRELOAD=str(self.library), FAIL_READ="1", FAIL_COUNT=str(count))
         return int(count.read_text())
 
     def stopped(self, job):
@@ -291,18 +293,22 @@ class Attacks:
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    for name, n in (("stride", 1), ("damage", 300), ("mixed", 50), ("kills", 100), ("seed", 1)):
+    for name, n in (("stride", 1), ("every", 40), ("damage", 300), ("mixed", 50), ("kills", 100), ("seed", 1)):
         parser.add_argument(f"--{name}", type=int, default=int(os.environ.get(f"BEMCAL_BENCH_{name.upper()}", n)))
     wanted = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         attacks = Attacks(pathlib.Path(folder), wanted.seed)
         screened, chains, night = attacks.made(screening), attacks.made(posterior), attacks.made(stock)
+        jobs = (screened, chains, night)
         if wanted.stride:
-            for job in (screened, chains, night):
-                errors = (EIO, ENOSPC, HALF)
+            for job in jobs:
                 for at in range(1, attacks.n_calls(job) + 1, wanted.stride):
-                    attacks.fail(job, at, errors[at // wanted.stride % 3])
+                    attacks.fail(job, "FAIL_AT", at, ERRORS[at // wanted.stride % 3])
             attacks.report("failing")
+        if wanted.every:
+            for number in range(3 * wanted.every):
+                attacks.fail(jobs[number % 3], "FAIL_EVERY", number // 3 + 1, ERRORS[number // 3 % 3])
+            attacks.report("every")
         kept = {job.path: attacks.stopped(job) for job in (screened,)} if wanted.damage + wanted.mixed else {}
         for folder_of_run in kept.values():
             attacks.note_checksums(folder_of_run)
@@ -316,7 +322,7 @@ def main():
                 attacks.mix(screened, kept[screened.path], other)
             attacks.report("mixed")
         for number in range(wanted.kills):
-            attacks.kill((screened, chains, night)[number % 3])
+            attacks.kill(jobs[number % 3])
         if wanted.kills:
             attacks.report("kills")
 

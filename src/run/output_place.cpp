@@ -29,11 +29,15 @@ bool is_of(const store::ResultFile& result, const std::string& identity_hash) {
     return found != result.attributes.end() && found->second == identity_hash;
 }
 
+/// Whether the job's result stands there, damaged or not.
+bool has_result(const fs::path& output, const std::string& identity_hash) {
+    return fs::exists(output) && is_of(store::read_head(output), identity_hash);
+}
+
 /// Whether the job's complete and sound result stands there.
 bool is_done(const fs::path& output, const std::string& identity_hash) {
-    if (!fs::exists(output) || !is_of(store::read_head(output), identity_hash))
-        return false;
-    return store::is_sound(store::read_result(output));
+    return has_result(output, identity_hash) &&
+           store::is_sound(store::read_result(output));
 }
 
 void refuse_folder(const fs::path& output) {
@@ -152,8 +156,7 @@ bool is_unfinished(const fs::path& output) {
     const StoredIdentity identity =
         files.has_identity ? read_identity(folder) : StoredIdentity{};
     if (!identity.is_sound) return !fs::exists(output);
-    return !fs::exists(output) ||
-           !is_of(store::read_head(output), hash_of(identity.entries));
+    return !has_result(output, hash_of(identity.entries));
 }
 
 OutputPlace prepare_output(const fs::path& output, Existing existing,

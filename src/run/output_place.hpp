@@ -32,8 +32,8 @@ struct OutputPlace {
 OutputPlace prepare_output(const std::filesystem::path& output, Existing existing,
                            const Identity& identity);
 
-/// Whether a run of that output has items to do: a part folder of which no result is
-/// there. Throws UserError (data) where what is there cannot be read.
+/// Whether a run of that output has items to do: a part folder without, or not of, a
+/// complete result. One that is damaged is complete here: that it is damaged is told.
 bool is_unfinished(const std::filesystem::path& output);
 
 }  // namespace bemcal::run

@@ -211,6 +211,20 @@ TEST_F(Part, ADamagedResultIsNotTakenForDone) {
     expect_refused(Existing::resume, "is damaged");
 }
 
+TEST_F(Part, ADamagedResultBesideItsFailedItemsIsNotCalledUnfinished) {
+    store::ResultFile result;
+    result.attributes = {{"program", "bemcal-batch"}, {"identity", hash_of(identity)}};
+    store::write_result(output(), result);
+    leave_run();
+    EXPECT_FALSE(is_unfinished(output()));
+    std::string bytes = read_regular(output());
+    bytes[bytes.find("bemcal-batch") + 7] = 'c';
+    folder_.write("o.h5", bytes);
+    EXPECT_FALSE(is_unfinished(output()));
+    fs::remove(output());
+    EXPECT_TRUE(is_unfinished(output()));
+}
+
 TEST_F(Part, StrangeNamesStandInOneLine) {
     const Identity strange{{"version", "1"}, {"file a\nb\tc", "1"}};
     fs::create_directories(part());
