@@ -111,7 +111,7 @@ TEST(ConstantFills, OfACoarseMeterAreEstimatesOnlyIfTheyLastAMonth) {
         std::vector<double> values;
         for (int k = 0; k < 24 * 200; ++k) values.push_back(5 + k * 37 % 31);
         std::fill_n(values.begin() + 2400, 24 * n_days, value);
-        return input::constant_fills({values, 24, 0, 0, input::Driver::people}).size();
+        return checks::constant_fills({values, 24, 0, 0, checks::Driver::people}).size();
     };
     EXPECT_EQ(fills(10, 27), 1U);
     EXPECT_EQ(fills(10, 26), 0U);

@@ -13,15 +13,15 @@ namespace {
 
 const physics::Site berlin{52.5, 13.4, 1};
 
-RegularSeries empty(const char* from, int n_days, int step_s) {
-    RegularSeries series;
+input::RegularSeries empty(const char* from, int n_days, int step_s) {
+    input::RegularSeries series;
     series.axis = {physics::parse_time(from), step_s, n_days * physics::day_s / step_s};
     return series;
 }
 
 /// Global irradiance [W/m2] at a clearness of 0.2 to 0.75 by day.
-RegularSeries sunshine(const char* from, int n_days, int step_s = 3600) {
-    RegularSeries series = empty(from, n_days, step_s);
+input::RegularSeries sunshine(const char* from, int n_days, int step_s = 3600) {
+    input::RegularSeries series = empty(from, n_days, step_s);
     const auto suns = physics::step_suns(berlin, series.axis);
     for (std::size_t k = 0; k < suns.size(); ++k) {
         const auto day = static_cast<int>(k) * step_s / physics::day_s;
@@ -33,8 +33,8 @@ RegularSeries sunshine(const char* from, int n_days, int step_s = 3600) {
 }
 
 /// 9 degC with a year's and a day's wave [degC].
-RegularSeries air(const char* from, int n_days, double mean = 9) {
-    RegularSeries series = empty(from, n_days, 3600);
+input::RegularSeries air(const char* from, int n_days, double mean = 9) {
+    input::RegularSeries series = empty(from, n_days, 3600);
     for (int k = 0; k < series.axis.n_steps; ++k) {
         const double day = physics::calendar_step(series.axis.begin_of(k)).day_of_year;
         series.values.push_back(mean -
@@ -44,15 +44,16 @@ RegularSeries air(const char* from, int n_days, double mean = 9) {
     return series;
 }
 
-RegularSeries changed(RegularSeries series, double factor, double offset = 0) {
+input::RegularSeries changed(input::RegularSeries series, double factor,
+                             double offset = 0) {
     for (double& value : series.values) value = value * factor + offset;
     return series;
 }
 
-std::string doubt(const RegularSeries& series) {
+std::string doubt(const input::RegularSeries& series) {
     return doubt_of_irradiance(series, berlin, SunColumn::global_horizontal).value_or("");
 }
-std::string doubt_of_air(const RegularSeries& series) {
+std::string doubt_of_air(const input::RegularSeries& series) {
     return doubt_of_temperature(series, berlin).value_or("");
 }
 
@@ -61,7 +62,7 @@ void expect_advice(const std::string& text, const std::string& advice) {
 }
 
 TEST(WeatherUnits, OfIrradianceAreKnownByTheSun) {
-    const RegularSeries year = sunshine("2021-01-01", 365);
+    const input::RegularSeries year = sunshine("2021-01-01", 365);
     EXPECT_EQ(doubt(year), "");
     expect_advice(doubt(changed(year, 3.6)), "unit = \"kJ/m2\"");
     expect_advice(doubt(changed(year, 0.36)), "unit = \"J/cm2\"");
@@ -72,7 +73,7 @@ TEST(WeatherUnits, OfIrradianceAreKnownByTheSun) {
 }
 
 TEST(WeatherUnits, OfQuartersAreThoseOfTheStep) {
-    const RegularSeries year = sunshine("2021-01-01", 365, 900);
+    const input::RegularSeries year = sunshine("2021-01-01", 365, 900);
     EXPECT_EQ(doubt(year), "");
     expect_advice(doubt(changed(year, 0.25)), "unit = \"Wh/m2\"");
     expect_advice(doubt(changed(year, 0.09)), "unit = \"J/cm2\"");
@@ -88,7 +89,7 @@ TEST(WeatherUnits, SayTheRatioAndHowToKeepThem) {
 }
 
 TEST(WeatherUnits, OfWintersAreKnownTooThoughTheNumbersAreOrdinary) {
-    const RegularSeries winter = changed(sunshine("2021-12-01", 20), 3.6);
+    const input::RegularSeries winter = changed(sunshine("2021-12-01", 20), 3.6);
     EXPECT_LT(*std::ranges::max_element(winter.values), 1000);
     expect_advice(doubt(winter), "unit = \"kJ/m2\"");
 }
@@ -101,10 +102,11 @@ TEST(WeatherUnits, OfFewOrDarkDaysAreNotDoubted) {
 }
 
 TEST(WeatherUnits, OfTemperatureAreKnownByRangeSwingAndSeason) {
-    const RegularSeries year = air("2021-01-01", 365), winter = air("2021-01-01", 31);
+    const input::RegularSeries year = air("2021-01-01", 365),
+                               winter = air("2021-01-01", 31);
     EXPECT_EQ(doubt_of_air(year), "");
     EXPECT_EQ(doubt_of_air(winter), "");
-    for (const RegularSeries& series : {year, winter}) {
+    for (const input::RegularSeries& series : {year, winter}) {
         expect_advice(doubt_of_air(changed(series, 10)), "unit = \"0.1 degC\"");
         expect_advice(doubt_of_air(changed(series, 1, 273.15)), "unit = \"K\"");
         expect_advice(doubt_of_air(changed(series, 1.8, 32)), "unit = \"degF\"");
@@ -112,7 +114,7 @@ TEST(WeatherUnits, OfTemperatureAreKnownByRangeSwingAndSeason) {
 }
 
 TEST(WeatherUnits, OfOneWrongCellAreNotDoubted) {
-    RegularSeries year = air("2021-01-01", 365);
+    input::RegularSeries year = air("2021-01-01", 365);
     year.values[40] = 212;
     EXPECT_EQ(doubt_of_air(year), "");
 }

@@ -76,7 +76,7 @@ int doubts_in(const input::RegularSeries& series, Quantity quantity) {
     int n = 0;
     for (const int step_s : {series.axis.step_s, physics::day_s}) {
         input::RegularSeries rows = input::coarsened(series, step_s, input::Fold::sum);
-        std::optional<input::Question> question;
+        std::optional<checks::Question> question;
         n += static_cast<int>(checks::mask_codes(rows, quantity).size());
         n += checks::doubt_of_register(rows, quantity) ? 1 : 0;
         n += static_cast<int>(
