@@ -128,9 +128,31 @@ class Keeper {
 
   private:
     bool start() {
-        program_ = ::fork();
-        if (program_ == 0) become_program();
-        return program_ > 0;
+        stand_in_ = ::fork();
+        if (stand_in_ == 0) become_stand_in();
+        return stand_in_ > 0;
+    }
+    /// The program's parent, so that what it sends to its parent does not reach us. Ends
+    /// as the program does.
+    [[noreturn]] void become_stand_in() {
+        ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+        const pid_t program = ::fork();
+        if (program == 0) become_program();
+        if (program < 0) report({Ending::not_started, errno});
+        int status = 0;
+        while (::waitpid(program, &status, 0) < 0 && errno == EINTR) continue;
+        if (WIFSIGNALED(status)) end_by(WTERMSIG(status));
+        ::_exit(WEXITSTATUS(status));
+    }
+    [[noreturn]] static void end_by(int signal) {
+        const rlimit no_core{0, 0};
+        ::setrlimit(RLIMIT_CORE, &no_core);
+        ::signal(signal, SIG_DFL);
+        sigset_t none;
+        sigemptyset(&none);
+        ::sigprocmask(SIG_SETMASK, &none, nullptr);
+        ::raise(signal);
+        ::_exit(127);
     }
     [[noreturn]] void become_program() {
         sigset_t none;
@@ -170,7 +192,7 @@ class Keeper {
         int status = 0;
         pid_t id = 0;
         while ((id = ::waitpid(-1, &status, WNOHANG)) > 0)
-            if (id == program_) status_ = status;
+            if (id == stand_in_) status_ = status;
         return id == 0;
     }
     void end_all() {
@@ -182,7 +204,7 @@ class Keeper {
     }
 
     Kept kept_;
-    pid_t program_ = -1;
+    pid_t stand_in_ = -1;
     std::optional<int> status_;
     bool is_over_ = false;
 };

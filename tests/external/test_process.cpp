@@ -118,6 +118,23 @@ TEST(Process, WhatKillsItsOwnGroupDoesNotReachUs) {
     EXPECT_EQ(ended.number, SIGTERM);
 }
 
+TEST(Process, WhatKillsItsParentLeavesNothingBehind) {
+    const Folder folder;
+    const Ended ended = run_command(
+        shell(folder, std::string(daemon_text) + "kill -KILL $PPID; sleep 600", 20));
+    EXPECT_EQ(ended.how, Ending::killed);
+    EXPECT_EQ(ended.number, SIGKILL);
+    EXPECT_TRUE(goes(folder, "child"));
+}
+
+TEST(Process, WhatStopsItsParentEndsAtTheTimeLimit) {
+    const Folder folder;
+    const Ended ended = run_command(
+        shell(folder, std::string(daemon_text) + "kill -STOP $PPID; exit 0", 0.5));
+    EXPECT_EQ(ended.how, Ending::time_limit);
+    EXPECT_TRUE(goes(folder, "child"));
+}
+
 TEST(Process, ItsFilesEndAtTheirLimit) {
     const Folder folder;
     Command command = shell(folder, "exec dd if=/dev/zero of=large bs=4096 count=100");
