@@ -4,6 +4,7 @@
 #include "base/terminal.hpp"
 
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstdint>
 #include <new>
@@ -15,7 +16,7 @@
 namespace bemcal {
 namespace {
 
-std::atomic<bool> is_lost = false;
+std::atomic<bool> is_lost = false, is_reader_gone = false;
 
 struct Character {
     std::uint32_t code = 0;
@@ -103,9 +104,13 @@ void open_standard_streams() {
 }
 
 void print_raw(std::FILE* stream, std::string_view text) noexcept {
+    errno = 0;
     const bool is_written =
         std::fwrite(text.data(), 1, text.size(), stream) == text.size();
-    if (std::fflush(stream) != 0 || !is_written) is_lost = true;
+    if (std::fflush(stream) != 0 || !is_written) {
+        if (errno == EPIPE) is_reader_gone = true;
+        is_lost = true;
+    }
     std::clearerr(stream);
 }
 
@@ -119,6 +124,10 @@ void print(std::FILE* stream, std::string_view text) noexcept {
 
 bool is_output_lost() noexcept {
     return is_lost;
+}
+
+bool has_reader_gone() noexcept {
+    return is_reader_gone;
 }
 
 }  // namespace bemcal

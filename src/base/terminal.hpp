@@ -29,5 +29,7 @@ void print_raw(std::FILE* stream, std::string_view text) noexcept;
 
 /// Whether anything that was printed could not be written.
 bool is_output_lost() noexcept;
+/// Whether it was so because nobody reads the pipe any longer.
+bool has_reader_gone() noexcept;
 
 }  // namespace bemcal

@@ -390,17 +390,17 @@ void StagedCalibration::add_comparisons(const StagedPath& path,
     }
 }
 
-/// What the stages of the job end with, each on its own periods.
+/// What the last stage ends with, over the periods and meters of all of them.
 study::Summary StagedCalibration::summary_of(const StagedPath& path) const {
     std::vector<std::string> biases;
     for (std::size_t s = 0; s < options_.stages.size(); ++s)
         for (const std::string& name : stages_[s].periods) {
             const auto period = static_cast<std::size_t>(&exact_period(building_, name) -
                                                          building_.periods.data());
-            const auto fits = models_.at(name)->fits_at(path.found()[s].value, period,
+            const auto fits = models_.at(name)->fits_at(path.found().back().value, period,
                                                         goals_[s].meters());
             const std::string bias = study::bias_beyond(building_, period, fits);
-            if (!bias.empty()) biases.push_back(stages_[s].name + ": " + bias);
+            if (std::ranges::find(biases, bias) == biases.end()) biases.push_back(bias);
         }
     study::Summary summary;
     summary.study = name_;

@@ -60,9 +60,12 @@ job::Effort effort_of(const job::StudyStage& stage) {
 StageCost cost_of(const job::StudyStage& stage) {
     const job::Effort effort = effort_of(stage);
     const double items = stage.stage.n_items() * effort.rounds;
-    return {stage.stage.name(), items, effort.simulations,
+    return {stage.stage.name(),
+            items,
+            effort.simulations,
             static_cast<double>(stage.stage.answer_bytes()) * items,
-            seconds_of(stage, effort)};
+            seconds_of(stage, effort),
+            effort.working_bytes};
 }
 
 double series_bytes(const Case& building) {
@@ -95,6 +98,7 @@ PlanCost total_of(const std::vector<StageCost>& stages, const job::Job& job) {
         total.simulations += stage.simulations;
         total.answer_bytes += stage.answer_bytes;
         total.core_seconds += stage.core_seconds;
+        total.working_bytes = std::max(total.working_bytes, stage.working_bytes);
     }
     for (const Case& building : job.buildings) total.data_bytes += series_bytes(building);
     return total;

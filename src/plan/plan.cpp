@@ -100,10 +100,10 @@ std::string plan_text(const job::Job& job, int cores) {
             "a posterior is counted with its whole budget; it ends when it has "
             "converged\n\n";
     text += study_lines(job);
-    const double data = total.data_bytes;
+    const double data = total.data_bytes, of_each = 3 * data + total.working_bytes;
     text += fmt::format("memory: about {} on rank 0, {} on the others\n",
-                        words_of_bytes(2 * total.answer_bytes + 3 * data),
-                        words_of_bytes(3 * data));
+                        words_of_bytes(2 * total.answer_bytes + of_each),
+                        words_of_bytes(of_each));
     text += fmt::format("output: about {}\n", words_of_bytes(total.answer_bytes + data));
     if (job.simulator)
         return text + fmt::format(

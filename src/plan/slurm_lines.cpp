@@ -46,8 +46,9 @@ Shape shape_of(const PlanCost& cost, const SlurmRequest& request) {
 
 /// Of the node with rank 0, which holds all answers.
 long long megabytes_of(const PlanCost& cost, const Shape& shape) {
-    const double bytes = 2 * cost.answer_bytes +
-                         shape.ranks_per_node * (3 * cost.data_bytes + program_bytes);
+    const double bytes =
+        2 * cost.answer_bytes +
+        shape.ranks_per_node * (3 * cost.data_bytes + program_bytes + cost.working_bytes);
     return std::max(
         500LL, static_cast<long long>(std::ceil(1.5 * bytes / megabyte / 100)) * 100);
 }

@@ -75,8 +75,12 @@ PlanCost stock_cost(const job::Job& job) {
             input::InputFiles files;
             const PlanCost one =
                 cost_of_buildings(job::read_stock_building(job, line, files));
-            return {n, n * one.simulations, n * 4096, one.data_bytes,
-                    n * one.core_seconds};
+            return {n,
+                    n * one.simulations,
+                    n * 4096,
+                    one.data_bytes,
+                    n * one.core_seconds,
+                    one.working_bytes};
         } catch (const std::exception&) {
             continue;  // another one tells
         }

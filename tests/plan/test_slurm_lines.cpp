@@ -22,6 +22,12 @@ TEST(SlurmLines, ALongJobAsksForCoresThatMakeItShort) {
     EXPECT_NE(lines.find("--mem=12600M"), std::string::npos) << lines;
 }
 
+TEST(SlurmLines, WhatAnItemTakesWhileItIsWorkedOnIsAskedForOnEachRank) {
+    plan::PlanCost cost{100, 5000, 0, 0, 60};
+    cost.working_bytes = 1.2e9;  // 1.5 (1.2 GB + 0.1 GB)
+    EXPECT_NE(plan::slurm_lines(cost, {}).find("--mem=2000M"), std::string::npos);
+}
+
 TEST(SlurmLines, TheUsersNodesAreFilledWithRanksOfEightCores) {
     const std::string lines = plan::slurm_lines({1e5, 1e9, 0, 0, 1e6}, {4, 64});
     EXPECT_NE(lines.find("--nodes=4 --ntasks-per-node=8 --cpus-per-task=8\n"),
