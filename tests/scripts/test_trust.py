@@ -82,6 +82,13 @@ class Trust(unittest.TestCase):
         self.assertIn(b"is damaged", refused.stderr)
         self.assertEqual(sorted(self.place.iterdir()), before)
 
+    def test_a_reader_that_has_enough_needs_no_words(self):
+        reader, writer = os.pipe()
+        os.close(reader)
+        done = subprocess.run([PROGRAM, "describe", "job"], stdout=writer, stderr=subprocess.PIPE, check=False)
+        os.close(writer)
+        self.assertEqual((done.returncode, done.stderr), (74, b""))
+
     def test_lost_output_is_a_code_and_the_result_is_whole(self):
         expected = self.whole()
         for number, shell in enumerate((">/dev/full", "2>/dev/full", ">/dev/full 2>/dev/full", "<&- >&- 2>&-", ">&-")):
