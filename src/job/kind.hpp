@@ -59,7 +59,7 @@ struct Effort {
     double hours = 0;        ///< that a simulation lasts, without the warm-up
     bool has_errors = true;  ///< false: a step is only summed up, at half the cost
     std::optional<double> seconds{};  ///< on one core, where steps are not what it takes
-    double working_bytes = 0;  ///< that an item takes while it is worked on
+    double working_bytes = 0;         ///< that an item takes while it is worked on
 };
 
 /// Meters whose readings of a period are fitted.
