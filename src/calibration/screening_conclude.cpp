@@ -5,7 +5,6 @@
 #include "base/nan.hpp"
 #include "calibration/candidates.hpp"
 #include "calibration/screening_plan.hpp"
-#include "study/bias.hpp"
 #include "study/datasets.hpp"
 #include "study/failures.hpp"
 
@@ -176,7 +175,6 @@ study::Summary summary_of(const ScreeningPlan& plan,
         nominal = std::span(answers[0].values).first(plan.layout.width());
     summary.fits = fits_of(plan.layout, nominal, best[0].row);
     summary.score = best[0].row[0];
-    summary.shortfall = study::bias_beyond(plan.building, 0, summary.fits);
     return summary;
 }
 
