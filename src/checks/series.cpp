@@ -213,6 +213,7 @@ DataSeries data_series(const std::vector<double>& values, const physics::TimeAxi
 
 std::vector<Finding> check_series(input::RegularSeries& series, Quantity quantity,
                                   const CheckOptions& options) {
+    if (physics::day_s % series.axis.step_s != 0) return {};
     return ReadingChecks(series, quantity, options).check();
 }
 

@@ -32,7 +32,8 @@ DataSeries data_series(const std::vector<double>& values, const physics::TimeAxi
                        physics::Quantity quantity);
 
 /// Zeros that mean missing, constant fills and steps of the unit, in a meter's readings
-/// as they stand in the file; masked and corrected there.
+/// as they stand in the file; masked and corrected there. Of steps that do not divide a
+/// day nothing is found.
 std::vector<Finding> check_series(input::RegularSeries& series,
                                   physics::Quantity quantity,
                                   const CheckOptions& options);

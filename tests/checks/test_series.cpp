@@ -30,6 +30,15 @@ void scale_from(input::RegularSeries& series, int from, double factor) {
         series.values[k] *= factor;
 }
 
+TEST(DataChecks, OfStepsThatDoNotDivideADayNothingIsFound) {
+    for (const int step_s : {7 * 3600, 8785 * 3600}) {
+        input::RegularSeries series = electricity();
+        series.axis.step_s = step_s;
+        fill(series, 100 * day, 30, 0);
+        EXPECT_TRUE(checks::check_series(series, Quantity::electricity, {}).empty());
+    }
+}
+
 TEST(DataChecks, ZerosThatMeanMissingAreMaskedWithDatesAndNumbers) {
     input::RegularSeries series = electricity();
     fill(series, 100 * day, 30, 0);
