@@ -6,11 +6,11 @@
 #include "input/bills.hpp"
 
 #include "base/error.hpp"
+#include "base/nan.hpp"
 #include "input/intervals.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -24,8 +24,6 @@ using physics::Interval;
 using physics::Seconds;
 using std::chrono::days;
 using std::chrono::seconds;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 [[noreturn]] void fail(const Csv& csv, std::size_t row, const std::string& message) {
     throw UserError(ExitCode::data,

@@ -6,12 +6,12 @@
 #include "input/csv_numbers.hpp"
 
 #include "base/error.hpp"
+#include "base/nan.hpp"
 #include "input/data_text.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <set>
 
@@ -221,8 +221,7 @@ bool is_missing(std::string_view cell) {
 double number_in(const Csv& csv, std::size_t row, std::size_t column,
                  const NumberForm& form) {
     const std::string_view cell = csv.cell(row, column);
-    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-    if (is_missing_in(cell, form)) return nothing;
+    if (is_missing_in(cell, form)) return nan;
     std::optional<double> value;
     if (form.decimal == '.' && form.thousands.size() != 1) value = plain_number(cell);
     if (!value) {
@@ -230,7 +229,7 @@ double number_in(const Csv& csv, std::size_t row, std::size_t column,
         if (!reading.value) fail_cell(csv, row, column, reading.wrong);
         value = reading.value;
     }
-    return std::ranges::count(form.missing_numbers, *value) > 0 ? nothing : *value;
+    return std::ranges::count(form.missing_numbers, *value) > 0 ? nan : *value;
 }
 
 std::vector<double> numbers_in(const Csv& csv, std::size_t column,

@@ -5,6 +5,7 @@
 #include "input/time_columns.hpp"
 
 #include "base/error.hpp"
+#include "physics/calendar.hpp"
 
 #include <algorithm>
 #include <array>
@@ -406,7 +407,7 @@ Stamp stamp_in(const Csv& csv, std::size_t row, const TimeColumns& time,
     Stamp stamp = stamp_of_row(csv, row, time, format);
     if (time.per_day == 0) return stamp;
     const auto n = static_cast<std::size_t>(time.per_day);
-    stamp.face += seconds(86400 / time.per_day * static_cast<int>(row % n));
+    stamp.face += seconds(physics::day_s / time.per_day * static_cast<int>(row % n));
     return stamp;
 }
 

@@ -209,9 +209,12 @@ class Writer {
             {section.text("from"), section.text("to"), section.text("estimated")},
             interval};
         const bool is_long = interval > physics::Interval::hourly;
-        const description::OpenOptions options{
-            is_long ? 31 * 86400 : 3600, false,           column, is_long,
-            columns.bills.from,          columns.bills.to};
+        const description::OpenOptions options{is_long ? 31 * physics::day_s : 3600,
+                                               false,
+                                               column,
+                                               is_long,
+                                               columns.bills.from,
+                                               columns.bills.to};
         const description::TimedCsv source = description::open_csv(
             section, "file", section.text("file"), files_, physics::Site{}, options);
         const input::Csv& csv = *source.csv;

@@ -2,11 +2,11 @@
 /// its datasets stand in stored_loop.cpp alone: the loop writes by them, reports read.
 #pragma once
 
+#include "base/nan.hpp"
 #include "loop/power.hpp"
 #include "physics/calendar.hpp"
 #include "study/array.hpp"
 
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,7 +14,6 @@ namespace bemcal::loop {
 
 /// A number that is not known is NaN, a text that is not stored empty.
 struct StoredLoop {
-    static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     // Indices along the dimensions of the arrays.
     enum Model : std::size_t { plain, before, after, n_models };
     enum Resolution : std::size_t { hourly, monthly, n_resolutions };

@@ -67,7 +67,7 @@ std::string effect_lines(const StoredLoop::Effect& effect) {
 
 /// "gas -8.6": the channel whose error a step lowers most.
 std::string best_of(const StoredLoop& loop, std::size_t step) {
-    double least = std::numeric_limits<double>::quiet_NaN();
+    double least = nan;
     std::string text = "-";
     for (std::size_t c = 0; c < loop.channels.size(); ++c) {
         const double change = loop.step_error.at({step, c});

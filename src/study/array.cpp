@@ -4,14 +4,13 @@
 #include "study/array.hpp"
 
 #include "base/error.hpp"
+#include "base/nan.hpp"
 
 #include <functional>
 #include <numeric>
 
 namespace bemcal::study {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// [begin, end) of the values.
 struct Range {
