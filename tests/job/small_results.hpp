@@ -7,6 +7,7 @@
 #include "job/stock.hpp"
 #include "stock/stage.hpp"
 #include "store/result.hpp"
+#include "support/stage_answers.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -83,16 +84,7 @@ inline std::string small_building_text() {
 
 /// All rounds of a stage, item by item.
 inline study::Conclusion conclusion_of(study::Stage& stage) {
-    std::vector<study::ItemAnswer> answers;
-    for (int first = 0, count = stage.n_items(); count > 0;) {
-        for (int item = first; item < first + count; ++item)
-            answers.push_back(stage.run(item));
-        const auto round = stage.next_round(answers);
-        first += count;
-        count = round ? round->n_items : 0;
-        if (round) stage.begin_round(first, *round);
-    }
-    return stage.conclude(answers);
+    return stage.conclude(test::answers_of(stage));
 }
 
 inline store::ResultFile result_of_stages(

@@ -4,6 +4,7 @@
 #include "job/stock.hpp"
 #include "stock/record.hpp"
 #include "stock/stage.hpp"
+#include "support/stage_answers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,19 +55,7 @@ class Stock3 {
     Folder folder_;
 };
 
-/// Of all rounds, by item.
-std::vector<study::ItemAnswer> answers_of(study::Stage& stage) {
-    std::vector<study::ItemAnswer> answers;
-    for (int first = 0, count = stage.n_items(); count > 0;) {
-        for (int item = first; item < first + count; ++item)
-            answers.push_back(stage.run(item));
-        const auto round = stage.next_round(answers);
-        first += count;
-        count = round ? round->n_items : 0;
-        if (round) stage.begin_round(first, *round);
-    }
-    return answers;
-}
+using test::answers_of;
 
 std::vector<stock::StockRecord> night(const Stock3& stock,
                                       std::vector<stock::StockRecord> before) {
