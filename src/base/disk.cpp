@@ -49,14 +49,14 @@ bool is_of_place(int error) {
     return false;
 }
 
-std::string in_words(int error) {
+std::string error_in_words(int error) {
     return error == ENAMETOOLONG ? "the name is too long" : std::strerror(error);
 }
 
 [[noreturn]] void fail_reading(const fs::path& path, int error) {
     throw UserError(
         is_of_place(error) ? ExitCode::no_input : ExitCode::io,
-        fmt::format("{}: cannot be read: {}", path.string(), in_words(error)));
+        fmt::format("{}: cannot be read: {}", path.string(), error_in_words(error)));
 }
 
 std::string ending() {
@@ -109,7 +109,7 @@ fs::path folder_of(const fs::path& path) {
 void fail_at(const fs::path& path, const char* doing, int error) {
     throw UserError(
         is_of_place(error) ? ExitCode::cannot_create : ExitCode::io,
-        fmt::format("{}: cannot {}: {}", path.string(), doing, in_words(error)));
+        fmt::format("{}: cannot {}: {}", path.string(), doing, error_in_words(error)));
 }
 
 std::string read_regular(const fs::path& path) {

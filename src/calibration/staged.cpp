@@ -137,7 +137,7 @@ PeriodModels models_of(const study::Case& building, const StagedOptions& options
 }
 
 /// The way with all that it was told.
-struct History {
+struct StagedHistory {
     StagedPath path;
     std::size_t n_items = 0;   ///< told
     std::size_t n_points = 0;  ///< told
@@ -165,10 +165,11 @@ class StagedCalibration : public study::Stage {
     static std::size_t items_of(std::size_t n_points) {
         return (n_points + points_per_item - 1) / points_per_item;
     }
-    History start() const {
+    StagedHistory start() const {
         return {{building_.parameters, building_.priors, stages_}, 0, 0, {}};
     }
-    void follow(const std::vector<study::ItemAnswer>& answers, History& history) const;
+    void follow(const std::vector<study::ItemAnswer>& answers,
+                StagedHistory& history) const;
     void add_stages(const StagedPath& path, study::DatasetBuilder& datasets) const;
     std::vector<std::vector<double>> spreads_of(
         const std::vector<StageFound>& found) const;
@@ -181,13 +182,13 @@ class StagedCalibration : public study::Stage {
     StagedOptions options_;
     std::vector<CalibrationStage> stages_;  ///< with the one of all at once
     PeriodModels models_;
-    std::vector<StageGoal> goals_;            ///< [stages]
-    std::vector<Version> beside_;             ///< of studies above
-    std::size_t stage_ = 0;                   ///< of this round
-    Matrix points_;                           ///< of this round
-    int first_item_ = 0;                      ///< of this round
-    std::size_t n_before_ = 0;                ///< points before it
-    mutable std::optional<History> history_;  ///< of rank 0, from round to round
+    std::vector<StageGoal> goals_;                  ///< [stages]
+    std::vector<Version> beside_;                   ///< of studies above
+    std::size_t stage_ = 0;                         ///< of this round
+    Matrix points_;                                 ///< of this round
+    int first_item_ = 0;                            ///< of this round
+    std::size_t n_before_ = 0;                      ///< points before it
+    mutable std::optional<StagedHistory> history_;  ///< of rank 0, from round to round
 };
 
 StagedCalibration::StagedCalibration(std::string name, const study::Case& building,
@@ -239,7 +240,7 @@ study::ItemAnswer StagedCalibration::run(int item) const {
 
 /// Tells the way the answers that it does not know yet.
 void StagedCalibration::follow(const std::vector<study::ItemAnswer>& answers,
-                               History& history) const {
+                               StagedHistory& history) const {
     while (history.n_items < answers.size()) {
         const std::size_t n = history.path.next_points().rows;
         if (n == 0) return;
@@ -410,7 +411,7 @@ study::Summary StagedCalibration::summary_of(const StagedPath& path) const {
 
 study::Conclusion StagedCalibration::conclude(
     const std::vector<study::ItemAnswer>& answers) const {
-    History history = start();
+    StagedHistory history = start();
     follow(answers, history);
     study::DatasetBuilder datasets(name_);
     datasets.kind("stages");

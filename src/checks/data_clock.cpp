@@ -11,7 +11,7 @@ namespace bemcal::checks {
 
 namespace {
 
-constexpr int window_d = 21;
+constexpr int clock_window_d = 21;
 constexpr double least_correlation = 0.75, least_amplitude = 0.05;
 constexpr double most_of_one = 0.4, most_of_mean = 0.25, most_natural = 0.25;  ///< [h]
 
@@ -44,7 +44,7 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b,
 /// Lag of the days after a step behind those before it; false where days are flat or
 /// unlike.
 bool lag_at(const DataSeries& series, int at, double& hours) {
-    const int window = window_d * series.per_day;
+    const int window = clock_window_d * series.per_day;
     if (at < window || at + window > series.size()) return false;
     const auto before = weekday_profile(series, at - window, at);
     const auto after = weekday_profile(series, at, at + window);

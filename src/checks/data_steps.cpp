@@ -13,7 +13,7 @@ namespace bemcal::checks {
 
 namespace {
 
-constexpr int window_d = 28, week_d = 7, year_d = 365;
+constexpr int step_window_d = 28, week_d = 7, year_d = 365;
 constexpr double least_log = 0.6931471805599453;  ///< factor 2
 constexpr double most_spread = 0.3;     ///< of hours of day about the step's logarithm
 constexpr double most_residual = 0.35;  ///< of the days beside the step
@@ -45,7 +45,7 @@ class StepSearch {
         for (const int day : candidates()) {
             ScaleStep step;
             if (!is_step(day * day_, step)) continue;
-            if (steps.empty() || step.at - steps.back().at >= window_d * day_)
+            if (steps.empty() || step.at - steps.back().at >= step_window_d * day_)
                 steps.push_back(step);
         }
         std::vector<ScaleStep> proven;
@@ -181,7 +181,7 @@ class StepSearch {
     }
 
     bool is_step(int near, ScaleStep& step) const {
-        const int window = window_d * day_, week = week_d * day_;
+        const int window = step_window_d * day_, week = week_d * day_;
         Profile before = profile(near - window, near),
                 after = profile(near, near + window);
         if (before.empty() || after.empty()) return false;
@@ -222,7 +222,7 @@ class StepSearch {
 
     /// The four weeks beyond, where there are any, are nearer to their own side.
     bool stays(int at, const Profile& before, const Profile& after) const {
-        const int window = window_d * day_;
+        const int window = step_window_d * day_;
         const auto beyond = [&](int from, int to, const Profile& own,
                                 const Profile& other) {
             if (from < 0 || to > series_.size()) return true;
@@ -269,15 +269,15 @@ class StepSearch {
     /// it moves one only.
     bool scatter_agrees(const ScaleStep& step) const {
         const int at = step.at / day_;
-        const double before = scatter(at - window_d, at);
-        const double after = scatter(at + 1, at + 1 + window_d);
+        const double before = scatter(at - step_window_d, at);
+        const double after = scatter(at + 1, at + 1 + step_window_d);
         return std::min(before, after) > least_scatter &&
                std::max(before, after) < 2 * std::min(before, after);
     }
 
     /// Of four weeks on either side.
     bool quantum_agrees(const ScaleStep& step) const {
-        const auto window = static_cast<std::size_t>(window_d * day_);
+        const auto window = static_cast<std::size_t>(step_window_d * day_);
         const auto at = static_cast<std::size_t>(step.at);
         const auto from = at > window ? at - window : 0;
         const double before = quantum_of(series_.values.subspan(from, at - from));

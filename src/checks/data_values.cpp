@@ -30,15 +30,15 @@ constexpr double known_codes[] = {
 /// Sensors of temperature: cut off, just switched on, at 0.
 constexpr double codes_of_temperature[] = {-127, 85, 0};
 
-constexpr double apart_again = 1.5;    ///< of a known code that is read twice or more
-constexpr double apart_once = 3;       ///< of one that is read once
-constexpr double apart_unknown = 20;   ///< of any other value: a machine of one power
-constexpr double most_unknown = 0.1;   ///< of the readings above 0, with all higher ones
-constexpr int least_unknown = 3;       ///< times that such a value is read
-constexpr int least_readings = 3;      ///< beside codes, to stand apart from
-constexpr double least_spread = 5;     ///< [K], of a temperature that hardly moves
-constexpr double usual_share = 0.001;  ///< on either side of what a temperature spans
-constexpr std::size_t enough = 50;     ///< readings above 0, to know a meter's reach
+constexpr double apart_again = 1.5;   ///< of a known code that is read twice or more
+constexpr double apart_once = 3;      ///< of one that is read once
+constexpr double apart_unknown = 20;  ///< of any other value: a machine of one power
+constexpr double most_unknown = 0.1;  ///< of the readings above 0, with all higher ones
+constexpr int least_unknown = 3;      ///< times that such a value is read
+constexpr int least_other_readings = 3;   ///< beside codes, to stand apart from
+constexpr double least_spread = 5;        ///< [K], of a temperature that hardly moves
+constexpr double usual_share = 0.001;     ///< on either side of what a temperature spans
+constexpr std::size_t enough = 50;        ///< readings above 0, to know a meter's reach
 constexpr double least_spike_quanta = 5;  ///< of the highest other reading
 constexpr double most_negative = 0.01;    ///< of all readings
 constexpr double most_offset = 0.01;      ///< of what the meter usually reaches
@@ -81,7 +81,7 @@ class CodeSearch {
 
     std::vector<double> search() {
         std::vector<double> codes;
-        if (others_.size() < least_readings) return codes;
+        if (others_.size() < least_other_readings) return codes;
         for (const auto& [value, n] : counts_)
             if (is_known(value, temperature_) &&
                 is_apart(value, n > 1 ? apart_again : apart_once))

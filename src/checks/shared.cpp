@@ -20,7 +20,7 @@ namespace {
 using study::Case;
 using study::Meter;
 
-constexpr double least_share = 0.9;
+constexpr double least_common_share = 0.9;
 
 bool can_be_shared(const Meter& meter) {
     return !physics::is_temperature(meter.quantity) && meter.axis.step_s <= 3600 &&
@@ -62,7 +62,7 @@ struct Share {
 
 bool is_shared(const Place& a, const Place& b, Proportion& found) {
     found = proportion_of(*a.meter, *b.meter);
-    return found.n > 0 && found.share > least_share;
+    return found.n > 0 && found.share > least_common_share;
 }
 
 /// \param partners  whom it is shared with, in words

@@ -29,8 +29,6 @@ namespace {
 
 using physics::Weather;
 
-constexpr double missing = nan;
-
 using checks::SunColumn;
 using checks::WeatherKind;
 
@@ -287,7 +285,7 @@ class CsvWeather {
 
     void append(const Column& column, const input::RegularSeries& part) {
         std::vector<double>& values = weather_.*column.series;
-        values.resize(static_cast<std::size_t>(weather_.axis.n_steps), missing);
+        values.resize(static_cast<std::size_t>(weather_.axis.n_steps), nan);
         int n_again = 0;
         for (int k = 0; k < part.axis.n_steps; ++k) {
             const physics::Seconds begin = part.axis.begin_of(k);
@@ -424,8 +422,8 @@ void check_hours(const schema::Section& section, study::Case& building) {
             refuse(k, "irradiance",
                    "give columns for global_horizontal, or direct_normal and "
                    "diffuse_horizontal, or cloud_cover, and fill_gaps for short gaps");
-        weather.theta_e[k] = missing;
-        weather.global_horizontal.resize(weather.theta_e.size(), missing);
+        weather.theta_e[k] = nan;
+        weather.global_horizontal.resize(weather.theta_e.size(), nan);
         weather.global_horizontal[k] = 0;
     }
 }

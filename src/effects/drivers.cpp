@@ -128,7 +128,7 @@ Shapes hinges_of_temperature() {
     return shapes;
 }
 
-constexpr DriverRow rows[] = {
+constexpr DriverRow driver_table[] = {
     {.driver = Driver::one,
      .name = "constant",
      .unit = "",
@@ -301,21 +301,21 @@ constexpr DriverRow rows[] = {
      .grammar = {{{Follows::columns, linear}}}},
 };
 
-constexpr bool rows_stand_in_order() {
-    for (std::size_t k = 0; k < std::size(rows); ++k)
-        if (rows[k].driver != static_cast<Driver>(k)) return false;
+constexpr bool driver_table_stands_in_order() {
+    for (std::size_t k = 0; k < std::size(driver_table); ++k)
+        if (driver_table[k].driver != static_cast<Driver>(k)) return false;
     return true;
 }
-static_assert(rows_stand_in_order(), "rows have another order than Driver");
+static_assert(driver_table_stands_in_order(), "rows have another order than Driver");
 
 }  // namespace
 
 std::span<const DriverRow> driver_rows() {
-    return rows;
+    return driver_table;
 }
 
 const DriverRow& row_of(Driver driver) {
-    return rows[static_cast<std::size_t>(driver)];
+    return driver_table[static_cast<std::size_t>(driver)];
 }
 
 std::vector<double> driver_of(const Effect& effect, const Surroundings& around) {

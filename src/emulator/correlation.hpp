@@ -8,6 +8,11 @@
 
 namespace bemcal::emulator {
 
+/// The next multiple of 4.
+constexpr std::size_t in_fours(std::size_t n) {
+    return (n + 3) / 4 * 4;
+}
+
 /// Points as columns: coordinate k of point j is values[k * stride + j].
 struct PointTable {
     const double* values;  ///< [dimension x stride], finite up to a multiple of 4

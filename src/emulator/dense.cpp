@@ -4,6 +4,8 @@
 /// grows with the cube of the rows; full grids have kronecker.
 #include "emulator/dense.hpp"
 
+#include "emulator/correlation.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,10 +13,6 @@
 namespace bemcal::emulator {
 
 namespace {
-
-std::size_t in_fours(std::size_t n) {
-    return (n + 3) / 4 * 4;
-}
 
 /// x of the runs, then of the measurements.
 Matrix all_x(const Observations& o) {

@@ -5,6 +5,8 @@
 /// Runs that are no grid need the dense form.
 #include "emulator/kronecker.hpp"
 
+#include "emulator/correlation.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,10 +14,6 @@
 namespace bemcal::emulator {
 
 namespace {
-
-std::size_t in_fours(std::size_t n) {
-    return (n + 3) / 4 * 4;
-}
 
 double least_pivot(std::size_t n) {
     return std::numeric_limits<double>::epsilon() * static_cast<double>(n);

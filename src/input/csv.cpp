@@ -31,10 +31,6 @@ using Cells = std::vector<std::string_view>;
     throw UserError(ExitCode::data, message);
 }
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 /// Whether a cell can end at `at`.
 bool ends_cell(std::string_view text, std::size_t at) {
     at = text.find_first_not_of(' ', at);

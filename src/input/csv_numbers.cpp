@@ -23,10 +23,6 @@ namespace {
 
 constexpr int few = 50;  // readings that do not tell what their mark is
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 /// Blanks of all kinds as ' ', apostrophes as '; nothing around it.
 std::string plain_marks(std::string_view cell) {
     constexpr struct {

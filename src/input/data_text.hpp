@@ -23,6 +23,10 @@ bool next_line(std::string_view& rest, std::string_view& line);
 /// Without the byte order mark of UTF-8.
 std::string_view without_mark(std::string_view text);
 
+inline bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
 /// Without blanks and tabs around it.
 std::string_view trimmed(std::string_view text);
 

@@ -47,8 +47,8 @@ long long commonest(const std::vector<long long>& values) {
     return most == counts.end() ? 0 : most->first;
 }
 
-/// Rows [first, last] that follow each other by one step.
-struct Run {
+/// StepRows [first, last] that follow each other by one step.
+struct StepRun {
     std::size_t first, last;
     long long step_s;
 };
@@ -60,8 +60,8 @@ bool is_run(long long step_s, std::size_t n_rows) {
            static_cast<long long>(n_rows) * step_s >= least_span_s;
 }
 
-std::vector<Run> runs_of(const std::vector<long long>& distances) {
-    std::vector<Run> runs;
+std::vector<StepRun> runs_of(const std::vector<long long>& distances) {
+    std::vector<StepRun> runs;
     for (std::size_t row = 1; row < distances.size();) {
         const std::size_t begin = row;
         const long long step = distances[row];
@@ -76,7 +76,7 @@ std::vector<Run> runs_of(const std::vector<long long>& distances) {
 }
 
 /// Every row gets the step of its run; those between two runs belong to the first.
-std::vector<int> steps_by_row(const std::vector<Run>& runs, std::size_t n_rows,
+std::vector<int> steps_by_row(const std::vector<StepRun>& runs, std::size_t n_rows,
                               bool at_end) {
     std::vector<int> steps(n_rows, static_cast<int>(runs[0].step_s));
     for (std::size_t k = 1; k < runs.size(); ++k) {
@@ -95,7 +95,7 @@ long long apart(long long phase, long long from, long long step_s) {
     return 2 * d > step_s ? d - step_s : d;
 }
 
-struct Rows {
+struct StepRows {
     std::vector<Seconds>& times;
     std::size_t first, last;
     long long step_s;
@@ -140,7 +140,7 @@ RowSteps row_steps(const std::vector<Seconds>& times, bool at_end) {
     const long long step = commonest(distances);
     if (step <= 0 || step > 400 * day_s) return found;
     found.step_s = static_cast<int>(step);
-    const std::vector<Run> runs = runs_of(distances);
+    const std::vector<StepRun> runs = runs_of(distances);
     if (runs.size() > 1) found.steps = steps_by_row(runs, times.size(), at_end);
     return found;
 }
@@ -154,7 +154,7 @@ Phase settle(std::vector<Seconds>& times, std::size_t first, std::size_t last,
              long long step_s) {
     Phase phase;
     if (first >= last || step_s <= 0 || day_s % step_s != 0) return phase;
-    const Rows rows{times, first, last, step_s};
+    const StepRows rows{times, first, last, step_s};
     if (!rows.are_near(0)) phase.offset_s = rows.commonest_phase();
     if (part_of_step * std::abs(apart(phase.offset_s, 0, step_s)) <= step_s)
         phase.offset_s = 0;

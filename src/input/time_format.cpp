@@ -5,6 +5,8 @@
 /// names of zones that several zones have.
 #include "input/time_format.hpp"
 
+#include "input/data_text.hpp"
+
 #include <array>
 #include <cctype>
 #include <stdexcept>
@@ -77,10 +79,6 @@ constexpr Zone zones[] = {
 constexpr char lower(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 /// Whether `text` begins with `word`, which is in small letters.
 bool begins_with(std::string_view text, std::string_view word) {
     if (text.size() < word.size()) return false;

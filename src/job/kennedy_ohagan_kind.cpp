@@ -25,7 +25,7 @@ namespace {
 using posterior::KohOptions;
 using schema::Type;
 
-constexpr const char* required = nullptr;
+using schema::required;
 
 constexpr schema::SectionInfo sections[] = {
     {"study", "[[study]] kind = \"kennedy_ohagan\"", "",

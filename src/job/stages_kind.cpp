@@ -21,7 +21,7 @@ using calibration::OptimisationOptions;
 using calibration::StagedOptions;
 using schema::Type;
 
-constexpr const char* required = nullptr;
+using schema::required;
 
 constexpr schema::SectionInfo sections[] = {
     {"study", "[[study]] kind = \"stages\"", "",

@@ -15,7 +15,7 @@ namespace bemcal::kernel {
 namespace {
 
 /// Consecutive columns of one lane.
-struct Columns {
+struct ColumnsBack {
     const double* next;
     int lanes;
     double take() {
@@ -25,7 +25,7 @@ struct Columns {
     }
 };
 
-void pull_apertures(RegimeBack& back, Columns& columns) {
+void pull_apertures(RegimeBack& back, ColumnsBack& columns) {
     for (int plane : back.regime.plan.planes)
         back.of_network.aperture[static_cast<std::size_t>(plane)] += columns.take();
 }
@@ -40,7 +40,7 @@ void for_rows(RegimeBack& back, const LaneAdjoints& tables, Pull pull) {
             tables.rows + static_cast<long>(row) * plan.row_columns() * tables.lanes;
         const int step = plan.rows.first[static_cast<std::size_t>(row)];
         const double phi_int = tabled_gain(back.regime, step);
-        pull_tabled_gain(back, step, pull(step, phi_int, Columns{at, tables.lanes}));
+        pull_tabled_gain(back, step, pull(step, phi_int, ColumnsBack{at, tables.lanes}));
     }
 }
 
@@ -57,7 +57,7 @@ class StandardBack {
           scale_(back.regime.map) {}
 
     /// In the order of StandardColumn.
-    void pull_columns(Columns columns) {
+    void pull_columns(ColumnsBack columns) {
         of_mass_[physics::Term::theta_m] += columns.take();
         const double of_gain = columns.take();
         of_asked_ += of_gain * air_[physics::Term::theta_m];
@@ -77,7 +77,7 @@ class StandardBack {
         const double mass_per_int = regime.per_int(mass_),
                      air_per_int = regime.per_int(air_);
         double of_mass = 0, of_mass_int = 0, of_asked = 0, of_asked_int = 0;
-        for_rows(back_, tables, [&](int, double phi_int, Columns row) {
+        for_rows(back_, tables, [&](int, double phi_int, ColumnsBack row) {
             const double g_mass = row.take(), g_asked = row.take();
             of_mass += g_mass;
             of_mass_int += g_mass * phi_int;
@@ -117,9 +117,9 @@ class StandardBack {
         return g * scale_.kelvin_per_watt;
     }
 
-    /// Columns sun_mass, sun_asked and the aperture of each plane, which meet in the sum
-    /// over planes of sun_mass aperture irradiance.
-    void pull_planes(Columns& columns) {
+    /// ColumnsBack sun_mass, sun_asked and the aperture of each plane, which meet in the
+    /// sum over planes of sun_mass aperture irradiance.
+    void pull_planes(ColumnsBack& columns) {
         const double sun_mass = back_.regime.per_sol(mass_),
                      sun_air = back_.regime.per_sol(air_),
                      sun_asked = -scale_.asked_per_kelvin * sun_air;
@@ -136,7 +136,7 @@ class StandardBack {
         back_.per_sol(air_, asked(sun_air, of_sun_asked), of_air_);
     }
 
-    void pull_control(Columns& columns) {
+    void pull_control(ColumnsBack& columns) {
         const physics::Control& control = back_.regime.control;
         physics::Control& of = back_.of_control;
         of.phi_H_max += limit(control.phi_H_max, columns.take());
@@ -176,7 +176,7 @@ class GeneralBack {
     explicit GeneralBack(RegimeBack& back) : back_(back) {}
 
     /// In the order of GeneralColumn.
-    void pull_columns(Columns columns) {
+    void pull_columns(ColumnsBack columns) {
         back_.of_control.phi_H_max += columns.take();
         back_.of_control.phi_C_max += columns.take();
         of_heating_.gain += columns.take();
@@ -207,7 +207,7 @@ class GeneralBack {
         for_forms([&](const physics::LinearForm& form, physics::LinearForm&) {
             per_int[n++] = back_.regime.per_int(form);
         });
-        for_rows(back_, tables, [&](int step, double phi_int, Columns row) {
+        for_rows(back_, tables, [&](int step, double phi_int, ColumnsBack row) {
             double of_phi_int = 0;
             for (std::size_t f = 0; f < n; ++f) {
                 const double g = row.take();
@@ -245,7 +245,7 @@ class GeneralBack {
             use(form_of(map, state), form_of(back_.of_map, state));
     }
 
-    void pull_term(physics::Term term, Columns& columns) {
+    void pull_term(physics::Term term, ColumnsBack& columns) {
         for_forms([&](const physics::LinearForm&, physics::LinearForm& of_form) {
             of_form[term] += columns.take();
         });
@@ -272,7 +272,7 @@ class GeneralBack {
             g * (plan.imposed_driver ? power.low : drive.at(power, step));
     }
 
-    void pull_venting(Columns& columns) {
+    void pull_venting(ColumnsBack& columns) {
         const double per_band = 1 / back_.regime.zone.venting.band;
         physics::Venting& of = back_.place.of_here().venting;
         of.opens_above += columns.take();

@@ -8,10 +8,6 @@ namespace bemcal::physics {
 
 namespace {
 
-std::size_t row(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 void* part_in_zone(Zone& zone, Part part, std::size_t inner) {
     switch (part) {
         case Part::surface:
@@ -34,20 +30,21 @@ void* part_in_zone(Zone& zone, Part part, std::size_t inner) {
 void* part_at(Building& building, const Target& target) {
     switch (target.part) {
         case Part::construction:
-            return &building.constructions[row(target.index)];
+            return &building.constructions[row_of(target.index)];
         case Part::layer:
-            return &building.constructions[row(target.index)].layers[row(target.inner)];
+            return &building.constructions[row_of(target.index)]
+                        .layers[row_of(target.inner)];
         case Part::glazing:
-            return &building.glazings[row(target.index)];
+            return &building.glazings[row_of(target.index)];
         case Part::boundary:
-            return &building.boundaries[row(target.index)];
+            return &building.boundaries[row_of(target.index)];
         case Part::plant:
             return &building.plant;
         case Part::meter:
-            return &building.meter_factor[row(target.index)];
+            return &building.meter_factor[row_of(target.index)];
         default:
-            return part_in_zone(building.zones[row(target.index)], target.part,
-                                row(target.inner));
+            return part_in_zone(building.zones[row_of(target.index)], target.part,
+                                row_of(target.inner));
     }
 }
 
@@ -61,7 +58,7 @@ const char* name_of(Part part) {
 }
 
 const Field& field_of(const Target& target) {
-    return fields()[row(target.field)];
+    return fields()[row_of(target.field)];
 }
 
 Input* input_at(Building& building, const Target& target) {
@@ -79,7 +76,7 @@ double& number_at(Building& building, const Target& target) {
         case Slot::low:
             return input.low;
         case Slot::change:
-            return input.changes[row(target.change)].amount;
+            return input.changes[row_of(target.change)].amount;
         default:
             return input.value;
     }

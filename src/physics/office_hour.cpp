@@ -59,7 +59,6 @@ Office office_of(std::span<const double> v) {
             v[10], v[11], v[12], v[13], v[14], v[15], v[16], v[17], v[18]};
 }
 
-constexpr double deg = std::numbers::pi / 180;
 constexpr Site guangzhou{23.13, 113.3, 8, 20, 0.2};
 constexpr double external_resistance = 0.04, emissivity = 0.9;
 constexpr double incidence_factor = 0.9;           ///< F_w of eq. 44

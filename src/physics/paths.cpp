@@ -23,10 +23,6 @@ struct Entry {
     Target target;
 };
 
-std::size_t row(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 /// Adds an entry for every field of a part.
 void add_fields(Target target, const Words& prefix, std::vector<Entry>& entries) {
     for (std::size_t field = 0; field < fields().size(); ++field) {
@@ -62,18 +58,18 @@ std::vector<Named> coupled_zones(const Building& building, const Zone& zone) {
     std::vector<Named> names;
     names.reserve(zone.couplings.size());
     for (const ZoneCoupling& coupling : zone.couplings)
-        names.push_back({building.zones[row(coupling.zone)].name});
+        names.push_back({building.zones[row_of(coupling.zone)].name});
     return names;
 }
 
 void add_layers(const Building& building, int index, std::vector<Entry>& entries) {
-    const Construction& construction = building.constructions[row(index)];
+    const Construction& construction = building.constructions[row_of(index)];
     add_inner(Part::layer, index, {name_of(Part::construction), construction.name},
               construction.layers, entries);
 }
 
 void add_zone(const Building& building, int index, std::vector<Entry>& entries) {
-    const Zone& zone = building.zones[row(index)];
+    const Zone& zone = building.zones[row_of(index)];
     const Words words = {name_of(Part::zone), zone.name};
     add_fields({Part::zone, index}, words, entries);
     add_inner(Part::surface, index, words, zone.surfaces, entries);

@@ -1,7 +1,11 @@
 /// A place on Earth, its clock and its ground.
 #pragma once
 
+#include <numbers>
+
 namespace bemcal::physics {
+
+inline constexpr double deg = std::numbers::pi / 180;  ///< [rad]
 
 struct Site {
     double latitude = 0;      ///< [deg], north positive

@@ -4,16 +4,15 @@
 /// lag is our own. Horizons are left out; shade is a factor of the element.
 #include "physics/sky.hpp"
 
+#include "physics/site.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 namespace bemcal::physics {
 namespace {
-
-constexpr double deg = std::numbers::pi / 180;
 
 struct PerezBin {
     double clearness;  // upper bound of epsilon

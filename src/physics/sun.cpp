@@ -14,7 +14,6 @@ namespace bemcal::physics {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double deg = pi / 180;
 constexpr double solar_constant = 1366.1;  // [W/m2], as in the sky models' sources
 constexpr long long j2000 = 946728000;     // 2000-01-01 12:00 UTC [s since 1970]
 

@@ -1,6 +1,8 @@
 /// Places in a building: which part, which of its numbers.
 #pragma once
 
+#include <cstddef>
+
 namespace bemcal::physics {
 
 enum class Part {
@@ -37,6 +39,11 @@ struct Target {
     int change = 0;     ///< with Slot::change: which
     double weight = 1;  ///< with Slot::change: the parameter's value is multiplied by it
 };
+
+/// A target\'s index in the list that it is of.
+inline std::size_t row_of(int index) {
+    return static_cast<std::size_t>(index);
+}
 
 /// Whether both are the same number.
 inline bool is_same_number(const Target& a, const Target& b) {

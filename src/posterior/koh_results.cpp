@@ -18,7 +18,8 @@ namespace {
 using emulator::KohDensity;
 using emulator::Prediction;
 
-constexpr std::uint32_t predictive_stream = 0x6b6f6870;  // of the job's random numbers
+constexpr std::uint32_t koh_predictive_stream =
+    0x6b6f6870;  // of the job's random numbers
 
 Matrix rows_of(const Matrix& from, const std::vector<std::size_t>& rows) {
     Matrix made(rows.size(), from.cols);
@@ -107,7 +108,7 @@ void add_koh_results(KohDensity& density, const KohOptions& options,
     const Matrix positions = rows_of(
         draws.positions, study::chosen_rows(draws.positions.rows, options.n_predictive));
     add_form(density, positions, datasets);
-    Stream random(options.chains.seed, predictive_stream, 0);
+    Stream random(options.chains.seed, koh_predictive_stream, 0);
     const Prediction prediction =
         emulator::predict(density, positions, o.measured_x, random);
     add_points(options, prediction, datasets);

@@ -12,13 +12,13 @@
 namespace bemcal::report {
 namespace {
 
-constexpr std::size_t most_rows = 24;
+constexpr std::size_t most_points = 24;
 
 std::string points_table(const Group& study) {
     const auto& measured = study.values("field_measured");
     TextTable table(
         {"field point", "measured", "process", "5 %", "95 %", "measurement 5 %", "95 %"});
-    const std::size_t n = std::min(measured.size(), most_rows);
+    const std::size_t n = std::min(measured.size(), most_points);
     for (std::size_t i = 0; i < n; ++i) {
         std::vector<std::string> row{std::to_string(i + 1), in_short(measured[i])};
         for (const char* leaf : {"process_mean", "process_q05", "process_q95",

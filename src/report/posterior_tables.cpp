@@ -92,7 +92,7 @@ std::vector<Unknown> unknowns_of(const Group& study) {
     return unknowns;
 }
 
-std::string fixed(double value, int digits) {
+std::string with_digits(double value, int digits) {
     if (!std::isfinite(value)) return "-";
     if (std::abs(value) >= 1e6) return fmt::format("{:.1e}", value);
     return fmt::format("{:.{}f}", value, digits);
@@ -116,8 +116,8 @@ std::string convergence_line(const Group& study, const std::vector<Unknown>& unk
         "{}: {} chains of {} draws\n  rank R-hat {} (target {}), effective draws "
         "at least {} (target {:.0f})\n",
         is_reached ? "converged" : "NOT CONVERGED", unknowns[0].n_chains,
-        unknowns[0].n_draws, is_defined ? "at most " + fixed(rhat, 3) : "undefined",
-        in_short(most), fixed(ess, 0), least);
+        unknowns[0].n_draws, is_defined ? "at most " + with_digits(rhat, 3) : "undefined",
+        in_short(most), with_digits(ess, 0), least);
 }
 
 /// Mean and standard deviation.
@@ -145,8 +145,9 @@ std::string chains_table(const std::vector<Unknown>& unknowns) {
                      "MCSE mean", "MCSE sd", "contracts"});
     for (const Unknown& unknown : unknowns) {
         const stats::Convergence& c = unknown.convergence;
-        table.add({unknown.name, fixed(c.gelman_rubin, 3), fixed(c.rhat_split, 3),
-                   fixed(c.rhat_rank, 3), fixed(c.ess_bulk, 0), fixed(c.ess_tail, 0),
+        table.add({unknown.name, with_digits(c.gelman_rubin, 3),
+                   with_digits(c.rhat_split, 3), with_digits(c.rhat_rank, 3),
+                   with_digits(c.ess_bulk, 0), with_digits(c.ess_tail, 0),
                    in_short(c.mcse_mean), in_short(c.mcse_sd),
                    percent(unknown.contraction())});
     }

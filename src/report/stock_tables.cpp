@@ -19,7 +19,7 @@
 namespace bemcal::report {
 namespace {
 
-constexpr std::size_t most_rows = 10;
+constexpr std::size_t most_buildings = 10;
 
 /// First and last period of a building's first meter.
 struct Errors {
@@ -71,8 +71,9 @@ std::string list_of(const Group& stock, const char* title, const char* leaf) {
     TextTable table({title, ""});
     std::size_t n = 0;
     for (std::size_t k = 0; k < texts.size(); ++k)
-        if (!texts[k].empty() && ++n <= most_rows) table.add({names[k], texts[k]});
-    if (n > most_rows) table.add({"...", fmt::format("and {} more", n - most_rows)});
+        if (!texts[k].empty() && ++n <= most_buildings) table.add({names[k], texts[k]});
+    if (n > most_buildings)
+        table.add({"...", fmt::format("and {} more", n - most_buildings)});
     return table.is_empty() ? "" : "\n" + table.text(100);
 }
 
@@ -80,7 +81,7 @@ std::string findings_list(const Group& stock) {
     const auto& of = stock.values("stock_findings_of");
     const auto& names = stock.texts("stock_building");
     TextTable table({"findings", "data", "finding", "done about it"});
-    for (std::size_t k = 0; k < std::min(of.size(), 4 * most_rows); ++k)
+    for (std::size_t k = 0; k < std::min(of.size(), 4 * most_buildings); ++k)
         table.add(
             {names[of.index(k, names.size())], stock.texts("stock_finding_series")[k],
              stock.texts("stock_finding")[k], stock.texts("stock_finding_action")[k]});
@@ -96,7 +97,7 @@ std::string worst_list(const Group& stock) {
                              [&](std::size_t k) { return errors[k].recent; });
     TextTable table({"worst", "meter", "CV(RMSE) as it started", "calibrated",
                      "last period", "NMBE there"});
-    for (std::size_t k = 0; k < std::min(order.size(), most_rows); ++k) {
+    for (std::size_t k = 0; k < std::min(order.size(), most_buildings); ++k) {
         const Errors& error = errors[order[k]];
         table.add({stock.texts("stock_building")[order[k]], error.meter,
                    percent(error.before), percent(error.training), percent(error.recent),

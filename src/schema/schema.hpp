@@ -33,12 +33,14 @@ enum class Type {
     tables,   ///< [[...]], a list of them
 };
 
+inline constexpr const char* required = nullptr;  ///< as a key's fallback
+
 struct Key {
     const char* section;
     const char* key;
     Type type;
     const char* unit;      ///< of numbers; the words of a choice; "" = none
-    const char* fallback;  ///< as it would be written; nullptr = required; "" = left out
+    const char* fallback;  ///< as it would be written; or `required`; "" = left out
     double least, most;    ///< range of numbers
     const char* sentence;
 };

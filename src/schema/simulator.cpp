@@ -7,9 +7,7 @@ namespace bemcal::schema {
 
 namespace {
 
-constexpr const char* required = nullptr;
-
-constexpr Key table[] = {
+constexpr Key simulator_table[] = {
     {"simulator", "command", Type::texts, "", required, 0, 0,
      "The program and its arguments, run without a shell: [\"energyplus\", \"-w\", "
      "\"site.epw\", \"house.idf\"]. A name with a slash lies beside the job, another one "
@@ -68,7 +66,7 @@ constexpr Key table[] = {
 }  // namespace
 
 std::span<const Key> simulator_keys() {
-    return table;
+    return simulator_table;
 }
 
 }  // namespace bemcal::schema

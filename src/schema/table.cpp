@@ -14,7 +14,6 @@ namespace bemcal::schema {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
-constexpr const char* required = nullptr;
 
 constexpr SectionInfo section_table[] = {
     {"job", "(top of the job file)", "building",

@@ -11,7 +11,7 @@
 namespace bemcal::stats {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 /// t with the logarithms of t and 1 - t, and the derivatives of all three.
 struct Place {
@@ -35,7 +35,7 @@ LogDensity kernel_of(const Prior& p, const Place& at) {
         case PriorKind::normal:
             return {-z * z / 2, -z / p.b * at.by_t};
         case PriorKind::lognormal:
-            if (std::isinf(z)) return {-infinity, 0};
+            if (std::isinf(z)) return {-unbounded, 0};
             return {-z * z / 2 - at.log_t, -(z / p.b + 1) * at.by_log_t};
         case PriorKind::gamma:
             return {times(p.a - 1, at.log_t) - p.b * at.t,
@@ -117,7 +117,7 @@ PriorDensity::PriorDensity(const Prior& prior)
 }
 
 LogDensity PriorDensity::at(double x) const {
-    if (x < transform_.least || x > transform_.most) return {-infinity, 0};
+    if (x < transform_.least || x > transform_.most) return {-unbounded, 0};
     const LogDensity kernel =
         kernel_of(prior_, place_at((x - offset_) / scale_, 1 / scale_));
     return {kernel.value + constant_, kernel.derivative};
@@ -125,7 +125,7 @@ LogDensity PriorDensity::at(double x) const {
 
 LogDensity PriorDensity::on_the_line(double u) const {
     const Mapped mapped = transform_.at(u);
-    if (std::isinf(mapped.x)) return {-infinity, 0};
+    if (std::isinf(mapped.x)) return {-unbounded, 0};
     Place place = place_at((mapped.x - offset_) / scale_, mapped.slope / scale_);
     const bool is_logit =
         std::isfinite(transform_.least) && std::isfinite(transform_.most);

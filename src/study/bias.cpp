@@ -14,7 +14,7 @@ namespace bemcal::study {
 namespace {
 
 /// A meter of energy over a period, as measured and as fitted [kWh].
-struct Totals {
+struct MeterTotals {
     const Meter* meter;
     double n = 0;  ///< readings
     double metered = 0;
@@ -23,8 +23,8 @@ struct Totals {
     double most() const { return std::max(metered, fitted()); }
 };
 
-Totals totals_of(const Meter& meter, const kernel::Readings& readings, double nmbe) {
-    Totals totals{&meter, 0, 0, nmbe};
+MeterTotals totals_of(const Meter& meter, const kernel::Readings& readings, double nmbe) {
+    MeterTotals totals{&meter, 0, 0, nmbe};
     for (const double value : readings.values) {
         if (std::isnan(value)) continue;
         totals.metered += value;
@@ -34,26 +34,26 @@ Totals totals_of(const Meter& meter, const kernel::Readings& readings, double nm
 }
 
 /// Those that have a total and a fit.
-std::vector<Totals> totals_in(const Case& building, std::size_t period,
-                              std::span<const FoundFit> fits) {
+std::vector<MeterTotals> totals_in(const Case& building, std::size_t period,
+                                   std::span<const FoundFit> fits) {
     const auto readings = readings_of(building, building.periods.at(period));
-    std::vector<Totals> all;
+    std::vector<MeterTotals> all;
     for (const FoundFit& fit : fits) {
         const Meter& meter = building.meters.at(fit.meter);
         if (fit.period != period || physics::is_temperature(meter.quantity)) continue;
-        const Totals totals = totals_of(meter, readings[fit.meter], fit.nmbe);
+        const MeterTotals totals = totals_of(meter, readings[fit.meter], fit.nmbe);
         if (totals.metered > 0 && !std::isnan(totals.nmbe)) all.push_back(totals);
     }
     return all;
 }
 
 /// The guideline divides by n - 1 and not by n.
-double nmbe_n1(const Totals& totals) {
+double nmbe_n1(const MeterTotals& totals) {
     return totals.n > 1 ? totals.nmbe * totals.n / (totals.n - 1) : totals.nmbe;
 }
 
 /// ": a factor of 2.5"; nothing where the fit has no energy at all.
-std::string factor_of(const Totals& totals) {
+std::string factor_of(const MeterTotals& totals) {
     const double fitted = totals.fitted();
     if (!(fitted > 0)) return {};
     return fmt::format(": a factor of {:.3g}",
@@ -61,7 +61,7 @@ std::string factor_of(const Totals& totals) {
 }
 
 /// Empty where the bias is within its limit.
-std::string sentence_of(const Totals& totals, const Period& period) {
+std::string sentence_of(const MeterTotals& totals, const Period& period) {
     const double bias = nmbe_n1(totals), limit = bias_limit(totals.meter->interval);
     if (std::abs(bias) <= limit) return {};
     return fmt::format(
@@ -88,11 +88,11 @@ std::string words_of_energy(double kwh) {
 
 std::string bias_beyond(const Case& building, std::size_t period,
                         std::span<const FoundFit> fits) {
-    const std::vector<Totals> all = totals_in(building, period, fits);
+    const std::vector<MeterTotals> all = totals_in(building, period, fits);
     double largest = 0;
-    for (const Totals& totals : all) largest = std::max(largest, totals.fitted());
+    for (const MeterTotals& totals : all) largest = std::max(largest, totals.fitted());
     std::vector<std::string> sentences;
-    for (const Totals& totals : all)
+    for (const MeterTotals& totals : all)
         if (totals.most() >= next_to_nothing * largest)
             sentences.push_back(sentence_of(totals, building.periods[period]));
     return joined_sentences(sentences);
