@@ -7,9 +7,9 @@
 
 #include "physics/calendar.hpp"
 #include "posterior/lasting_errors.hpp"
+#include "posterior/own_bias.hpp"
 #include "posterior/predictive.hpp"
 #include "posterior/validation_results.hpp"
-#include "stats/quantile.hpp"
 #include "study/bias.hpp"
 #include "study/points.hpp"
 #include "study/some_draws.hpp"
@@ -132,30 +132,6 @@ void set_errors(const std::vector<study::PartValidation>& parts, study::FoundFit
     }
 }
 
-/// Up to this NMBE a posterior may be biased where its own intervals tell so.
-constexpr double most_bias_told = 0.25;
-
-/// The sum over the readings that there are.
-double sum_where(std::span<const double> measured, std::span<const double> values) {
-    double sum = 0;
-    for (std::size_t k = 0; k < measured.size(); ++k)
-        if (!std::isnan(measured[k])) sum += values[k];
-    return sum;
-}
-
-/// Whether what was metered in all lies within the draws' 98 % interval.
-bool holds_total(const MeterPrediction& meter) {
-    if (meter.draws.rows == 0) return false;
-    std::vector<double> totals;
-    totals.reserve(meter.draws.rows);
-    for (std::size_t r = 0; r < meter.draws.rows; ++r)
-        totals.push_back(sum_where(meter.measured, meter.draws.row(r)));
-    std::ranges::sort(totals);
-    const double metered = sum_where(meter.measured, meter.measured);
-    return stats::quantile_of_sorted(totals, 0.01) <= metered &&
-           metered <= stats::quantile_of_sorted(totals, 0.99);
-}
-
 /// Of that name, which is there.
 template <class Named>
 std::size_t place_of(const std::vector<Named>& all, const std::string& name) {
@@ -269,7 +245,7 @@ class Predictions {
         study::FoundFit fit{place_of(building.periods, period.name),
                             place_of(building.meters, meter.name)};
         set_errors(parts, fit);
-        if (std::abs(fit.nmbe) <= most_bias_told && holds_total(meter)) fit.nmbe = 0;
+        if (draws_tell_bias(meter, fit.nmbe)) fit.nmbe = 0;
         return fit;
     }
 

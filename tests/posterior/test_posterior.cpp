@@ -220,6 +220,27 @@ TEST(Posterior, ABudgetThatDoesNotSufficeIsNamed) {
         << shortfall;
 }
 
+/// The readings of the first meter times `factor`, which no parameter can follow far.
+std::string bias_with_heating_times(double factor) {
+    Case made = with_readings(fortnight(), {0.7, 0.45, 20.6});
+    for (double& reading : made.meters[0].values) reading *= factor;
+    posterior::PosteriorOptions options = quick_options();
+    options.chains.sampler.n_warm_up = 60;
+    options.chains.draws_per_round = options.chains.most_draws = 20;
+    return run_all(*posterior::make_posterior("p", {made}, options))
+        .found.at(0)
+        .shortfall;
+}
+
+TEST(Posterior, ABiasThatItsDrawsDoNotTellOfIsAShortfall) {
+    EXPECT_EQ(bias_with_heating_times(1), "");
+    const std::string shortfall = bias_with_heating_times(4);
+    EXPECT_NE(shortfall.find("the bias of heating in training is -"), std::string::npos)
+        << shortfall;
+    EXPECT_NE(shortfall.find("beyond the 10 % of Guideline 14"), std::string::npos)
+        << shortfall;
+}
+
 TEST(Posterior, BuildingsOfAHierarchyAreEachCalibratedAndAnUnseenOneIsPredicted) {
     std::vector<Case> buildings;
     for (const double air_change : {0.6, 0.8, 1.0}) {
