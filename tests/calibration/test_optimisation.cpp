@@ -65,6 +65,22 @@ TEST(Optimisation, FindsTheTruthThatMadeTheReadings) {
     EXPECT_EQ(find(datasets, "at_bound").values, std::vector<double>(3, 0));
 }
 
+/// Readings of the first meter that no point reaches.
+TEST(Optimisation, ThatEndsWithABiasBeyondTheGuidelineFallsShort) {
+    const auto shortfall = [](double factor) {
+        Case made = measured_case();
+        for (double& reading : made.meters[0].values) reading *= factor;
+        const auto stage = calibration::make_optimisation("s", made, options_of(100));
+        return conclusion_of(*stage).summaries.at(0).shortfall;
+    };
+    EXPECT_EQ(shortfall(1), "");
+    const std::string said = shortfall(10);
+    EXPECT_NE(said.find("the bias of " + measured_case().meters[0].name + " in training"),
+              std::string::npos)
+        << said;
+    EXPECT_NE(said.find("beyond the 10 % of Guideline 14"), std::string::npos) << said;
+}
+
 TEST(Optimisation, GetsNoWorseFromRoundToRound) {
     const auto datasets =
         run(*calibration::make_optimisation("s", measured_case(), options_of(300)));

@@ -99,6 +99,28 @@ TEST(Staged, FindsAtOnceWhatMadeTheReadings) {
     }
 }
 
+/// Heat of one period that no point reaches, told once however many stages take it.
+TEST(Staged, ThatEndsWithABiasBeyondTheGuidelineFallsShort) {
+    Case made = measured_case();
+    auto options = two_stages();
+    options.at_once_evaluations = 0;
+    for (auto& each : options.stages) each.fit.evaluations = 60;
+    options.stages[1].periods = {"training", "later"};
+    const auto shortfall = [&] {
+        const auto staged = calibration::make_staged("s", made, options);
+        return staged->conclude(answers_of(*staged)).summaries.at(0).shortfall;
+    };
+    EXPECT_EQ(shortfall().find("the bias of"), std::string::npos) << shortfall();
+    const Meter& meter = made.meters[0];
+    const int end = meter.axis.step_of(made.periods[0].to);
+    for (int k = 0; k < end; ++k)
+        made.meters[0].values[static_cast<std::size_t>(k)] *= 10;
+    const std::string said = shortfall(),
+                      bias = "the bias of " + meter.name + " in training";
+    ASSERT_NE(said.find(bias), std::string::npos) << said;
+    EXPECT_EQ(said.find(bias, said.find(bias) + 1), std::string::npos) << said;
+}
+
 TEST(Staged, JudgesOnAPeriodThatNoStageHasSeen) {
     const auto datasets =
         run(*calibration::make_staged("s", measured_case(), two_stages()));
