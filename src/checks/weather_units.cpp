@@ -9,6 +9,7 @@
 
 #include "base/nan.hpp"
 #include "checks/data_readings.hpp"
+#include "checks/values.hpp"
 #include "physics/sun.hpp"
 
 #include <algorithm>
@@ -185,6 +186,13 @@ Air air_of(const input::RegularSeries& series) {
             daily_swing(series)};
 }
 
+/// Codes for missing are no air; the reader refuses them one by one.
+input::RegularSeries without_codes(input::RegularSeries series) {
+    if (physics::day_s % series.axis.step_s == 0)
+        mask_codes(series, physics::Quantity::air_temperature);
+    return series;
+}
+
 /// [degC] that no mean over these steps exceeds.
 double warmest_mean(const input::RegularSeries& series, const physics::Site& site) {
     double sum = 0;
@@ -243,7 +251,7 @@ std::optional<std::string> doubt_of_temperature(const input::RegularSeries& seri
                                                 const physics::Site& site) {
     if (n_days(series) < least_days || series.axis.step_s > physics::day_s)
         return std::nullopt;
-    const Air air = air_of(series);
+    const Air air = air_of(without_codes(series));
     const double warmest = warmest_mean(series, site);
     if (air.is_possible(warmest)) return std::nullopt;
     const std::vector<Candidate> units = units_for(air, warmest);

@@ -119,6 +119,13 @@ TEST(WeatherUnits, OfOneWrongCellAreNotDoubted) {
     EXPECT_EQ(doubt_of_air(year), "");
 }
 
+TEST(WeatherUnits, OfCodesForMissingAreNotDoubted) {
+    input::RegularSeries year = air("2021-01-01", 365);
+    for (std::size_t k = 40; k < year.values.size(); k += 290) year.values[k] = 99.9;
+    EXPECT_EQ(doubt_of_air(year), "");
+    expect_advice(doubt_of_air(changed(year, 10)), "unit = \"0.1 degC\"");
+}
+
 TEST(WeatherUnits, AreExact) {
     const auto find = [](const std::string& name) {
         return *std::ranges::find_if(
