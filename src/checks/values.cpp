@@ -1,14 +1,18 @@
 /// Masks codes and spikes, takes a register's differences, sets offsets below 0 to 0, and
-/// asks where a meter seems to feed in or to count on.
+/// asks where a meter seems to feed in or to count on, or a room to be in another unit.
 /// Follows from the rules of `data_values`. Runs of zeros and of one value are left to
 /// `check_series`.
 #include "checks/values.hpp"
 
 #include "base/nan.hpp"
+#include "checks/data_readings.hpp"
 #include "checks/data_values.hpp"
 #include "physics/calendar.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -81,6 +85,30 @@ Question about_feeding_in(input::RegularSeries& series, const Negatives& found) 
                 reading(series, first), found.others.size(), n_known(series))};
 }
 
+/// [degC], the middle reading: from cold stores to hot halls, and of most rooms.
+constexpr double coldest_room = -40, hottest_room = 50;
+constexpr double usual_least = 10, usual_most = 40;
+
+/// What degC may be in truth.
+struct RoomUnit {
+    const char* advice;
+    double factor, offset;  ///< value x factor + offset is degC
+};
+constexpr RoomUnit room_units[] = {{"unit = \"degF\"", 5.0 / 9, -160.0 / 9},
+                                   {"unit = \"K\"", 1, -273.15},
+                                   {"factor = 0.1", 0.1, 0},
+                                   {"factor = 0.01", 0.01, 0}};
+
+std::string advice_on_room(double middle, bool is_as_read) {
+    std::string text;
+    for (const RoomUnit& unit : room_units) {
+        const double as = middle * unit.factor + unit.offset;
+        if (is_as_read && as >= usual_least && as <= usual_most)
+            text += (text.empty() ? "Write " : ", or ") + std::string(unit.advice);
+    }
+    return text.empty() ? "See unit and factor" : text;
+}
+
 }  // namespace
 
 std::vector<Finding> mask_codes(input::RegularSeries& series, Quantity quantity) {
@@ -116,6 +144,25 @@ std::vector<Finding> state_bills(const input::RegularSeries& series, Quantity qu
                      "shows",
                      course.n_rises),
          "kept as uses; the file would have to hold the use of each"}};
+}
+
+std::optional<Question> doubt_of_room(const input::RegularSeries& series,
+                                      bool is_as_read) {
+    std::vector<double> known;
+    std::ranges::copy_if(series.values, std::back_inserter(known),
+                         [](double value) { return !std::isnan(value); });
+    if (known.empty()) return std::nullopt;
+    const double middle = quantile_of(std::move(known), 0.5);
+    const auto is_odd = [](double value) {
+        return value < coldest_room || value > hottest_room;
+    };
+    if (!is_odd(middle)) return std::nullopt;
+    const auto first = std::ranges::find_if(series.values, is_odd);
+    return Question{static_cast<int>(first - series.values.begin()),
+                    fmt::format("half of its readings lie {} {:.4g} degC: no air of a "
+                                "room. {}",
+                                middle > hottest_room ? "above" : "below", middle,
+                                advice_on_room(middle, is_as_read))};
 }
 
 std::vector<Finding> take_differences(input::RegularSeries& series) {

@@ -25,6 +25,11 @@ std::optional<Question> doubt_of_register(const input::RegularSeries& series,
 std::vector<Finding> state_bills(const input::RegularSeries& series,
                                  physics::Quantity quantity);
 
+/// Whether a room can have been as warm as this [degC]; where the readings stand as in
+/// the file, with the units that would fit them.
+std::optional<Question> doubt_of_room(const input::RegularSeries& series,
+                                      bool is_as_read);
+
 /// The use of each step, from a register's counts at the beginnings of the steps.
 std::vector<Finding> take_differences(input::RegularSeries& series);
 

@@ -176,6 +176,7 @@ class MeterReader {
         correct(series);
         if (checked) check(series, sources);
         convert(series);
+        check_room(series, sources);
         return on_intervals(std::move(series));
     }
 
@@ -223,6 +224,14 @@ class MeterReader {
                    : checks::check_days(series, meter_.quantity, options));
     }
 
+    /// After its conversion to degC.
+    void check_room(const input::RegularSeries& series,
+                    const std::vector<TimedCsv>& sources) const {
+        if (meter_.quantity != Quantity::air_temperature) return;
+        const bool is_as_read = meter_.unit == "degC" && section_.number("factor") == 1;
+        ask(checks::doubt_of_room(series, is_as_read), series, sources);
+    }
+
     /// Months and years of the calendar, and bills between any reads.
     input::RegularSeries billed_rows(const std::vector<TimedCsv>& sources) {
         if (sources.size() > 1)
@@ -249,6 +258,7 @@ class MeterReader {
                                            std::move(note.action)});
         correct(series);
         convert(series);
+        check_room(series, sources);
         return series;
     }
 

@@ -2,6 +2,8 @@
 /// without a fault, in which nothing is found.
 #include "checks/data_values.hpp"
 #include "checks/made_meters.hpp"
+#include "checks/values.hpp"
+#include "physics/calendar.hpp"
 
 #include <gtest/gtest.h>
 
@@ -103,6 +105,40 @@ TEST(Codes, OfTemperaturesStandApartByWhatTheySpan) {
     Values winter;  // -3 to 3, through 0
     for (int k = 0; k < 1000; ++k) winter.push_back(-3 + k % 61 / 10.0);
     EXPECT_TRUE(codes(winter, Driver::temperature).empty());
+}
+
+/// A week around 20 degC, in another unit.
+std::string doubt_of_room_in(double factor, double offset, bool is_as_read = true) {
+    input::RegularSeries series;
+    series.axis = {physics::parse_time("2021-01-01"), 3600, 168};
+    for (int k = 0; k < 168; ++k)
+        series.values.push_back((20 + (k % 13 - 6) / 3.0) * factor + offset);
+    series.values[2] = missing;
+    const auto question = doubt_of_room(series, is_as_read);
+    return question ? question->text : "";
+}
+
+TEST(Rooms, AreNotInTenthsNorInAnotherUnit) {
+    EXPECT_EQ(doubt_of_room_in(1, 0), "");
+    EXPECT_EQ(doubt_of_room_in(1, -45), "") << "a cold store";
+    EXPECT_EQ(doubt_of_room_in(1, 25), "") << "a hot hall";
+    EXPECT_EQ(doubt_of_room_in(10, 0),
+              "half of its readings lie above 200 degC: no air of a room. Write factor = "
+              "0.1");
+    EXPECT_EQ(doubt_of_room_in(1.8, 32),
+              "half of its readings lie above 68 degC: no air of a room. Write unit = "
+              "\"degF\"");
+    EXPECT_EQ(doubt_of_room_in(1, 273.15),
+              "half of its readings lie above 293.1 degC: no air of a room. Write unit = "
+              "\"K\", or factor = 0.1");
+    EXPECT_EQ(
+        doubt_of_room_in(1, -273.15, false),
+        "half of its readings lie below -253.1 degC: no air of a room. See unit and "
+        "factor");
+}
+
+TEST(Rooms, ThatWereNotReadAreNotDoubted) {
+    EXPECT_EQ(doubt_of_room_in(missing, 0), "");
 }
 
 TEST(Spikes, AreHoursFarAboveAllOthers) {
