@@ -220,6 +220,18 @@ TEST(CsvWeather, APyranometersOffsetAtNightIsNoSun) {
     EXPECT_FALSE(has_decision(dark, "to 0 W/m2"));
 }
 
+TEST(CsvWeather, DirectAndDiffuseBelow0AtNightAreNoSun) {
+    const std::string dark = small_weather();
+    std::string offset = dark;
+    for (std::size_t at = 0; (at = offset.find(",0.0,0.0,", at)) != std::string::npos;)
+        offset.replace(at, 9, ",-3.0,-1.5,");
+    const study::Case building = Form(small_readings(), "", offset).read();
+    EXPECT_EQ(building.weather.direct_normal, plain().weather.direct_normal);
+    EXPECT_EQ(building.weather.diffuse_horizontal, plain().weather.diffuse_horizontal);
+    EXPECT_TRUE(has_decision(building, "readings from -3 to 0 W/m2"));
+    EXPECT_TRUE(has_decision(building, "readings from -1.5 to 0 W/m2"));
+}
+
 TEST(CsvWeather, IrradianceFarBelow0ByDayIsAFault) {
     std::string message;
     read_global([](int k) { return k == 36 ? -45.0 : 100.0; }, &message);

@@ -80,6 +80,27 @@ TEST(MeterBills, EstimatedMonthsBecomeOneWithTheNextThatWasRead) {
     EXPECT_TRUE(std::isnan(readings_of(building)[0]));
 }
 
+TEST(MeterBills, CodesAreMaskedAndARegistersRiseIsTold) {
+    std::string codes = "t,x\n", counts = codes;
+    for (int month = 1; month <= 11; ++month) {
+        codes +=
+            fmt::format("2021-{:02}-01,{}\n", month, month == 3 ? -9999 : 300 + month);
+        counts += fmt::format("2021-{:02}-01,{}\n", month, 5000 + 310 * month);
+    }
+    const auto masked = read_with(codes, "");
+    EXPECT_EQ(readings_of(masked), (std::vector<double>{301}));
+    EXPECT_TRUE(std::isnan(masked.meters[0].values.at(59 * 24)));
+    EXPECT_EQ(masked.meters[0].values.at(90 * 24), 304);
+    const auto told = [](const study::Case& building, const std::string& finding) {
+        return std::ranges::any_of(building.decisions, [&](const auto& decision) {
+            return decision.finding.starts_with(finding);
+        });
+    };
+    EXPECT_TRUE(told(masked, "1 reading of -9999, a code for missing"));
+    EXPECT_TRUE(told(read_with(counts, ""),
+                     "its bills rise 10 times and never fall: perhaps what a register"));
+}
+
 TEST(MeterBills, DaysOfGasBeginAtSix) {
     std::string file = "t,x\n";
     for (int day = 0; day < 59; ++day)

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -177,6 +179,19 @@ TEST(MeterStamps, OffsetsOfAFormAreApplied) {
                           "time_format = \"%s\"\n"));
 }
 
+TEST(MeterStamps, OffsetsBehindAStampAreReadWithoutAForm) {
+    for (const char* offset : {"+0000", " +00:00", " GMT", " UTC", "Z"})
+        expect_same(read_with(
+            hourly("time,x",
+                   [&](Seconds time) {
+                       return text_of_time(time - std::chrono::hours(8)) + offset;
+                   }),
+            "stamp = \"start\"\n"));
+    expect_same(read_with(
+        hourly("time,x", [](Seconds time) { return text_of_time(time) + "+0800"; }),
+        "stamp = \"start\"\n"));
+}
+
 TEST(MeterStamps, AFormatThatReadsNoYearIsRefusedAtItsKey) {
     const Folder folder;
     ExitCode exit_code = ExitCode::usage;
@@ -228,6 +243,44 @@ TEST(MeterStamps, WeatherInPartsAtHalfPastIsThatOfItsHours) {
                     "stamps of weather: its stamps lie 30 min after the steps of "
                     "1 h: each read as of the step that it stands in"),
               1);
+}
+
+/// Each row of the weather's sample with another stamp.
+std::string weather_stamped(const std::function<std::string(Seconds)>& stamp) {
+    std::istringstream lines(small_weather());
+    std::string line, file;
+    std::getline(lines, file);
+    file += "\n";
+    while (std::getline(lines, line))
+        file += stamp(physics::parse_time(line.substr(0, 19))) + line.substr(19) + "\n";
+    return file;
+}
+
+study::Case read_weather(const std::string& file, const std::string& stamp_key) {
+    const Folder folder;
+    const auto job = write_small_office(
+        folder, replaced(small_office_text(), "stamp = \"start\"\n", stamp_key));
+    folder.write("weather.csv", file);
+    return read_job(job).buildings[0];
+}
+
+TEST(MeterStamps, OfWeatherAreTakenAsTheirEndsWhereTheyCloseWholeDays) {
+    const physics::Weather plain =
+        read_weather(weather_stamped(text_of_time), "stamp = \"start\"\n").weather;
+    const std::string ends = weather_stamped(
+        [](Seconds time) { return text_of_time(time + std::chrono::hours(1)); });
+    const study::Case unsaid = read_weather(ends, "");
+    EXPECT_EQ(unsaid.weather.axis.start, plain.axis.start);
+    EXPECT_EQ(unsaid.weather.theta_e, plain.theta_e);
+    EXPECT_EQ(
+        count(unsaid, "stamps of weather: its first stamp is 01:00, its last 00:00"), 1);
+    const study::Case utc =
+        read_weather(weather_stamped([](Seconds time) {
+                         return text_of_time(time - std::chrono::hours(8)) + " GMT";
+                     }),
+                     "");
+    EXPECT_EQ(utc.weather.axis.start, plain.axis.start);
+    EXPECT_EQ(utc.weather.theta_e, plain.theta_e);
 }
 
 /// "+00:00" behind every stamp, from an hour of a home in Britain.

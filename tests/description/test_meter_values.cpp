@@ -102,6 +102,43 @@ TEST(MeterValues, OffsetsBelowZeroAreZero) {
               "taken as 0; negative = \"keep\" would keep them");
 }
 
+/// The sample with the room's temperature in tenths or in another unit.
+struct Room {
+    Room(double factor, double offset, const std::string& unit) {
+        path = write_small_office(folder,
+                                  replaced(small_office_text(), "unit = \"degC\"", unit));
+        std::string text = "time,elec_kWh,T_air_C\n";
+        for (int k = 0; k < n_hours; ++k)
+            text += fmt::format("{},{:.2f},{:.10g}\n",
+                                physics::format_time(physics::parse_time("2021-01-01") +
+                                                     std::chrono::hours(k + 1)),
+                                use(k), (20 + 2 * std::cos(k / 3.8)) * factor + offset);
+        folder.write("measured.csv", text);
+    }
+    double reading(std::size_t k) const {
+        return read_job(path).buildings[0].meters[1].values.at(k);
+    }
+    Folder folder;
+    std::filesystem::path path;
+};
+
+TEST(MeterValues, OfARoomInAnotherUnitAreRefusedWithItAndReadByIt) {
+    const std::string as_read = "unit = \"degC\"", tenths = "factor = 0.1\n" + as_read;
+    const double right = Room(1, 0, as_read).reading(7);
+    EXPECT_NEAR(right, 20 + 2 * std::cos(7 / 3.8), 1e-8);
+    ExitCode code = ExitCode::ok;
+    const std::string message = message_of(Room(10, 0, as_read).path, &code);
+    EXPECT_EQ(code, ExitCode::data);
+    EXPECT_NE(message.find("measured.csv:2:T_air_C: half of its readings lie above 200"),
+              std::string::npos)
+        << message;
+    EXPECT_NE(message.find("Write factor = 0.1"), std::string::npos) << message;
+    EXPECT_NEAR(Room(10, 0, tenths).reading(7), right, 1e-8);
+    EXPECT_NE(message_of(Room(1.8, 32, as_read).path).find("Write unit = \"degF\""),
+              std::string::npos);
+    EXPECT_NEAR(Room(1.8, 32, "unit = \"degF\"").reading(7), right, 1e-8);
+}
+
 double feeding_in(int k) {
     return use(k) - 12;
 }
@@ -209,6 +246,27 @@ TEST(WeatherColumns, InKilojoulesAreRefusedWithTheirUnitAndReadByIt) {
     const auto read = read_job(said.path).buildings[0].weather;
     for (std::size_t k = 0; k < right.direct_normal.size(); ++k)
         ASSERT_NEAR(read.direct_normal[k], right.direct_normal[k], 1e-9);
+}
+
+TEST(WeatherColumns, WithCodesForMissingAreRefusedAtTheFirst) {
+    std::string weather = small_weather();
+    for (int day = 1; day <= 31; ++day) {
+        const std::size_t row = weather.find(fmt::format("2021-01-{:02} 05:00:00,", day));
+        const std::size_t cell = row + 20;
+        weather.replace(cell, weather.find(',', cell) - cell, "99.9");
+    }
+    const std::string plain = "outdoor_temperature = \"T_out_C\"";
+    const std::string message = message_of(Weathered(weather, plain, plain).path);
+    EXPECT_NE(message.find("weather.csv:7:T_out_C: 99.9: expected -90 to 60 degC"),
+              std::string::npos)
+        << message;
+    const Weathered said(weather, "stamp = \"start\"\n",
+                         "stamp = \"start\"\nmissing = 99.9\nfill_gaps = 1\n");
+    EXPECT_NEAR(read_job(said.path).buildings[0].weather.theta_e[6],
+                read_job(Weathered(small_weather(), plain, plain).path)
+                    .buildings[0]
+                    .weather.theta_e[6],
+                0.01);
 }
 
 TEST(WeatherColumns, InFahrenheitAreRefusedWithTheirUnitAndReadByIt) {
