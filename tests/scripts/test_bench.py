@@ -28,5 +28,16 @@ class ResultLines(unittest.TestCase):
             self.assertIsNone(bench.result_of(line), line)
 
 
+class Benches(unittest.TestCase):
+    def test_one_may_be_a_program_and_a_script(self):
+        commands = [[str(word) for word in command] for command in bench.benches()["shared_meters"]]
+        self.assertEqual(len(commands), 2)
+        self.assertTrue(commands[0][0].endswith("/bench_shared_meters"))
+        self.assertTrue(commands[1][1].endswith("/bench_shared_meters.py"))
+
+    def test_most_are_one(self):
+        self.assertEqual(len(bench.benches()["stock"]), 1)
+
+
 if __name__ == "__main__":
     unittest.main()
