@@ -22,10 +22,14 @@ LoopOptions quick() {
     return options;
 }
 
-std::vector<Dataset> searched(const Case& made, const LoopOptions& options = quick()) {
+Conclusion concluded(const Case& made, const LoopOptions& options = quick()) {
     const std::vector<Case> buildings = {made};
     const auto stage = make_loop("loop", buildings, options);
-    return stage->conclude({stage->run(0)}).datasets;
+    return stage->conclude({stage->run(0)});
+}
+
+std::vector<Dataset> searched(const Case& made, const LoopOptions& options = quick()) {
+    return concluded(made, options).datasets;
 }
 
 }  // namespace
@@ -42,6 +46,16 @@ TEST(Loop, FindsThePlantedEffectAndItsSize) {
     EXPECT_EQ(test::find(datasets, "effect_doubt").texts[0], "");
     // The model is the building: what does not pass is noise, and intervals are its own.
     EXPECT_EQ(test::find(datasets, "misfit").values[0], 1);
+}
+
+TEST(Loop, ThatEndsWithABiasBeyondTheGuidelineFallsShort) {
+    Case made = windy_case();
+    measure(made, named("wind infiltration"), 0, 3);
+    EXPECT_EQ(concluded(made).summaries.at(0).shortfall, "");
+    for (double& reading : made.meters[0].values) reading *= 30;
+    const std::string said = concluded(made).summaries.at(0).shortfall;
+    EXPECT_NE(said.find("the bias of " + made.meters[0].name), std::string::npos) << said;
+    EXPECT_NE(said.find("of Guideline 14"), std::string::npos) << said;
 }
 
 /// The class in which a decision puts an effect; "" where there is none.
