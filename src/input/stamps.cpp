@@ -173,21 +173,31 @@ class Reader {
 
     /// The first and the last stamp close whole days, or midnight is written as 24:00.
     void infer_end() {
-        const std::size_t last = raw_.size() - 1;
-        if (rules_.at_end || step_at(0) > 3600 || last == 0) return;
+        if (rules_.at_end || step_at(0) > 3600 || raw_.size() == 1) return;
         const bool is_24 = std::ranges::any_of(raw_, &Stamp::is_24);
-        const bool closes = near_clock(0, step_at(0)) && near_clock(last, 0);
-        if (!(is_24 ? !has_midnight() : closes && !begin_whole_days())) return;
+        if (is_24 && has_midnight()) return;
+        const std::string finding =
+            is_24 ? "its midnights are written as 24:00" : words_of_closed_days();
+        if (finding.empty()) return;
         rules_.at_end = true;
         refind_steps();
         note(
-            is_24 ? "its midnights are written as 24:00"
-                  : fmt::format("its first stamp is {}, its last 00:00: they close whole "
-                                "days",
-                                clock_words(step_at(0))),
+            finding,
             fmt::format("read as ends of their intervals, which begin {} before; stamp = "
                         "\"start\" overrules it",
                         words_of(step_at(0))));
+    }
+
+    /// Days by the clock of the stamps or of the site; "" where none are closed.
+    std::string words_of_closed_days() const {
+        const bool as_shown = close_days([](const Stamp& stamp) { return stamp.face; });
+        const auto by_site = [&](const Stamp& stamp) {
+            return stamp.face - offset_of(stamp) + of_hours(rules_.site_offset_h);
+        };
+        if (begin_whole_days() || (!as_shown && !close_days(by_site))) return {};
+        return fmt::format(
+            "its first stamp is {}, its last 00:00{}: they close whole days",
+            clock_words(step_at(0)), as_shown ? "" : " by the site's clock");
     }
 
     /// Which row a change of the step begins at depends on what a stamp is.
@@ -200,10 +210,17 @@ class Reader {
         find_steps(found_.step_s);
     }
 
-    /// Whether the row shows this time of day, or a little beside.
-    bool near_clock(std::size_t row, long long clock_s) const {
+    /// Whether the first is a step after midnight and the last at one, as `shown`.
+    template <class Shown>
+    bool close_days(Shown shown) const {
+        return near_clock(0, shown(raw_.front()), step_at(0)) &&
+               near_clock(raw_.size() - 1, shown(raw_.back()), 0);
+    }
+
+    /// Whether the row stands at this time of day, or a little beside.
+    bool near_clock(std::size_t row, Seconds time, long long clock_s) const {
         const long long step = step_at(row);
-        long long beside = phase_of(raw_[row].face, day_s) - clock_s;
+        long long beside = phase_of(time, day_s) - clock_s;
         if (2 * beside > day_s) beside -= day_s;
         return part_of_step * std::abs(beside) <= step;
     }
@@ -214,10 +231,11 @@ class Reader {
         });
     }
 
-    /// As begins they may be whole days of another clock: of the site's, or of UTC where
+    /// As begins they may be whole days: as written, of the site's clock, or of UTC where
     /// an offset stands in them.
     bool begin_whole_days() const {
-        return begin_days_of(of_hours(rules_.site_offset_h)) ||
+        return begin_days_of(offset_of(raw_.front())) ||
+               begin_days_of(of_hours(rules_.site_offset_h)) ||
                (raw_.front().offset && begin_days_of(seconds(0)));
     }
 

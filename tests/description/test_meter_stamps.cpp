@@ -192,6 +192,20 @@ TEST(MeterStamps, OffsetsBehindAStampAreReadWithoutAForm) {
         "stamp = \"start\"\n"));
 }
 
+TEST(MeterStamps, EndsInUtcCloseTheDaysOfTheSite) {
+    const study::Case building =
+        read_with(hourly("time,x",
+                         [](Seconds time) {
+                             return text_of_time(time + std::chrono::hours(1 - 8)) + "Z";
+                         }),
+                  "");
+    expect_same(building);
+    EXPECT_EQ(count(building,
+                    "its first stamp is 01:00, its last 00:00 by the site's clock: they "
+                    "close whole days: read as ends of their intervals"),
+              1);
+}
+
 TEST(MeterStamps, AFormatThatReadsNoYearIsRefusedAtItsKey) {
     const Folder folder;
     ExitCode exit_code = ExitCode::usage;

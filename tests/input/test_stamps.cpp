@@ -164,6 +164,15 @@ TEST(Stamps, StampsThatCloseWholeDaysAreEnds) {
     // Whole days of UTC, written by the clock of Paris.
     EXPECT_FALSE(are_ends("2021-01-01 01:00", 3600, 72, 1, "+01:00"));
     EXPECT_TRUE(are_ends("2021-01-01 01:00", 3600, 72, 1));
+    // Days of Guangzhou in UTC: 00:15 there, or 01:00, to midnight.
+    EXPECT_TRUE(are_ends("2020-12-31 16:15", 900, 96, 8, "+00:00"));
+    EXPECT_TRUE(are_ends("2020-12-31 17:00", 3600, 72, 8, "+00:00"));
+    EXPECT_FALSE(are_ends("2020-12-31 16:00", 3600, 72, 8, "+00:00"));
+    // Ends by the site's clock, but as begins whole days of the clock they are written
+    // by.
+    EXPECT_FALSE(are_ends("2021-01-01 00:00", 3600, 72, 1, "+00:00"));
+    EXPECT_FALSE(are_ends("2021-01-01 00:00", 3600, 72, 2, "+01:00"));
+    EXPECT_FALSE(are_ends("2021-01-01 00:00", 3600, 72, 1));
 }
 
 TEST(Stamps, AnHourThatTheWallClockSkipsIsAnError) {
