@@ -5,6 +5,7 @@
 #include "base/terminal.hpp"
 #include "effects/catalogue.hpp"
 #include "external/process.hpp"
+#include "holidays/holidays.hpp"
 #include "plan/plan.hpp"
 #include "plan/slurm_lines.hpp"
 #include "report/merge_chains.hpp"
@@ -26,6 +27,7 @@
 #include <filesystem>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -42,7 +44,7 @@ struct CommandLine {
     fs::path job, output, file;
     std::vector<fs::path> files;
     fs::path last_night;
-    std::string topic;
+    std::string topic, place, years;
     bool force = false, resume = false, rerun_failed = false, no_report = false;
     int n_threads = 0;
     double item_seconds = 0;  ///< 0 = no limit
@@ -106,6 +108,22 @@ void add_run(CLI::App& app, CommandLine& line) {
                   "write no page with pictures beside the result of a loop");
 }
 
+void add_describe(CLI::App& app, CommandLine& line) {
+    CLI::App* describe = app.add_subcommand(
+        "describe",
+        "print every key of a job, dataset of a result, number that a parameter may name, "
+        "effect that a loop may find, or public holiday of a country");
+    describe
+        ->add_option("TOPIC", line.topic, "job, results, parameters, effects or holidays")
+        ->required()
+        ->check(CLI::IsMember({"job", "results", "parameters", "effects", "holidays"}));
+    describe->add_option(
+        "PLACE", line.place,
+        "of holidays: a country and perhaps a state, US or DE-BY; none = "
+        "list them");
+    describe->add_option("YEARS", line.years, "of holidays: 2021, or 2020-2022");
+}
+
 void add_others(CLI::App& app, CommandLine& line) {
     CLI::App* check =
         app.add_subcommand("check", "read everything, simulate nothing, print the plan");
@@ -123,12 +141,7 @@ void add_others(CLI::App& app, CommandLine& line) {
                      "of each node; default: what makes it half an hour, at most 16")
         ->needs(slurm)
         ->check(CLI::Range(1, 4096));
-    app.add_subcommand("describe",
-                       "print every key of a job, dataset of a result, number that a "
-                       "parameter may name, or effect that a loop may find")
-        ->add_option("TOPIC", line.topic, "job, results, parameters or effects")
-        ->required()
-        ->check(CLI::IsMember({"job", "results", "parameters", "effects"}));
+    add_describe(app, line);
     app.add_subcommand("status", "print whether a result is complete, and its hash")
         ->add_option("FILE", line.file, "result file, also of a run that is not complete")
         ->required();
@@ -236,11 +249,26 @@ ExitCode check_command(const CommandLine& line, int n_ranks) {
     return ExitCode::ok;
 }
 
+std::string holidays_text(const CommandLine& line) {
+    if (line.place.empty()) return holidays::describe_countries();
+    try {
+        return holidays::describe(line.place, line.years);
+    } catch (const std::invalid_argument& error) {
+        throw UserError(ExitCode::usage, error.what());
+    }
+}
+
 ExitCode describe_command(const CommandLine& line) {
-    const std::string text = line.topic == "job"       ? job::describe_job()
-                             : line.topic == "results" ? store::describe_results()
-                             : line.topic == "effects" ? effects::describe()
-                                                       : job::describe_parameters();
+    if (line.topic != "holidays" && !line.place.empty())
+        throw UserError(ExitCode::usage,
+                        fmt::format("'{}': expected nothing after {}; only holidays are "
+                                    "of a place",
+                                    line.place, line.topic));
+    const std::string text = line.topic == "job"        ? job::describe_job()
+                             : line.topic == "results"  ? store::describe_results()
+                             : line.topic == "effects"  ? effects::describe()
+                             : line.topic == "holidays" ? holidays_text(line)
+                                                        : job::describe_parameters();
     print(stdout, text);
     return ExitCode::ok;
 }
