@@ -42,10 +42,11 @@ study::Period read_slashed_range(const schema::Section& section, std::string_vie
                                  const std::string& text);
 
 /// Schedules, then series: the rows that `Input::profile` counts.
-std::vector<physics::Profile> read_profiles(const Sources& sources,
-                                            input::InputFiles& files,
-                                            const physics::Site& site,
-                                            std::vector<study::DataDecision>& decisions);
+/// \param holidays  of schedules that name none themselves
+std::vector<physics::Profile> read_profiles(
+    const Sources& sources, const std::vector<physics::DateRange>& holidays,
+    input::InputFiles& files, const physics::Site& site,
+    std::vector<study::DataDecision>& decisions);
 
 /// The series among them, with their units.
 std::vector<study::Column> read_columns(const Sources& sources);

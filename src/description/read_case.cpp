@@ -4,6 +4,7 @@
 /// Studies are not read here.
 #include "base/error.hpp"
 #include "description/building_readers.hpp"
+#include "description/read_holidays.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -47,8 +48,10 @@ study::Case read_case(const Sources& sources, input::InputFiles& files) {
     building.periods = read_periods(sources);
     read_run(sources, building);
     read_weather(sources, files, building);
-    building.profiles =
-        read_profiles(sources, files, building.weather.site, building.decisions);
+    const DaysOff days_off = read_days_off(sources, building.periods);
+    building.school_holidays = days_off.school;
+    building.profiles = read_profiles(sources, days_off.holidays, files,
+                                      building.weather.site, building.decisions);
     building.columns = read_columns(sources);
     building.building = read_building(sources, building.profiles);
     building.building.name = building.name;

@@ -1,10 +1,11 @@
-/// Reads [[schedule]], [[series]] and the holidays into profiles: hours of a week,
-/// periods of a year, a register of days, a CSV column. The more exact key of a day wins.
+/// Reads [[schedule]] and [[series]] into profiles: hours of a week, periods of a year, a
+/// register of days, a CSV column. The more exact key of a day wins.
 /// Follows from the schema; the register is paper 2's class register.
 /// Schedules are evaluated by `values_of`. Gaps in a period are found by
 /// `check_building`.
 #include "base/error.hpp"
 #include "description/building_readers.hpp"
+#include "description/read_holidays.hpp"
 #include "description/timed_csv.hpp"
 
 #include <algorithm>
@@ -67,15 +68,6 @@ std::array<Day, 7> read_week(const schema::Section& section) {
                                 "every_day",
                                 names[d], names[d]));
     return week;
-}
-
-std::vector<physics::DateRange> read_dates(const schema::Section& section,
-                                           const char* key) {
-    std::vector<physics::DateRange> ranges;
-    for (const std::string& text : section.texts(key))
-        ranges.push_back(
-            at_key(section, key, [&] { return physics::parse_date_range(text); }));
-    return ranges;
 }
 
 /// The days of a register with their numbers; a day may stand in it once.
@@ -159,12 +151,10 @@ void add(std::vector<physics::Profile>& profiles, physics::Profile profile,
 
 }  // namespace
 
-std::vector<physics::Profile> read_profiles(const Sources& sources,
-                                            input::InputFiles& files,
-                                            const physics::Site& site,
-                                            std::vector<study::DataDecision>& decisions) {
-    const std::vector<physics::DateRange> holidays =
-        read_dates(sources.with("holidays"), "holidays");
+std::vector<physics::Profile> read_profiles(
+    const Sources& sources, const std::vector<physics::DateRange>& holidays,
+    input::InputFiles& files, const physics::Site& site,
+    std::vector<study::DataDecision>& decisions) {
     std::vector<physics::Profile> profiles;
     for (const schema::Section& section :
          sources.with("schedule").tables("schedule", "schedule"))

@@ -106,6 +106,7 @@ class Writer {
                  "there is no meter; expected a file under gas, electricity or heat");
         doubt_single_meter();
         add_place();
+        add_holidays();
         add_periods();
         add_envelope();
         add_zone();
@@ -305,6 +306,11 @@ class Writer {
             if (const std::string column = word(key, ""); !column.empty())
                 text_ += fmt::format("{} = {{column = \"{}\", stamp = \"{}\"}}\n", key,
                                      column, word(std::string(key) + "_stamp", "start"));
+    }
+
+    void add_holidays() {
+        const std::string keys = said_keys("holidays", "holidays", {});
+        if (!keys.empty()) text_ += "[holidays]\n" + keys;
     }
 
     /// A typical year's file stands for every year from `year` to that of the last day.

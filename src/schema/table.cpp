@@ -4,6 +4,8 @@
 /// Follows from one table for reading, checks, defaults, messages and `describe job`.
 /// Leaves out [simulator] (`simulator_keys`), studies (each kind has rows of its own),
 /// numbers of a building (`fields()`), and rules between keys, which the readers check.
+#include "base/joined.hpp"
+#include "holidays/countries.hpp"
 #include "schema/schema.hpp"
 #include "schema/words.hpp"
 
@@ -21,6 +23,7 @@ constexpr SectionInfo section_table[] = {
      "`buildings`."},
     {"building", "(top of a building's file)", "",
      "A building; sections that its file leaves out are taken from the job file."},
+    {"holidays", "[holidays]", "", "Days off by country, in place of holidays = [...]."},
     {"site", "[site]", "", "Where the building stands, and its clock."},
     {"weather", "[weather]", "source",
      "Hourly weather, from EPW files or from a CSV file."},
@@ -136,7 +139,7 @@ constexpr Key table[] = {
     {"building", "name", Type::text, "", "", 0, 0, "Default: the file's name."},
     {"building", "holidays", Type::texts, "", "", 0, 0,
      "Days that schedules take as holidays: \"12-24/01-02\" every year, \"2021-05-03\" "
-     "once."},
+     "once. Or a section [holidays]."},
     {"building", "site", Type::table, "", "", 0, 0, "[site]"},
     {"building", "weather", Type::table, "", required, 0, 0, "[weather]"},
     {"building", "schedule", Type::tables, "", "", 0, 0, "[[schedule]]"},
@@ -151,6 +154,16 @@ constexpr Key table[] = {
     {"building", "link", Type::tables, "", "", 0, 0, "[[link]]"},
     {"building", "periods", Type::table, "", required, 0, 0, "[periods]"},
     {"building", "run", Type::table, "", "", 0, 0, "[run]"},
+    // holidays
+    {"holidays", "country", Type::choice, joined<holidays::country_codes>.data(), "", 0,
+     0, "Its public holidays; `bemcal-batch describe holidays` prints them."},
+    {"holidays", "state", Type::text, "", "", 0, 0,
+     "A state, province, Land, canton or nation of the country, as \"BY\"."},
+    {"holidays", "days", Type::texts, "", "", 0, 0,
+     "More days off, as in holidays = [...]."},
+    {"holidays", "school", Type::texts, "", "", 0, 0,
+     "School holidays, \"2021-08-02/2021-08-20\"; kept with the building, not used by "
+     "schedules."},
     // site
     {"site", "latitude", Type::number, "deg", "", -90, 90,
      "North positive; default: the EPW file's."},

@@ -50,7 +50,8 @@ struct Case {
     std::vector<physics::Profile> profiles;
     std::vector<Column> columns;  ///< the profiles that are series
     std::vector<Meter> meters;
-    std::vector<Period> periods;  ///< the first is for training
+    std::vector<Period> periods;                      ///< the first is for training
+    std::vector<physics::DateRange> school_holidays;  ///< no schedule follows them
     std::vector<DataDecision> decisions;
     int step_s = 3600;
     int warm_up_hours = 1008;

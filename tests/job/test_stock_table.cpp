@@ -4,6 +4,8 @@
 #include "job/small_office.hpp"
 #include "job/stock.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 namespace bemcal::job {
@@ -102,6 +104,24 @@ TEST(StockTables, MaySayHowAMetersFileIsToBeRead) {
                                      .building();
     EXPECT_EQ(ends_of(building, 0), "2021-01-01 2021-12-04");
     EXPECT_EQ(building.meters[0].values.at(3), 1053.5);
+}
+
+TEST(StockTables, MaySayInWhichCountryABuildingStands) {
+    const auto is_off = [](const study::Case& building, const char* date) {
+        const physics::CalendarStep day = physics::calendar_step(parse_time(date));
+        return std::ranges::any_of(
+            building.profiles.at(0).schedule.holidays,
+            [&](const physics::DateRange& days) { return days.contains(day); });
+    };
+    const study::Case building =
+        StockTable(",holidays_country,holidays_state", ",DE,BY").building();
+    EXPECT_TRUE(is_off(building, "2021-06-03"));
+    EXPECT_FALSE(is_off(building, "2021-06-04"));
+    EXPECT_FALSE(is_off(StockTable("", "").building(), "2021-06-03"));
+    EXPECT_NE(StockTable(",holidays_country", ",GER")
+                  .complaint()
+                  .find("holidays.country = \"GER\": expected one of AT, AU"),
+              std::string::npos);
 }
 
 TEST(StockTables, MayHaveReadingsByTheMonth) {
