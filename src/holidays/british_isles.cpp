@@ -8,6 +8,7 @@
 namespace bemcal::holidays {
 namespace {
 
+// clang-format off: a row a line
 constexpr Row united_kingdom[] = {
     {"New Year's Day", on(1, 1), always, weekend_to_free},
     {"2nd January", on(1, 2), always, weekend_to_free, "SCT"},
@@ -29,6 +30,7 @@ constexpr Row united_kingdom[] = {
     {"Spring bank holiday", last(monday, 5), {2003, 2011}},
     {"Spring bank holiday", last(monday, 5), {2013, 2021}},
     {"Spring bank holiday", last(monday, 5), since(2023)},
+    {"World Cup bank holiday", on(6, 15), only(2026), none, "SCT"},
     {"Battle of the Boyne", on(7, 12), always, weekend_to_monday, "NIR"},
     {"Summer bank holiday", nth(1, monday, 8), always, none, "SCT"},
     {"Summer bank holiday", last(monday, 8), always, none, "!SCT"},
@@ -54,6 +56,7 @@ constexpr Row ireland[] = {
     {"Christmas Day", on(12, 25), always, weekend_to_free},
     {"St Stephen's Day", on(12, 26), always, weekend_to_free},
 };
+// clang-format on
 
 constexpr Country countries_of_british_isles[] = {
     {.code = "GB",

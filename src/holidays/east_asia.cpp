@@ -3,8 +3,9 @@
 /// 2013, 2024) and the State Council's notices of each year; Hong Kong's General Holidays
 /// Ordinance; Japan's Act on National Holidays; Korea's Regulations on Holidays of
 /// Government Offices; Taiwan's rules of 2015 and its act of 2025.
-/// Left out: the weekends on which China and Taiwan work for a bridge, Taiwan's bridges
-/// themselves, and China's notices after 2026, which the usual pattern stands for.
+/// China's week off is there as it was arranged, after 2026 by the usual pattern;
+/// Taiwan's bridges by python-holidays 0.109 (MIT). Left out: the weekends that are
+/// worked for them.
 #include "holidays/countries.hpp"
 
 namespace bemcal::holidays {
@@ -17,15 +18,15 @@ constexpr Substitute long_weekend{.shift = {0, -1, 0, 1, 0, 2, 1}};
 constexpr int china_new_year[] = {20120103, 20130102, 20130103};
 constexpr int china_spring[] = {20140206, 20200131, 20240217, 20260215};
 constexpr int china_qingming[] = {20120402, 20120403};
-constexpr int china_labour[] = {20130429, 20130430, 20190502, 20190503, 20200504,
-                                20200505, 20210504, 20210505, 20220503, 20220504,
-                                20230502, 20230503, 20240502, 20240503, 20250505,
-                                20260504, 20260505};
+constexpr int china_labour[] = {
+    20130429, 20130430, 20190502, 20190503, 20200504, 20200505, 20210504, 20210505,
+    20220503, 20220504, 20230502, 20230503, 20240502, 20240503, 20250505, 20260505};
 constexpr int china_dragon_boat[] = {20100614, 20100615, 20120622, 20130610, 20130611};
 constexpr int china_autumn[] = {20100923, 20100924};
 constexpr int china_eighth[] = {20171008, 20201008, 20251008};
 constexpr int china_victory[] = {20150903, 20150904};
 
+// clang-format off: a row a line
 constexpr Row china[] = {
     {"New Year's Day", on(1, 1), until(2012), long_weekend},
     {"New Year's Day", on(1, 1), only(2013)},
@@ -47,7 +48,7 @@ constexpr Row china[] = {
     {"Qingming", qingming, since(2013), long_weekend},
     {"Qingming", listed(china_qingming)},
     {"Labour Day", on(5, 1), always, long_weekend},
-    {"Labour Day", on(5, 2), since(2025)},
+    {"Labour Day", on(5, 2), since(2025), weekend_to_free},
     {"Labour Day", listed(china_labour)},
     {"Dragon Boat Festival", chinese(5, 5), until(2011), long_weekend},
     {"Dragon Boat Festival", chinese(5, 5), {2012, 2013}},
@@ -145,10 +146,10 @@ constexpr Years with_feasts = since(2014), without_feasts = until(2013);
 constexpr Years with_days = since(2021), without_days = until(2020);
 
 /// Elections, and days that the government declared.
-constexpr int korea_single[] = {20100602, 20120411, 20121219, 20140604, 20150814,
-                                20160413, 20160506, 20170509, 20171002, 20180613,
-                                20200415, 20200817, 20220309, 20220601, 20231002,
-                                20240410, 20241001, 20250127, 20250603, 20260603};
+constexpr int korea_single[] = {
+    20100602, 20120411, 20121219, 20140604, 20150814, 20160413, 20160506, 20170509,
+    20171002, 20180613, 20200415, 20200817, 20220309, 20220601, 20231002, 20240410,
+    20241001, 20250127, 20250603, 20260603, 20280412, 20300327, 20300612};
 
 constexpr Row korea[] = {
     {"New Year's Day", on(1, 1)},
@@ -160,11 +161,13 @@ constexpr Row korea[] = {
     {"Day after Seollal", korean(1, 2), with_feasts, korean_feast},
     {"Independence Movement Day", on(3, 1), until(2021)},
     {"Independence Movement Day", on(3, 1), since(2022), korean_day},
+    {"Labour Day", on(5, 1), since(2026), korean_day},
     {"Children's Day", on(5, 5), without_feasts},
     {"Children's Day", on(5, 5), with_feasts, korean_day},
     {"Buddha's Birthday", korean(4, 8), until(2022)},
     {"Buddha's Birthday", korean(4, 8), since(2023), korean_day},
     {"Memorial Day", on(6, 6)},
+    {"Constitution Day", on(7, 17), since(2026), korean_day},
     {"Liberation Day", on(8, 15), without_days},
     {"Liberation Day", on(8, 15), with_days, korean_day},
     {"Chuseok's Eve", korean(8, 14), without_feasts},
@@ -191,18 +194,20 @@ constexpr Substitute taiwan_sunday{.shift = {0, 0, 0, 0, 0, -1, 1}, .to_free = t
 constexpr int taiwan_children[] = {20130405, 20160405, 20170403, 20200402, 20210402,
                                    20240405, 20250403, 20280403, 20290403};
 
+constexpr int taiwan_bridges[] = {
+    20100219, 20120127, 20120227, 20121231, 20130215, 20130920, 20150102, 20160212,
+    20160610, 20160916, 20170227, 20170529, 20171009, 20180406, 20181231, 20190208,
+    20190301, 20191011, 20200123, 20200626, 20201002, 20210210, 20210920, 20220204,
+    20230120, 20230127, 20230227, 20230403, 20230623, 20231009, 20240208, 20250127};
+
 constexpr Row taiwan[] = {
     {"Founding Day", on(1, 1), without_rule},
     {"Founding Day", on(1, 1), with_rule, taiwan_day},
     {"Day before the Lunar Eve", chinese(1, 1).plus(-2), since(2026), weekend_to_free},
-    {"Lunar New Year's Eve", chinese(1, 1).plus(-1), without_rule},
-    {"Lunar New Year", chinese(1, 1), without_rule},
-    {"Lunar New Year", chinese(1, 2), without_rule},
-    {"Lunar New Year", chinese(1, 3), without_rule},
-    {"Lunar New Year's Eve", chinese(1, 1).plus(-1), with_rule, weekend_to_free},
-    {"Lunar New Year", chinese(1, 1), with_rule, weekend_to_free},
-    {"Lunar New Year", chinese(1, 2), with_rule, weekend_to_free},
-    {"Lunar New Year", chinese(1, 3), with_rule, weekend_to_free},
+    {"Lunar New Year's Eve", chinese(1, 1).plus(-1), always, weekend_to_free},
+    {"Lunar New Year", chinese(1, 1), always, weekend_to_free},
+    {"Lunar New Year", chinese(1, 2), always, weekend_to_free},
+    {"Lunar New Year", chinese(1, 3), always, weekend_to_free},
     {"Peace Memorial Day", on(2, 28), without_rule},
     {"Peace Memorial Day", on(2, 28), with_rule, taiwan_day},
     {"Children's Day", on(4, 4), {2011, 2014}},
@@ -221,7 +226,9 @@ constexpr Row taiwan[] = {
     {"National Day", on(10, 10), with_rule, taiwan_day},
     {"Retrocession Day", on(10, 25), since(2025), taiwan_day},
     {"Constitution Day", on(12, 25), since(2025), taiwan_day},
+    {"Bridge by decree", listed(taiwan_bridges)},
 };
+// clang-format on
 
 constexpr Country countries_of_east_asia[] = {
     {.code = "CN", .name = "China", .rows = china, .first_year = 2010},

@@ -1,9 +1,10 @@
 /// Public holidays of Bulgaria, Croatia, Czechia, Hungary, Poland, Romania, Slovakia and
 /// Slovenia.
 /// Source: the countries' laws, by python-holidays 0.10.1 (MIT), with later changes;
-/// Romania by art. 139 of its Codul muncii. Hungary's bridges follow the usual pattern, a
-/// Monday before and a Friday after. Left out: its working Saturdays, and bridges that
-/// other governments decree for a year.
+/// Romania by art. 139 of its Codul muncii.
+/// Hungary's bridges follow the usual pattern, a Monday before and a Friday after;
+/// Bulgaria's are those decreed (python-holidays 0.109). Left out: the Saturdays worked
+/// for them.
 #include "holidays/countries.hpp"
 
 namespace bemcal::holidays {
@@ -11,6 +12,13 @@ namespace {
 
 constexpr Years with_days_off = since(2017);  // art. 154 of Bulgaria's labour code
 
+constexpr int bulgaria_bridges[] = {
+    20100507, 20101231, 20110304, 20110523, 20110905, 20110923, 20120102,
+    20120430, 20120525, 20120907, 20121231, 20130502, 20131223, 20131231,
+    20140502, 20140505, 20141231, 20150102, 20150302, 20150921, 20151231,
+    20160304, 20160523, 20160905, 20160923, 20251231, 20260102};
+
+// clang-format off: a row a line
 constexpr Row bulgaria[] = {
     {"New Year's Day", on(1, 1), until(2016)},
     {"New Year's Day", on(1, 1), with_days_off, weekend_to_free},
@@ -36,6 +44,7 @@ constexpr Row bulgaria[] = {
     {"Christmas Day", on(12, 25), with_days_off, weekend_to_free},
     {"Second Christmas Day", on(12, 26), until(2016)},
     {"Second Christmas Day", on(12, 26), with_days_off, weekend_to_free},
+    {"Bridge by decree", listed(bulgaria_bridges)},
 };
 
 constexpr Row croatia[] = {
@@ -99,6 +108,7 @@ constexpr Row hungary[] = {
     {"Karácsony", on(12, 25)},
     {"Karácsony másnapja", on(12, 26), until(2012)},
     {"Karácsony másnapja", on(12, 26), since(2013), bridged_after},
+    {"Szilveszter", on(12, 31), only(2012)},
 };
 
 constexpr Row poland[] = {
@@ -177,6 +187,7 @@ constexpr Row slovenia[] = {
     {"božič", on(12, 25)},
     {"dan samostojnosti", on(12, 26)},
 };
+// clang-format on
 
 constexpr Country countries_of_eastern_europe[] = {
     {"BG", "Bulgaria", bulgaria}, {"CZ", "Czechia", czechia},

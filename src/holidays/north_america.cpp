@@ -8,11 +8,9 @@
 namespace bemcal::holidays {
 namespace {
 
-constexpr Substitute to_weekday_after_monday{.shift = {1, 0, 0, 0, 0, 2, 1},
-                                             .moves = true};
-
+// clang-format off: a row a line
 constexpr Row canada[] = {
-    {"New Year's Day", on(1, 1), always, to_nearest_weekday},
+    {"New Year's Day", on(1, 1), always, weekend_to_free},
     {"Family Day", nth(3, monday, 2), always, none, "AB"},
     {"Family Day", nth(3, monday, 2), since(2007), none, "SK"},
     {"Family Day", nth(3, monday, 2), since(2008), none, "ON"},
@@ -33,6 +31,7 @@ constexpr Row canada[] = {
     {"Victoria Day", up_to(monday, 5, 24), always, none, "!NB NL NS PE QC"},
     {"National Patriots' Day", up_to(monday, 5, 24), always, none, "QC"},
     {"National Aboriginal Day", on(6, 21), always, none, "NT"},
+    {"National Aboriginal Day", on(6, 21), since(2017), none, "YT"},
     {"St. Jean Baptiste Day", on(6, 24), always, sunday_to_monday, "QC"},
     {"Discovery Day", nearest(monday, 6, 24), always, none, "NL"},
     {"Canada Day", on(7, 1), always, weekend_to_monday, "!NL"},
@@ -48,8 +47,8 @@ constexpr Row canada[] = {
     {"Thanksgiving", nth(2, monday, 10), always, none, "!NB NL NS PE"},
     {"Remembrance Day", on(11, 11), always, none, "AB BC MB NB NU YT"},
     {"Remembrance Day", on(11, 11), always, sunday_to_monday, "NL NS NT PE SK"},
-    {"Christmas Day", on(12, 25), always, to_nearest_weekday},
-    {"Boxing Day", on(12, 26), always, to_weekday_after_monday},
+    {"Christmas Day", on(12, 25), always, weekend_to_free},
+    {"Boxing Day", on(12, 26), always, weekend_to_free},
 };
 
 /// Four years from 1789 on, so from 2001.
@@ -121,19 +120,21 @@ constexpr Row united_states[] = {
     {"Bennington Battle Day", on(8, 16), always, to_nearest_weekday, "VT"},
     {"Lyndon Baines Johnson Day", on(8, 27), always, none, "TX"},
     {"Labor Day", nth(1, monday, 9)},
-    {"Columbus Day", nth(2, monday, 10), always, none, "!AK AR DE FL HI NV"},
+    {"Columbus Day", nth(2, monday, 10), always, none, "!AK AR CA DE FL HI NV TX"},
+    {"Columbus Day", nth(2, monday, 10), until(2008), none, "CA"},
     {"Alaska Day", on(10, 18), always, to_nearest_weekday, "AK"},
     {"Nevada Day", last(friday, 10), always, none, "NV"},
     {"Liberty Day", on(11, 1), always, none, "VI"},
     {"Election Day", nth(1, monday, 11).plus(1), even_since(2008), none,
      "DE HI IL IN LA MT NH NJ NY WV"},
     {"Election Day", nth(1, monday, 11).plus(1), odd_since(2015), none, "IN NY"},
+    {"Election Day", nth(1, monday, 11).plus(1), since(2020), none, "VA"},
     {"All Souls' Day", on(11, 2), always, none, "GU"},
     {"Veterans Day", on(11, 11), always, to_nearest_weekday},
     {"Discovery Day", on(11, 19), always, sunday_to_monday, "PR"},
     {"Thanksgiving", nth(4, thursday, 11)},
     {"Day after Thanksgiving", nth(4, thursday, 11).plus(1), always, none,
-     "DE FL NC NH NM NV OK TX WV"},
+     "CA DE FL NC NH NM NV OK TX VA WV"},
     {"Day after Thanksgiving", nth(4, thursday, 11).plus(1), since(2008), none, "MD"},
     {"Day after Thanksgiving", nth(4, thursday, 11).plus(1), since(2010), none, "IN"},
     {"State Holiday", up_to(friday, 11, 29), always, none, "GA"},
@@ -148,6 +149,7 @@ constexpr Row united_states[] = {
     {"New Year's Eve", on(12, 31), since(2012), saturday_to_friday, "WI"},
     {"New Year's Eve", on(12, 31), since(2013), saturday_to_friday, "KY MI"},
 };
+// clang-format on
 
 constexpr Country countries_of_north_america[] = {
     {.code = "CA",

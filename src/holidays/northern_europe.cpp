@@ -1,13 +1,15 @@
 /// Public holidays of Denmark, Estonia, Finland, Latvia, Lithuania, Norway and Sweden.
 /// Source: the countries' laws, by python-holidays 0.10.1 (MIT), with later changes;
-/// Latvia by its law of 1990, "Par svētku, atceres un atzīmējamām dienām". Eves on which
-/// offices are closed by custom count in Finland and Sweden. Left out: Sundays, which are
-/// holidays by law in Norway and Sweden, and half days.
+/// Latvia by its law of 1990, "Par svētku, atceres un atzīmējamām dienām", and its
+/// bridges by python-holidays 0.109. Eves on which offices are closed by custom count in
+/// Finland and Sweden. Left out: Sundays, which are holidays by law in Norway and Sweden,
+/// and half days.
 #include "holidays/countries.hpp"
 
 namespace bemcal::holidays {
 namespace {
 
+// clang-format off: a row a line
 constexpr Row denmark[] = {
     {"Nytårsdag", on(1, 1)},
     {"Palmesøndag", easter(-7)},
@@ -56,6 +58,11 @@ constexpr Row finland[] = {
     {"Tapaninpäivä", on(12, 26)},
 };
 
+constexpr int latvia_bridges[] = {
+    20100503, 20100625, 20101119, 20120430, 20131223, 20131230, 20140502, 20141117,
+    20150102, 20150622, 20170505, 20180430, 20200622, 20210503, 20210625, 20211119,
+    20230505, 20241223, 20241230, 20250502, 20251117, 20260102, 20260622};
+
 constexpr Row latvia[] = {
     {"Jaungada diena", on(1, 1)},
     {"Lielā Piektdiena", easter(-2)},
@@ -78,6 +85,7 @@ constexpr Row latvia[] = {
     {"Ziemassvētki", on(12, 25)},
     {"Otrie Ziemassvētki", on(12, 26)},
     {"Vecgada diena", on(12, 31)},
+    {"Pārceltā darba diena", listed(latvia_bridges)},
 };
 
 constexpr Row lithuania[] = {
@@ -100,12 +108,18 @@ constexpr Row lithuania[] = {
 };
 
 constexpr Row norway[] = {
-    {"Første nyttårsdag", on(1, 1)}, {"Skjærtorsdag", easter(-3)},
-    {"Langfredag", easter(-2)},      {"Første påskedag", easter(0)},
-    {"Andre påskedag", easter(1)},   {"Arbeidernes dag", on(5, 1)},
-    {"Grunnlovsdag", on(5, 17)},     {"Kristi himmelfartsdag", easter(39)},
-    {"Første pinsedag", easter(49)}, {"Andre pinsedag", easter(50)},
-    {"Første juledag", on(12, 25)},  {"Andre juledag", on(12, 26)},
+    {"Første nyttårsdag", on(1, 1)},
+    {"Skjærtorsdag", easter(-3)},
+    {"Langfredag", easter(-2)},
+    {"Første påskedag", easter(0)},
+    {"Andre påskedag", easter(1)},
+    {"Arbeidernes dag", on(5, 1)},
+    {"Grunnlovsdag", on(5, 17)},
+    {"Kristi himmelfartsdag", easter(39)},
+    {"Første pinsedag", easter(49)},
+    {"Andre pinsedag", easter(50)},
+    {"Første juledag", on(12, 25)},
+    {"Andre juledag", on(12, 26)},
 };
 
 constexpr Row sweden[] = {
@@ -127,6 +141,7 @@ constexpr Row sweden[] = {
     {"Annandag jul", on(12, 26)},
     {"Nyårsafton", on(12, 31)},
 };
+// clang-format on
 
 constexpr Country countries_of_northern_europe[] = {
     {"DK", "Denmark", denmark}, {"EE", "Estonia", estonia},

@@ -14,6 +14,11 @@ constexpr int family_days[] = {20071106, 20081104, 20091103, 20100926, 20111010,
 constexpr int final_days[] = {20151002, 20160930, 20170929, 20180928, 20190927, 20201023,
                               20210924, 20220923, 20230929, 20240927, 20250926};
 
+/// Proclaimed for other days than the Monday up to 1 October.
+constexpr int western_birthdays[] = {20111028, 20180924, 20240923};
+constexpr int moved_shows[] = {20200814, 20211029};
+
+// clang-format off: a row a line
 constexpr Row australia[] = {
     {"New Year's Day", on(1, 1), always, weekend_to_monday},
     {"Australia Day", on(1, 26), always, weekend_to_monday},
@@ -28,8 +33,11 @@ constexpr Row australia[] = {
     {"Easter Sunday", easter(0), always, none, "ACT NSW QLD VIC"},
     {"Easter Monday", easter(1)},
     {"Anzac Day", on(4, 25), always, none, "!ACT NT QLD SA WA"},
-    {"Anzac Day", on(4, 25), always, sunday_to_monday, "ACT QLD SA"},
-    {"Anzac Day", on(4, 25), always, weekend_to_monday, "NT WA"},
+    {"Anzac Day", on(4, 25), always, sunday_to_monday, "ACT NT QLD SA"},
+    {"Anzac Day", on(4, 25), always, weekend_to_monday, "WA"},
+    {"Day after Anzac Day", on(4, 27), only(2020), none, "ACT"},
+    {"Day after Anzac Day", on(4, 27), only(2026), none, "ACT NSW"},
+    {"Day after Anzac Day", on(4, 26), only(2027), none, "NSW"},
     {"Easter and Anzac Day", on(4, 26), only(2011)},
     {"Labour Day", nth(1, monday, 5), until(2012), none, "QLD"},
     {"Labour Day", nth(1, monday, 5), since(2016), none, "QLD"},
@@ -40,10 +48,16 @@ constexpr Row australia[] = {
     {"Sovereign's Birthday", nth(2, monday, 6), until(2015), none, "QLD"},
     {"Sovereign's Birthday", nth(1, monday, 10), only(2012), none, "QLD"},
     {"Sovereign's Birthday", nth(1, monday, 10), since(2016), none, "QLD"},
-    {"Sovereign's Birthday", up_to(monday, 10, 1), always, none, "WA"},
+    {"Sovereign's Birthday", up_to(monday, 10, 1), until(2010), none, "WA"},
+    {"Sovereign's Birthday", up_to(monday, 10, 1), {2012, 2017}, none, "WA"},
+    {"Sovereign's Birthday", up_to(monday, 10, 1), {2019, 2023}, none, "WA"},
+    {"Sovereign's Birthday", up_to(monday, 10, 1), since(2025), none, "WA"},
+    {"Sovereign's Birthday", listed(western_birthdays), always, none, "WA"},
     {"Picnic Day", nth(1, monday, 8), always, none, "NT"},
     {"Bank Holiday", nth(1, monday, 8), always, none, "NSW"},
-    {"Royal Queensland Show", from(friday, 8, 5).plus(5), always, none, "QLD"},
+    {"Royal Queensland Show", from(friday, 8, 5).plus(5), until(2019), none, "QLD"},
+    {"Royal Queensland Show", listed(moved_shows), always, none, "QLD"},
+    {"Royal Queensland Show", from(friday, 8, 5).plus(5), since(2022), none, "QLD"},
     {"National Day of Mourning", on(9, 22), only(2022)},
     {"Family & Community Day", listed(family_days), always, none, "ACT"},
     {"Friday before the Final", listed(final_days), until(2025), none, "VIC"},
@@ -90,6 +104,7 @@ constexpr Row new_zealand[] = {
     {"Christmas Day", on(12, 25), always, weekend_to_free},
     {"Boxing Day", on(12, 26), always, weekend_to_free},
 };
+// clang-format on
 
 constexpr Country countries_of_oceania[] = {
     {"AU", "Australia", australia, "ACT NSW NT QLD SA TAS VIC WA"},

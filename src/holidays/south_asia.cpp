@@ -1,9 +1,9 @@
 /// Public holidays of India and Singapore.
 /// Source: India's gazetted holidays of its central government's offices; Singapore's
 /// Holidays Act and the Ministry of Manpower's lists. Days of the Islamic and Hindu
-/// calendars are announced each year: they are lists, estimated after 2026.
-/// Left out: India's states, and Buddha Purnima, Guru Nanak's Birthday, Mahavir Jayanti,
-/// Muharram and the Prophet's Birthday, which many offices keep.
+/// calendars are announced each year: they are lists, by python-holidays 0.10.1 and 0.109
+/// (MIT), estimated after 2026.
+/// Left out: India's states, and days that its offices may choose.
 #include "holidays/countries.hpp"
 
 namespace bemcal::holidays {
@@ -30,13 +30,46 @@ constexpr int india_adha[] = {20101117, 20111107, 20121027, 20131016, 20141006, 
                               20220710, 20230629, 20240617, 20250607, 20260527, 20270517,
                               20280506, 20290425, 20300414};
 
+constexpr int india_buddha[] = {
+    20100527, 20110517, 20120506, 20130525, 20140514, 20150504, 20160521,
+    20170510, 20180430, 20190518, 20200507, 20210526, 20220516, 20230505,
+    20240523, 20250512, 20260501, 20270520, 20280508, 20290527, 20300517};
+constexpr int india_nanak[] = {20101121, 20111110, 20121128, 20131117, 20141106, 20151125,
+                               20161114, 20171104, 20181123, 20191112, 20201130, 20211119,
+                               20221108, 20231127, 20241115, 20251105, 20261124, 20271114,
+                               20281102, 20291121, 20301110};
+constexpr int india_mahavir[] = {
+    20100428, 20110416, 20120405, 20130424, 20140413, 20150402, 20160420,
+    20170409, 20180329, 20190417, 20200406, 20210425, 20220414, 20230404,
+    20240421, 20250410, 20260331, 20270418, 20280407, 20290426, 20300416};
+constexpr int india_muharram[] = {
+    20101217, 20111206, 20121125, 20131114, 20141104, 20151024, 20161012,
+    20171001, 20180921, 20190910, 20200830, 20210819, 20220809, 20230729,
+    20240717, 20250706, 20260626, 20270616, 20280604, 20290524, 20300513};
+constexpr int india_prophet[] = {
+    20100227, 20110216, 20120205, 20130125, 20140114, 20150104, 20151224, 20161213,
+    20171202, 20181121, 20191110, 20201030, 20211019, 20221009, 20230928, 20240916,
+    20250905, 20260826, 20270815, 20280804, 20290725, 20300714};
+
+// clang-format off: a row a line
 constexpr Row india[] = {
-    {"Makar Sankranti", on(1, 14)},     {"Republic Day", on(1, 26)},
-    {"Holi", listed(india_holi)},       {"Good Friday", easter(-2)},
-    {"Labour Day", on(5, 1)},           {"Id-ul-Fitr", listed(india_fitr)},
-    {"Id-ul-Zuha", listed(india_adha)}, {"Independence Day", on(8, 15)},
-    {"Gandhi Jayanti", on(10, 2)},      {"Dussehra", listed(india_dussehra)},
-    {"Diwali", listed(india_diwali)},   {"Christmas", on(12, 25)},
+    {"Makar Sankranti", on(1, 14)},
+    {"Republic Day", on(1, 26)},
+    {"Holi", listed(india_holi)},
+    {"Good Friday", easter(-2)},
+    {"Mahavir Jayanti", listed(india_mahavir)},
+    {"Labour Day", on(5, 1)},
+    {"Buddha Purnima", listed(india_buddha)},
+    {"Id-ul-Fitr", listed(india_fitr)},
+    {"Id-ul-Zuha", listed(india_adha)},
+    {"Independence Day", on(8, 15)},
+    {"Gandhi Jayanti", on(10, 2)},
+    {"Dussehra", listed(india_dussehra)},
+    {"Diwali", listed(india_diwali)},
+    {"Guru Nanak's Birthday", listed(india_nanak)},
+    {"Muharram", listed(india_muharram)},
+    {"Milad-un-Nabi", listed(india_prophet)},
+    {"Christmas", on(12, 25)},
 };
 
 constexpr int singapore_fitr[] = {
@@ -48,10 +81,10 @@ constexpr int singapore_adha[] = {
     20010306, 20020223, 20030212, 20040201, 20050121, 20060110, 20071220, 20081208,
     20091127, 20101117, 20111106, 20121026, 20131015, 20141005, 20150924, 20160912,
     20170901, 20180822, 20190811, 20200731, 20210720, 20220710, 20230629, 20240617,
-    20250607, 20260527, 20270517, 20280505, 20290424, 20300413};
+    20250607, 20260527, 20270517, 20280505, 20290425, 20300414};
 constexpr int singapore_vesak[] = {
     20010507, 20020527, 20030515, 20040602, 20050523, 20060512, 20070531, 20080519,
-    20090509, 20100528, 20110517, 20120505, 20130524, 20140513, 20150601, 20160520,
+    20090509, 20100528, 20110517, 20120505, 20130524, 20140513, 20150601, 20160521,
     20170510, 20180529, 20190519, 20200507, 20210526, 20220515, 20230602, 20240522,
     20250512, 20260531, 20270520, 20280509, 20290527, 20300516};
 constexpr int singapore_deepavali[] = {
@@ -77,6 +110,7 @@ constexpr Row singapore[] = {
     {"Polling Day", listed(singapore_polling)},
     {"Christmas Day", on(12, 25), always, sunday_to_free},
 };
+// clang-format on
 
 constexpr Country countries_of_south_asia[] = {
     {.code = "IN", .name = "India", .rows = india, .first_year = 2010, .last_year = 2030},

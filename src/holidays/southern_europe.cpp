@@ -1,31 +1,49 @@
 /// Public holidays of Cyprus, Greece, Italy, Malta, Portugal and Spain.
 /// Source: the countries' laws, by python-holidays 0.10.1 (MIT), with later changes;
 /// Cyprus and Malta by their governments' lists. Left out: days of towns and regions,
-/// Carnival where it is a custom only, and years in which Greece keeps 1 May on another
-/// day.
+/// Carnival where it is a custom only.
 #include "holidays/countries.hpp"
 
 namespace bemcal::holidays {
 namespace {
 
+// clang-format off: a row a line
 constexpr Row cyprus[] = {
-    {"New Year's Day", on(1, 1)},      {"Epiphany", on(1, 6)},
-    {"Green Monday", orthodox(-48)},   {"Greek Independence Day", on(3, 25)},
-    {"National Day", on(4, 1)},        {"Good Friday", orthodox(-2)},
-    {"Easter Sunday", orthodox(0)},    {"Easter Monday", orthodox(1)},
-    {"Labour Day", on(5, 1)},          {"Kataklysmos", orthodox(50)},
-    {"Assumption of Mary", on(8, 15)}, {"Independence Day", on(10, 1)},
-    {"Ochi Day", on(10, 28)},          {"Christmas Day", on(12, 25)},
+    {"New Year's Day", on(1, 1)},
+    {"Epiphany", on(1, 6)},
+    {"Green Monday", orthodox(-48)},
+    {"Greek Independence Day", on(3, 25)},
+    {"National Day", on(4, 1)},
+    {"Good Friday", orthodox(-2)},
+    {"Easter Sunday", orthodox(0)},
+    {"Easter Monday", orthodox(1)},
+    {"Labour Day", on(5, 1)},
+    {"Kataklysmos", orthodox(50)},
+    {"Assumption of Mary", on(8, 15)},
+    {"Independence Day", on(10, 1)},
+    {"Ochi Day", on(10, 28)},
+    {"Christmas Day", on(12, 25)},
     {"Boxing Day", on(12, 26)},
 };
 
+/// Where 1 May is a Sunday or within Holy Week.
+constexpr int greece_labour[] = {20210504, 20220502, 20240507, 20270504};
+
 constexpr Row greece[] = {
-    {"New Year's Day", on(1, 1)},      {"Epiphany", on(1, 6)},
-    {"Clean Monday", orthodox(-48)},   {"Independence Day", on(3, 25)},
-    {"Good Friday", orthodox(-2)},     {"Easter Monday", orthodox(1)},
-    {"Labour Day", on(5, 1)},          {"Monday of the Holy Spirit", orthodox(50)},
-    {"Assumption of Mary", on(8, 15)}, {"Ochi Day", on(10, 28)},
-    {"Christmas Day", on(12, 25)},     {"Second Christmas Day", on(12, 26)},
+    {"New Year's Day", on(1, 1)},
+    {"Epiphany", on(1, 6)},
+    {"Clean Monday", orthodox(-48)},
+    {"Independence Day", on(3, 25)},
+    {"Good Friday", orthodox(-2)},
+    {"Easter Monday", orthodox(1)},
+    {"Labour Day", on(5, 1), until(2023)},
+    {"Labour Day", on(5, 1), since(2025)},
+    {"Labour Day, moved", listed(greece_labour)},
+    {"Monday of the Holy Spirit", orthodox(50)},
+    {"Assumption of Mary", on(8, 15)},
+    {"Ochi Day", on(10, 28)},
+    {"Christmas Day", on(12, 25)},
+    {"Second Christmas Day", on(12, 26)},
 };
 
 constexpr Row italy[] = {
@@ -46,13 +64,20 @@ constexpr Row italy[] = {
 };
 
 constexpr Row malta[] = {
-    {"New Year's Day", on(1, 1)},    {"Saint Paul's Shipwreck", on(2, 10)},
-    {"Saint Joseph", on(3, 19)},     {"Freedom Day", on(3, 31)},
-    {"Good Friday", easter(-2)},     {"Workers' Day", on(5, 1)},
-    {"Sette Giugno", on(6, 7)},      {"Saints Peter and Paul", on(6, 29)},
-    {"Santa Marija", on(8, 15)},     {"Victory Day", on(9, 8)},
-    {"Independence Day", on(9, 21)}, {"Immaculate Conception", on(12, 8)},
-    {"Republic Day", on(12, 13)},    {"Christmas Day", on(12, 25)},
+    {"New Year's Day", on(1, 1)},
+    {"Saint Paul's Shipwreck", on(2, 10)},
+    {"Saint Joseph", on(3, 19)},
+    {"Freedom Day", on(3, 31)},
+    {"Good Friday", easter(-2)},
+    {"Workers' Day", on(5, 1)},
+    {"Sette Giugno", on(6, 7)},
+    {"Saints Peter and Paul", on(6, 29)},
+    {"Santa Marija", on(8, 15)},
+    {"Victory Day", on(9, 8)},
+    {"Independence Day", on(9, 21)},
+    {"Immaculate Conception", on(12, 8)},
+    {"Republic Day", on(12, 13)},
+    {"Christmas Day", on(12, 25)},
 };
 
 constexpr Row portugal[] = {
@@ -87,6 +112,7 @@ constexpr Row spain[] = {
     {"La Inmaculada Concepción", on(12, 8)},
     {"Navidad", on(12, 25)},
 };
+// clang-format on
 
 constexpr Country countries_of_southern_europe[] = {
     {"CY", "Cyprus", cyprus}, {"ES", "Spain", spain}, {"GR", "Greece", greece},

@@ -8,6 +8,7 @@
 namespace bemcal::holidays {
 namespace {
 
+// clang-format off: a row a line
 constexpr Row austria[] = {
     {"Neujahr", on(1, 1)},
     {"Heilige Drei Könige", on(1, 6)},
@@ -25,20 +26,31 @@ constexpr Row austria[] = {
 };
 
 constexpr Row belgium[] = {
-    {"Nieuwjaarsdag", on(1, 1)},      {"Pasen", easter(0)},
-    {"Paasmaandag", easter(1)},       {"O.L.H. Hemelvaart", easter(39)},
-    {"Pinksteren", easter(49)},       {"Pinkstermaandag", easter(50)},
-    {"Dag van de Arbeid", on(5, 1)},  {"Nationale feestdag", on(7, 21)},
-    {"O.L.V. Hemelvaart", on(8, 15)}, {"Allerheiligen", on(11, 1)},
-    {"Wapenstilstand", on(11, 11)},   {"Kerstmis", on(12, 25)},
+    {"Nieuwjaarsdag", on(1, 1)},
+    {"Pasen", easter(0)},
+    {"Paasmaandag", easter(1)},
+    {"O.L.H. Hemelvaart", easter(39)},
+    {"Pinksteren", easter(49)},
+    {"Pinkstermaandag", easter(50)},
+    {"Dag van de Arbeid", on(5, 1)},
+    {"Nationale feestdag", on(7, 21)},
+    {"O.L.V. Hemelvaart", on(8, 15)},
+    {"Allerheiligen", on(11, 1)},
+    {"Wapenstilstand", on(11, 11)},
+    {"Kerstmis", on(12, 25)},
 };
 
 constexpr Row france[] = {
-    {"Jour de l'an", on(1, 1)},    {"Lundi de Pâques", easter(1)},
-    {"Fête du Travail", on(5, 1)}, {"Armistice 1945", on(5, 8)},
-    {"Ascension", easter(39)},     {"Lundi de Pentecôte", easter(50)},
-    {"Fête nationale", on(7, 14)}, {"Assomption", on(8, 15)},
-    {"Toussaint", on(11, 1)},      {"Armistice 1918", on(11, 11)},
+    {"Jour de l'an", on(1, 1)},
+    {"Lundi de Pâques", easter(1)},
+    {"Fête du Travail", on(5, 1)},
+    {"Armistice 1945", on(5, 8)},
+    {"Ascension", easter(39)},
+    {"Lundi de Pentecôte", easter(50)},
+    {"Fête nationale", on(7, 14)},
+    {"Assomption", on(8, 15)},
+    {"Toussaint", on(11, 1)},
+    {"Armistice 1918", on(11, 11)},
     {"Noël", on(12, 25)},
 };
 
@@ -53,6 +65,7 @@ constexpr Row germany[] = {
     {"Tag der Arbeit", on(5, 1)},
     {"Tag der Befreiung", on(5, 8), only(2020), none, "BE"},
     {"Tag der Befreiung", on(5, 8), only(2025), none, "BE"},
+    {"Aufstand von 1953", on(6, 17), only(2028), none, "BE"},
     {"Christi Himmelfahrt", easter(39)},
     {"Pfingstsonntag", easter(49), always, none, "BB"},
     {"Pfingstmontag", easter(50)},
@@ -70,11 +83,16 @@ constexpr Row germany[] = {
 };
 
 constexpr Row luxembourg[] = {
-    {"Neijoerschdag", on(1, 1)},         {"Ouschterméindeg", easter(1)},
-    {"Dag vun der Aarbecht", on(5, 1)},  {"Europadag", on(5, 9), since(2019)},
-    {"Christi Himmelfaart", easter(39)}, {"Péngschtméindeg", easter(50)},
-    {"Nationalfeierdag", on(6, 23)},     {"Léiffrawëschdag", on(8, 15)},
-    {"Allerhellgen", on(11, 1)},         {"Chrëschtdag", on(12, 25)},
+    {"Neijoerschdag", on(1, 1)},
+    {"Ouschterméindeg", easter(1)},
+    {"Dag vun der Aarbecht", on(5, 1)},
+    {"Europadag", on(5, 9), since(2019)},
+    {"Christi Himmelfaart", easter(39)},
+    {"Péngschtméindeg", easter(50)},
+    {"Nationalfeierdag", on(6, 23)},
+    {"Léiffrawëschdag", on(8, 15)},
+    {"Allerhellgen", on(11, 1)},
+    {"Chrëschtdag", on(12, 25)},
     {"Stiefesdag", on(12, 26)},
 };
 
@@ -100,7 +118,7 @@ constexpr const char* catholic = "AI JU LU NW OW SZ TI UR VS ZG";
 constexpr Row switzerland[] = {
     {"Neujahrestag", on(1, 1)},
     {"Berchtoldstag", on(1, 2), always, none,
-     "AG BE FR GE GL GR JU LU NE OW SH SO TG VD ZG ZH"},
+     "AG BE FR GL GR JU LU NE OW SH SO TG VD ZG ZH"},
     {"Heilige Drei Könige", on(1, 6), always, none, "SZ TI UR"},
     {"Ausrufung der Republik", on(3, 1), always, none, "NE"},
     {"Josefstag", on(3, 19), always, none, "NW SZ TI UR VS"},
@@ -117,16 +135,17 @@ constexpr Row switzerland[] = {
     {"Peter und Paul", on(6, 29), always, none, "TI"},
     {"Nationalfeiertag", on(8, 1)},
     {"Mariä Himmelfahrt", on(8, 15), always, none, catholic},
+    {"Jeûne genevois", nth(1, sunday, 9).plus(4), always, none, "GE"},
     {"Lundi du Jeûne", nth(3, sunday, 9).plus(1), always, none, "VD"},
     {"Bruder Klaus", on(9, 25), always, none, "OW"},
     {"Allerheiligen", on(11, 1), always, none, "AI GL JU LU NW OW SG SZ TI UR VS ZG"},
     {"Mariä Empfängnis", on(12, 8), always, none, "AI LU NW OW SZ TI UR VS ZG"},
-    {"Escalade de Genève", on(12, 12), always, none, "GE"},
     {"Weihnachten", on(12, 25)},
     {"Stephanstag", on(12, 26), always, none,
      "AG AR AI BL BS BE FR GL GR LU NE NW OW SG SH SZ SO TG TI UR ZG ZH"},
     {"Wiederherstellung der Republik", on(12, 31), always, none, "GE"},
 };
+// clang-format on
 
 constexpr Country countries_of_western_europe[] = {
     {"AT", "Austria", austria},
