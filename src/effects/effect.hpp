@@ -115,6 +115,7 @@ enum class Gate {
 struct Days {
     int first = 0, last = 0;
     bool yearly = false;
+    bool of_calendar = false;  ///< of Effect::calendar
 };
 
 /// Hours of the day in [from, until), through midnight where from > until.
@@ -130,6 +131,7 @@ struct Effect {
     Shape shape{};
     Gate gate = Gate::always;
     std::vector<Days> days{};  ///< of Gate::on_days
+    std::string calendar{};    ///< whose public holidays some of them are: "US"
     /// Its only facade (a plane); none = every one, each by the sun that it sees itself.
     std::optional<int> facade{};
     std::optional<physics::Quantity> meter{};  ///< of a hook at a meter

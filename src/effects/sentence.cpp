@@ -119,7 +119,10 @@ std::string gate_of(const Effect& effect) {
                                      ", in EU summer time",
                                      ", in US summer time"};
     std::string text = gates[static_cast<std::size_t>(effect.gate)];
+    if (!effect.calendar.empty())
+        text += ", on the public holidays of " + effect.calendar;
     for (const Days& days : effect.days) {
+        if (days.of_calendar) continue;
         text += ", " + date_of(days.first, days.yearly);
         if (days.last != days.first) text += " to " + date_of(days.last, days.yearly);
     }

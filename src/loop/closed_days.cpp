@@ -1,15 +1,17 @@
 /// Finds working days on which a building was closed: each day's residual as a share of
 /// what closing it would do, every third day simulated at a time; days far from the
-/// others' shares are closed.
+/// others' shares are closed. First comes the calendar whose days they are.
 /// Follows from least squares of a single day and the median of distances (times 1.4826).
 /// Leaves out half days, extra working days, and meters read by the month.
 #include "loop/closed_days.hpp"
 
 #include "base/error.hpp"
 #include "effects/catalogue.hpp"
+#include "loop/calendar_days.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -98,6 +100,41 @@ double spread_of(const std::map<int, double>& shares, double middle) {
     return 1.4826 * upper_median(std::move(distances));
 }
 
+DayShares distributed(std::map<int, double> shares) {
+    if (shares.empty()) return {};
+    std::vector<double> values;
+    values.reserve(shares.size());
+    for (const auto& [day, share] : shares) values.push_back(share);
+    const double middle = upper_median(std::move(values));
+    const double spread = spread_of(shares, middle);
+    return {std::move(shares), middle, spread};
+}
+
+/// Closed beyond doubt by itself, on no day of the calendar that is kept.
+std::vector<int> days_alone(const DayShares& days,
+                            const std::optional<KeptCalendar>& calendar) {
+    std::vector<int> closed;
+    for (const auto& [day, share] : days.shares)
+        if (share - days.middle > least_deviation * days.spread && share > least_share &&
+            share < most_share && !(calendar && calendar->holds(day)))
+            closed.push_back(day);
+    return closed;
+}
+
+/// Those that any period touches.
+std::pair<int, int> years_of(const study::Case& building) {
+    const auto year = [](physics::Seconds time) {
+        return physics::calendar_step(time).year;
+    };
+    std::pair years{year(building.periods.front().from),
+                    year(building.periods.front().to)};
+    for (const study::Period& period : building.periods) {
+        years.first = std::min(years.first, year(period.from));
+        years.second = std::max(years.second, year(period.to));
+    }
+    return years;
+}
+
 bool is_weekend(int day) {
     return (day + 3) % 7 >= 5;  // 1 January 1970 was a Thursday
 }
@@ -139,20 +176,17 @@ std::optional<effects::Effect> closed_days(const LoopData& data, const Place& pl
     } catch (const CannotSimulate&) {
         return std::nullopt;  // nothing is scheduled
     }
-    const std::map<int, double> shares = shares_of(sums);
-    if (shares.size() < 20) return std::nullopt;
-    std::vector<double> values;
-    values.reserve(shares.size());
-    for (const auto& [day, share] : shares) values.push_back(share);
-    const double middle = upper_median(values), spread = spread_of(shares, middle);
-    std::vector<int> closed;
-    for (const auto& [day, share] : shares)
-        if (share - middle > least_deviation * spread && share > least_share &&
-            share < most_share)
-            closed.push_back(day);
-    const auto runs = runs_of(closed);
-    if (runs.empty()) return std::nullopt;
-    return effects::closed_days(runs);
+    const DayShares days = distributed(shares_of(sums));
+    if (days.shares.size() < 20) return std::nullopt;
+    const auto [first_year, last_year] = years_of(data.building);
+    const auto calendar = kept_calendar(days, first_year, last_year);
+    std::vector<effects::Days> closed;
+    if (calendar) closed = calendar->days;
+    std::ranges::copy(runs_of(days_alone(days, calendar)), std::back_inserter(closed));
+    if (closed.empty()) return std::nullopt;
+    effects::Effect effect = effects::closed_days(std::move(closed));
+    if (calendar) effect.calendar = calendar->place;
+    return effect;
 }
 
 }  // namespace bemcal::loop

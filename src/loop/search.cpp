@@ -83,13 +83,20 @@ Standing with_effect(const LoopData& data, const Place& place, const Standing& f
     return next;
 }
 
+/// Runs of days that were picked among all of a year; a calendar is one choice.
+double picked(const effects::Effect& effect) {
+    const auto alone =
+        std::ranges::count(effect.days, false, &effects::Days::of_calendar);
+    return static_cast<double>(alone) + (effect.calendar.empty() ? 0 : 1);
+}
+
 /// What freedom costs: the logarithm of how far the data narrow the coefficient; of runs
-/// of days that were picked among all of a year, the choice of each.
+/// of days, the choice of each.
 double occam(const Screened& screened) {
     static const double of_a_run = 2 * std::log(365.0);
     const double typical = screened.effect.typical;
     return std::log1p(screened.information * typical * typical) +
-           of_a_run * static_cast<double>(screened.effect.days.size()) +
+           of_a_run * picked(screened.effect) +
            (screened.effect.is_named() ? 0 : generic_penalty);
 }
 

@@ -191,6 +191,15 @@ TEST(Catalogue, HolidaysAreSundaysOnTheDaysFound) {
     EXPECT_THROW(with_days("wind infiltration", {}), std::invalid_argument);
 }
 
+TEST(Catalogue, HolidaysOfACalendarAreNamedByIt) {
+    Effect holidays = closed_days({{18751, 18751, false, true}, {18760, 18761, true}});
+    holidays.calendar = "US";
+    EXPECT_EQ(
+        sentence_of(holidays),
+        "as on Sunday, on the public holidays of US, 05-13 to 05-14 (month-day, every "
+        "year)");
+}
+
 TEST(Catalogue, SummerTimeShiftsSchedulesBetweenItsDays) {
     const auto found = std::find_if(
         named().begin(), named().end(),
