@@ -1,7 +1,10 @@
 /// Compares every country's and state's public holidays with the days that look like
 /// Sundays: a day's share of a Sunday is normal about 1 if the building was closed, and
 /// about the ordinary days' middle if it was open.
-/// Source: Bayes' rule, each calendar being as likely as any other beforehand.
+/// Source: Bayes' rule. A closed day of a calendar need not be picked among all days of a
+/// year; which share of its holidays a house keeps is unknown (uniform beforehand).
+/// Holidays on the same date in every year speak for a calendar, but only those that move
+/// make one: the others are foretold as well one by one.
 /// Leaves out half days, and days off that follow no calendar.
 #include "loop/calendar_days.hpp"
 
@@ -11,6 +14,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -19,17 +24,17 @@ namespace {
 
 /// How far a closed day's share lies from a Sunday's: closed days keep some use.
 constexpr double closed_spread = 0.25;
-/// What one day may say for or against a calendar [log of odds]: a day of illness or of
-/// failing plant decides nothing alone.
-constexpr double most_of_a_day = 10;
-
-/// Of a holiday's own day against the one before or after it [log of odds]: a house that
-/// moves a holiday moves it by a day, in one year of twenty.
+/// What a holiday explains that else were one day of a year [log of odds].
+const double odds_of_a_day = std::log(365.0);
+/// Of a holiday's own day against the one before or after it [log of odds]: a house moves
+/// a holiday by a day in one year of twenty.
 constexpr double odds_of_own_day = 3.0;
+/// Of a state's calendar against its country's: a house may add a day of its own, so only
+/// a second one speaks for a state.
+const double odds_of_state = -1.5 * odds_of_a_day;
 
-/// Of a state's calendar against its country's [log of odds]: a house may add a day
-/// of its own, so only a second one speaks for the state.
-constexpr double odds_of_state = -most_of_a_day;
+/// A calendar is one with a probability of 90 %.
+const double least_odds = std::log(9.0);
 
 struct Region {
     std::string country, state;
@@ -55,68 +60,119 @@ double log_normal(double x, double mean, double sd) {
 double log_odds(const DayShares& days, int day) {
     const auto found = days.shares.find(day);
     if (found == days.shares.end()) return 0;
-    const double of_closed =
-        log_normal(found->second, 1, std::hypot(closed_spread, days.spread));
-    const double of_open = log_normal(found->second, days.middle, days.spread);
-    return std::clamp(of_closed - of_open, -most_of_a_day, most_of_a_day);
+    return log_normal(found->second, 1, std::hypot(closed_spread, days.spread)) -
+           log_normal(found->second, days.middle, days.spread);
 }
 
-/// The day on which a holiday was kept: its own, or the one before or after where that
-/// one looks closed and its own does not.
-int kept_on(const DayShares& days, int day) {
-    int kept = day;
-    double best = std::max(log_odds(days, day) + odds_of_own_day, 0.0);
-    for (const int other : {day - 1, day + 1})
-        if (const double odds = log_odds(days, other); odds > best)
-            kept = other, best = odds;
-    return kept;
+bool is_closed(const DayShares& days, int day) {
+    return log_odds(days, day) > 0;
 }
 
-struct KeptHoliday {
-    int day;  ///< on which it was kept
-    /// Days off for those that fall on a weekend are kept, or not, by themselves.
-    std::pair<std::string, bool> name_and_whether_substitute;
+/// The day on which a holiday was kept: its own; or, where that one was open, the one
+/// before or after if it alone was closed and is no holiday itself.
+int kept_on(const DayShares& days, int day, const std::set<int>& holidays) {
+    if (!days.shares.contains(day) || is_closed(days, day)) return day;
+    for (const int by : {-1, 1})
+        if (is_closed(days, day + by) && !is_closed(days, day + 2 * by) &&
+            !holidays.contains(day + by))
+            return day + by;
+    return day;
+}
+
+/// Of holidays whose days would show: how many there are, and were kept.
+struct Count {
+    double shown = 0, kept = 0, moved = 0;
+
+    /// Log of the odds that they are a calendar's against days picked one by one.
+    double odds() const {
+        return kept * odds_of_a_day - moved * odds_of_own_day + std::lgamma(kept + 1) +
+               std::lgamma(shown - kept + 1) - std::lgamma(shown + 2);
+    }
+    /// Whether a holiday is rather kept of which nothing is known (Laplace's rule).
+    bool is_usual() const { return kept + 1 > (shown + 2) / 2; }
 };
 
-struct Candidate {
-    Region region;
-    std::vector<KeptHoliday> holidays;
-    double odds = 0;  ///< of all, against days that are all open
+struct Holiday {
+    std::vector<std::pair<int, int>> days;  ///< own and kept, of all years
+    bool moves = false;                     ///< between the dates of two years
+    double odds = 0;                        ///< of all its days, closed against open
+    bool shows = false;
 };
+
+/// By name. Days off for those that fall on a weekend are kept, or not, by themselves.
+using Holidays = std::map<std::pair<std::string, bool>, Holiday>;
 
 int number_of(std::chrono::sys_days day) {
     return static_cast<int>(day.time_since_epoch().count());
 }
 
-/// None where the calendar's tables do not reach these years.
-std::optional<Candidate> candidate_of(const Region& region, const DayShares& days,
-                                      int first_year, int last_year) {
-    Candidate candidate{region, {}, region.state.empty() ? 0 : odds_of_state};
-    std::map<int, double> odds;  // two holidays may share a day
+auto month_and_day(int day) {
+    const std::chrono::year_month_day date{std::chrono::sys_days(std::chrono::days(day))};
+    return std::pair(date.month(), date.day());
+}
+
+void add_day(const DayShares& days, int own, int kept, Holiday& holiday) {
+    if (!holiday.days.empty() &&
+        month_and_day(own) != month_and_day(holiday.days.front().first))
+        holiday.moves = true;
+    holiday.days.emplace_back(own, kept);
+    holiday.odds += log_odds(days, kept);
+    holiday.shows = holiday.shows || days.shares.contains(kept);
+}
+
+/// The calendar's days of the years, of two at least to see which of them move. Empty
+/// where its tables do not reach them.
+std::vector<holidays::Holiday> days_of(const Region& region, int first_year,
+                                       int last_year) {
+    std::vector<holidays::Holiday> all;
     try {
-        for (int year = first_year; year <= last_year; ++year)
-            for (const auto& holiday :
-                 holidays::holidays_of(region.country, region.state, year)) {
-                const int own = number_of(holiday.date), day = kept_on(days, own);
-                candidate.holidays.push_back(
-                    {day, {holiday.name, holiday.is_substitute}});
-                odds[day] = log_odds(days, day) - (day == own ? 0 : odds_of_own_day);
-            }
+        for (int year = first_year; year <= std::max(last_year, first_year + 1); ++year)
+            std::ranges::copy(holidays::holidays_of(region.country, region.state, year),
+                              std::back_inserter(all));
     } catch (const std::invalid_argument&) {
-        return std::nullopt;
+        return {};
     }
-    for (const auto& [day, of_day] : odds) candidate.odds += of_day;
-    return candidate;
+    return all;
+}
+
+Holidays by_name(const std::vector<holidays::Holiday>& all, const DayShares& days) {
+    std::set<int> numbers;
+    for (const auto& day : all) numbers.insert(number_of(day.date));
+    Holidays by_name;
+    for (const auto& day : all) {
+        const int own = number_of(day.date);
+        add_day(days, own, kept_on(days, own, numbers),
+                by_name[{day.name, day.is_substitute}]);
+    }
+    return by_name;
+}
+
+Count count_of(const Holidays& holidays, bool only_those_that_move) {
+    Count count;
+    for (const auto& [name, holiday] : holidays) {
+        const bool moves = holiday.moves && !name.second;
+        if (!holiday.shows || (only_those_that_move && !moves)) continue;
+        const bool is_kept = holiday.odds > 0;
+        count.shown += 1;
+        count.kept += is_kept;
+        count.moved += is_kept && std::ranges::any_of(holiday.days, [](const auto& day) {
+                           return day.first != day.second;
+                       });
+    }
+    return count;
 }
 
 /// Without holidays on which the building was rather open.
-std::vector<effects::Days> kept_days(const Candidate& candidate, const DayShares& days) {
-    std::map<std::pair<std::string, bool>, double> odds;
-    for (const auto& [day, name] : candidate.holidays) odds[name] += log_odds(days, day);
+std::vector<effects::Days> kept_days(const Holidays& holidays) {
+    const bool is_usual = count_of(holidays, false).is_usual();
     std::vector<effects::Days> kept;
-    for (const auto& [day, name] : candidate.holidays)
-        if (odds[name] >= 0 && (kept.empty() || kept.back().first != day))
-            kept.push_back({day, day, false, true});
+    for (const auto& [name, holiday] : holidays)
+        if (holiday.shows ? holiday.odds > 0 : is_usual)
+            for (const auto& [own, day] : holiday.days)
+                kept.push_back({day, day, false, true});
+    std::ranges::sort(kept, {}, &effects::Days::first);
+    const auto twice = std::ranges::unique(kept, {}, &effects::Days::first);
+    kept.erase(twice.begin(), twice.end());
     return kept;
 }
 
@@ -128,16 +184,20 @@ bool KeptCalendar::holds(int day) const {
 
 std::optional<KeptCalendar> kept_calendar(const DayShares& days, int first_year,
                                           int last_year) {
-    std::optional<Candidate> best;
     const std::vector<Region> regions = all_regions();
+    const double odds_of_one = -std::log(static_cast<double>(regions.size()));
+    std::optional<KeptCalendar> best;
+    double most = 0;
     for (const Region& region : regions) {
-        auto candidate = candidate_of(region, days, first_year, last_year);
-        if (candidate && (!best || candidate->odds > best->odds))
-            best = std::move(candidate);
+        const Holidays holidays = by_name(days_of(region, first_year, last_year), days);
+        const double prior = odds_of_one + (region.state.empty() ? 0 : odds_of_state);
+        const double odds = prior + count_of(holidays, false).odds();
+        if (odds <= most || odds_of_one + count_of(holidays, true).odds() <= least_odds)
+            continue;
+        best = KeptCalendar{region.name(), kept_days(holidays)};
+        most = odds;
     }
-    if (!best || best->odds <= std::log(static_cast<double>(regions.size())))
-        return std::nullopt;
-    return KeptCalendar{best->region.name(), kept_days(*best, days)};
+    return best;
 }
 
 }  // namespace bemcal::loop

@@ -26,6 +26,7 @@ struct KeptCalendar {
 
 /// The calendar whose days are the most likely to have been closed, without those
 /// holidays of it that were not; none: no calendar is likelier than open days.
+/// \param days  working days only
 /// \param first_year, last_year  of the days that are returned
 std::optional<KeptCalendar> kept_calendar(const DayShares& days, int first_year,
                                           int last_year);

@@ -139,6 +139,12 @@ bool is_weekend(int day) {
     return (day + 3) % 7 >= 5;  // 1 January 1970 was a Thursday
 }
 
+/// Those that a holiday changes.
+DayShares working_days(DayShares days) {
+    std::erase_if(days.shares, [](const auto& day) { return is_weekend(day.first); });
+    return days;
+}
+
 /// Whether only a weekend lies between two days.
 bool is_next_working_day(int day, int next) {
     for (int between = day + 1; between < next; ++between)
@@ -179,7 +185,7 @@ std::optional<effects::Effect> closed_days(const LoopData& data, const Place& pl
     const DayShares days = distributed(shares_of(sums));
     if (days.shares.size() < 20) return std::nullopt;
     const auto [first_year, last_year] = years_of(data.building);
-    const auto calendar = kept_calendar(days, first_year, last_year);
+    const auto calendar = kept_calendar(working_days(days), first_year, last_year);
     std::vector<effects::Days> closed;
     if (calendar) closed = calendar->days;
     std::ranges::copy(runs_of(days_alone(days, calendar)), std::back_inserter(closed));

@@ -102,6 +102,27 @@ TEST(KeptCalendar, TakesAHolidayForMovedWhereTheNextDayWasClosedInItsPlace) {
     EXPECT_TRUE(kept->holds(number_of(2019, 9, 2)));
 }
 
+TEST(KeptCalendar, IsKnownFromAPeriodOfOneYear) {
+    const auto kept = kept_calendar(year_of(2018, days_of("US", "", 2018)), 2018, 2018);
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(kept->place, "US");
+}
+
+TEST(KeptCalendar, IsNoneWhereOnlyDatesThatNeverMoveWereClosed) {
+    EXPECT_FALSE(
+        kept_calendar(year_of(2018, {number_of(2018, 5, 1), number_of(2018, 12, 24),
+                                     number_of(2018, 12, 25), number_of(2018, 12, 26)}),
+                      2018, 2019));
+}
+
+TEST(KeptCalendar, OneDayThatMovesMakesNone) {
+    std::vector<int> days{number_of(2018, 5, 28), number_of(2018, 7, 4)};
+    EXPECT_FALSE(kept_calendar(year_of(2018, days), 2018, 2019));
+    days.push_back(number_of(2018, 9, 3));
+    days.push_back(number_of(2018, 11, 22));
+    EXPECT_TRUE(kept_calendar(year_of(2018, days), 2018, 2019));
+}
+
 TEST(KeptCalendar, IsNoneWhereNoDayWasClosed) {
     EXPECT_FALSE(kept_calendar(year_of(2018, {}), 2018, 2019));
 }
