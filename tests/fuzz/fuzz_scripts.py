@@ -8,6 +8,7 @@ bytes changed, or datasets taken away, cut, of other types or no numbers. The fi
 broke a script stays in build/fuzz/found.
 """
 import argparse
+import copy
 import importlib.machinery
 import json
 import os
@@ -95,7 +96,7 @@ def changed(case, rng):
         if rng.random() < 0.2:
             del owner[path[-1]]
         else:
-            owner[path[-1]] = rng.choice(VALUES)
+            owner[path[-1]] = copy.deepcopy(rng.choice(VALUES))
         if not case:
             break
     return case
