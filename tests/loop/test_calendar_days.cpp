@@ -138,6 +138,20 @@ TEST(KeptCalendar, TakesHalfClosedDaysForNone) {
     EXPECT_FALSE(kept_calendar(year_of(2018, days_of("US", "", 2018), 0.2), 2018, 2019));
 }
 
+TEST(KeptCalendar, TakesDaysForClosedThatKeepHalfOfTheirUse) {
+    EXPECT_TRUE(kept_calendar(year_of(2018, days_of("US", "", 2018), 0.5), 2018, 2019));
+}
+
+TEST(KeptCalendar, IsAStatesWhereAHouseTakesTwoDaysOfIt) {
+    std::vector<int> days = days_of("US", "", 2018);
+    for (const int day : days_of("US", "CA", 2018))
+        if (std::ranges::find(days, day) == days.end()) days.push_back(day);
+    std::erase(days, number_of(2018, 10, 8));  // Columbus Day, none of California's
+    const auto kept = kept_calendar(year_of(2018, days), 2018, 2019);
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(kept->place, "US-CA");
+}
+
 TEST(KeptCalendar, IsNoneInYearsThatNoTableReaches) {
     EXPECT_FALSE(kept_calendar(year_of(1980, {number_of(1980, 12, 25)}), 1980, 1981));
 }
