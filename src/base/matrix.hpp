@@ -26,6 +26,11 @@ struct Matrix {
     std::span<const double> row(std::size_t r) const {
         return {values.data() + r * cols, cols};
     }
+    std::vector<double> column(std::size_t c) const {
+        std::vector<double> taken(rows);
+        for (std::size_t r = 0; r < rows; ++r) taken[r] = (*this)(r, c);
+        return taken;
+    }
 };
 
 }  // namespace bemcal

@@ -20,19 +20,6 @@ physics::DateRange single_day(std::chrono::sys_days date) {
     return {day.year, day.month, day.day, day.year, day.month, day.day};
 }
 
-struct YearSpan {
-    int first, last;
-};
-YearSpan years_of(const std::vector<study::Period>& periods) {
-    YearSpan years{9999, 0};
-    for (const study::Period& period : periods) {
-        years.first = std::min(years.first, physics::calendar_step(period.from).year);
-        years.last = std::max(
-            years.last, physics::calendar_step(period.to - std::chrono::seconds(1)).year);
-    }
-    return years;
-}
-
 void check_state(const schema::Section& section, const holidays::Country& country) {
     if (!section.has("state")) return;
     const auto words = holidays::words_of(country.states);
@@ -46,7 +33,7 @@ void check_state(const schema::Section& section, const holidays::Country& countr
 
 /// The years of the periods must be known, those around them may be.
 void check_years(const schema::Section& section, const holidays::Country& country,
-                 const YearSpan& years) {
+                 const study::YearSpan& years) {
     if (years.first < country.first_year || years.last > country.last_year)
         section.fail_value(
             "country",
@@ -61,7 +48,7 @@ void add_country(const schema::Section& section,
     const std::string code = section.choice("country");
     const holidays::Country& country = *holidays::find_country(code);
     check_state(section, country);
-    const YearSpan years = years_of(periods);
+    const study::YearSpan years = study::years_of(periods);
     check_years(section, country, years);
     const int first = std::max(years.first - 1, country.first_year);
     const int last = std::min(years.last + 1, country.last_year);

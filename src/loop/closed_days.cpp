@@ -121,20 +121,6 @@ std::vector<int> days_alone(const DayShares& days,
     return closed;
 }
 
-/// Those that any period touches.
-std::pair<int, int> years_of(const study::Case& building) {
-    const auto year = [](physics::Seconds time) {
-        return physics::calendar_step(time).year;
-    };
-    std::pair years{year(building.periods.front().from),
-                    year(building.periods.front().to)};
-    for (const study::Period& period : building.periods) {
-        years.first = std::min(years.first, year(period.from));
-        years.second = std::max(years.second, year(period.to));
-    }
-    return years;
-}
-
 bool is_weekend(int day) {
     return (day + 3) % 7 >= 5;  // 1 January 1970 was a Thursday
 }
@@ -184,8 +170,8 @@ std::optional<effects::Effect> closed_days(const LoopData& data, const Place& pl
     }
     const DayShares days = distributed(shares_of(sums));
     if (days.shares.size() < 20) return std::nullopt;
-    const auto [first_year, last_year] = years_of(data.building);
-    const auto calendar = kept_calendar(working_days(days), first_year, last_year);
+    const study::YearSpan years = study::years_of(data.building.periods);
+    const auto calendar = kept_calendar(working_days(days), years.first, years.last);
     std::vector<effects::Days> closed;
     if (calendar) closed = calendar->days;
     std::ranges::copy(runs_of(days_alone(days, calendar)), std::back_inserter(closed));

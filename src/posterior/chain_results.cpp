@@ -22,12 +22,6 @@ double quantile(std::vector<double> values, double p) {
     return stats::quantile_of_sorted(values, p);
 }
 
-std::vector<double> column_of(const Matrix& matrix, std::size_t column) {
-    std::vector<double> values(matrix.rows);
-    for (std::size_t r = 0; r < matrix.rows; ++r) values[r] = matrix(r, column);
-    return values;
-}
-
 void add_draws(const Posterior& posterior, const std::vector<Matrix>& unknowns,
                const ChainDraws& draws, study::DatasetBuilder& datasets) {
     for (std::size_t u = 0; u < unknowns.size(); ++u)
@@ -38,7 +32,7 @@ void add_draws(const Posterior& posterior, const std::vector<Matrix>& unknowns,
         datasets.array(std::string("sample_stats/") +
                            sampling::name_of(static_cast<sampling::Statistic>(s)),
                        {"chain", "draw"}, {draws.n_chains, draws.n_draws},
-                       column_of(draws.statistics, s));
+                       draws.statistics.column(s));
     datasets.array("sample_stats/lp", {"chain", "draw"}, {draws.n_chains, draws.n_draws},
                    log_densities(draws).values);
 }
@@ -47,8 +41,7 @@ void add_prior(const Posterior& posterior, const Matrix& prior,
                study::DatasetBuilder& datasets) {
     for (std::size_t u = 0; u < posterior.unknowns().size(); ++u)
         datasets.array("prior/" + posterior.unknowns()[u].name, {"chain", "draw"},
-                       {1, prior.rows}, column_of(prior, u),
-                       posterior.unknowns()[u].unit);
+                       {1, prior.rows}, prior.column(u), posterior.unknowns()[u].unit);
 }
 
 void add_names(const Posterior& posterior, study::DatasetBuilder& datasets) {

@@ -47,12 +47,6 @@ struct Belief {
     }
 };
 
-std::vector<double> draws_of(const Matrix& draws, std::size_t column) {
-    std::vector<double> values(draws.rows);
-    for (std::size_t d = 0; d < draws.rows; ++d) values[d] = draws(d, column);
-    return values;
-}
-
 template <class IsNear>
 Edge edge_at(const char* name, double at, double prior, const std::vector<double>& values,
              IsNear is_near) {
@@ -133,7 +127,7 @@ class Partners {
         for (std::size_t c = 0; c < coordinates.size(); ++c)
             columns_.push_back(is_fixed(coordinates[c])
                                    ? std::vector<double>(draws.rows, nan)
-                                   : standardised(draws_of(draws, c)));
+                                   : standardised(draws.column(c)));
         for (std::size_t a = 0; a < coordinates.size(); ++a)
             for (std::size_t b = a + 1; b < coordinates.size(); ++b) compare(a, b);
     }
@@ -180,7 +174,7 @@ std::vector<ParameterMove> moves_of(const std::vector<study::Coordinate>& coordi
             continue;
         }
         const Belief belief(coordinates[c]);
-        const std::vector<double> values = draws_of(draws, c);
+        const std::vector<double> values = draws.column(c);
         ParameterMove& move =
             moves.emplace_back(numbers_of(coordinates[c], belief, values));
         const auto& [partner, correlation] = partners.of(c);

@@ -19,10 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const std::string& message) {
-    throw UserError(ExitCode::cannot_create, message);
-}
-
 /// Whether the result says that it is this job's.
 bool is_of(const store::ResultFile& result, const std::string& identity_hash) {
     const auto found = result.attributes.find("identity");
@@ -42,13 +38,13 @@ bool is_done(const fs::path& output, const std::string& identity_hash) {
 
 void refuse_folder(const fs::path& output) {
     if (fs::is_directory(output) || !output.has_filename())
-        refuse(fmt::format("{}: is a folder; expected a file, like {}", output.string(),
-                           (output / "result.h5").string()));
+        refuse_place(fmt::format("{}: is a folder; expected a file, like {}",
+                                 output.string(), (output / "result.h5").string()));
 }
 
 void refuse_result(const fs::path& output) {
     if (is_taken(output))
-        refuse(fmt::format(
+        refuse_place(fmt::format(
             "{}: exists already; overwrite with --force, or choose another file "
             "with -o",
             output.string()));
@@ -56,7 +52,7 @@ void refuse_result(const fs::path& output) {
 
 void refuse_unfinished(const fs::path& folder, const PartFiles& files) {
     if (files.has_run())
-        refuse(fmt::format(
+        refuse_place(fmt::format(
             "{}: holds an unfinished run; go on with --resume, or start anew with "
             "--force",
             folder.string()));
@@ -65,7 +61,7 @@ void refuse_unfinished(const fs::path& folder, const PartFiles& files) {
 /// A folder of somebody else's is left as it is.
 void refuse_foreign(const fs::path& folder, const PartFiles& files) {
     if (!files.foreign.empty() && !files.has_run())
-        refuse(
+        refuse_place(
             fmt::format("{}: holds what no run made ({}); move it away, or choose "
                         "another file with -o",
                         folder.string(), names_of(files.foreign)));
@@ -84,12 +80,12 @@ void check_damaged(const fs::path& folder, const StoredIdentity& stored,
     const std::string file = (folder / identity_name).string();
     if (is_taken(file)) read_regular(file);  // a folder is refused
     if (const std::string change = other_version(stored, identity); !change.empty())
-        refuse(
+        refuse_place(
             fmt::format("{}: is damaged, or was changed: {}; where it is only damaged, "
                         "remove it and go on with --resume",
                         file, change));
     if (place.logs.records.empty())
-        refuse(
+        refuse_place(
             fmt::format("{}: is missing or damaged, and no record in the logs is this "
                         "job's; restore it, or start anew with --force",
                         file));
@@ -106,7 +102,7 @@ void go_on(const fs::path& folder, const PartFiles& files, const Identity& ident
         files.has_identity ? read_identity(folder) : StoredIdentity{};
     const std::string change = difference(stored.entries, identity);
     if (stored.is_sound && !change.empty())
-        refuse(fmt::format(
+        refuse_place(fmt::format(
             "{}: cannot be resumed: {}; restore that, or start anew with --force",
             folder.string(), change));
     place.logs = store::read_logs(folder, mark_of(identity));
@@ -121,17 +117,17 @@ void go_on(const fs::path& folder, const PartFiles& files, const Identity& ident
 void check_nothing_left(const fs::path& output, Existing existing,
                         const std::string& identity_hash) {
     if (existing == Existing::rerun_failed)
-        refuse(
+        refuse_place(
             fmt::format("{}: has no failed items beside it ({}), so that there is "
                         "nothing to do again",
                         output.string(), part_folder_of(output).string()));
     if (existing != Existing::resume || !fs::exists(output)) return;
     if (is_of(store::read_head(output), identity_hash))
-        refuse(
+        refuse_place(
             fmt::format("{}: is damaged; do it again with --force, or choose another "
                         "file with -o",
                         output.string()));
-    refuse(fmt::format(
+    refuse_place(fmt::format(
         "{}: is the result of another job, version or data, so that there is "
         "nothing to resume; choose another file with -o, or overwrite with --force",
         output.string()));

@@ -19,26 +19,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse_lock(const std::string& message) {
-    throw UserError(ExitCode::cannot_create, message);
-}
-
 void make(const fs::path& folder) {
     if (fs::is_symlink(fs::symlink_status(folder)))
-        refuse_lock(
+        refuse_place(
             fmt::format("{}: is a link, and a run's own folder cannot be one; remove "
                         "it, or choose another file with -o",
                         folder.string()));
     std::error_code error;
     fs::create_directories(folder, error);
     if (error || !fs::is_directory(folder, error))
-        refuse_lock(fmt::format(
+        refuse_place(fmt::format(
             "{}: cannot create the folder: {}; choose another place with "
             "-o",
             folder.string(), error ? error.message() : "a file has that name"));
 }
 
 }  // namespace
+
+void refuse_place(const std::string& message) {
+    throw UserError(ExitCode::cannot_create, message);
+}
 
 PartLock::PartLock(const fs::path& folder) : folder_(folder) {
     do {
@@ -47,7 +47,7 @@ PartLock::PartLock(const fs::path& folder) : folder_(folder) {
         if (!lock_->is_open() && lock_->error() == ENOENT) continue;  // removed meanwhile
         if (!lock_->is_open()) fail_at(folder / lock_name, "create it", lock_->error());
         if (lock_->is_taken_by_another())
-            refuse_lock(
+            refuse_place(
                 fmt::format("{}: another run is writing there now; wait for it, or "
                             "choose another file with -o",
                             folder.string()));

@@ -10,6 +10,9 @@
 
 namespace bemcal::run {
 
+/// Throws UserError (cannot_create): no result can be made there.
+[[noreturn]] void refuse_place(const std::string& message);
+
 class PartLock {
   public:
     /// Makes the folder where it is missing. Throws UserError (cannot_create) where that

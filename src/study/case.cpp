@@ -121,6 +121,16 @@ double hours_of(const Period& period) {
     return static_cast<double>((period.to - period.from).count()) / 3600;
 }
 
+YearSpan years_of(const std::vector<Period>& periods) {
+    YearSpan years{9999, 0};
+    for (const Period& period : periods) {
+        const physics::Seconds last = period.to - std::chrono::seconds(1);
+        years.first = std::min(years.first, physics::calendar_step(period.from).year);
+        years.last = std::max(years.last, physics::calendar_step(last).year);
+    }
+    return years;
+}
+
 const Period& period_of(const Case& building, const std::string& name) {
     for (const Period& period : building.periods)
         if (period.name == name) return period;

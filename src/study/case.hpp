@@ -35,6 +35,12 @@ struct Period {
     physics::Seconds from{}, to{};  ///< [from, to)
 };
 
+/// Calendar years that any of the periods touches.
+struct YearSpan {
+    int first, last;
+};
+YearSpan years_of(const std::vector<Period>& periods);
+
 /// A series that an effect may follow: rain, carbon dioxide, a tariff.
 struct Column {
     std::string name;  ///< of a profile of the case

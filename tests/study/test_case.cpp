@@ -66,6 +66,17 @@ TEST(Readings, OfIntervalsThatThePeriodCutsAreMissing) {
     EXPECT_TRUE(std::isnan(found[2]));
 }
 
+TEST(Years, AreThoseThatAPeriodTouches) {
+    using namespace std::chrono;
+    const auto at = [](int year, int month, int day) {
+        return physics::Seconds(sys_days(std::chrono::year(year) / month / day));
+    };
+    const YearSpan years = years_of({{"training", at(2021, 12, 31), at(2022, 6, 1)},
+                                     {"held_out", at(2022, 6, 1), at(2023, 1, 1)}});
+    EXPECT_EQ(years.first, 2021);
+    EXPECT_EQ(years.last, 2022);  // ends with the year
+}
+
 TEST(Readings, OfAWholeMonthAreKept) {
     EXPECT_EQ(readings(counting_meter(physics::Interval::monthly, 0, 61),
                        {"p", test::day(0), test::day(30)}),
