@@ -47,7 +47,7 @@ long long commonest(const std::vector<long long>& values) {
     return most == counts.end() ? 0 : most->first;
 }
 
-/// StepRows [first, last] that follow each other by one step.
+/// Rows [first, last] that follow each other by one step.
 struct StepRun {
     std::size_t first, last;
     long long step_s;

@@ -79,6 +79,7 @@ constexpr Zone zones[] = {
 constexpr char lower(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
+
 /// Whether `text` begins with `word`, which is in small letters.
 bool begins_with(std::string_view text, std::string_view word) {
     if (text.size() < word.size()) return false;

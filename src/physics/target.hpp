@@ -40,7 +40,7 @@ struct Target {
     double weight = 1;  ///< with Slot::change: the parameter's value is multiplied by it
 };
 
-/// A target\'s index in the list that it is of.
+/// An index of a target in the list that it is of.
 inline std::size_t row_of(int index) {
     return static_cast<std::size_t>(index);
 }

@@ -18,8 +18,8 @@ namespace {
 using emulator::KohDensity;
 using emulator::Prediction;
 
-constexpr std::uint32_t koh_predictive_stream =
-    0x6b6f6870;  // of the job's random numbers
+/// Of the job's random numbers.
+constexpr std::uint32_t koh_predictive_stream = 0x6b6f6870;
 
 Matrix rows_of(const Matrix& from, const std::vector<std::size_t>& rows) {
     Matrix made(rows.size(), from.cols);

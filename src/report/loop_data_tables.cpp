@@ -16,7 +16,7 @@ namespace {
 
 using loop::StoredLoop;
 
-constexpr std::size_t most_decisions = 15, most_alarms = 10;
+constexpr std::size_t most_effects = 15, most_alarms = 10;
 
 /// Whether the data can show it.
 bool can_be_seen(const StoredLoop& loop, const StoredLoop::Seen& effect) {
@@ -113,7 +113,7 @@ std::string loop_power_table(const StoredLoop& loop) {
     TextTable table({"effect in these data", "d", "visible", "most like", "r",
                      "left out it biases", "by sd"});
     const auto order = clearest_first(loop);
-    for (std::size_t k = 0; k < std::min(order.size(), most_decisions); ++k) {
+    for (std::size_t k = 0; k < std::min(order.size(), most_effects); ++k) {
         const StoredLoop::Seen& effect = *order[k];
         table.add({effect.effect, three_digits(effect.detectability),
                    percent(effect.visibility), effect.alias,

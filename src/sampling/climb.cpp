@@ -17,7 +17,7 @@ namespace bemcal::sampling {
 namespace {
 
 using Vector = Eigen::VectorXd;
-using Hessian = Eigen::MatrixXd;
+using DenseMatrix = Eigen::MatrixXd;
 
 constexpr int most_climbs = 8, most_iterations = 200, most_halvings = 30;
 constexpr std::size_t memory = 12;
@@ -132,9 +132,9 @@ Task<bool> step_up(Walker& walker, Vector direction) {
 
 /// -d gradient / d x, row k moved by steps[k] to both sides; rows that leave the support
 /// are zero.
-Task<Hessian> negative_hessian(Walker& walker, const Vector& steps) {
+Task<DenseMatrix> negative_hessian(Walker& walker, const Vector& steps) {
     const Vector x = position_of(walker, walker.current);
-    Hessian hessian = Hessian::Zero(x.size(), x.size());
+    DenseMatrix hessian = DenseMatrix::Zero(x.size(), x.size());
     for (Eigen::Index k = 0; k < x.size(); ++k)
         for (const double side : {1.0, -1.0}) {
             Vector moved = x;
@@ -145,16 +145,16 @@ Task<Hessian> negative_hessian(Walker& walker, const Vector& steps) {
             if (gradient.allFinite())
                 hessian.row(k) -= side * gradient.transpose() / (2 * steps[k]);
         }
-    co_return Hessian((hessian + hessian.transpose()) / 2);
+    co_return DenseMatrix((hessian + hessian.transpose()) / 2);
 }
 
 /// Row-major covariance (or variances) with every standard deviation below `widest`.
-std::vector<double> covariance_of(const Hessian& hessian, MetricShape shape) {
-    const Eigen::SelfAdjointEigenSolver<Hessian> solver(hessian);
+std::vector<double> covariance_of(const DenseMatrix& hessian, MetricShape shape) {
+    const Eigen::SelfAdjointEigenSolver<DenseMatrix> solver(hessian);
     const Vector scales = solver.eigenvalues().cwiseAbs().cwiseMax(1 / (widest * widest));
-    const Hessian covariance = solver.eigenvectors() *
-                               scales.cwiseInverse().asDiagonal() *
-                               solver.eigenvectors().transpose();
+    const DenseMatrix covariance = solver.eigenvectors() *
+                                   scales.cwiseInverse().asDiagonal() *
+                                   solver.eigenvectors().transpose();
     std::vector<double> values;
     if (shape == MetricShape::diagonal)
         values.assign(
@@ -194,13 +194,14 @@ Task<> climb_on(Walker& walker) {
     }
 }
 
-/// Sets the metric to the inverse of the negative Hessian at the current point.
+/// Sets the metric to the inverse of the negative DenseMatrix at the current point.
 Task<> learn_curvature(Walker& walker) {
     const auto n = index(walker.metric.size());
-    const Hessian rough = co_await negative_hessian(walker, Vector::Constant(n, 1e-4));
+    const DenseMatrix rough =
+        co_await negative_hessian(walker, Vector::Constant(n, 1e-4));
     const Vector steps =
         rough.diagonal().cwiseAbs().cwiseMax(1).cwiseSqrt().cwiseInverse().cwiseMax(1e-4);
-    const Hessian hessian = co_await negative_hessian(walker, steps);
+    const DenseMatrix hessian = co_await negative_hessian(walker, steps);
     if (hessian.allFinite())
         walker.metric.set_covariance(covariance_of(hessian, walker.metric.shape()));
 }
