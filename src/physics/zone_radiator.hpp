@@ -12,6 +12,7 @@
 #include "physics/structure.hpp"
 
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace bemcal::physics {
@@ -27,10 +28,15 @@ class RadiatorRun {
     /// the radiator was warmer than its water.
     StepResult advance(const Drive& drive, int step, HourDrive hour, const Room& room);
 
+    /// Its elements, then air and surfaces of the step before [degC]. [n_states]
+    std::size_t n_states() const { return elements_.size() + 2; }
+    void write_state(std::span<double> state) const;
+    void set_state(std::span<const double> state);
+
   private:
     RadiatorSurroundings surroundings(const Drive& drive, int step) const;
 
-    const ZoneRadiator& radiator_;
+    const ZoneRadiator* radiator_;
     std::vector<double> elements_;      ///< [degC]
     double theta_air_, theta_surface_;  ///< of the step before [degC]
 };
