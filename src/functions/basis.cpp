@@ -1,0 +1,231 @@
+/// Priors as covariances between points of a driver (a Gaussian process on few points):
+/// the columns are its principal components, each times its standard deviation.
+/// Source: Wood 2017 (Generalized Additive Models), 5.4 and 5.6.3, for penalties as
+/// priors and pure interactions; Rasmussen and Williams 2006, 4.2, for the covariances.
+/// Length scales are judgement.
+#include "functions/basis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+namespace bemcal::functions {
+namespace {
+
+using Covariance = Eigen::MatrixXd;
+
+constexpr double hours_alike = 3;          ///< over which hours of a day are alike [h]
+constexpr double share_of_all_days = 0.5;  ///< of the variance that day classes share
+constexpr long n_knots = 8;
+constexpr double knots_alike = 3;       ///< over which knots are alike [knots]
+constexpr double kept_variance = 0.97;  ///< of the prior, by the columns kept
+
+double hours_apart(long a, long b) {
+    const double d = std::abs(static_cast<double>(a % 24 - b % 24));
+    return std::min(d, 24 - d);
+}
+
+/// Exponential: it lets edges be as sharp as an hour.
+Covariance covariance_of_hours(long n_classes) {
+    Covariance covariance(24 * n_classes, 24 * n_classes);
+    for (long i = 0; i < covariance.rows(); ++i)
+        for (long j = 0; j < covariance.cols(); ++j)
+            covariance(i, j) = std::exp(-hours_apart(i, j) / hours_alike) *
+                               (i / 24 == j / 24 ? 1 : share_of_all_days);
+    return covariance;
+}
+
+/// Squared exponential: it bends slowly.
+Covariance covariance_of_knots(long n) {
+    Covariance covariance(n, n);
+    for (long i = 0; i < n; ++i)
+        for (long j = 0; j < n; ++j) {
+            const double d = static_cast<double>(i - j) / knots_alike;
+            covariance(i, j) = std::exp(-0.5 * d * d);
+        }
+    return covariance;
+}
+
+Covariance product(const Covariance& a, const Covariance& b) {
+    Covariance all(a.rows() * b.rows(), a.cols() * b.cols());
+    for (long i = 0; i < a.rows(); ++i)
+        for (long j = 0; j < a.cols(); ++j)
+            all.block(i * b.rows(), j * b.cols(), b.rows(), b.cols()) = a(i, j) * b;
+    return all;
+}
+
+/// [points] how often training is at each.
+Eigen::VectorXd shares_of(const Basis& basis,
+                          const std::vector<std::vector<double>>& drivers, long n) {
+    Eigen::VectorXd shares = Eigen::VectorXd::Zero(n);
+    std::vector<double> at(drivers.size());
+    for (std::size_t k = 0; k < drivers[0].size(); ++k) {
+        for (std::size_t d = 0; d < at.size(); ++d) at[d] = drivers[d][k];
+        const Basis::Weights w = basis.weights(at);
+        for (int i = 0; i < 4; ++i) shares[static_cast<long>(w.point[i])] += w.weight[i];
+    }
+    return shares / shares.sum();
+}
+
+/// Takes off the weighted means along rows or columns of the points: their projection.
+Eigen::MatrixXd centring(const Eigen::VectorXd& shares) {
+    const long n = shares.size();
+    return Eigen::MatrixXd::Identity(n, n) -
+           Eigen::VectorXd::Ones(n) * shares.transpose();
+}
+
+/// Fills the columns: principal components of the prior after `off` has taken off what
+/// other bases hold, scaled so that a function's mean square over training is 1.
+void fill(Basis& basis, const Covariance& prior, const Eigen::MatrixXd& off,
+          const Eigen::VectorXd& shares) {
+    Covariance left = off * prior * off.transpose();
+    const double mean_square = left.diagonal().dot(shares);
+    if (mean_square > 1e-12) left /= mean_square;
+    const Eigen::SelfAdjointEigenSolver<Covariance> solver(left);
+    const double all = solver.eigenvalues().cwiseMax(0).sum();
+    long n = 0;
+    for (double sum = 0; n < left.rows() && sum < kept_variance * all; ++n)
+        sum += solver.eigenvalues()[left.rows() - 1 - n];
+    basis.at_points =
+        Matrix(static_cast<std::size_t>(left.rows()), static_cast<std::size_t>(n));
+    for (long c = 0; c < n; ++c) {
+        const long k = left.rows() - 1 - c;
+        const Eigen::VectorXd column = solver.eigenvectors().col(k) *
+                                       std::sqrt(std::max(solver.eigenvalues()[k], 0.0));
+        for (long p = 0; p < column.size(); ++p)
+            basis.at_points(static_cast<std::size_t>(p), static_cast<std::size_t>(c)) =
+                column[p];
+    }
+}
+
+/// Between the knots beside it; the ends are held.
+std::pair<std::size_t, double> between(const std::vector<double>& knots, double x) {
+    if (!(x > knots.front())) return {0, 0};
+    if (x >= knots.back()) return {knots.size() - 2, 1};
+    const auto above = std::upper_bound(knots.begin(), knots.end(), x);
+    const auto at = static_cast<std::size_t>(above - knots.begin()) - 1;
+    return {at, (x - knots[at]) / (knots[at + 1] - knots[at])};
+}
+
+/// Quantiles of the values, those that are equal once.
+std::vector<double> knots_of(std::span<const double> values, long n) {
+    std::vector<double> sorted(values.begin(), values.end());
+    std::ranges::sort(sorted);
+    std::vector<double> knots;
+    for (long k = 0; k < n; ++k) {
+        // The extremes are one day's: the outer knots lie within them.
+        const double share =
+            0.01 + 0.98 * static_cast<double>(k) / static_cast<double>(n - 1);
+        const double value = sorted[static_cast<std::size_t>(
+            share * static_cast<double>(sorted.size() - 1))];
+        if (knots.empty() || value > knots.back() + 1e-9) knots.push_back(value);
+    }
+    if (knots.size() == 1) knots.push_back(knots[0] + 1);
+    return knots;
+}
+
+}  // namespace
+
+Matrix columns_of(const Basis& basis, const std::vector<std::vector<double>>& drivers) {
+    const std::size_t n = drivers[0].size(), m = basis.n_columns();
+    Matrix columns(n, m);
+    std::vector<double> at(drivers.size());
+    for (std::size_t k = 0; k < n; ++k) {
+        for (std::size_t d = 0; d < at.size(); ++d) at[d] = drivers[d][k];
+        const Basis::Weights w = basis.weights(at);
+        const auto row = columns.row(k);
+        for (int i = 0; i < 4; ++i) {
+            if (w.weight[i] == 0) continue;
+            const auto point = basis.at_points.row(w.point[i]);
+            for (std::size_t c = 0; c < m; ++c) row[c] += w.weight[i] * point[c];
+        }
+    }
+    return columns;
+}
+
+Basis constant() {
+    Basis basis{"one", Matrix(1, 1, 1.0), {}};
+    basis.weights = [](std::span<const double>) {
+        return Basis::Weights{{0, 0, 0, 0}, {1, 0, 0, 0}};
+    };
+    return basis;
+}
+
+Basis hours_of_week(std::string driver, std::span<const double> training) {
+    Basis basis;
+    basis.driver = std::move(driver);
+    basis.weights = [](std::span<const double> at) {
+        const auto point = static_cast<std::size_t>(at[0]);
+        return Basis::Weights{{point, 0, 0, 0}, {1, 0, 0, 0}};
+    };
+    const Eigen::VectorXd shares =
+        shares_of(basis, {{training.begin(), training.end()}}, 72);
+    fill(basis, covariance_of_hours(3), centring(shares), shares);
+    return basis;
+}
+
+Basis smooth_of(std::string driver, std::span<const double> training) {
+    Basis basis;
+    basis.driver = std::move(driver);
+    const std::vector<double> knots = knots_of(training, n_knots);
+    basis.weights = [knots](std::span<const double> at) {
+        const auto [point, share] = between(knots, at[0]);
+        return Basis::Weights{{point, point + 1, 0, 0}, {1 - share, share, 0, 0}};
+    };
+    const auto n = static_cast<long>(knots.size());
+    const Eigen::VectorXd shares =
+        shares_of(basis, {{training.begin(), training.end()}}, n);
+    fill(basis, covariance_of_knots(n), centring(shares), shares);
+    return basis;
+}
+
+Basis hours_times(std::string driver, std::span<const double> hours,
+                  std::span<const double> slow) {
+    constexpr long most_knots = 5;
+    Basis basis;
+    basis.driver = std::move(driver);
+    const std::vector<double> knots = knots_of(slow, most_knots);
+    const auto n = static_cast<long>(knots.size());
+    basis.weights = [knots](std::span<const double> at) {
+        const auto hour = static_cast<std::size_t>(at[0]);
+        const auto [knot, share] = between(knots, at[1]);
+        const std::size_t point = hour * knots.size() + knot;
+        return Basis::Weights{{point, point + 1, 0, 0}, {1 - share, share, 0, 0}};
+    };
+    const std::vector<std::vector<double>> drivers{{hours.begin(), hours.end()},
+                                                   {slow.begin(), slow.end()}};
+    const Eigen::VectorXd shares = shares_of(basis, drivers, 48 * n);
+    Eigen::VectorXd of_hours = Eigen::VectorXd::Zero(48),
+                    of_knots = Eigen::VectorXd::Zero(n);
+    for (long h = 0; h < 48; ++h)
+        for (long k = 0; k < n; ++k) {
+            of_hours[h] += shares[h * n + k];
+            of_knots[k] += shares[h * n + k];
+        }
+    fill(basis, product(covariance_of_hours(2), covariance_of_knots(n)),
+         product(centring(of_hours), centring(of_knots)), shares);
+    return basis;
+}
+
+Basis wandering(std::string driver, std::span<const double> years) {
+    constexpr double fortnights = 365.25 / 14;
+    Basis basis;
+    basis.driver = std::move(driver);
+    const auto n =
+        static_cast<long>(std::floor(*std::ranges::max_element(years) * fortnights)) + 1;
+    basis.weights = [n](std::span<const double> at) {
+        const double fortnight = std::floor(at[0] * fortnights);
+        const auto point = static_cast<std::size_t>(
+            std::clamp(fortnight, 0.0, static_cast<double>(n - 1)));
+        return Basis::Weights{{point, 0, 0, 0}, {1, 0, 0, 0}};
+    };
+    Covariance walk(n, n);
+    for (long i = 0; i < n; ++i)
+        for (long j = 0; j < n; ++j) walk(i, j) = static_cast<double>(std::min(i, j) + 1);
+    const Eigen::VectorXd shares = shares_of(basis, {{years.begin(), years.end()}}, n);
+    fill(basis, walk, centring(shares), shares);
+    return basis;
+}
+
+}  // namespace bemcal::functions

@@ -1,0 +1,49 @@
+/// Functions of what a building may follow, as columns with a prior: each is a sum of
+/// columns with coefficients that are independent, of mean 0 and one variance. Over the
+/// training period functions have mean 0, and those of variance 1 a mean square of 1.
+#pragma once
+
+#include "base/matrix.hpp"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace bemcal::functions {
+
+/// A function of drivers, learned from one period and laid on the steps of any.
+struct Basis {
+    std::string driver;  ///< "hour of the week"
+    /// [points x columns]: values of all columns where the driver is at each point.
+    Matrix at_points;
+    /// Weights of points at a step: at most four points, weights sum to 1.
+    struct Weights {
+        std::size_t point[4] = {0, 0, 0, 0};
+        double weight[4] = {0, 0, 0, 0};
+    };
+    std::function<Weights(std::span<const double>)> weights;  ///< of a step's drivers
+
+    std::size_t n_columns() const { return at_points.cols; }
+};
+
+/// \param drivers  [n_drivers][steps]
+/// \return         [steps x columns]
+Matrix columns_of(const Basis& basis, const std::vector<std::vector<double>>& drivers);
+
+/// The constant.
+Basis constant();
+/// Points 0 to 71: 24 hours of working days, of Saturdays, of Sundays. Neighbouring hours
+/// are alike over some three hours, and day classes share half of their variance.
+Basis hours_of_week(std::string driver, std::span<const double> training);
+/// Hats over quantiles of the driver in training, its ends held beyond them; smooth.
+Basis smooth_of(std::string driver, std::span<const double> training);
+/// The two of them together, what each alone explains taken off: hours of the day of two
+/// classes of day (points 0 to 47) times a slow driver.
+Basis hours_times(std::string driver, std::span<const double> hours,
+                  std::span<const double> slow);
+/// A level that wanders: a random walk by the fortnight of `years` (points of the
+/// beginning of each); the last level goes on.
+Basis wandering(std::string driver, std::span<const double> years);
+
+}  // namespace bemcal::functions

@@ -1,0 +1,111 @@
+/// Functions' columns: their mean and size over training, their ends, their interactions.
+#include "functions/basis.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace bemcal::functions {
+namespace {
+
+/// Hours of eight weeks from a Monday, as points of hours_of_week.
+std::vector<double> hours() {
+    std::vector<double> points;
+    for (int day = 0; day < 56; ++day)
+        for (int hour = 0; hour < 24; ++hour)
+            points.push_back((day % 7 == 5 ? 24 : day % 7 == 6 ? 48 : 0) + hour);
+    return points;
+}
+
+std::vector<double> swinging(double period) {
+    std::vector<double> values;
+    for (int k = 0; k < 56 * 24; ++k) values.push_back(10 + 8 * std::sin(k / period));
+    return values;
+}
+
+/// Mean over the steps of each column, and of their squares' sum.
+void expect_centred_and_of_size_one(const Basis& basis,
+                                    const std::vector<std::vector<double>>& drivers,
+                                    double most_mean = 1e-9) {
+    const Matrix columns = columns_of(basis, drivers);
+    double squares = 0;
+    for (std::size_t c = 0; c < columns.cols; ++c) {
+        double sum = 0;
+        for (std::size_t k = 0; k < columns.rows; ++k) {
+            sum += columns(k, c);
+            squares += columns(k, c) * columns(k, c);
+        }
+        EXPECT_NEAR(sum / static_cast<double>(columns.rows), 0, most_mean)
+            << basis.driver;
+    }
+    // A few per cent go with the components that are left out, and between knots.
+    EXPECT_NEAR(squares / static_cast<double>(columns.rows), 1, 0.12) << basis.driver;
+}
+
+}  // namespace
+
+TEST(Basis, FunctionsHaveMeanZeroAndMeanSquareOneInTraining) {
+    const auto of_hours = hours(), slow = swinging(150);
+    expect_centred_and_of_size_one(hours_of_week("hours", of_hours), {of_hours});
+    expect_centred_and_of_size_one(smooth_of("slow", slow), {slow});
+    std::vector<double> of_day;
+    for (const double point : of_hours)
+        of_day.push_back(std::fmod(point, 24) + (point >= 24 ? 24 : 0));
+    // Its margins are taken off as if the two were independent.
+    expect_centred_and_of_size_one(hours_times("both", of_day, slow), {of_day, slow},
+                                   0.01);
+}
+
+TEST(Basis, InteractionsHaveNoMeanOverHoursOrOverTheOther) {
+    const auto of_hours = hours(), slow = swinging(150);
+    std::vector<double> of_day;
+    for (const double point : of_hours)
+        of_day.push_back(std::fmod(point, 24) + (point >= 24 ? 24 : 0));
+    const Basis basis = hours_times("both", of_day, slow);
+    // At one hour, over all of the other, and at one point of the other, over all hours.
+    const std::size_t n_knots = basis.at_points.rows / 48;
+    for (std::size_t c = 0; c < basis.n_columns(); ++c) {
+        std::vector<double> share(n_knots, 0.0);
+        for (std::size_t k = 0; k < slow.size(); ++k) {
+            const Basis::Weights w = basis.weights(std::vector{of_day[k], slow[k]});
+            for (int i = 0; i < 4; ++i) share[w.point[i] % n_knots] += w.weight[i];
+        }
+        for (std::size_t hour = 0; hour < 48; ++hour) {
+            double sum = 0;
+            for (std::size_t knot = 0; knot < n_knots; ++knot)
+                sum += share[knot] * basis.at_points(hour * n_knots + knot, c);
+            ASSERT_NEAR(sum / static_cast<double>(slow.size()), 0, 1e-9);
+        }
+    }
+}
+
+TEST(Basis, BeyondTrainingTheEndsAreHeld) {
+    const auto slow = swinging(150);
+    const Basis basis = smooth_of("slow", slow);
+    const Matrix columns = columns_of(basis, {{18, 30, 100, 2, -40}});
+    for (std::size_t c = 0; c < columns.cols; ++c) {
+        EXPECT_EQ(columns(0, c), columns(2, c));
+        EXPECT_EQ(columns(1, c), columns(2, c));
+        EXPECT_EQ(columns(3, c), columns(4, c));
+    }
+}
+
+TEST(Basis, AWanderingLevelStaysWhereItEnded) {
+    std::vector<double> years;
+    for (int day = 0; day < 365; ++day) years.push_back(day / 365.25);
+    const Basis basis = wandering("time", years);
+    const Matrix columns = columns_of(basis, {{years.back(), 1.5, 3, 0, -0.2}});
+    for (std::size_t c = 0; c < columns.cols; ++c) {
+        EXPECT_EQ(columns(0, c), columns(1, c));
+        EXPECT_EQ(columns(0, c), columns(2, c));
+        EXPECT_EQ(columns(3, c), columns(4, c));
+    }
+}
+
+TEST(Basis, ADriverThatNeverChangesHasNoFunction) {
+    const std::vector<double> same(100, 5.0);
+    const Matrix columns = columns_of(smooth_of("same", same), {same});
+    for (const double value : columns.values) EXPECT_NEAR(value, 0, 1e-6);
+}
+
+}  // namespace bemcal::functions
