@@ -141,6 +141,7 @@ struct Effect {
     double typical = 0.5;        ///< a middling one: where secants are taken
     int weekday = -1;            ///< only on this one, 0 = Monday; -1 = on all
     Hours hours{};               ///< only in these
+    bool is_smooth = false;      ///< its profile is not rounded to few levels
 
     bool is_named() const { return number != 0; }
 };

@@ -40,8 +40,9 @@ std::vector<Target> sites_of(const HookRow& row, const Effect& effect,
 }
 
 /// Few levels where the hook shapes regimes.
-Series levelled_for(const HookRow& row, const Series& profile) {
-    return row.shapes_regimes ? levelled(profile, most_levels) : profile;
+Series levelled_for(const HookRow& row, const Effect& effect, const Series& profile) {
+    const bool is_rounded = row.shapes_regimes && !effect.is_smooth;
+    return is_rounded ? levelled(profile, most_levels) : profile;
 }
 
 bool follows_sun_on_facade(const Effect& effect) {
@@ -108,8 +109,8 @@ void add_walls(Building& building, const std::string& name) {
 }  // namespace
 
 void change_inputs(Placer& placer, const HookRow& row, const Effect& effect) {
-    const int profile =
-        placer.profile_row(levelled_for(row, profile_of(effect, placer.around())));
+    const int profile = placer.profile_row(
+        levelled_for(row, effect, profile_of(effect, placer.around())));
     for (const Target& target : sites_of(row, effect, placer.building()))
         placer.change(target, row.kind, profile);
 }
@@ -123,13 +124,13 @@ void change_windows(Placer& placer, const HookRow& row, const Effect& effect) {
         Effect of_facade = effect;
         of_facade.facade = zone.windows[static_cast<std::size_t>(target.inner)].plane;
         placer.change(target, row.kind,
-                      placer.profile_row(
-                          levelled_for(row, profile_of(of_facade, placer.around()))));
+                      placer.profile_row(levelled_for(
+                          row, of_facade, profile_of(of_facade, placer.around()))));
     }
 }
 
 void change_leaks(Placer& placer, const HookRow& row, const Effect& effect) {
-    const Series profile = levelled_for(row, profile_of(effect, placer.around()));
+    const Series profile = levelled_for(row, effect, profile_of(effect, placer.around()));
     for (const Target& target : sites_of(row, effect, placer.building())) {
         Series leak = profile;
         for (double& value : leak)

@@ -50,6 +50,10 @@ constexpr schema::Key keys[] = {
     {"study", "generic", Type::flag, "", "true", 0, 0,
      "Effects beside the catalogue's are tried, too: any place, what it follows, how and "
      "when."},
+    {"study", "functions", Type::flag, "", "true", 0, 0,
+     "What effects leave is laid to functions without a name: of the hour of the week, of "
+     "the weather, of the load, of time, wherever they may enter. They join as long as "
+     "blocks that were kept from them are predicted better."},
     {"study", "columns", Type::texts, "", "", 0, 0,
      "Names of [[series]] that an effect beside the catalogue's may follow: rain, carbon "
      "dioxide, a tariff."},
@@ -70,6 +74,7 @@ void read(const StudySource& source, StudySpec& study) {
     options.seed = source.seed;
     options.exclude = section.texts("exclude");
     options.generic = section.flag("generic");
+    options.functions = section.flag("functions");
     options.columns = section.texts("columns");
     study.options = std::move(options);
 }

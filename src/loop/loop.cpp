@@ -6,6 +6,7 @@
 #include "loop/loop.hpp"
 
 #include "effects/catalogue.hpp"
+#include "loop/find_functions.hpp"
 #include "loop/intervals.hpp"
 #include "loop/late_clock.hpp"
 #include "loop/loads.hpp"
@@ -275,6 +276,8 @@ study::Conclusion searched(const std::string& name, const LoopData& data,
         return searched(name, LoopData(set, data.options), late->hours);
     }
     if (result.last.model.effects.empty()) result.last = result.baseline.chosen;
+    if (data.options.functions)
+        result.functions = find_functions(data, result.baseline.place, result.last);
     result.after = localise(data, place, result.last);
     result.unexplained = unexplained_of(data, result.last);
     return conclude_loop(data.building.name + "/" + name, data, result);

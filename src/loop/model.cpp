@@ -193,7 +193,7 @@ void add_parameters(const LoopData& data, Place& place) {
 }
 
 /// The job's series that effects may follow.
-void add_columns(const LoopData& data, const physics::Drive& drive,
+void add_columns_of_job(const LoopData& data, const physics::Drive& drive,
                  effects::Surroundings& around) {
     const auto& profiles = data.building.profiles;
     for (std::size_t p = 0; p < profiles.size(); ++p) {
@@ -451,7 +451,7 @@ Place make_place(const LoopData& data, const std::vector<std::size_t>& structure
     place.surroundings =
         std::make_shared<effects::Surroundings>(effects::make_surroundings(
             *described, *place.drive, data.building.weather, data.training().from));
-    add_columns(data, *place.drive, *place.surroundings);
+    add_columns_of_job(data, *place.drive, *place.surroundings);
     place.channels = data.targets.channels;
     return place;
 }

@@ -24,6 +24,7 @@ struct LoopOptions {
     /// prior's mean.
     std::map<std::string, double> start{};
     std::vector<std::string> exclude;  ///< names of effects that are not tried
+    bool functions = true;             ///< whether functions are sought in what is left
     bool generic = true;               ///< whether the grammar's effects are tried, too
     std::vector<std::string> columns;  ///< names of the case's columns that may drive one
 };

@@ -7,6 +7,7 @@
 
 #include "base/machine.hpp"
 #include "effects/catalogue.hpp"
+#include "loop/find_functions.hpp"
 #include "loop/intervals.hpp"
 #include "loop/late_clock.hpp"
 #include "loop/loads.hpp"
@@ -37,10 +38,13 @@ Standings standings_of(const LoopResult& result) {
 /// A model's predictions of every hour of a period. [channels x hours]
 std::vector<std::vector<double>> hours_of(
     const LoopData& data, const Baseline& baseline, const Standing& standing,
+    const std::vector<FoundFunction>& functions,
     const std::shared_ptr<const physics::Drive>& drive) {
     Place place = make_place(data, standing.model.structure, drive);
     if (!standing.model.effects.empty())
         know_loads(place, baseline.chosen, baseline.place.surroundings->model);
+    if (!functions.empty())
+        add_columns(functions, function_drivers(data, place), place);
     for (kernel::Channel& channel : place.channels)
         channel.interval = physics::Interval::hourly;
     const BuiltModel built = build(place, standing.model.effects);
@@ -128,6 +132,7 @@ class Writer {
         steps();
         localisation();
         effects_found();
+        functions_found();
         power();
         fits();
         decisions();
@@ -210,7 +215,7 @@ class Writer {
     void effects_found() {
         const Standing& last = result_.last;
         const auto sds = deviations_of(data_, last, result_.misfit);
-        for (std::size_t k = 0; k < last.model.effects.size(); ++k)
+        for (std::size_t k = 0; k < result_.found.size(); ++k)
             effect_found(k, sds[last.built.first_effect() + k]);
     }
 
@@ -236,6 +241,13 @@ class Writer {
         stored.most = c + half;
         stored.gain = found.gain;
         stored.adequate = found.doubt.empty() ? 1 : 0;
+    }
+
+    void functions_found() {
+        for (const FoundFunction& function : result_.functions)
+            loop_.functions.push_back(
+                {name_of(function), function.at.name, function.basis.driver,
+                 effects::unit_of(function.at.hook), function.size, function.evidence});
     }
 
     void power() {
@@ -356,6 +368,8 @@ class Writer {
         const std::shared_ptr<const physics::Drive>& drive, std::size_t n_hours) {
         try {
             return hours_of(data_, result_.baseline, *standings_of(result_)[model],
+                            model == StoredLoop::after ? result_.functions
+                                                       : std::vector<FoundFunction>{},
                             drive);
         } catch (const std::exception& error) {
             rethrow_of_machine(error);

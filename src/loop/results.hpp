@@ -1,6 +1,7 @@
 /// What the loop found, and the datasets and the summary that say so.
 #pragma once
 
+#include "loop/found_function.hpp"
 #include "loop/portrait.hpp"
 #include "loop/power.hpp"
 #include "study/stage.hpp"
@@ -27,8 +28,9 @@ struct Found {
 
 struct LoopResult {
     Baseline baseline;
-    Standing last;             ///< with effects
-    std::vector<Found> found;  ///< [last.model.effects]
+    Standing last;                         ///< with effects
+    std::vector<Found> found;              ///< [last.model.effects]
+    std::vector<FoundFunction> functions;  ///< their effects follow those found
     std::vector<LoggedStep> log;
     PowerTable power;
     Localisation before, after;

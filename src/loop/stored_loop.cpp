@@ -69,6 +69,14 @@ void visit_tables(Loop& loop, Table&& table) {
         see("effect_adequate", row.adequate);
         see("effect_doubt", row.doubt);
     });
+    table("function", loop.functions, [](auto& row, auto&& see) {
+        see("function", row.name);
+        see("function_hook", row.hook);
+        see("function_driver", row.driver);
+        see("function_unit", row.unit);
+        see("function_size", row.size);
+        see("function_evidence", row.evidence);
+    });
     table("power", loop.seen, [](auto& row, auto&& see) {
         see("power_effect", row.effect);
         see("power_alias", row.alias);

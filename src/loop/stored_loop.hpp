@@ -55,6 +55,12 @@ struct StoredLoop {
         std::vector<std::string> members{};  ///< of its class, one by one
         bool is_adequate() const { return adequate == 1; }
     };
+    /// A function of what the building may follow, at a hook: see FoundFunction.
+    struct Function {
+        std::string name, hook, driver, unit;
+        double size = nan;      ///< root mean square over training [unit]
+        double evidence = nan;  ///< log marginal likelihood that it brings [-]
+    };
     struct Decision {
         std::string series, finding, action, kind;
         /// Of effects that are one with parameters, not of data.
@@ -68,6 +74,7 @@ struct StoredLoop {
     std::vector<Step> steps;
     std::vector<Candidate> candidates;
     std::vector<Effect> effects;
+    std::vector<Function> functions;
     std::vector<Seen> seen;
     std::vector<Decision> decisions;
 

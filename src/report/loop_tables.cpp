@@ -65,6 +65,17 @@ std::string effect_lines(const StoredLoop::Effect& effect) {
     return text;
 }
 
+/// What is left has no name: where it enters and what it follows.
+std::string function_table(const StoredLoop& loop) {
+    TextTable table({"function without a name", "size", "unit", "evidence"});
+    for (const StoredLoop::Function& function : loop.functions)
+        table.add({function.name, three_digits(function.size), function.unit,
+                   three_digits(function.evidence)});
+    const std::string text = text_of(table, 60);
+    return text.empty() ? text
+                        : text + "  size: root mean square over the training period\n";
+}
+
 /// "gas -8.6": the channel whose error a step lowers most.
 std::string best_of(const StoredLoop& loop, std::size_t step) {
     double least = nan;
@@ -183,7 +194,7 @@ std::string loop_section(const Group& study) {
           loop_structure_table(loop), loop_power_table(loop),
           loop_unexplained_table(loop), loop_localisation_table(loop),
           parameter_table(loop), step_table(loop) + end_lines(loop), effects,
-          loop_headline(loop) + loop_fit_table(loop)})
+          function_table(loop), loop_headline(loop) + loop_fit_table(loop)})
         if (!part.empty()) text += "\n" + part;
     return text;
 }

@@ -377,6 +377,13 @@ constexpr LayoutRow own_rows[] = {
     {"decision_kind", "decision", text, "",
      "data: of readings or weather; class: an effect that they cannot tell from "
      "parameters; period: what was not predicted there"},
+    {"function", "function", text, "", "a function without a name: where, and of what"},
+    {"function_hook", "function", text, "", "where it enters"},
+    {"function_driver", "function", text, "", "what it follows"},
+    {"function_unit", "function", text, "", "unit of its size"},
+    {"function_size", "function", number, "of the function", "root mean square over the training period"},
+    {"function_evidence", "function", number, "1",
+     "log marginal likelihood that it brings"},
     {"power_effect", "power", text, "", "effects that could be sought in these data"},
     {"power_detectability", "power", number, "1",
      "of a middling one, in standard errors: below least_detectability it cannot be "

@@ -1,0 +1,24 @@
+/// A function that a building's readings speak for.
+#pragma once
+
+#include "effects/effect.hpp"
+#include "functions/basis.hpp"
+
+#include <string>
+#include <vector>
+
+namespace bemcal::loop {
+
+/// A function of a driver at a hook.
+struct FoundFunction {
+    effects::Effect at;  ///< the hook, its meter, its typical size
+    functions::Basis basis;
+    std::vector<double> mean;  ///< [columns] of its coefficients, in typical sizes
+    double size = 0;           ///< root mean square in training [the hook's unit]
+    double evidence = 0;       ///< log marginal likelihood that it brings
+};
+
+/// "gains by hour of the week"
+std::string name_of(const FoundFunction& function);
+
+}  // namespace bemcal::loop

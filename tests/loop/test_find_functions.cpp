@@ -1,0 +1,83 @@
+/// Functions that a building's readings show, from a loop that seeks no effect with a
+/// name.
+#include "loop/find_functions.hpp"
+#include "loop/loop.hpp"
+#include "loop/windy_case.hpp"
+#include "study/find.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace bemcal;
+using namespace bemcal::loop;
+using namespace bemcal::study;
+using test::measure, test::windy_case;
+
+namespace {
+
+LoopOptions functions_only() {
+    LoopOptions options;
+    options.block_days = 7;
+    options.try_structures = false;
+    options.most_effects = 0;
+    return options;
+}
+
+/// Heat that nobody meters, from 5 to 9 h.
+effects::Effect gains_of_the_morning() {
+    effects::Effect effect;
+    effect.name = "gains";
+    effect.hook = effects::Hook::gains;
+    effect.driver = effects::Driver::hour;
+    effect.shape = {effects::Form::within, 5, 9};
+    effect.most = 20;
+    return effect;
+}
+
+std::vector<Dataset> searched(const Case& made, const LoopOptions& options) {
+    const std::vector<Case> buildings = {made};
+    const auto stage = make_loop("loop", buildings, options);
+    return stage->conclude({stage->run(0)}).datasets;
+}
+
+/// CV(RMSE) by the hour of the first meter: [plain, before, after][training, held out].
+double error_of(const std::vector<Dataset>& datasets, std::size_t model,
+                std::size_t period) {
+    const Dataset& fit = test::find(datasets, "fit");
+    const std::size_t n_periods = fit.shape[1], n_resolutions = fit.shape[2],
+                      n_channels = fit.shape[3], n_metrics = fit.shape[4];
+    return fit
+        .values[((model * n_periods + period) * n_resolutions * n_channels) * n_metrics +
+                1];
+}
+
+}  // namespace
+
+TEST(FindFunctions, HoursThatNothingNamesAreForetold) {
+    Case made = windy_case();
+    measure(made, gains_of_the_morning(), 8, 3);
+    const auto datasets = searched(made, functions_only());
+    const auto& names = test::find(datasets, "function").texts;
+    ASSERT_FALSE(names.empty());
+    EXPECT_NE(names[0].find("by hour"), std::string::npos) << names[0];
+    EXPECT_LT(error_of(datasets, 2, 1), 0.8 * error_of(datasets, 1, 1));
+    EXPECT_LT(error_of(datasets, 2, 0), 0.8 * error_of(datasets, 1, 0));
+    // No effect is claimed.
+    EXPECT_TRUE(test::find(datasets, "effect").texts.empty());
+}
+
+TEST(FindFunctions, WhereTheModelIsTheBuildingNothingIsLaidToThem) {
+    Case made = windy_case();
+    measure(made, gains_of_the_morning(), 0, 3);
+    const auto datasets = searched(made, functions_only());
+    EXPECT_LT(error_of(datasets, 2, 1), 1.01 * error_of(datasets, 1, 1));
+    for (const double size : test::find(datasets, "function_size").values)
+        EXPECT_LT(size, 0.3);
+}
+
+TEST(FindFunctions, NoneAreSoughtWhereTheJobWantsNone) {
+    Case made = windy_case();
+    measure(made, gains_of_the_morning(), 8, 3);
+    LoopOptions options = functions_only();
+    options.functions = false;
+    EXPECT_TRUE(test::find(searched(made, options), "function").texts.empty());
+}
