@@ -10,6 +10,7 @@ import os
 import resource
 import signal
 import sys
+import traceback
 
 import h5py
 
@@ -83,29 +84,34 @@ def reading(path):
         raise Refused(what if str(path) in what else f"{path}: damaged: {what}") from error
 
 
-def limit(seconds):
-    """Of this process; it leaves no core file."""
+def set_apart(seconds):
+    """Limits this process. It leaves no core file and says nothing, as h5py does of what it frees, libc of a crash."""
     soft, hard = resource.getrlimit(resource.RLIMIT_CPU)
     most = seconds if soft == resource.RLIM_INFINITY else min(seconds, soft)
     resource.setrlimit(resource.RLIMIT_CPU, (most, hard))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    nothing = os.open(os.devnull, os.O_WRONLY)
+    for stream in (1, 2):
+        os.dup2(nothing, stream)
 
 
 def send(answer, path, read, seconds):
     """What is read, or why it is refused."""
-    limit(seconds)
+    set_apart(seconds)
     try:
         with reading(path), h5py.File(path, "r") as file:
             answer.send(read(file))
     except Refused as refused:
         answer.send(refused)
+    except Exception:  # a mistake of ours
+        answer.send(Refused(traceback.format_exc(), FAILED))
 
 
-def ending(number, seconds):
-    """What happened to a process that a signal ended."""
-    if number == signal.SIGXCPU:
+def ending(code, seconds):
+    """What happened to a process that did not come to its end."""
+    if code == -signal.SIGXCPU:
         return f"HDF5 comes to no end with it and was stopped after {seconds} s of the processor"
-    return f"HDF5 cannot read it: {signal.strsignal(number)}"
+    return "HDF5 cannot read it: " + (signal.strsignal(-code) if code < 0 else "it failed")
 
 
 def read_apart(path, read):
@@ -121,11 +127,9 @@ def read_apart(path, read):
     except (EOFError, OSError):
         said = None
     reader.join()
-    if reader.exitcode < 0:
-        raise Refused(f"{path}: damaged: {ending(-reader.exitcode, seconds)}; run its job again, or take a copy "
+    if reader.exitcode != 0:
+        raise Refused(f"{path}: damaged: {ending(reader.exitcode, seconds)}; run its job again, or take a copy "
                       "of the file")
-    if reader.exitcode > 0:
-        sys.exit(FAILED)  # it has said why
     if isinstance(said, Refused):
         raise said
     return said
