@@ -1,14 +1,16 @@
 """What a loop found, from the result file into the files of a case."""
 import csv
+import io
 import json
 import os
+import pathlib
 
 import h5py
 import numpy as np
 
 from cases.folder import CaseError
 from cases.meters import CHANNELS
-from report import result as stored
+from report import guard, result as stored
 
 HOUR = 3600
 HELD_OUT = "held_out"
@@ -51,8 +53,7 @@ def predictions(loop, model):
         for channel in texts(loop, "channel")}
 
 
-def write_predictions(path, loop, model):
-    times, columns = predictions(loop, model)
+def write_predictions(path, times, columns):
     with open(path, "w", newline="") as out:
         writer = csv.writer(out, lineterminator="\n")
         writer.writerow(["timestamp", *columns])
@@ -67,11 +68,9 @@ def write_json(path, rows):
 
 
 def loop_of(file, building, study):
-    try:
-        return file[building][study]
-    except KeyError:
-        raise CaseError(f"{file.filename}: {building}/{study} is not there; expected the result "
-                        "of a loop") from None
+    if not guard.has(file, f"{building}/{study}"):
+        raise guard.Refused(f"{file.filename}: {building}/{study} is not there; expected the result of a loop")
+    return file[building][study]
 
 
 def failures(file, study):
@@ -82,28 +81,46 @@ def failures(file, study):
     return dict(zip(group["failed_item"][:].astype(int), texts(group, "failed_item_reason")))
 
 
+def of_result(path, read):
+    """What `read` makes of the open file."""
+    try:
+        return guard.read_apart(path, read)
+    except guard.Refused as refused:
+        error = CaseError(str(refused))
+        error.code = refused.code
+        raise error from None
+
+
 def without_result(result, names, study="loop"):
     """{building: why} of those that a result lacks. `names`: of all, in the job's order."""
-    with h5py.File(result) as file:
+    def lacking(file):
         why = failures(file, study)
         return {name: why.get(item, "the run gave no reason") for item, name in enumerate(names)
-                if "model" not in file.get(f"{name}/{study}", ())}
+                if not guard.has(file, f"{name}/{study}/model")}
+    return of_result(result, lacking)
 
 
 def write_files(result, building, folder, study="loop"):
     """plain.csv, before.csv, after.csv, effects.json and decisions.json of one building."""
-    with h5py.File(result) as file:
+    def read(file):
         loop = loop_of(file, building, study)
-        for model in texts(loop, "model"):
-            write_predictions(os.path.join(folder, f"{model}.csv"), loop, model)
-        write_json(os.path.join(folder, "effects.json"), effects(loop))
-        write_json(os.path.join(folder, "decisions.json"), decisions(loop))
+        return ({model: predictions(loop, model) for model in texts(loop, "model")}, effects(loop),
+                decisions(loop))
+    predicted, found, decided = of_result(result, read)
+    for model, columns in predicted.items():
+        write_predictions(os.path.join(folder, f"{model}.csv"), *columns)
+    write_json(os.path.join(folder, "effects.json"), found)
+    write_json(os.path.join(folder, "decisions.json"), decided)
 
 
 def cut_out(result, building, others, path):
     """The result with this building only."""
-    with h5py.File(result) as whole, h5py.File(path, "w") as part:
-        part.attrs.update(whole.attrs)
-        for name in whole:
-            if name == building or name not in others:
-                whole.copy(name, part)
+    def copied(whole):
+        image = io.BytesIO()
+        with h5py.File(image, "w") as part:
+            part.attrs.update(whole.attrs)
+            for name in whole:
+                if name == building or name not in others:
+                    whole.copy(name, part)
+        return image.getvalue()
+    pathlib.Path(path).write_bytes(of_result(result, copied))

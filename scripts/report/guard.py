@@ -1,17 +1,23 @@
 """Reads results that may be of anyone: whatever is wrong with one ends in a message and an exit code.
 
-HDF5 crashes on some damaged files, so that a script does its work in a process of its own.
+HDF5 crashes on some damaged files and comes to no end on others, so that a file is read in a process of its own.
+That process alone has a limit of time: what is made of the content afterwards may take long.
 """
 import contextlib
+import math
+import multiprocessing
 import os
 import resource
 import signal
 import sys
+import traceback
 
 import h5py
 
 DATA, NO_INPUT, FAILED, IO = 65, 66, 70, 74
-MOST_SECONDS = 600             # of the processor
+# Of the processor. h5py takes milliseconds for a small result, and reads one of the smallest groups, the slowest
+# that there is, at 2.6 MB/s.
+LEAST_SECONDS, BYTES_A_SECOND = 3, 5e5
 PACKING = 100                  # a packed file may unfold to so many times its size
 
 
@@ -58,13 +64,13 @@ def texts(group, name):
     return [values] if isinstance(values, str) else [str(text) for text in values.ravel()]
 
 
-def opened(path):
-    """An open HDF5 file, to read."""
+def size_of(path):
+    """Of a file that is there [bytes]."""
     if not os.path.exists(path):
         raise Refused(f"{path}: no such file", NO_INPUT)
     if not os.path.isfile(path):
         raise Refused(f"{path}: is no regular file", NO_INPUT)
-    return h5py.File(path, "r")
+    return os.path.getsize(path)
 
 
 @contextlib.contextmanager
@@ -78,6 +84,57 @@ def reading(path):
         raise Refused(what if str(path) in what else f"{path}: damaged: {what}") from error
 
 
+def set_apart(seconds):
+    """Limits this process. It leaves no core file and says nothing, as h5py does of what it frees, libc of a crash."""
+    soft, hard = resource.getrlimit(resource.RLIMIT_CPU)
+    most = seconds if soft == resource.RLIM_INFINITY else min(seconds, soft)
+    resource.setrlimit(resource.RLIMIT_CPU, (most, hard))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    nothing = os.open(os.devnull, os.O_WRONLY)
+    for stream in (1, 2):
+        os.dup2(nothing, stream)
+
+
+def send(answer, path, read, seconds):
+    """What is read, or why it is refused."""
+    set_apart(seconds)
+    try:
+        with reading(path), h5py.File(path, "r") as file:
+            answer.send(read(file))
+    except Refused as refused:
+        answer.send(refused)
+    except Exception:  # a mistake of ours
+        answer.send(Refused(traceback.format_exc(), FAILED))
+
+
+def ending(code, seconds):
+    """What happened to a process that did not come to its end."""
+    if code == -signal.SIGXCPU:
+        return f"HDF5 comes to no end with it and was stopped after {seconds} s of the processor"
+    return "HDF5 cannot read it: " + (signal.strsignal(-code) if code < 0 else "it failed")
+
+
+def read_apart(path, read):
+    """What `read` makes of an open file, without anything of HDF5 in it."""
+    seconds = math.ceil(LEAST_SECONDS + size_of(path) / BYTES_A_SECOND)
+    answer, end = multiprocessing.Pipe(duplex=False)
+    reader = multiprocessing.get_context("fork").Process(
+        target=send, args=(end, path, read, seconds), daemon=True)
+    reader.start()
+    end.close()
+    try:
+        said = answer.recv()
+    except (EOFError, OSError):
+        said = None
+    reader.join()
+    if reader.exitcode != 0:
+        raise Refused(f"{path}: damaged: {ending(reader.exitcode, seconds)}; run its job again, or take a copy "
+                      "of the file")
+    if isinstance(said, Refused):
+        raise said
+    return said
+
+
 def code_of(name, work):
     try:
         return work() or 0
@@ -89,30 +146,6 @@ def code_of(name, work):
         return IO
 
 
-def limit(seconds):
-    soft, hard = resource.getrlimit(resource.RLIMIT_CPU)
-    most = seconds if soft == resource.RLIM_INFINITY else min(seconds, soft)
-    resource.setrlimit(resource.RLIMIT_CPU, (most, hard))
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-
-
 def run(name, work):
-    """Does the work in a process of its own, and ends with its exit code."""
-    sys.stdout.flush()
-    child = os.fork()
-    if child == 0:
-        limit(MOST_SECONDS)
-        code = FAILED
-        try:
-            code = code_of(name, work)
-            sys.stdout.flush()
-        finally:
-            if sys.exc_info()[0] is not None:
-                sys.excepthook(*sys.exc_info())
-            os._exit(code)
-    status = os.waitpid(child, 0)[1]
-    if os.WIFSIGNALED(status):
-        what = signal.strsignal(os.WTERMSIG(status))
-        print(f"{name}: the result is damaged, HDF5 cannot read it: {what}", file=sys.stderr)
-        sys.exit(DATA)
-    sys.exit(os.WEXITSTATUS(status))
+    """Does the work, and ends with its exit code."""
+    sys.exit(code_of(name, work))

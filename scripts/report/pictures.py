@@ -207,7 +207,7 @@ def cumulative(series, channel, unit):
 def of_channel(loop, c):
     """All pictures of a channel; none where it is not read by the hour."""
     channel, unit = loop.channels[c], loop.of_channels[c].unit.replace("degC", "°C")
-    series = loop.series(channel)
+    series = loop.series[channel]
     if not series.is_drawn:
         return []
     drawn = [residual_map(series, channel, unit.replace("°C", "K")),
@@ -255,8 +255,8 @@ def parameters(loop):
     said = []
     for model, shift in ((BEFORE, -0.16), (AFTER, 0.16)):
         name, colour = MODELS[model]
-        middle = (loop.parameter_value[model][shown] - means[shown]) / sds[shown]
-        half = np.nan_to_num(1.645 * loop.parameter_sd[model][shown] / sds[shown])
+        middle = (loop.numbers["parameter_value"][model][shown] - means[shown]) / sds[shown]
+        half = np.nan_to_num(1.645 * loop.numbers["parameter_sd"][model][shown] / sds[shown])
         axis.errorbar(middle, np.arange(len(shown)) + shift, xerr=half, fmt="o", markersize=4,
                       color=colour, label=name, elinewidth=1.6)
         said.append(middle)
@@ -275,7 +275,7 @@ def parameters(loop):
 
 def alarms(loop):
     """Hook x driver maps before and after, of the hooks and drivers that raise an alarm."""
-    maps = [loop.localisation, loop.localisation_after]
+    maps = [loop.numbers["localisation"], loop.numbers["localisation_after"]]
     if maps[0].ndim != 2 or maps[0].shape != maps[1].shape or not maps[0].size:
         return None
     most = np.nan_to_num(np.fmax(*maps))

@@ -60,6 +60,7 @@ DECISION = {"series": text("decision_series"), "finding": text("decision_finding
 STEP = {"effect": text("step_effect"), "verdict": text("step_verdict"), "gain": number("step_gain"),
         "threshold": number("step_threshold"), "score": number("step_score")}
 CANDIDATE = {"name": text("candidate"), "gain": number("candidate_gain")}
+NUMBERS = ("fit", "step_error", "localisation", "localisation_after", "parameter_value", "parameter_sd")
 TRIED = {"name": text("structure"), "score": number("structure_score")}
 PARAMETER = {"name": text("parameter"), "unit": text("parameter_unit"),
              "mean": number("parameter_prior_mean"), "sd": number("parameter_prior_sd")}
@@ -105,6 +106,10 @@ def power_in(group):
         if not effect.alias_kind and effect.alias == PARAMETERS_OF_0_1_0:
             effect.alias_kind = OF_PARAMETERS
     return power
+
+
+def numbers_in(group, name):
+    return guard.sound(group[name])[()] if guard.has(group, name) else np.array([])
 
 
 def limit_in(group, name):
@@ -155,37 +160,44 @@ class Error:
         return 1 - self.error[until] / self.error[since]
 
 
+def series_in(period, channel):
+    def values(name):
+        return guard.sound(guard.inner(period, name))[()]
+    outdoor = "outdoor_temperature"
+    return Series(values("time"), values(f"{channel}/measured"), values(f"{channel}/simulated"),
+                  values(outdoor) if guard.has(period, outdoor) else np.array([]))
+
+
 class Loop:
-    """One stage of a result."""
+    """One stage of a result: all of it that is shown, so that the file may be closed."""
 
     def __init__(self, file, stage):
-        self.stage, self.group = stage, file[stage]
+        group = file[stage]
+        self.stage = stage
         self.attributes = {name: str(value) for name, value in file.attrs.items()}
         self.building = stage.split("/")[0]
-        rows = [rows_in(self.group, columns) for columns in
+        rows = [rows_in(group, columns) for columns in
                 (CHANNEL, PARAMETER, STEP, CANDIDATE, TRIED)]
         self.of_channels, self.of_parameters, self.steps, self.candidates, self.structures = rows
-        self.power, self.decisions = power_in(self.group), decisions_in(self.group)
+        self.power, self.decisions = power_in(group), decisions_in(group)
         self.channels = [channel.name for channel in self.of_channels]
         self.parameters = [parameter.name for parameter in self.of_parameters]
-        self.effects = effects_in(self.group)
+        self.effects = effects_in(group)
         self.periods, self.resolutions, self.metrics, self.hooks, self.drivers = (
-            texts_of(self.group, name)
+            texts_of(group, name)
             for name in ("period", "resolution", "metric", "hook", "driver"))
-        self.localisation, self.localisation_after, self.parameter_value, self.parameter_sd = (
-            self.values(name) for name in
-            ("localisation", "localisation_after", "parameter_value", "parameter_sd"))
-        self.structure = (texts_of(self.group, "structure_chosen") or [""])[0]
-        self.least_detectability = limit_in(self.group, "least_detectability")
-        self.same_signature = limit_in(self.group, "same_signature")
+        self.numbers = {name: numbers_in(group, name) for name in NUMBERS}
+        self.structure = (texts_of(group, "structure_chosen") or [""])[0]
+        self.least_detectability = limit_in(group, "least_detectability")
+        self.same_signature = limit_in(group, "same_signature")
         self.judged = self._judged()
-
-    def values(self, name):
-        return guard.sound(self.group[name])[()] if guard.has(self.group, name) else np.array([])
+        self.series = {  # in the period of judging
+            channel: series_in(guard.inner(group, self.judged), channel)
+            for channel in self.channels}
 
     def value(self, name, *place):
         """An element; NaN where it is not there."""
-        values = np.asarray(self.values(name))
+        values = np.asarray(self.numbers[name])
         inside = values.ndim == len(place) and all(p < n for p, n in zip(place, values.shape))
         return float(values[place]) if inside else np.nan
 
@@ -234,24 +246,18 @@ class Loop:
         both = ([self.fit(p, r, c) for r in (HOURLY, MONTHLY)] for c in range(len(self.channels)))
         return [fit for fits in both for fit in [f for f in fits if f.is_measured][:1]]
 
-    def series(self, channel):
-        """In the period of judging."""
-        def values(name):
-            return guard.sound(guard.inner(self.group, f"{self.judged}/{name}"))[()]
-        outdoor = "outdoor_temperature"
-        return Series(values("time"), values(f"{channel}/measured"), values(f"{channel}/simulated"),
-                      values(outdoor) if guard.has(self.group, f"{self.judged}/{outdoor}")
-                      else np.array([]))
 
-
-def read(path, stage=None):
-    """The loop of that name in a file; without a name the only one."""
-    file = guard.opened(path)
+def loop_in(file, stage):
+    """The loop of that name; without a name the only one."""
     stages = studies.of_kind(file, "loop")
     if stage is None and len(stages) == 1:
         stage = stages[0]
     if stage not in stages:
         names = ", ".join(stages)
-        raise ValueError(f"{path} has " + (f"the loops {names}; choose one by --stage"
+        raise ValueError(f"{file.filename} has " + (f"the loops {names}; choose one by --stage"
                                            if stages else "no study of kind \"loop\""))
     return Loop(file, stage)
+
+
+def read(path, stage=None):
+    return guard.read_apart(path, lambda file: loop_in(file, stage))

@@ -74,27 +74,31 @@ def rows(group, prefix, names):
     return zipped(columns)
 
 
+def night_in(file):
+    """(title, buildings) of an open file."""
+    if not guard.has(file, "stock"):
+        raise ValueError(f"{file.filename}: is no result of a stock")
+    group = file["stock"]
+    columns = [guard.texts(group, f"stock_{name}")
+               for name in ("building", "status", "cause", "reason", "drift")]
+    buildings = [Building(*row, int(age)) for *row, age in
+                 zipped([*columns, numbers(group, "stock_age")])]
+    for owner, *row in rows(group, "stock_fits", [
+            "stock_fit_meter", "stock_fit_period", "stock_fit_before", "stock_fit_cv_rmse",
+            "stock_fit_nmbe"]):
+        at(buildings, owner).fits.append(tuple(row))
+    for owner, *row in rows(group, "stock_values", [
+            "stock_value_parameter", "stock_value_unit", "stock_value", "stock_value_low",
+            "stock_value_high", "stock_value_moved"]):
+        at(buildings, owner).values.append(tuple(row))
+    for owner, *row in rows(group, "stock_findings", [
+            "stock_finding_series", "stock_finding", "stock_finding_action"]):
+        at(buildings, owner).findings.append(tuple(row))
+    return str(file.attrs.get("title", "stock")), buildings
+
+
 def read(path):
-    with guard.opened(path) as file:
-        if not guard.has(file, "stock"):
-            raise ValueError(f"{path}: is no result of a stock")
-        group = file["stock"]
-        columns = [guard.texts(group, f"stock_{name}")
-                   for name in ("building", "status", "cause", "reason", "drift")]
-        buildings = [Building(*row, int(age)) for *row, age in
-                     zipped([*columns, numbers(group, "stock_age")])]
-        for owner, *row in rows(group, "stock_fits", [
-                "stock_fit_meter", "stock_fit_period", "stock_fit_before", "stock_fit_cv_rmse",
-                "stock_fit_nmbe"]):
-            at(buildings, owner).fits.append(tuple(row))
-        for owner, *row in rows(group, "stock_values", [
-                "stock_value_parameter", "stock_value_unit", "stock_value", "stock_value_low",
-                "stock_value_high", "stock_value_moved"]):
-            at(buildings, owner).values.append(tuple(row))
-        for owner, *row in rows(group, "stock_findings", [
-                "stock_finding_series", "stock_finding", "stock_finding_action"]):
-            at(buildings, owner).findings.append(tuple(row))
-        title = str(file.attrs.get("title", "stock"))
+    title, buildings = guard.read_apart(path, night_in)
     return title, pathlib.Path(path).stem, buildings
 
 

@@ -99,14 +99,14 @@ class LoopReport(unittest.TestCase):
 
     def test_errors_are_those_of_the_stored_series(self):
         row = next(row for row in self.loop.judged_errors() if row.channel == "gas")
-        series = self.loop.series("gas")
+        series = self.loop.series["gas"]
         error = series.residual(result.AFTER)
         self.assertAlmostEqual(row.error[result.AFTER], 100 * np.sqrt(np.nanmean(error**2))
                                / np.nanmean(series.measured))
         row = next(row for row in self.loop.judged_errors() if row.channel == "air")
         self.assertEqual(row.unit, "K")
         self.assertAlmostEqual(row.bias[result.PLAIN],
-                               np.nanmean(self.loop.series("air").residual(result.PLAIN)))
+                               np.nanmean(self.loop.series["air"].residual(result.PLAIN)))
 
     def test_the_first_paragraph_names_effects_errors_and_what_is_left(self):
         lead = self.page.text[:1500]

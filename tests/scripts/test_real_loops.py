@@ -27,9 +27,8 @@ def printed_of(file):
     loader.exec_module(script)
     script.GROUPINGS = {name: script.GROUPINGS[name] for name in ("one", "weekend")}
     script.CHANGE_POINTS = (1,)
-    sys.argv = ["change_point_baseline", str(file)]
     with contextlib.redirect_stdout(io.StringIO()) as printed:
-        script.main()
+        script.compare_all(file)
     return printed.getvalue()
 
 
