@@ -194,7 +194,7 @@ void add_parameters(const LoopData& data, Place& place) {
 
 /// The job's series that effects may follow.
 void add_columns_of_job(const LoopData& data, const physics::Drive& drive,
-                 effects::Surroundings& around) {
+                        effects::Surroundings& around) {
     const auto& profiles = data.building.profiles;
     for (std::size_t p = 0; p < profiles.size(); ++p) {
         if (std::ranges::find(data.options.columns, profiles[p].name) ==

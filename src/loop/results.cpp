@@ -43,8 +43,7 @@ std::vector<std::vector<double>> hours_of(
     Place place = make_place(data, standing.model.structure, drive);
     if (!standing.model.effects.empty())
         know_loads(place, baseline.chosen, baseline.place.surroundings->model);
-    if (!functions.empty())
-        add_columns(functions, function_drivers(data, place), place);
+    if (!functions.empty()) add_columns(functions, function_drivers(data, place), place);
     for (kernel::Channel& channel : place.channels)
         channel.interval = physics::Interval::hourly;
     const BuiltModel built = build(place, standing.model.effects);

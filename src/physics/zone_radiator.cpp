@@ -55,7 +55,8 @@ StepResult RadiatorRun::advance(const Drive& drive, int step, HourDrive hour,
     RadiatorHeat heat;
     for (int pass = 0; pass < 2; ++pass) {
         elements_ = before;
-        heat = physics::advance(radiator_->radiator, around, drive.axis.step_s, elements_);
+        heat =
+            physics::advance(radiator_->radiator, around, drive.axis.step_s, elements_);
         hour.phi_convective = heat.convective;
         hour.phi_radiant = heat.radiative;
         result = room(hour);

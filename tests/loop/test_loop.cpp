@@ -19,6 +19,7 @@ LoopOptions quick() {
     options.block_days = 7;
     options.try_structures = false;
     options.generic = false;
+    options.functions = false;
     return options;
 }
 
