@@ -52,6 +52,11 @@ def effect_rows(loop):
             for effect in loop.effects]
 
 
+def function_rows(loop):
+    return [{"name": function.name, "size": words.number(function.size), "unit": function.unit,
+             "evidence": words.number(function.evidence)} for function in loop.functions]
+
+
 def step_rows(loop):
     return [{"effect": step.effect, "gain": words.number(step.gain),
              "needed": words.number(step.threshold), "score": words.number(step.score),
@@ -73,6 +78,7 @@ def contents(loop):
         study=loop, words=words, structure_words=words.structure(loop),
         lead=" ".join([words.found(loop), words.judged(loop), words.unexplained(loop)]),
         errors=error_rows(loop), error_picture=pictures.errors(loop), effects=effect_rows(loop),
+        functions=function_rows(loop),
         channels=channels, parameters=parameter_rows(loop),
         parameter_picture=pictures.parameters(loop), alarm_picture=pictures.alarms(loop),
         steps=step_rows(loop), ranking=ranking, power=power[:MOST_POWER_ROWS],

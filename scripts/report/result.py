@@ -50,6 +50,8 @@ EFFECT = {"name": text("effect"), "hook": text("effect_hook"), "driver": text("e
           "most": number("effect_most"), "gain": number("effect_gain"),
           "adequate": number("effect_adequate"), "doubt": text("effect_doubt"),
           "separates": text("effect_separates"), "class_in_words": text("effect_class")}
+FUNCTION = {"name": text("function"), "size": number("function_size"), "unit": text("function_unit"),
+            "evidence": number("function_evidence")}
 MEMBER = {"name": text("effect_class_member"), "effect": number("effect_class_of")}
 POWER = {"effect": text("power_effect"), "detectability": number("power_detectability"),
          "visibility": number("power_visibility"), "alias": text("power_alias"),
@@ -182,7 +184,7 @@ class Loop:
         self.power, self.decisions = power_in(group), decisions_in(group)
         self.channels = [channel.name for channel in self.of_channels]
         self.parameters = [parameter.name for parameter in self.of_parameters]
-        self.effects = effects_in(group)
+        self.effects, self.functions = effects_in(group), rows_in(group, FUNCTION)
         self.periods, self.resolutions, self.metrics, self.hooks, self.drivers = (
             texts_of(group, name)
             for name in ("period", "resolution", "metric", "hook", "driver"))

@@ -69,11 +69,20 @@ def found_one(effect):
         (f"; or else {listed(effect.others, 'or')}" if effect.others else "") + ")"
 
 
+def functions(loop):
+    """What is laid to functions without a name, the one with the most evidence first."""
+    if not loop.functions:
+        return ""
+    names = [function.name for function in sorted(loop.functions, key=lambda one: -one.evidence)]
+    shown = listed(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
+    return f" Of what is left, a part follows {shown}: that says where and when, not why."
+
+
 def found(loop):
     """What was found."""
     if not loop.effects:
         return f"No effect was found that the description of {loop.building} lacks: no candidate " \
-               "predicted better what was kept from it."
+               "predicted better what was kept from it." + functions(loop)
     n = len(loop.effects)
     text = ("One effect was" if n == 1 else f"{in_words(n)} effects were") + \
         f" found that the description of {loop.building} lacks: " + \
@@ -83,7 +92,7 @@ def found(loop):
     unsure = [effect.name + (f" ({effect.doubt})" if effect.doubt else "")
               for effect in loop.effects if not effect.is_adequate]
     return text + (f" Not adequate, the name only the nearest one: {listed(unsure)}."
-                   if unsure else "")
+                   if unsure else "") + functions(loop)
 
 
 def change_of(row, since, until):
@@ -114,9 +123,10 @@ def changes(rows, since, until):
 def judged(loop):
     """What the effects did to the errors where the model was judged."""
     rows = loop.judged_errors()
-    if not rows or not loop.effects:
+    n = len(loop.effects) + len(loop.functions)
+    if not rows or n == 0:
         return "" if rows else "No channel has readings, so that there is no error."
-    where = f"With {'it' if len(loop.effects) == 1 else 'them'}, in {loop.judged}, which " \
+    where = f"With {'it' if n == 1 else 'them'}, in {loop.judged}, which " \
         "the search has not seen, " if loop.has_held_out else \
         "No readings were held out, so that nothing here shows how well the model predicts; in " \
         "training, where any effect lowers it, "
