@@ -135,6 +135,7 @@ class Model {
 
     void join(Block& block) {
         std::vector<std::vector<MatrixXd>> row;
+        row.reserve(joined_.size() + 1);
         for (Block* other : joined_)
             row.push_back(products(data_, block.columns, other->columns));
         row.push_back(products(data_, block.columns, block.columns));

@@ -131,6 +131,7 @@ void Remainder::add(const FoundFunction& function, Series& readings) const {
 
 std::vector<functions::Pair> Remainder::pairs() const {
     std::vector<functions::Pair> pairs;
+    pairs.reserve(n_pairs());
     for (std::size_t id = 0; id < n_pairs(); ++id)
         pairs.push_back({id, effects::is_at_a_meter(hook_of(id).hook)
                                  ? log_odds_of_meter
