@@ -19,14 +19,13 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::MatrixXf;
 using Eigen::VectorXd;
-using Eigen::VectorXf;
 
 constexpr double least_precision = 1e-6;  ///< of a parameter without a prior [1/sd^2]
 constexpr double most_variance = 4;       ///< of a function: twice the typical size
 constexpr double least_scatter = 0.01;    ///< below it errors would be opposite
 constexpr double least_variance = 1e-6;   ///< below which it is nothing
 
-/// A pair with its white columns, and their products with all that have been asked for.
+/// A pair with its columns, and their products with all that have been asked for.
 struct Block {
     std::size_t id = 0;
     double log_odds = 0;
@@ -270,7 +269,7 @@ class Model {
             }
     }
 
-    /// Fall of the squared white residuals of folds that were left out, next to none.
+    /// Fall of the weighed squares of folds that were left out, next to none.
     double score() const {
         double fall = 0;
         for (std::size_t f = 0; f < data_.n_folds(); ++f) {
@@ -351,10 +350,6 @@ class Model {
     std::vector<std::vector<MatrixXd>> rights_;              ///< [i][fold]
 };
 
-}  // namespace
-
-namespace {
-
 /// Pairs that bring more than is asked of them, seen from the parameters alone; only the
 /// most promising, so that few columns are held at once.
 std::vector<std::unique_ptr<Block>> promising(const Model& model,
@@ -417,10 +412,8 @@ Path search_functions(const WeighedData& data, const std::vector<Pair>& pairs,
         Block* next = best_of(model, blocks, judged);
         if (next == nullptr) break;
         judged.push_back(next);
-        const double evidence = next->evidence;
         model.join(*next);
         const double with = model.score();
-        path.steps.push_back({next->id, evidence, with - score, with > score});
         if (with > score) {
             model.settle();
             score = model.score();

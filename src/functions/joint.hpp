@@ -4,7 +4,6 @@
 
 #include <array>
 #include <functional>
-#include <string>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -56,13 +55,6 @@ struct Stage {
 /// How the search went.
 struct Path {
     std::vector<Stage> stages;  ///< the first is without any function
-    struct Step {
-        std::size_t id;
-        double evidence;  ///< log marginal likelihood that it brought
-        double score;     ///< fall of the weighed squares of unseen folds
-        bool is_taken;
-    };
-    std::vector<Step> steps;  ///< in the order in which pairs were judged
 };
 
 struct SearchOptions {

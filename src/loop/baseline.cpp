@@ -136,6 +136,21 @@ double prior_pull(const Standing& standing) {
 
 }  // namespace
 
+std::vector<double> values_in(const BuiltModel& built, const Standing& standing) {
+    std::vector<double> values(built.unknowns.size(), 0.0);
+    const std::size_t n = std::min(values.size(), standing.fit.at.x.size());
+    for (std::size_t k = 0; k < n; ++k)
+        values[k] = built.unknowns[k].within(standing.fit.at.x[k]);
+    return values;
+}
+
+physics::Building building_at(const BuiltModel& built,
+                              const std::vector<double>& values) {
+    physics::Building building = built.placed->building;
+    physics::apply(built.placed->building, built.parameters, values, building);
+    return building;
+}
+
 void refit(const LoopData& data, Standing& standing, std::vector<double> start,
            const study::FitOptions& options) {
     standing.fit = study::fit(

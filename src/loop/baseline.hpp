@@ -23,6 +23,12 @@ struct Standing {
     }
 };
 
+/// The unknowns of a model where a standing one has them, those that it lacks 0, in the
+/// parameters' units. [unknowns of the model]
+std::vector<double> values_in(const BuiltModel& built, const Standing& standing);
+/// The model's building with its parameters at these values.
+physics::Building building_at(const BuiltModel& built, const std::vector<double>& values);
+
 /// Fits the model that is built, by its noise, from a start; residuals where it went
 /// well.
 void refit(const LoopData& data, Standing& standing, std::vector<double> start,

@@ -45,25 +45,9 @@ std::vector<effects::Effect> hooks_of(const LoopData& data) {
 
 /// The standing model with a hook moved: buildings that bring more and less.
 struct MovedModel {
-    effects::Effect hook;
     BuiltModel built;
     physics::Building more, less;
-    double size = 0;
 };
-
-std::vector<double> values_with(const BuiltModel& built, const Standing& standing) {
-    std::vector<double> values(built.unknowns.size(), 0.0);
-    for (std::size_t k = 0; k < standing.fit.at.x.size(); ++k)
-        values[k] = standing.built.unknowns[k].within(standing.fit.at.x[k]);
-    return values;
-}
-
-physics::Building with_values(const BuiltModel& built,
-                              const std::vector<double>& values) {
-    physics::Building building = built.placed->building;
-    physics::apply(built.placed->building, built.parameters, values, building);
-    return building;
-}
 
 /// nullptr where the building has no such hook, or it cannot move both ways.
 std::unique_ptr<MovedModel> moved_model(const Place& place, const Standing& standing,
@@ -72,17 +56,15 @@ std::unique_ptr<MovedModel> moved_model(const Place& place, const Standing& stan
     all.push_back(hook);
     try {
         auto moved = std::make_unique<MovedModel>();
-        moved->hook = hook;
         moved->built = build(place, all);
         const physics::Parameter& coefficient = moved->built.parameters.back();
         const double by = moved_share * hook.typical;
         if (coefficient.least > -by || coefficient.most < by) return nullptr;
-        std::vector<double> values = values_with(moved->built, standing);
+        std::vector<double> values = values_in(moved->built, standing);
         values.back() = by;
-        moved->more = with_values(moved->built, values);
+        moved->more = building_at(moved->built, values);
         values.back() = -by;
-        moved->less = with_values(moved->built, values);
-        moved->size = moved_share;
+        moved->less = building_at(moved->built, values);
         return moved;
     } catch (const CannotSimulate&) {
         return nullptr;
@@ -94,7 +76,7 @@ std::unique_ptr<MovedModel> moved_model(const Place& place, const Standing& stan
 LinearModel linear_model(const LoopData& data, const Place& place,
                          const Standing& standing) {
     const BuiltModel built = build(place, standing.model.effects);
-    const physics::Building base = with_values(built, values_with(built, standing));
+    const physics::Building base = building_at(built, values_in(built, standing));
     std::vector<std::unique_ptr<MovedModel>> models;
     std::vector<functions::Moved> moved;
     LinearModel linear;
@@ -102,7 +84,7 @@ LinearModel linear_model(const LoopData& data, const Place& place,
         auto model = moved_model(place, standing, hook);
         if (!model) continue;
         moved.push_back(
-            {&model->more, &model->less, &model->built.placed->drive, model->size});
+            {&model->more, &model->less, &model->built.placed->drive, moved_share});
         linear.hooks.push_back(hook);
         models.push_back(std::move(model));
     }

@@ -12,15 +12,6 @@
 namespace bemcal::loop {
 namespace {
 
-physics::Building calibrated_building(const BuiltModel& built, const Standing& standing) {
-    std::vector<double> values(built.unknowns.size());
-    for (std::size_t k = 0; k < values.size(); ++k)
-        values[k] = built.unknowns[k].within(standing.fit.at.x[k]);
-    physics::Building building = built.placed->building;
-    physics::apply(built.placed->building, built.parameters, values, building);
-    return building;
-}
-
 /// Sums over zones. The warm-up, of which no trajectory tells, repeats the first steps.
 std::vector<double> on_all_steps(const physics::Trajectory& trajectory,
                                  std::vector<double> physics::ZoneTrajectory::* power,
@@ -40,8 +31,8 @@ void know_loads(Place& place, const Standing& calibrated) {
     const BuiltModel built = build(place, {});
     effects::ModelSeries& series = place.surroundings->model;
     try {
-        const auto trajectory = physics::simulate(calibrated_building(built, calibrated),
-                                                  built.placed->drive);
+        const auto trajectory = physics::simulate(
+            building_at(built, values_in(built, calibrated)), built.placed->drive);
         series.heating = on_all_steps(trajectory, &physics::ZoneTrajectory::heating,
                                       built.placed->drive);
         series.cooling = on_all_steps(trajectory, &physics::ZoneTrajectory::cooling,
