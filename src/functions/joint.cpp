@@ -48,6 +48,7 @@ std::vector<MatrixXd> products(const WeighedData& data, const MatrixXf& a,
                                const MatrixXf& b) {
     std::vector<MatrixXd> by_fold;
     by_fold.assign(data.n_folds(), MatrixXd::Zero(a.cols(), b.cols()));
+    if (a.cols() == 0 || b.cols() == 0) return by_fold;
     for (std::size_t block = 0; block < data.fold.size(); ++block) {
         const long from = data.first_row[block], n = data.first_row[block + 1] - from;
         by_fold[data.fold[block]] +=
@@ -59,6 +60,7 @@ std::vector<MatrixXd> products(const WeighedData& data, const MatrixXf& a,
 /// [columns x blocks] products with what the model leaves.
 MatrixXd scores_of(const WeighedData& data, const MatrixXf& columns) {
     MatrixXd scores(columns.cols(), static_cast<long>(data.fold.size()));
+    if (columns.cols() == 0) return scores;
     for (std::size_t block = 0; block < data.fold.size(); ++block) {
         const long from = data.first_row[block], n = data.first_row[block + 1] - from;
         scores.col(static_cast<long>(block)) =
