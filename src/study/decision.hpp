@@ -10,12 +10,14 @@ namespace bemcal::study {
 enum class DecisionKind {
     data,       ///< readings or a column of weather
     one_class,  ///< an effect that readings cannot tell from parameters
-    period      ///< what was not predicted there
+    period,     ///< what was not predicted there
+    parameter   ///< where a calibration ended
 };
 constexpr const char* name_of(DecisionKind kind) {
     return kind == DecisionKind::data        ? "data"
            : kind == DecisionKind::one_class ? "class"
-                                             : "period";
+           : kind == DecisionKind::period    ? "period"
+                                             : "parameter";
 }
 
 struct DataDecision {

@@ -171,3 +171,27 @@ TEST(Loop, ABuildingWithoutReadingsIsRefusedByName) {
     const std::vector<Case> buildings = {windy_case()};
     EXPECT_THROW(make_loop("loop", buildings, {}), std::invalid_argument);
 }
+
+/// What is said of where a parameter ended; "" where nothing is.
+std::string end_stated_of(const std::string& parameter,
+                          const std::vector<Dataset>& datasets) {
+    const auto& series = test::find(datasets, "decision_series").texts;
+    const auto& kinds = test::find(datasets, "decision_kind").texts;
+    for (std::size_t k = 0; k < series.size(); ++k)
+        if (series[k] == parameter && kinds[k] == "parameter")
+            return test::find(datasets, "decision_finding").texts[k];
+    return "";
+}
+
+// The readings are of a building that leaks more than its range allows.
+TEST(Loop, SaysWhichParametersEndAtTheEndOfTheirRange) {
+    Case made = windy_case();
+    measure(made, named("wind infiltration"), 0, 3);
+    const std::string name = made.parameters[0].name;
+    EXPECT_EQ(end_stated_of(name, searched(made)), "");
+    physics::Parameter& parameter = made.parameters[0];
+    parameter.most = made.priors[0].prior.most = 0.9 * parameter.nominal;
+    made.priors[0].prior.a = 0.8 * parameter.nominal;
+    const std::string said = end_stated_of(name, searched(made));
+    EXPECT_NE(said.find("at the upper end of its range"), std::string::npos) << said;
+}
