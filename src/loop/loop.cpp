@@ -89,6 +89,10 @@ class Search {
         const std::size_t newest = chosen.standing.model.effects.size() - 1;
         const std::string name = chosen.effect.name;
         result_.last = refine_shape(data_, place, std::move(chosen.standing), newest);
+        if (start_again(data_, place, result_.last)) {
+            result_.log.push_back({name, "calibrated anew with it", 0, 0, 0, {}});
+            result_.last = refine_shape(data_, place, std::move(result_.last), newest);
+        }
         if (result_.hours_late == 0)
             late_clock_ = late_clock_in_place_of(data_, result_.last, newest);
         if (late_clock_) return false;

@@ -24,6 +24,14 @@ double earliest(const effects::Effect& effect) {
     return effect.driver == effects::Driver::elapsed ? two_weeks : -1e9;
 }
 
+/// Hours of a set-point that is kept: what is shorter is the plant's start, which a model
+/// of the hour has not.
+constexpr double least_window = 3;
+
+double hours_within(const effects::Shape& shape) {
+    return std::fmod(shape.until - shape.at + 24, 24);
+}
+
 /// The effect with one of its thresholds, dates or hours moved.
 std::vector<effects::Effect> moved_shapes(const effects::Effect& effect, double part) {
     std::vector<effects::Effect> moved;
@@ -49,6 +57,9 @@ std::vector<effects::Effect> moved_shapes(const effects::Effect& effect, double 
             });
         }
     }
+    std::erase_if(moved, [](const effects::Effect& one) {
+        return is_set_point_window(one) && hours_within(one.shape) < least_window;
+    });
     return moved;
 }
 
@@ -95,6 +106,14 @@ bool is_dated(const effects::Effect& effect) {
            effect.driver == effects::Driver::elapsed;
 }
 
+bool is_set_point_window(const effects::Effect& effect) {
+    using effects::Hook;
+    return (effect.hook == Hook::heating_set_point ||
+            effect.hook == Hook::cooling_set_point) &&
+           effect.driver == effects::Driver::hour &&
+           effect.shape.form == effects::Form::within;
+}
+
 bool is_at_an_end(const LoopData& data, const effects::Effect& effect) {
     const study::Period& training = data.training();
     const std::chrono::duration<double, std::chrono::years::period> years =
@@ -118,6 +137,19 @@ Standing with_best_shape(const LoopData& data, const Place& place, Standing stan
         }
     }
     return standing;
+}
+
+bool start_again(const LoopData& data, const Place& place, Standing& standing) {
+    std::vector<double> start(standing.fit.at.x.size(), 0.0);
+    // At a middling size at least: a coefficient that the parameters have left little of.
+    for (std::size_t k = standing.built.first_effect(); k < start.size(); ++k)
+        start[k] = std::copysign(std::max(std::abs(standing.fit.at.x[k]), 1.0),
+                                 standing.fit.at.x[k]);
+    Standing again = calibrate(data, place, standing.model, std::move(start));
+    if (again.fit.failed || evidence(data, standing, again) <= least_evidence)
+        return false;
+    standing = std::move(again);
+    return true;
 }
 
 Standing refine_shape(const LoopData& data, const Place& place, Standing standing,

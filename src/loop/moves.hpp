@@ -14,6 +14,11 @@ namespace bemcal::loop {
 /// which something else would seem to explain.
 bool is_dated(const effects::Effect& effect);
 
+/// Whether it is a set-point in some hours of the day. Its hours move before it is
+/// judged: controllers know any. What others bring in some hours the model's mornings
+/// have, too.
+bool is_set_point_window(const effects::Effect& effect);
+
 /// Whether a step stands in the first or the last two weeks of training: the first owe
 /// much to a state that nobody knows, and the last are too few to say what goes on.
 bool is_at_an_end(const LoopData& data, const effects::Effect& effect);
@@ -21,6 +26,11 @@ bool is_at_an_end(const LoopData& data, const effects::Effect& effect);
 /// The model with the effect's thresholds and dates at their best values, by its noise.
 Standing with_best_shape(const LoopData& data, const Place& place, Standing standing,
                          std::size_t effect);
+
+/// Calibrated anew from the prior's means with its effects in place, where that explains
+/// more: without an effect parameters went to where they stood for it, and a fit from
+/// there may end beside it. Says whether it did.
+bool start_again(const LoopData& data, const Place& place, Standing& standing);
 
 /// The same with the noise that it leaves.
 Standing refine_shape(const LoopData& data, const Place& place, Standing standing,

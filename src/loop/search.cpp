@@ -211,21 +211,22 @@ void finish(const LoopData& data, const Standing& before, Refitted& candidate) {
     drop_derivatives(standing);
 }
 
-/// Whether other dates may make a candidate the best.
+/// Whether other dates or hours may make a candidate the best.
 bool may_lead_by_dates(const Refitted& candidate, double best_gain) {
     constexpr double least_share_of_best = 0.3;  ///< of its evidence
     constexpr double least_evidence = 100;       ///< of deviance
-    return candidate.effect.is_named() && is_dated(candidate.effect) &&
+    return candidate.effect.is_named() &&
+           (is_dated(candidate.effect) || is_set_point_window(candidate.effect)) &&
            candidate.gain > std::max(least_share_of_best * best_gain, least_evidence);
 }
 
-/// Moves the dates of what may lead by others, once for each name: the catalogue has a
-/// few dates only, where runs of days are picked to the day.
+/// Moves the dates and hours of what may lead by others, once for each name: the
+/// catalogue has a few only, where runs of days are picked to the day.
 void move_dates(const LoopData& data, const Place& place, const Standing& before,
                 std::vector<Refitted>& ranking, std::size_t n_judged) {
     constexpr std::size_t most_names = 3;
     static const double price_of_dates =
-        2 * 2 * std::log(28.0);  ///< two, of four weeks' days
+        2 * 2 * std::log(28.0);  ///< two, of four weeks' days, or of a day's hours
     std::vector<std::string> done;
     const double best_gain = ranking.empty() ? 0 : ranking[0].gain;
     for (std::size_t k = 0; k < n_judged && done.size() < most_names; ++k) {

@@ -2,6 +2,7 @@
 #include "loop/windy_model.hpp"
 
 #include <chrono>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -128,6 +129,75 @@ TEST(LoopMoves, DatesMoveToTheDay) {
     EXPECT_GT(evidence(data, standing, moved), 10);
     EXPECT_TRUE(is_dated(season));
     EXPECT_FALSE(is_dated(named("wind infiltration")));
+}
+
+// A controller may know any hours: the catalogue's six windows are where moves begin.
+TEST(LoopMoves, HoursOfASetPointMove) {
+    effects::Effect evening = named("heating set-point of some hours");
+    evening.shape = {effects::Form::within, 16, 23};
+    Case made = windy_case();
+    measure(made, evening, 2, 3);
+    evening.shape = {effects::Form::within, 15, 21};
+    const LoopData data(made, Model::options());
+    const Place place = make_place(data, {}, data.drive);
+    const Standing standing =
+        calibrate(data, place, {{}, {evening}},
+                  std::vector<double>(place.unknowns.size() + 1, 0.0));
+    const Standing moved = with_best_shape(data, place, standing, 0);
+    EXPECT_NEAR(moved.model.effects[0].shape.at, 16, 0.5);
+    EXPECT_NEAR(moved.model.effects[0].shape.until, 23, 0.5);
+    EXPECT_NEAR(moved.coefficient(0), 2, 0.3);
+    EXPECT_TRUE(is_set_point_window(evening));
+    EXPECT_FALSE(is_set_point_window(named("exhaust fan")));
+    EXPECT_FALSE(is_set_point_window(named("heating set-point of a season")));
+}
+
+// What is set for less than three hours is the plant's start: windows do not shrink
+// there.
+TEST(LoopMoves, ASetPointIsKeptForThreeHours) {
+    effects::Effect morning = named("heating set-point of some hours");
+    morning.shape = {effects::Form::within, 6, 7.5};
+    Case made = windy_case();
+    measure(made, morning, 4, 3);
+    morning.shape = {effects::Form::within, 5, 8.25};
+    const LoopData data(made, Model::options());
+    const Place place = make_place(data, {}, data.drive);
+    const Standing standing =
+        calibrate(data, place, {{}, {morning}},
+                  std::vector<double>(place.unknowns.size() + 1, 0.0));
+    const effects::Shape shape =
+        with_best_shape(data, place, standing, 0).model.effects[0].shape;
+    EXPECT_GE(shape.until - shape.at, 3);
+    // Through midnight, too.
+    effects::Effect night = morning;
+    night.shape = {effects::Form::within, 22, 1.5};
+    const Standing late = calibrate(data, place, {{}, {night}},
+                                    std::vector<double>(place.unknowns.size() + 1, 0.0));
+    const effects::Shape moved =
+        with_best_shape(data, place, late, 0).model.effects[0].shape;
+    EXPECT_GE(std::fmod(moved.until - moved.at + 24, 24), 3);
+}
+
+// Parameters that stand for an effect hold a fit that starts from them: half of what is
+// there, in another valley.
+TEST(LoopMoves, AFitThatStartsAgainIsKeptWhereItExplainsMore) {
+    Case made = windy_case();
+    measure(made, named("wind infiltration"), 0.08, 3);
+    const LoopData data(made, Model::options());
+    const Place place = make_place(data, {}, data.drive);
+    const std::vector<effects::Effect> effects = {named("wind infiltration")};
+    const Standing best = calibrate(data, place, {{}, effects},
+                                    std::vector<double>(place.unknowns.size() + 1, 0.0));
+    Standing same = best;
+    EXPECT_FALSE(start_again(data, place, same));
+    EXPECT_EQ(same.fit.at.x, best.fit.at.x);
+    Standing stuck = best;
+    std::vector<double> elsewhere = best.fit.at.x;
+    for (double& x : elsewhere) x += 1.5;
+    refit(data, stuck, elsewhere, {0, 0});
+    ASSERT_GT(evidence(data, stuck, best), 10);
+    EXPECT_TRUE(start_again(data, place, stuck));
+    EXPECT_NEAR(stuck.coefficient(0), best.coefficient(0), 0.01);
 }
 
 // Plant and use follow another day to the same degree: either half may leave, and the
