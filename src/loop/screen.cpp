@@ -15,72 +15,66 @@
 #include <cmath>
 #include <optional>
 
-#include <Eigen/Dense>
-
 namespace bemcal::loop {
 namespace {
 
 constexpr std::array amplitudes = {1.0, -1.0, 0.25, -0.25};  ///< of the typical size
 
-using Eigen::VectorXd;
-using ConstVector = Eigen::Map<const VectorXd>;
-
-ConstVector vector_of(std::span<const double> values) {
-    return {values.data(), static_cast<long>(values.size())};
-}
-
 /// What does not change from candidate to candidate.
 struct Tangent {
     Tangent(const LoopData& data, const Standing& standing,
             const std::vector<char>& bound)
-        : predicted(vector_of(standing.fit.at.predicted)),
-          derivatives(standing.fit.at.derivatives.values.data(),
-                      static_cast<long>(standing.fit.at.derivatives.rows),
-                      static_cast<long>(standing.fit.at.derivatives.cols)) {
-        const auto of_readings = weights_of(data.targets, standing.noise);
-        weights = vector_of(of_readings);
-        weighed = weights.cwiseProduct(vector_of(standing.residuals));
-        weighed_derivatives = derivatives * weights.asDiagonal();
-        const auto equations = stats::normal_equations(standing.fit.at.derivatives,
-                                                       standing.residuals, of_readings);
-        std::vector<double> diagonal = study::prior_diagonal(standing.built.unknowns);
+        : weights(weights_of(data.targets, standing.noise)),
+          equations(stats::normal_equations(standing.fit.at.derivatives,
+                                            standing.residuals, weights)),
+          diagonal(study::prior_diagonal(standing.built.unknowns)) {
         for (double& entry : diagonal) entry += 1e-6;
-        const Matrix covariance = stats::inverse(equations.matrix, diagonal, bound);
-        inverse = Eigen::Map<const RowMajor>(covariance.values.data(), derivatives.rows(),
-                                             derivatives.rows());
+        inverse = stats::inverse(equations.matrix, diagonal, bound);
     }
 
-    using RowMajor =
-        Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    ConstVector predicted;
-    Eigen::Map<const RowMajor> derivatives;  ///< [unknowns x targets]
-    RowMajor weighed_derivatives;
-    VectorXd weights, weighed;  ///< [targets]; the last: residuals times weights
-    RowMajor inverse;
+    std::vector<double> times_inverse(std::span<const double> vector) const {
+        std::vector<double> product(vector.size(), 0.0);
+        for (std::size_t i = 0; i < product.size(); ++i)
+            for (std::size_t j = 0; j < product.size(); ++j)
+                product[i] += inverse(i, j) * vector[j];
+        return product;
+    }
+
+    std::vector<double> weights;
+    stats::NormalEquations equations;
+    std::vector<double> diagonal;
+    Matrix inverse;
 };
+
+double dot(std::span<const double> a, std::span<const double> b) {
+    double sum = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) sum += a[k] * b[k];
+    return sum;
+}
 
 /// A secant of a candidate: what one unit of its coefficient does to the predictions.
 struct Secant {
-    VectorXd per_unit;
-    VectorXd followed;  ///< by how much the other unknowns follow it
-    double with_itself = 0;
+    std::vector<double> per_unit;
+    stats::Bordered sums;
+    std::vector<double> followed;  ///< by how much the other unknowns follow it
     double U = 0, I = 0;
 
     double coefficient() const { return I > 0 ? U / I : 0; }
-    double own_share() const { return I / with_itself; }
+    double own_share() const { return I / sums.with_itself; }
     double gain_at(double c) const { return 2 * c * U - c * c * I; }
 };
 
-Secant secant_of(const Tangent& tangent, std::span<const double> predicted,
-                 double amplitude) {
+Secant secant_of(const Standing& standing, const Tangent& tangent,
+                 std::span<const double> predicted, double amplitude) {
     Secant secant;
-    secant.per_unit = (vector_of(predicted) - tangent.predicted) / amplitude;
-    secant.with_itself =
-        secant.per_unit.dot(tangent.weights.cwiseProduct(secant.per_unit));
-    const VectorXd with_others = tangent.weighed_derivatives * secant.per_unit;
-    secant.followed = tangent.inverse * with_others;
-    secant.U = secant.per_unit.dot(tangent.weighed);
-    secant.I = secant.with_itself - with_others.dot(secant.followed);
+    secant.per_unit.resize(predicted.size());
+    for (std::size_t k = 0; k < predicted.size(); ++k)
+        secant.per_unit[k] = (predicted[k] - standing.fit.at.predicted[k]) / amplitude;
+    secant.sums = stats::bordered(standing.fit.at.derivatives, secant.per_unit,
+                                  standing.residuals, tangent.weights);
+    secant.followed = tangent.times_inverse(secant.sums.with_others);
+    secant.U = secant.sums.with_residual;
+    secant.I = secant.sums.with_itself - dot(secant.sums.with_others, secant.followed);
     return secant;
 }
 
@@ -98,13 +92,25 @@ double within(double coefficient, double amplitude, double most) {
                          amplitude);
 }
 
-std::vector<double> scores_by_block(const LoopData& data, const Tangent& tangent,
-                                    const VectorXd& own) {
+/// The part of the signature that the other unknowns cannot follow.
+std::vector<double> own_part(const Standing& standing, const Secant& secant) {
+    std::vector<double> own = secant.per_unit;
+    const Matrix& J = standing.fit.at.derivatives;
+    for (std::size_t j = 0; j < J.rows; ++j) {
+        const auto row = J.row(j);
+        for (std::size_t k = 0; k < own.size(); ++k)
+            own[k] -= secant.followed[j] * row[k];
+    }
+    return own;
+}
+
+std::vector<double> scores_by_block(const LoopData& data, const Standing& standing,
+                                    const Tangent& tangent, std::span<const double> own) {
     std::vector<double> scores(
         static_cast<std::size_t>(1 + *std::ranges::max_element(data.blocks)), 0.0);
-    for (long k = 0; k < own.size(); ++k)
-        scores[static_cast<std::size_t>(data.blocks[static_cast<std::size_t>(k)])] +=
-            own[k] * tangent.weighed[k];
+    for (std::size_t k = 0; k < own.size(); ++k)
+        scores[static_cast<std::size_t>(data.blocks[k])] +=
+            own[k] * tangent.weights[k] * standing.residuals[k];
     return scores;
 }
 
@@ -121,19 +127,18 @@ Matrix points_of(const Standing& standing, const effects::Effect& effect,
     return points;
 }
 
-Screened judged(const LoopData& data, const Tangent& tangent,
+Screened judged(const LoopData& data, const Standing& standing, const Tangent& tangent,
                 const effects::Effect& effect, const Secant& secant, double amplitude,
                 Keep keep) {
     Screened screened{effect, 0, 0, secant.I, {}, {}, {}, 0};
     screened.coefficient = within(secant.coefficient(), amplitude, furthest(effect));
     screened.gain = secant.gain_at(screened.coefficient);
-    const VectorXd own =
-        secant.per_unit - tangent.derivatives.transpose() * secant.followed;
-    screened.by_block = scores_by_block(data, tangent, own);
+    std::vector<double> own = own_part(standing, secant);
+    screened.by_block = scores_by_block(data, standing, tangent, own);
     if (keep != Keep::gains) {
-        const VectorXd bias = secant.followed * effect.typical;
-        screened.bias.assign(bias.begin(), bias.end());
-        screened.signature.assign(own.begin(), own.end());
+        screened.bias = secant.followed;
+        for (double& bias : screened.bias) bias *= effect.typical;
+        screened.signature = std::move(own);
     }
     return screened;
 }
@@ -159,8 +164,8 @@ std::optional<Screened> screen_one(const LoopData& data, const Place& place,
         if (!is_plausible_sign(effect, amplitude) || std::isnan(predicted(a, 0)))
             continue;
         if (keep == Keep::of_typical && a > 0) break;
-        Secant secant = secant_of(tangent, predicted.row(a), amplitude);
-        if (!(secant.I > 1e-12 * secant.with_itself)) continue;
+        Secant secant = secant_of(standing, tangent, predicted.row(a), amplitude);
+        if (!(secant.I > 1e-12 * secant.sums.with_itself)) continue;
         const double gain =
             secant.gain_at(within(secant.coefficient(), amplitude, furthest(effect)));
         if (gain <= best_gain) continue;
@@ -168,14 +173,14 @@ std::optional<Screened> screen_one(const LoopData& data, const Place& place,
         best_secant = std::move(secant);
     }
     if (best_gain < 0) return std::nullopt;
-    Screened screened = judged(data, tangent, effect, best_secant,
+    Screened screened = judged(data, standing, tangent, effect, best_secant,
                                points(best, built.unknowns.size() - 1), keep);
     screened.visibility = best_secant.own_share();
     constexpr std::size_t small_amplitude = 2;  ///< its place among them
     if (keep == Keep::of_typical && !std::isnan(predicted(small_amplitude, 0))) {
-        const Secant secant = secant_of(tangent, predicted.row(small_amplitude),
+        const Secant secant = secant_of(standing, tangent, predicted.row(small_amplitude),
                                         points(small_amplitude, points.cols - 1));
-        if (secant.with_itself > 0) screened.visibility = secant.own_share();
+        if (secant.sums.with_itself > 0) screened.visibility = secant.own_share();
     }
     return screened;
 }
