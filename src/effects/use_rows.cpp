@@ -266,6 +266,11 @@ std::vector<Entry> clock_rows() {
     };
 }
 
+/// From where the hours of a set-point move on: every hour is in two.
+std::vector<Shape> windows_of_six_hours() {
+    return windows({{3, 9}, {6, 12}, {9, 15}, {12, 18}, {15, 21}, {18, 24}});
+}
+
 std::vector<Entry> set_point_rows() {
     return {
         {.effect = {.name = "heating curve",
@@ -289,7 +294,7 @@ std::vector<Entry> set_point_rows() {
                     .least = -4,
                     .most = 4,
                     .typical = 2},
-         .shapes = windows({{3, 9}, {6, 12}, {9, 15}, {12, 18}, {15, 21}, {18, 24}}),
+         .shapes = windows_of_six_hours(),
          .sentence = "Heating is set higher or lower in the same hours of every day.",
          .signature = "the error of heating has the hours of a window",
          .like = "no set-back at night, an early start",
@@ -302,7 +307,7 @@ std::vector<Entry> set_point_rows() {
                     .least = -4,
                     .most = 4,
                     .typical = 2},
-         .shapes = windows({{3, 9}, {6, 12}, {9, 15}, {12, 18}, {15, 21}, {18, 24}}),
+         .shapes = windows_of_six_hours(),
          .sentence = "Cooling is set higher or lower in the same hours of every day.",
          .signature = "the error of cooling has the hours of a window",
          .like = "demand response",

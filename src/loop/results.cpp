@@ -12,6 +12,7 @@
 #include "loop/late_clock.hpp"
 #include "loop/loads.hpp"
 #include "loop/stored_loop.hpp"
+#include "loop/unusual_end.hpp"
 #include "stats/metrics.hpp"
 #include "study/bias.hpp"
 
@@ -133,7 +134,7 @@ class Writer {
         effects_found();
         functions_found();
         power();
-        parameters_at_ends();
+        unusual_ends();
         fits();
         decisions();
         return {datasets_of(stage_, loop_, periods_), {summary()}};
@@ -259,33 +260,16 @@ class Writer {
         }
     }
 
-    /// A number that could not go on, or went where nobody expected it, may stand for
-    /// what the description lacks.
-    void parameters_at_ends() {
-        constexpr double far = 3;  ///< prior standard deviations
+    void unusual_ends() {
         const Standing& last = result_.last;
         for (std::size_t k = 0; k < last.built.first_effect(); ++k) {
             const study::FitUnknown& unknown = last.built.unknowns[k];
-            const double x = last.fit.at.x[k];
-            const bool is_lowest = x <= unknown.lowest(),
-                       is_highest = x >= unknown.highest();
-            const std::string value = fmt::format(
-                "{:.3g}{}{}", unknown.value(x), unknown.unit.empty() ? "" : " ",
-                unknown.unit == "-" ? "" : unknown.unit);
-            if (is_lowest || is_highest)
-                note_parameter(unknown.name,
-                               fmt::format("at the {} end of its range: {}",
-                                           is_lowest ? "lower" : "upper", value));
-            else if (unknown.has_prior && std::abs(x) > far)
-                note_parameter(
-                    unknown.name,
-                    fmt::format("{:.1f} prior sd from its mean: {}", std::abs(x), value));
+            std::string finding = unusual_end(unknown, last.fit.at.x[k]);
+            if (!finding.empty())
+                decisions_.push_back({unknown.name, std::move(finding),
+                                      "may stand for what the description lacks",
+                                      study::DecisionKind::parameter});
         }
-    }
-
-    void note_parameter(const std::string& name, const std::string& finding) {
-        decisions_.push_back({name, finding, "may stand for what the description lacks",
-                              study::DecisionKind::parameter});
     }
 
     /// Itself, at the same meter where it is at one, or as a name of what was found.

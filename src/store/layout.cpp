@@ -376,7 +376,8 @@ constexpr LayoutRow own_rows[] = {
     {"decision_action", "decision", text, "", "what was done about it"},
     {"decision_kind", "decision", text, "",
      "data: of readings or weather; class: an effect that they cannot tell from "
-     "parameters; period: what was not predicted there"},
+     "parameters; period: what was not predicted there; parameter: where a calibration "
+     "ended"},
     {"function", "function", text, "", "a function without a name: where, and of what"},
     {"function_hook", "function", text, "", "where it enters"},
     {"function_driver", "function", text, "", "what it follows"},

@@ -19,6 +19,29 @@ struct Model : test::WindyModel {
     Model() : WindyModel({"exhaust fan", "wind infiltration"}) {}
 };
 
+/// Readings of a building with an effect, and the fit of a model that has one, or another
+/// shape of it.
+struct Measured {
+    Measured(const effects::Effect& there, double coefficient)
+        : data(with(there, coefficient), Model::options()),
+          place(make_place(data, {}, data.drive)) {}
+    static Case with(const effects::Effect& there, double coefficient) {
+        Case made = windy_case();
+        measure(made, there, coefficient, 3);
+        return made;
+    }
+    Standing calibrated_with(const effects::Effect& effect) const {
+        return calibrate(data, place, {{}, {effect}},
+                         std::vector<double>(place.unknowns.size() + 1, 0.0));
+    }
+    effects::Effect best_shape_of(const effects::Effect& effect) const {
+        return with_best_shape(data, place, calibrated_with(effect), 0).model.effects[0];
+    }
+
+    LoopData data;
+    Place place;
+};
+
 std::vector<std::string> names_of(const std::vector<effects::Effect>& effects) {
     std::vector<std::string> names;
     for (const effects::Effect& effect : effects) names.push_back(effect.name);
@@ -92,15 +115,12 @@ TEST(LoopMoves, AStepAtAnEndOfTheReadingsLeaves) {
 TEST(LoopMoves, ShapesLeaveCoefficientsOpen) {
     Model model;
     EXPECT_EQ(deviation_over_shapes(model.data, model.place, model.standing, 1, 1), 0);
-    Case made = windy_case();
-    measure(made, named("exhaust fan on weekdays"), 1.5, 3);
-    const LoopData data(made, Model::options());
-    const Place place = make_place(data, {}, data.drive);
-    const Standing standing =
-        calibrate(data, place, {{}, {named("exhaust fan on weekdays")}},
-                  std::vector<double>(place.unknowns.size() + 1, 0.0));
-    const double exact = deviation_over_shapes(data, place, standing, 0, 1),
-                 open = deviation_over_shapes(data, place, standing, 0, 1000);
+    const Measured measured(named("exhaust fan on weekdays"), 1.5);
+    const Standing standing = measured.calibrated_with(named("exhaust fan on weekdays"));
+    const auto deviation = [&](double misfit) {
+        return deviation_over_shapes(measured.data, measured.place, standing, 0, misfit);
+    };
+    const double exact = deviation(1), open = deviation(1000);
     EXPECT_GE(exact, 0);
     EXPECT_GT(open, exact);
     EXPECT_LT(open, std::abs(standing.coefficient(0)));
@@ -117,16 +137,12 @@ TEST(LoopMoves, NothingLeavesThatCarriesMoreThanIsAsked) {
 TEST(LoopMoves, DatesMoveToTheDay) {
     effects::Effect season = named("heating set-point of a season");
     season.shape = {effects::Form::within, 128, 243};
-    Case made = windy_case();
-    measure(made, season, -3, 3);
+    const Measured measured(season, -3);
     season.shape.at = 120;
-    const LoopData data(made, Model::options());
-    const Place place = make_place(data, {}, data.drive);
-    const Standing standing = calibrate(
-        data, place, {{}, {season}}, std::vector<double>(place.unknowns.size() + 1, 0.0));
-    const Standing moved = with_best_shape(data, place, standing, 0);
+    const Standing standing = measured.calibrated_with(season);
+    const Standing moved = with_best_shape(measured.data, measured.place, standing, 0);
     EXPECT_NEAR(moved.model.effects[0].shape.at, 128, 1);
-    EXPECT_GT(evidence(data, standing, moved), 10);
+    EXPECT_GT(evidence(measured.data, standing, moved), 10);
     EXPECT_TRUE(is_dated(season));
     EXPECT_FALSE(is_dated(named("wind infiltration")));
 }
@@ -135,15 +151,10 @@ TEST(LoopMoves, DatesMoveToTheDay) {
 TEST(LoopMoves, HoursOfASetPointMove) {
     effects::Effect evening = named("heating set-point of some hours");
     evening.shape = {effects::Form::within, 16, 23};
-    Case made = windy_case();
-    measure(made, evening, 2, 3);
+    const Measured measured(evening, 2);
     evening.shape = {effects::Form::within, 15, 21};
-    const LoopData data(made, Model::options());
-    const Place place = make_place(data, {}, data.drive);
-    const Standing standing =
-        calibrate(data, place, {{}, {evening}},
-                  std::vector<double>(place.unknowns.size() + 1, 0.0));
-    const Standing moved = with_best_shape(data, place, standing, 0);
+    const Standing moved = with_best_shape(measured.data, measured.place,
+                                           measured.calibrated_with(evening), 0);
     EXPECT_NEAR(moved.model.effects[0].shape.at, 16, 0.5);
     EXPECT_NEAR(moved.model.effects[0].shape.until, 23, 0.5);
     EXPECT_NEAR(moved.coefficient(0), 2, 0.3);
@@ -157,46 +168,32 @@ TEST(LoopMoves, HoursOfASetPointMove) {
 TEST(LoopMoves, ASetPointIsKeptForThreeHours) {
     effects::Effect morning = named("heating set-point of some hours");
     morning.shape = {effects::Form::within, 6, 7.5};
-    Case made = windy_case();
-    measure(made, morning, 4, 3);
+    const Measured measured(morning, 4);
     morning.shape = {effects::Form::within, 5, 8.25};
-    const LoopData data(made, Model::options());
-    const Place place = make_place(data, {}, data.drive);
-    const Standing standing =
-        calibrate(data, place, {{}, {morning}},
-                  std::vector<double>(place.unknowns.size() + 1, 0.0));
-    const effects::Shape shape =
-        with_best_shape(data, place, standing, 0).model.effects[0].shape;
+    const effects::Shape shape = measured.best_shape_of(morning).shape;
     EXPECT_GE(shape.until - shape.at, 3);
+    EXPECT_LE(shape.until - shape.at, 3.25);  // but they shrink as far as that
     // Through midnight, too.
     effects::Effect night = morning;
     night.shape = {effects::Form::within, 22, 1.5};
-    const Standing late = calibrate(data, place, {{}, {night}},
-                                    std::vector<double>(place.unknowns.size() + 1, 0.0));
-    const effects::Shape moved =
-        with_best_shape(data, place, late, 0).model.effects[0].shape;
+    const effects::Shape moved = measured.best_shape_of(night).shape;
     EXPECT_GE(std::fmod(moved.until - moved.at + 24, 24), 3);
 }
 
 // Parameters that stand for an effect hold a fit that starts from them: half of what is
 // there, in another valley.
 TEST(LoopMoves, AFitThatStartsAgainIsKeptWhereItExplainsMore) {
-    Case made = windy_case();
-    measure(made, named("wind infiltration"), 0.08, 3);
-    const LoopData data(made, Model::options());
-    const Place place = make_place(data, {}, data.drive);
-    const std::vector<effects::Effect> effects = {named("wind infiltration")};
-    const Standing best = calibrate(data, place, {{}, effects},
-                                    std::vector<double>(place.unknowns.size() + 1, 0.0));
+    const Measured measured(named("wind infiltration"), 0.08);
+    const Standing best = measured.calibrated_with(named("wind infiltration"));
     Standing same = best;
-    EXPECT_FALSE(start_again(data, place, same));
+    EXPECT_FALSE(start_again(measured.data, measured.place, same));
     EXPECT_EQ(same.fit.at.x, best.fit.at.x);
     Standing stuck = best;
     std::vector<double> elsewhere = best.fit.at.x;
     for (double& x : elsewhere) x += 1.5;
-    refit(data, stuck, elsewhere, {0, 0});
-    ASSERT_GT(evidence(data, stuck, best), 10);
-    EXPECT_TRUE(start_again(data, place, stuck));
+    refit(measured.data, stuck, elsewhere, {0, 0});
+    ASSERT_GT(evidence(measured.data, stuck, best), 10);
+    EXPECT_TRUE(start_again(measured.data, measured.place, stuck));
     EXPECT_NEAR(stuck.coefficient(0), best.coefficient(0), 0.01);
 }
 

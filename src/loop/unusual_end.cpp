@@ -1,0 +1,34 @@
+/// Says whether a parameter is at an end of its range, or far from its prior.
+/// Three standard deviations are judgement: a normal prior has one of 370 beyond them.
+/// What stands behind it is not sought here.
+#include "loop/unusual_end.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace bemcal::loop {
+namespace {
+
+constexpr double far = 3;  ///< prior standard deviations
+
+std::string value_with_unit(const study::FitUnknown& unknown, double x) {
+    const bool has_unit = !unknown.unit.empty() && unknown.unit != "-";
+    return fmt::format("{:.3g}{}{}", unknown.value(x), has_unit ? " " : "",
+                       has_unit ? unknown.unit : "");
+}
+
+}  // namespace
+
+std::string unusual_end(const study::FitUnknown& unknown, double x) {
+    const bool is_lowest = x <= unknown.lowest();
+    if (is_lowest || x >= unknown.highest())
+        return fmt::format("at the {} end of its range: {}",
+                           is_lowest ? "lower" : "upper", value_with_unit(unknown, x));
+    if (unknown.has_prior && std::abs(x) > far)
+        return fmt::format("{:.1f} prior sd from its mean: {}", std::abs(x),
+                           value_with_unit(unknown, x));
+    return "";
+}
+
+}  // namespace bemcal::loop

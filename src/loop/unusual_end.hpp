@@ -1,0 +1,16 @@
+/// Where a fit left a parameter, if that needs a word: a number that could not go on, or
+/// went where nobody expected it, may stand for what the description lacks.
+#pragma once
+
+#include "study/fit_model.hpp"
+
+#include <string>
+
+namespace bemcal::loop {
+
+/// "at the lower end of its range: 0.4", "3.7 prior sd from its mean: 3.65 K"; "" =
+/// neither.
+/// \param x  in prior standard deviations from its mean
+std::string unusual_end(const study::FitUnknown& unknown, double x);
+
+}  // namespace bemcal::loop
