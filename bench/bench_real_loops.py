@@ -6,17 +6,21 @@ the same readings.
 
 Prints `name value unit reference ratio`: CV(RMSE), hourly and by month, with the regression's as
 the reference; a temperature's RMSE with plain's. Before that the effects found, and the seconds
-that a job took on two ranks. At the end of how many series (a meter's or a room's held-out hours,
-all of them) the hourly error fell or rose from plain to after, and lies at or below the regression's.
-Needs the readings in ../shared.
+that a job took on two ranks. At the end, over series (a meter's or a room's held-out hours, all of
+them): in how many the hourly error fell or rose from plain to after, is higher than before by over
+1 % and two standard errors (of a bootstrap of fortnights), and lies at or near the regression's; and
+the median of after over the regression. Needs the readings in ../shared.
 
 jobs/cambridge_loops is a stock, which keeps errors only: here its template is filled in, and its
-buildings are run as those of another job.
+buildings, and those of ../shared/meters, are run as those of another job.
 """
 import csv
+import gzip
 import json
+import math
 import pathlib
 import re
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -24,14 +28,16 @@ import time
 
 import h5py
 import large_job
+import numpy as np
 
 sys.path.insert(0, str(large_job.ROOT / "scripts"))
-from report import studies  # noqa: E402
+from report import result as stored, studies  # noqa: E402
 
 JOBS = large_job.ROOT / "jobs"
 STOCK = JOBS / "cambridge_loops"
 SHARED = large_job.ROOT.parent / "shared"
-DATA = SHARED / "data"
+DATA, METERS = SHARED / "data", SHARED / "meters"
+FORTNIGHT = 14 * 24
 HEAD = re.compile(r"(\S+)/\S+, (\S+): ")
 LINE = re.compile(r"  (\S.*?)\s+(plain|before|after|regression)\s+(?:RMSE|CV\(RMSE\)) "
                   r"hourly\s+(\S+) (\S+)(?:\s+monthly\s+(\S+) %)?")
@@ -51,28 +57,60 @@ def errors_of(table):
     return errors
 
 
-def filled_in(folder):
-    """A job of the stock's buildings; paths in the template are those of its own folder."""
-    template = (STOCK / "building.toml").read_text().replace("../../../shared", str(SHARED))
+def rows_of(table):
+    with open(table, encoding="utf-8") as rows:
+        return list(csv.DictReader(rows))
+
+
+def unit_of_gas(row):
+    """The unit of kWh, m3 and 100 ft3 that makes the year's use most like a building's."""
+    usual = 150                 # [kWh/(m2 a)]
+    with gzip.open(METERS / "cambridge_gas.csv.gz", "rt") as rows:
+        read = [line[row["id"]] for line in csv.DictReader(rows)
+                if line["time_utc_hour_start"].startswith(row["training"])]
+    use = sum(float(value) for value in read if value) / float(row["floor_area_m2"])
+    units = {"kWh": 1, "m3": 10.7, "100 ft3": 30.4}
+    return min(units, key=lambda unit: abs(math.log(use * units[unit] / usual)))
+
+
+def as_box(row):
+    """A building of ../shared/meters in the columns of the stock: square, 3.5 m a storey, 30 % glass."""
+    storey, floors = float(row["roof_area_m2"]), int(row["floors"])
+    facade = math.sqrt(storey) * 3.5 * floors
+    return {"name": row["id"], "floor_area": row["floor_area_m2"], "storey": storey,
+            "volume": 3.5 * storey * floors, "wall": round(0.7 * facade, 1), "window": round(0.3 * facade, 1),
+            "training": row["training"], "held_out": row["held_out"], "unit": unit_of_gas(row)}
+
+
+def template_of(readings=None):
+    """The stock's, whose paths are those of its own folder; of other readings, which have gaps of years."""
+    text = (STOCK / "building.toml").read_text()
+    if readings:
+        text = text.replace('file = "../../../shared/data/cambridge/gas_as_published.csv.gz"',
+                            f'file = "{readings}"\ngaps = "missing"')
+    return text.replace("../../../shared", str(SHARED))
+
+
+def filled_in(folder, name, rows, template):
+    """A job of buildings made from a template."""
     names = []
-    with open(STOCK / "buildings.csv", encoding="utf-8") as table:
-        for line in csv.DictReader(table):
-            text = template
-            for column, cell in line.items():
-                text = text.replace(f"@{column}@", cell)
-            names.append(f"{line['name']}.toml")
-            (folder / names[-1]).write_text(text)
-    job = folder / f"{STOCK.name}.toml"
+    for row in rows:
+        text = template
+        for column, cell in row.items():
+            text = text.replace(f"@{column}@", str(cell))
+        names.append(f"{row['name']}.toml")
+        (folder / names[-1]).write_text(text)
+    job = folder / f"{name}.toml"
     job.write_text(f'seed = 1\nbuildings = {json.dumps(names)}\n[[study]]\nkind = "loop"\n')
     return job
 
 
 def run(job, result):
-    """Runs the job; exit code 65, a building that failed, is the table's matter."""
+    """Runs the job; a building that failed (65) or has a bias (1) is the table's matter."""
     begin = time.perf_counter()
     done = subprocess.run(["mpirun", "-np", "2", "--oversubscribe", large_job.PROGRAM, "run", job,
                            "-o", result, "--no-report"], check=False, stdout=subprocess.DEVNULL)
-    if done.returncode not in (0, 65):
+    if done.returncode not in (0, 1, 65):
         raise SystemExit(f"{job} ended with exit code {done.returncode}")
     print(f"{job.stem}_seconds {time.perf_counter() - begin:.1f} s - -", flush=True)
 
@@ -99,32 +137,80 @@ def print_errors(errors):
                           f"{value:.3f} {unit} {reference:.3f} {value / reference:.3f}", flush=True)
 
 
-def of_all_held_out(errors):
-    """[{model: hourly error}] of each series, over all its held-out hours."""
+def of_all_held_out(errors, resolution=0):
+    """[{model: error}] of each series, over all its held-out hours; by the hour (0) or the month (2)."""
     series = {}
     for (building, channel, period), models in errors.items():
         if period != "training":     # "all held out" is printed after the periods that it joins
-            series[building, channel] = {model: error[0] for model, error in models.items()}
+            series[building, channel] = {model: error[resolution] for model, error in models.items()}
     return list(series.values())
 
 
-def print_counts(series):
+def is_worse(squares, rng=None):
+    """Whether after is worse than before by over 1 % and two standard errors. [fortnight x (before, after)]
+    sums of squared errors."""
+    rng = rng or np.random.default_rng(1)
+    def change(rows):
+        before, after = rows.sum(axis=0)
+        return 0.5 * np.log(after / before)
+    drawn = [change(squares[rng.integers(len(squares), size=len(squares))]) for _ in range(1000)]
+    return bool(change(squares) > max(math.log(1.01), 2 * np.std(drawn)))
+
+
+def squares_of(loop, channel):
+    """Of the fortnights of all held-out periods."""
+    rows = []
+    for period in loop.periods[1:]:
+        series = loop.all_series[period][channel]
+        errors = np.nan_to_num((series.simulated[[stored.BEFORE, stored.AFTER]] - series.measured) ** 2)
+        rows += [errors[:, k:k + FORTNIGHT].sum(axis=1) for k in range(0, errors.shape[1], FORTNIGHT)]
+    rows = np.array(rows)
+    return rows[rows.sum(axis=1) > 0]
+
+
+def worse_of(result):
+    """Names of the series of a result that are worse after than before."""
+    with h5py.File(result) as file:
+        loops = [stored.loop_in(file, path) for path in studies.of_kind(file, "loop")]
+    return [f"{loop.building} {channel}" for loop in loops for channel in loop.channels
+            if is_worse(squares_of(loop, channel))]
+
+
+def print_counts(series, worse=()):
     change = [of["after"] / of["plain"] - 1 for of in series]
-    beside = [of["after"] <= of["regression"] for of in series if "regression" in of]
+    ratio = [of["after"] / of["regression"] for of in series if "regression" in of]
     for name, n, of in (("lower_by_10_percent", sum(c <= -0.10 for c in change), len(change)),
                         ("higher_by_1_percent", sum(c > 0.01 for c in change), len(change)),
-                        ("not_above_regression", sum(beside), len(beside))):
+                        ("worse_than_before", len(worse), len(change)),
+                        ("not_above_regression", sum(r <= 1 for r in ratio), len(ratio)),
+                        ("within_2_percent_of_regression", sum(r <= 1.02 for r in ratio), len(ratio))):
         print(f"real_series_{name} {n} of_{of} - -")
+    if worse:
+        print(f"worse than before: {', '.join(worse)}")
+
+
+def print_medians(hourly, monthly):
+    """Of after over the regression."""
+    for name, series in (("hourly", hourly), ("monthly", monthly)):
+        ratios = [of["after"] / of["regression"] for of in series if "regression" in of]
+        print(f"real_series_{name}_after_over_regression_median {statistics.median(ratios):.3f} - 1 "
+              f"{statistics.median(ratios):.3f}")
 
 
 def main():
     if not DATA.exists():
         print(f"skipped: no readings in {DATA}")
         return
-    series = []
+    hourly, monthly, worse = [], [], []
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        for job in (JOBS / "twin_house_n2", JOBS / "real_loops", filled_in(folder)):
+        jobs = [JOBS / "twin_house_n2", JOBS / "real_loops",
+                filled_in(folder, STOCK.name, rows_of(STOCK / "buildings.csv"),
+                          template_of()),
+                filled_in(folder, "more_cambridge", map(as_box, rows_of(METERS / "buildings.csv")),
+                          template_of(METERS / "cambridge_gas.csv.gz")),
+                *sorted((METERS / "jobs").iterdir())]
+        for job in jobs:
             result = folder / f"{job.stem}.h5"
             run(job, result)
             print_effects(result)
@@ -132,8 +218,11 @@ def main():
                 [large_job.ROOT / "scripts" / "change_point_baseline", result], check=True,
                 stdout=subprocess.PIPE, text=True).stdout)
             print_errors(errors)
-            series += of_all_held_out(errors)
-    print_counts(series)
+            hourly += of_all_held_out(errors)
+            monthly += of_all_held_out(errors, 2)
+            worse += worse_of(result)
+    print_counts(hourly, worse)
+    print_medians(hourly, monthly)
 
 
 if __name__ == "__main__":

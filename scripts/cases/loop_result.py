@@ -2,6 +2,7 @@
 import csv
 import io
 import json
+import math
 import os
 import pathlib
 
@@ -32,6 +33,25 @@ def effect_record(effect):
 def effects(loop):
     """What was found, as effects.json has it."""
     return [effect_record(effect) for effect in stored.effects_in(loop)]
+
+
+def finite(value):
+    """What JSON can hold."""
+    return value if math.isfinite(value) else None
+
+
+def function_record(function):
+    points = [{name: finite(getattr(point, name)) for name in ("at", "and_at", "value", "least", "most")}
+              for point in function.points]
+    return {"name": function.name, "hook": function.hook, "driver": function.driver,
+            "driver_unit": function.driver_unit, "unit": function.unit, "size": finite(function.size),
+            "evidence": finite(function.evidence), "points": points}
+
+
+def functions(loop):
+    """What was laid to functions without a name, as functions.json has it: each with its value and its
+    90 % interval over what it follows."""
+    return [function_record(function) for function in stored.functions_in(loop)]
 
 
 def decisions(loop, keys=("series", "finding", "action")):
@@ -101,15 +121,16 @@ def without_result(result, names, study="loop"):
 
 
 def write_files(result, building, folder, study="loop"):
-    """plain.csv, before.csv, after.csv, effects.json and decisions.json of one building."""
+    """plain.csv, before.csv, after.csv, effects.json, functions.json and decisions.json of one building."""
     def read(file):
         loop = loop_of(file, building, study)
         return ({model: predictions(loop, model) for model in texts(loop, "model")}, effects(loop),
-                decisions(loop))
-    predicted, found, decided = of_result(result, read)
+                functions(loop), decisions(loop))
+    predicted, found, unnamed, decided = of_result(result, read)
     for model, columns in predicted.items():
         write_predictions(os.path.join(folder, f"{model}.csv"), *columns)
     write_json(os.path.join(folder, "effects.json"), found)
+    write_json(os.path.join(folder, "functions.json"), unnamed)
     write_json(os.path.join(folder, "decisions.json"), decided)
 
 

@@ -3,15 +3,17 @@ import pathlib
 
 import jinja2
 
-from report import pictures, theme, words
+from report import beside, pictures, theme, words
 from report.result import AFTER, BEFORE, OF_CLASS, PLAIN
 
 MOST_POWER_ROWS = 15
 
 
-def error_rows(loop):
-    """By period, that of judging first."""
+def error_rows(loop, regressions):
+    """By period, that of judging first; each with the error of the regression beside it."""
     rows = loop.errors()
+    for row in rows:
+        row.regression = regressions.get((row.channel, row.period, row.resolution), float("nan"))
     periods = sorted(loop.periods, key=lambda period: period != loop.judged)
     return [(period, [row for row in rows if row.period == period]) for period in periods
             if any(row.period == period for row in rows)]
@@ -46,7 +48,7 @@ def parameter_rows(loop):
 def effect_rows(loop):
     """The effects, each with what is said of it."""
     return [{"name": effect.name, "hook": effect.hook, "follows": effect.shape,
-             "coefficient": words.coefficient(effect), "gain": words.number(effect.gain),
+             "coefficient": words.coefficient(effect), "evidence": words.evidence(loop, effect),
              "adequate": effect.is_adequate, "doubt": effect.doubt,
              "others": "; ".join(effect.others), "separates": effect.separates}
             for effect in loop.effects]
@@ -67,7 +69,7 @@ def step_rows(loop):
 
 def contents(loop):
     """Everything that page.html names."""
-    power = power_rows(loop)
+    power, regressions = power_rows(loop), beside.regression_errors(loop)
     structures = [(tried.name, words.number(tried.score), tried.name == loop.structure)
                   for tried in loop.structures]
     ranking = [(candidate.name, words.number(candidate.gain)) for candidate in loop.candidates[:10]]
@@ -77,10 +79,10 @@ def contents(loop):
     return dict(
         study=loop, words=words, structure_words=words.structure(loop),
         lead=" ".join([words.found(loop), words.judged(loop), words.unexplained(loop)]),
-        errors=error_rows(loop), error_picture=pictures.errors(loop), effects=effect_rows(loop),
-        functions=function_rows(loop),
+        regression=words.regression(loop, regressions), errors=error_rows(loop, regressions), error_picture=pictures.errors(loop), effects=effect_rows(loop),
+        functions=function_rows(loop), function_pictures=pictures.functions(loop),
         channels=channels, parameters=parameter_rows(loop),
-        parameter_picture=pictures.parameters(loop), alarm_picture=pictures.alarms(loop),
+        parameter_picture=pictures.parameters(loop), pattern_picture=pictures.patterns(loop),
         steps=step_rows(loop), ranking=ranking, power=power[:MOST_POWER_ROWS],
         more_power=power[MOST_POWER_ROWS:], unseen=words.unseen(loop), aliases=words.aliases(loop),
         followed=words.followed(loop),

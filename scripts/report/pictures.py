@@ -8,6 +8,10 @@ from report.result import AFTER, BEFORE, HOURLY, PLAIN
 from report.words import fixed, number, percent
 
 HOURS_OF_WEEK, LAGS, LEAST_SHARE = 168, 200, 0.9
+SEASONS = ("winter", "spring", "summer", "autumn")     # from December on
+DAYS = ["Mo", "Tu", "We", "Th", "Fr", "Sa", "Su"]
+CLASSES_OF_DAYS = ("working days", "Saturdays", "Sundays and holidays")
+YEAR = 365.25 * 86400          # [s]
 MODELS = {PLAIN: ("plain", theme.PLAIN), BEFORE: ("before", theme.BEFORE),
           AFTER: ("after", theme.AFTER)}
 MONTHS = "JFMAMJJASOND"
@@ -159,6 +163,139 @@ def good_and_bad(series, is_temperature):
     return [("good", parts[order[0]]), ("bad", parts[order[-1]])]
 
 
+def name_days(axis):
+    axis.set_xticks(np.arange(7) + 0.5, DAYS)
+    axis.set_xticks(range(8), minor=True)
+    axis.tick_params(axis="x", which="major", length=0)
+    axis.grid(False, axis="x")
+    axis.grid(True, axis="x", which="minor")
+
+
+def season_and_hour(time):
+    """The place of each hour among four seasons times the hours of a week, from winter's Monday on."""
+    month = time.astype("datetime64[s]").astype("datetime64[M]").astype(int) % 12
+    return ((month + 1) % 12 // 3 * HOURS_OF_WEEK + (time // 3600 + 72) % HOURS_OF_WEEK).astype(int)
+
+
+def typical_weeks(series, channel, unit):
+    """The mean week of each season, of hours with a reading."""
+    places, there = season_and_hour(series.time), np.isfinite(series.measured)
+    n = HOURS_OF_WEEK * len(SEASONS)
+    means = {name: means_of(np.where(there, values, np.nan), places, n).reshape(len(SEASONS), -1)
+             for name, values in (("measured", series.measured),
+                                  *((MODELS[m][0], series.simulated[m]) for m in (BEFORE, AFTER)))}
+    colours = {"measured": theme.INK, **{MODELS[m][0]: MODELS[m][1] for m in (BEFORE, AFTER)}}
+    shown = [s for s in range(len(SEASONS)) if np.isfinite(means["measured"][s]).mean() >= LEAST_SHARE]
+    if not shown:
+        return None
+    figure, axes = theme.figure(0.5 + 1.05 * len(shown), nrows=len(shown), sharex=True, sharey=True,
+                                squeeze=False)
+    for axis, s in zip(axes[:, 0], shown):
+        for name, values in means.items():
+            axis.plot(np.arange(HOURS_OF_WEEK) / 24, values[s], color=colours[name], label=name,
+                      linewidth=1.5 if name == "measured" else 1.1)
+        axis.set(ylabel=SEASONS[s], xlim=(0, 7))
+        name_days(axis)
+    axes[0, 0].legend(loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2, ncols=3)
+    said = "; ".join(f"{SEASONS[s]} {number(rmse(means['before'][s] - means['measured'][s]))} {unit} before, "
+                     f"{number(rmse(means['after'][s] - means['measured'][s]))} {unit} after" for s in shown)
+    return picture(figure, "A typical week of each season",
+                   f"Mean week of {channel} in each season, measured and simulated; RMSE of the means: {said}.",
+                   f"Mean of each hour of the week [{unit}], of hours with a reading; winter from December on.")
+
+
+def points_of(function):
+    """Its points' at, and_at, value, least and most, as arrays."""
+    return [np.array([getattr(point, name) for point in function.points])
+            for name in ("at", "and_at", "value", "least", "most")]
+
+
+def steps_of_hours(values):
+    """24 values as a line of steps."""
+    return np.repeat(np.arange(25), 2)[1:-1], np.repeat(values, 2)
+
+
+def by_hour(axis, points):
+    at, _, value, least, most = points
+    for c, (name, colour) in enumerate(zip(CLASSES_OF_DAYS, (theme.AFTER, theme.BEFORE, theme.PLAIN))):
+        own = at // 24 == c
+        if own.sum() != 24:
+            continue
+        hours, middle = steps_of_hours(value[own])
+        axis.fill_between(hours, steps_of_hours(least[own])[1], steps_of_hours(most[own])[1], color=colour,
+                          alpha=0.18, linewidth=0)
+        axis.plot(hours, middle, color=colour, label=name)
+    axis.set(xlabel="hour of the day", xticks=range(0, 25, 6), xlim=(0, 24))
+    axis.legend(loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2, ncols=3)
+
+
+def along(axis, points, place, label):
+    """A line with its band; at `place` of each point."""
+    _, _, value, least, most = points
+    axis.fill_between(place, least, most, color=theme.AFTER, alpha=0.18, linewidth=0)
+    axis.plot(place, value, color=theme.AFTER)
+    axis.set(xlabel=label)
+
+
+def of_time(axis, points, begin):
+    dates = (begin + points[0] * YEAR).astype("datetime64[s]")
+    along(axis, points, dates, "")
+    axis.set_xticks(*thinned(dates, 5))
+
+
+def thinned(dates, n):
+    shown = dates[np.linspace(0, dates.size - 1, min(n, dates.size)).astype(int)]
+    return shown, [str(date.astype("datetime64[D]"))[:7] for date in shown]
+
+
+def by_hour_and_more(figure, axes, points, function):
+    at, more, value, *_ = points
+    knots = np.unique(more)
+    cells = value.reshape(-1, knots.size)
+    most = max(np.abs(cells).max(), 1e-12)
+    for axis, first, title in zip(axes, (0, 24), ("working days", "Saturdays, Sundays, holidays")):
+        image = axis.pcolormesh(np.arange(24) + 0.5, knots, cells[first:first + 24].T, cmap=theme.diverging(),
+                                vmin=-most, vmax=most, shading="nearest", rasterized=True)
+        axis.set(title=title, xlabel="hour of the day", xticks=range(0, 25, 6))
+        axis.grid(False)
+    axes[0].set_ylabel(f"[{function.driver_unit}]".replace("degC", "°C"))
+    bar = figure.colorbar(image, ax=list(axes), shrink=0.9, aspect=30)
+    bar.set_label(f"[{function.unit}]")
+    bar.outline.set_visible(False)
+
+
+def function(one, begin):
+    """A function without a name over what it follows; None where that is nothing."""
+    if not one.points:
+        return None
+    points = points_of(one)
+    _, more, value, least, most = points
+    is_map = np.isfinite(more).all()
+    figure, axes = theme.figure(2.5, ncols=2, sharey=True) if is_map else theme.figure(2.4)
+    if is_map:
+        by_hour_and_more(figure, axes, points, one)
+    elif one.driver == "hour of the week":
+        by_hour(axes, points)
+    elif one.driver == "time":
+        of_time(axes, points, begin)
+    else:
+        along(axes, points, points[0], f"{one.driver} [{one.driver_unit}]".replace("degC", "°C"))
+    if not is_map:
+        axes.axhline(0, color=theme.SOFT, linewidth=0.8)
+        axes.set_ylabel(f"[{one.unit}]")
+    k = int(np.argmax(np.abs(value)))
+    return picture(figure, one.name[0].upper() + one.name[1:],
+                   f"{one.name}: from {number(value.min())} to {number(value.max())} {one.unit}; where it is "
+                   f"largest, {number(value[k])}, its 90 % interval is {number(least[k])} to {number(most[k])}.",
+                   "What it brings more (orange) or less (blue) than the description." if is_map else
+                   "Line: what it brings beyond the description; band: 90 % interval.")
+
+
+def functions(loop):
+    begin = min((series.time[0] for series in loop.all_series[loop.periods[0]].values()), default=0)
+    return [drawn for drawn in (function(one, begin) for one in loop.functions) if drawn]
+
+
 def week(series, channel, unit, kind, part):
     hours = np.arange(HOURS_OF_WEEK) / 24
     figure, axis = theme.figure(2.7)
@@ -167,11 +304,7 @@ def week(series, channel, unit, kind, part):
         name, colour = MODELS[model]
         axis.plot(hours, series.simulated[model][part], color=colour, label=name, linewidth=1.1)
     axis.set(ylabel=f"{channel} [{unit}]", xlim=(0, 7))
-    axis.set_xticks(np.arange(7) + 0.5, ["Mo", "Tu", "We", "Th", "Fr", "Sa", "Su"])
-    axis.set_xticks(range(8), minor=True)
-    axis.tick_params(axis="x", which="major", length=0)
-    axis.grid(False, axis="x")
-    axis.grid(True, axis="x", which="minor")
+    name_days(axis)
     axis.legend(loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2, ncols=3)
     errors = [rmse(series.residual(model)[part]) for model in (BEFORE, AFTER)]
     first = series.time[part][0].astype("datetime64[s]").astype("datetime64[D]")
@@ -210,7 +343,7 @@ def of_channel(loop, c):
     series = loop.series[channel]
     if not series.is_drawn:
         return []
-    drawn = [residual_map(series, channel, unit.replace("°C", "K")),
+    drawn = [typical_weeks(series, channel, unit), residual_map(series, channel, unit.replace("°C", "K")),
              over_temperature(series, channel, unit.replace("°C", "K")), memory(series, channel)]
     drawn += [week(series, channel, unit, kind, part)
               for kind, part in good_and_bad(series, unit == "°C")]
@@ -273,8 +406,8 @@ def parameters(loop):
                    "after lie apart, the parameter had taken over the effect that was missing.")
 
 
-def alarms(loop):
-    """Hook x driver maps before and after, of the hooks and drivers that raise an alarm."""
+def patterns(loop):
+    """Hook x driver maps before and after, of the hooks and drivers with the strongest patterns."""
     maps = [loop.numbers["localisation"], loop.numbers["localisation_after"]]
     if maps[0].ndim != 2 or maps[0].shape != maps[1].shape or not maps[0].size:
         return None
@@ -298,9 +431,9 @@ def alarms(loop):
         "the strongest are shown."
     h, d = np.unravel_index(np.nanargmax(np.nan_to_num(maps[0])), maps[0].shape)
     return picture(figure, "Where the residual comes from",
-                   f"Map of alarms by hook and driver: {counts[0]} before, {counts[1]} after; the "
+                   f"Patterns of the residual by place and driver: {counts[0]} before, {counts[1]} after; the "
                    f"strongest before is {loop.hooks[h]} by {loop.drivers[d]}, "
                    f"{fixed(maps[0][h, d], 1)}.",
-                   "How the residual, seen from each place of the model, fluctuates with what may "
-                   "drive it, over its 99 % quantile without effects; numbers: alarms, above 1."
+                   "How much of a pattern the residual, seen from each place of the model, has over what may "
+                   "drive it. 1 is what chance exceeds in one of 100; numbers stand above 1."
                    + others)

@@ -50,8 +50,12 @@ EFFECT = {"name": text("effect"), "hook": text("effect_hook"), "driver": text("e
           "most": number("effect_most"), "gain": number("effect_gain"),
           "adequate": number("effect_adequate"), "doubt": text("effect_doubt"),
           "separates": text("effect_separates"), "class_in_words": text("effect_class")}
-FUNCTION = {"name": text("function"), "size": number("function_size"), "unit": text("function_unit"),
-            "evidence": number("function_evidence")}
+FUNCTION = {"name": text("function"), "hook": text("function_hook"), "driver": text("function_driver"),
+            "driver_unit": text("function_driver_unit"), "size": number("function_size"),
+            "unit": text("function_unit"), "evidence": number("function_evidence")}
+POINT = {"value": number("function_point_value"), "function": number("function_point_of"),
+         "at": number("function_point_at"), "and_at": number("function_point_and_at"),
+         "least": number("function_point_least"), "most": number("function_point_most")}
 MEMBER = {"name": text("effect_class_member"), "effect": number("effect_class_of")}
 POWER = {"effect": text("power_effect"), "detectability": number("power_detectability"),
          "visibility": number("power_visibility"), "alias": text("power_alias"),
@@ -92,6 +96,14 @@ def effects_in(group):
         effect.others = [name for name in effect.members if name not in ("", effect.name)]
         effect.is_adequate = effect.adequate == 1
     return effects
+
+
+def functions_in(group):
+    """The functions without a name, each with its points."""
+    functions, points = rows_in(group, FUNCTION), rows_in(group, POINT)
+    for k, function in enumerate(functions):
+        function.points = [point for point in points if point.function == k]
+    return functions
 
 
 def decisions_in(group):
@@ -184,7 +196,7 @@ class Loop:
         self.power, self.decisions = power_in(group), decisions_in(group)
         self.channels = [channel.name for channel in self.of_channels]
         self.parameters = [parameter.name for parameter in self.of_parameters]
-        self.effects, self.functions = effects_in(group), rows_in(group, FUNCTION)
+        self.effects, self.functions = effects_in(group), functions_in(group)
         self.periods, self.resolutions, self.metrics, self.hooks, self.drivers = (
             texts_of(group, name)
             for name in ("period", "resolution", "metric", "hook", "driver"))
@@ -193,9 +205,9 @@ class Loop:
         self.least_detectability = limit_in(group, "least_detectability")
         self.same_signature = limit_in(group, "same_signature")
         self.judged = self._judged()
-        self.series = {  # in the period of judging
-            channel: series_in(guard.inner(group, self.judged), channel)
-            for channel in self.channels}
+        self.all_series = {
+            period: {channel: series_in(guard.inner(group, period), channel)
+                     for channel in self.channels} for period in self.periods}
 
     def value(self, name, *place):
         """An element; NaN where it is not there."""
@@ -211,6 +223,11 @@ class Loop:
 
     def error_of_step(self, step, channel):
         return self.value("step_error", step, channel)
+
+    @property
+    def series(self):
+        """In the period of judging."""
+        return self.all_series[self.judged]
 
     @property
     def has_held_out(self):

@@ -13,7 +13,7 @@ from matplotlib.colors import LinearSegmentedColormap, to_rgba
 matplotlib.use("Agg")
 
 INK, SOFT, GRID = "#123451", "#123452", "#123453"
-PLAIN, BEFORE, AFTER, ALARM = "#123454", "#123455", "#123456", "#c51b7d"
+PLAIN, BEFORE, AFTER, STRONG = "#123454", "#123455", "#123456", "#c51b7d"
 COLOURS = {  # marker: variable, light, dark
     INK: ("ink", "#1c2430", "#e6e9ee"),
     SOFT: ("soft", "#5a6472", "#a3adba"),
@@ -45,7 +45,7 @@ def diverging():
 
 
 def rising():
-    return LinearSegmentedColormap.from_list("alarm", [to_rgba(ALARM, 0), to_rgba(ALARM, 0.9)])
+    return LinearSegmentedColormap.from_list("strong", [to_rgba(STRONG, 0), to_rgba(STRONG, 0.9)])
 
 
 def figure(height, **grid):

@@ -133,6 +133,26 @@ def judged(loop):
     return f"{where}{changes(rows, BEFORE, AFTER)}."
 
 
+def evidence(loop, effect):
+    """"1060 times what chance shows", by the step that accepted it."""
+    needed = next((step.threshold for step in loop.steps if step.verdict == "accepted"
+                   and step.effect.startswith(effect.name)), math.nan)
+    if math.isfinite(effect.gain) and needed > 0:
+        return f"{number(effect.gain / needed)} times what chance shows"
+    return number(effect.gain)
+
+
+def regression(loop, errors):
+    """What a regression does in the period of judging."""
+    rows = [row for row in loop.judged_errors() if (row.channel, row.period, row.resolution) in errors]
+    if not rows:
+        return ""
+    said = [f"{row.channel} {fixed(errors[row.channel, row.period, row.resolution], 1)} % "
+            f"(after: {error_of(row, AFTER)} %)" for row in rows]
+    return "A regression on outdoor temperature and the hour of the week, fitted to the same readings, has these " \
+           f"errors in {loop.judged}: {listed(said)}."
+
+
 def structure(loop):
     """What the choice of the structure had done to them."""
     rows = loop.judged_errors()

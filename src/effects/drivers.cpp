@@ -318,6 +318,11 @@ const DriverRow& row_of(Driver driver) {
     return driver_table[static_cast<std::size_t>(driver)];
 }
 
+const char* unit_of_values(Driver driver) {
+    const DriverRow& row = row_of(driver);
+    return row.unit_of_threshold != nullptr ? row.unit_of_threshold : row.unit;
+}
+
 std::vector<double> driver_of(const Effect& effect, const Surroundings& around) {
     const DriverRow& row = row_of(effect.driver);
     return row.of_weather != nullptr ? around.weather.at(row.driver)

@@ -39,6 +39,8 @@ struct DriverRow {
 /// In the order of Driver.
 std::span<const DriverRow> driver_rows();
 const DriverRow& row_of(Driver driver);
+/// The unit of a driver's values: of a temperature not that of its differences.
+const char* unit_of_values(Driver driver);
 
 /// The driver [n_steps]; empty where the surroundings lack it. Of another_day and
 /// shifted_hours: 1, since their profiles are those of each input (schedules.hpp).

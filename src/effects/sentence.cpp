@@ -28,12 +28,6 @@ std::string with_unit(double value, const char* unit) {
     return fmt::format("{:.6g} {}", value, unit);
 }
 
-/// The unit of a driver's thresholds: of a temperature not that of its differences.
-const char* unit_of_threshold(const Effect& effect) {
-    const char* own = row_of(effect.driver).unit_of_threshold;
-    return own != nullptr ? own : unit_of(effect.driver);
-}
-
 /// A day of the year as a date of a year that is no leap year: "1 May".
 std::string date_of(double day_of_year) {
     using namespace std::chrono;
@@ -49,7 +43,7 @@ std::string window_of(const Effect& effect) {
     if (effect.driver == Driver::day_of_year)
         return fmt::format("from {} to {}", date_of(shape.at), date_of(shape.until));
     return fmt::format("{} from {:.6g} to {}", name_of(effect.driver), shape.at,
-                       with_unit(shape.until, unit_of_threshold(effect)));
+                       with_unit(shape.until, unit_of_values(effect.driver)));
 }
 
 std::string words_of_driver(const Effect& effect) {
@@ -78,7 +72,7 @@ std::string named_driver(const Effect& effect) {
 
 std::string shape_of(const Effect& effect) {
     const Shape& shape = effect.shape;
-    const std::string at = with_unit(shape.at, unit_of_threshold(effect));
+    const std::string at = with_unit(shape.at, unit_of_values(effect.driver));
     switch (shape.form) {
         case Form::linear:
             return named_driver(effect);

@@ -99,6 +99,13 @@ void fill(Basis& basis, const Covariance& prior, const Eigen::MatrixXd& off,
     }
 }
 
+/// 0, step, 2 step ...
+std::vector<double> evenly(long n, double step) {
+    std::vector<double> all;
+    for (long k = 0; k < n; ++k) all.push_back(static_cast<double>(k) * step);
+    return all;
+}
+
 /// Between the knots beside it; the ends are held.
 std::pair<std::size_t, double> between(const std::vector<double>& knots, double x) {
     if (!(x > knots.front())) return {0, 0};
@@ -145,7 +152,7 @@ Matrix columns_of(const Basis& basis, const std::vector<std::vector<double>>& dr
 }
 
 Basis constant() {
-    Basis basis{"one", Matrix(1, 1, 1.0), {}};
+    Basis basis{"one", Matrix(1, 1, 1.0), {}, {}};
     basis.weights = [](std::span<const double>) {
         return Basis::Weights{{0, 0, 0, 0}, {1, 0, 0, 0}};
     };
@@ -161,6 +168,7 @@ Basis hours_of_week(std::string driver, std::span<const double> training) {
     };
     const Eigen::VectorXd shares =
         shares_of(basis, {{training.begin(), training.end()}}, 72);
+    basis.points = {evenly(72, 1)};
     fill(basis, covariance_of_hours(3), centring(shares), shares);
     return basis;
 }
@@ -174,6 +182,7 @@ Basis smooth_of(std::string driver, std::span<const double> training) {
         return Basis::Weights{{point, point + 1, 0, 0}, {1 - share, share, 0, 0}};
     };
     const auto n = static_cast<long>(knots.size());
+    basis.points = {knots};
     const Eigen::VectorXd shares =
         shares_of(basis, {{training.begin(), training.end()}}, n);
     fill(basis, covariance_of_knots(n), centring(shares), shares);
@@ -195,6 +204,12 @@ Basis hours_times(std::string driver, std::span<const double> hours,
     };
     const std::vector<std::vector<double>> drivers{{hours.begin(), hours.end()},
                                                    {slow.begin(), slow.end()}};
+    basis.points.resize(2);
+    for (long h = 0; h < 48; ++h)
+        for (const double knot : knots) {
+            basis.points[0].push_back(static_cast<double>(h));
+            basis.points[1].push_back(knot);
+        }
     const Eigen::VectorXd shares = shares_of(basis, drivers, 48 * n);
     Eigen::VectorXd of_hours = Eigen::VectorXd::Zero(48),
                     of_knots = Eigen::VectorXd::Zero(n);
@@ -220,6 +235,8 @@ Basis wandering(std::string driver, std::span<const double> years) {
             std::clamp(fortnight, 0.0, static_cast<double>(n - 1)));
         return Basis::Weights{{point, 0, 0, 0}, {1, 0, 0, 0}};
     };
+    basis.points = {evenly(n, 1 / fortnights)};
+    for (double& middle : basis.points[0]) middle += 0.5 / fortnights;
     Covariance walk(n, n);
     for (long i = 0; i < n; ++i)
         for (long j = 0; j < n; ++j) walk(i, j) = static_cast<double>(std::min(i, j) + 1);

@@ -15,8 +15,11 @@ namespace bemcal::functions {
 /// A function of drivers, learned from one period and laid on the steps of any.
 struct Basis {
     std::string driver;  ///< "hour of the week"
-    /// [points x columns]: values of all columns where the driver is at each point.
+    /// [points x columns]: values of all columns where the drivers are at each point.
     Matrix at_points;
+    /// [drivers][points] where that is; between points a function is straight. Empty: the
+    /// constant, which follows nothing.
+    std::vector<std::vector<double>> points;
     /// Weights of points at a step: at most four points, weights sum to 1.
     struct Weights {
         std::size_t point[4] = {0, 0, 0, 0};

@@ -318,9 +318,11 @@ class Model {
         long at = parameters_.columns.cols();
         for (std::size_t k = 1; k < joined_.size(); ++k) {
             const long n = joined_[k]->columns.cols();
-            fit.functions.push_back({joined_[k]->id, joined_[k]->variance,
-                                     joined_[k]->scatter, beta.segment(at, n),
-                                     joined_[k]->evidence});
+            const MatrixXd own = MatrixXd::Identity(beta.size(), n + at).rightCols(n);
+            fit.functions.push_back(
+                {joined_[k]->id, joined_[k]->variance, joined_[k]->scatter,
+                 beta.segment(at, n), joined_[k]->evidence,
+                 joined_[k]->scatter * llt.solve(own).middleRows(at, n)});
             at += n;
         }
         return fit;

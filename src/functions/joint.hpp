@@ -34,10 +34,11 @@ using ColumnsOf = std::function<Eigen::MatrixXf(std::size_t id)>;
 
 struct FunctionFit {
     std::size_t id = 0;
-    double variance = 0;   ///< of its coefficients
-    double scatter = 1;    ///< of its scores (joint.cpp)
-    Eigen::VectorXd mean;  ///< of its coefficients
-    double evidence = 0;   ///< log marginal likelihood that it brings
+    double variance = 0;           ///< of its coefficients
+    double scatter = 1;            ///< of its scores (joint.cpp)
+    Eigen::VectorXd mean;          ///< of its coefficients
+    double evidence = 0;           ///< log marginal likelihood that it brings
+    Eigen::MatrixXd covariance{};  ///< of its coefficients
 };
 
 struct JointFit {

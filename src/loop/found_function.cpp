@@ -6,6 +6,14 @@
 
 namespace bemcal::loop {
 
+std::vector<double> FoundFunction::values() const {
+    std::vector<double> all(basis.at_points.rows, 0.0);
+    for (std::size_t p = 0; p < all.size(); ++p)
+        for (std::size_t c = 0; c < mean.size(); ++c)
+            all[p] += at.typical * basis.at_points(p, c) * mean[c];
+    return all;
+}
+
 std::string name_of(const FoundFunction& function) {
     if (function.basis.driver == "one") return function.at.name;
     return fmt::format("{} by {}", function.at.name, function.basis.driver);

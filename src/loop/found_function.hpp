@@ -16,6 +16,11 @@ struct FoundFunction {
     std::vector<double> mean;  ///< [columns] of its coefficients, in typical sizes
     double size = 0;           ///< root mean square in training [the hook's unit]
     double evidence = 0;       ///< log marginal likelihood that it brings
+    std::vector<double> deviations{};  ///< [basis' points] standard deviation of its
+                                       ///< values there, in typical sizes
+
+    /// Its value where its drivers are at each of the basis' points. [the hook's unit]
+    std::vector<double> values() const;
 };
 
 /// "gains by hour of the week"

@@ -4,6 +4,7 @@
 /// are left out.
 #include "loop/function_drivers.hpp"
 
+#include "effects/drivers.hpp"
 #include "effects/profiles.hpp"
 
 #include <algorithm>
@@ -114,6 +115,15 @@ FunctionDrivers function_drivers(const LoopData& data, const Place& place) {
             seconds_of_year);
     all[by_time] = {years};
     return all;
+}
+
+std::string unit_of_driver(const std::string& name) {
+    if (name == nothing) return "";
+    if (name == by_hours) return "h";
+    if (name == by_hours_and_weather) return "degC";
+    if (name == by_time) return "a";
+    const auto row = std::ranges::find(smooth_drivers, name, &DriverOfFunctions::name);
+    return row == std::end(smooth_drivers) ? "" : effects::unit_of_values(row->driver);
 }
 
 std::vector<functions::Basis> bases_of(const FunctionDrivers& training,

@@ -21,6 +21,11 @@ FunctionDrivers function_drivers(const LoopData& data, const Place& place);
 std::vector<std::vector<double>> of_period(std::vector<std::vector<double>> all,
                                            const physics::Drive& drive);
 
+/// Of what a basis' driver is measured in, of an interaction that of what is not the
+/// hour;
+/// "" = none, of the constant.
+std::string unit_of_driver(const std::string& name);
+
 /// One for each driver. \param training  the drivers of the training period
 std::vector<functions::Basis> bases_of(const FunctionDrivers& training,
                                        const physics::Drive& drive);

@@ -99,7 +99,7 @@ class Search {
         const double needed = 0.5 * step.threshold;
         const bool is_split = split(data_, place, result_.last, newest, needed);
         if (doubt.empty() && !is_over(before, alarm_left(place, newest, chosen.effect)))
-            result_.found.back().doubt = "the alarm that raised it stays with it";
+            result_.found.back().doubt = "the pattern that pointed to it is still there";
         if (is_split) note_split(newest);
         swap_earlier(place);
         drop(prune(data_, place, result_.last, needed), "left again: no longer needed");

@@ -25,6 +25,18 @@ double root_mean_square(const Series& values) {
     return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
+Series deviations_at_points(const functions::Basis& basis,
+                            const Eigen::MatrixXd& covariance) {
+    Series deviations;
+    for (std::size_t p = 0; p < basis.at_points.rows; ++p) {
+        const auto row = basis.at_points.row(p);
+        const Eigen::Map<const Eigen::VectorXd> columns(row.data(),
+                                                        static_cast<long>(row.size()));
+        deviations.push_back(std::sqrt(columns.dot(covariance * columns)));
+    }
+    return deviations;
+}
+
 }  // namespace
 
 ReadingLayout::ReadingLayout(const LoopData& data, const std::vector<ChannelNoise>& noise)
@@ -107,6 +119,7 @@ FoundFunction Remainder::found_of(const functions::FunctionFit& fit) const {
     FoundFunction found{hook_of(fit.id), basis_of(fit.id), {}, 0, fit.evidence};
     found.mean.assign(fit.mean.begin(), fit.mean.end());
     found.size = found.at.typical * root_mean_square(input_of(fit.id, found.mean).values);
+    found.deviations = deviations_at_points(found.basis, fit.covariance);
     return found;
 }
 

@@ -245,10 +245,26 @@ class Writer {
     }
 
     void functions_found() {
-        for (const FoundFunction& function : result_.functions)
-            loop_.functions.push_back(
-                {name_of(function), function.at.name, function.basis.driver,
-                 effects::unit_of(function.at.hook), function.size, function.evidence});
+        for (const FoundFunction& function : result_.functions) {
+            points_of(function, static_cast<double>(loop_.functions.size()));
+            loop_.functions.push_back({name_of(function), function.at.name,
+                                       function.basis.driver,
+                                       effects::unit_of(function.at.hook),
+                                       unit_of_driver(function.basis.driver),
+                                       function.size, function.evidence});
+        }
+    }
+
+    void points_of(const FoundFunction& function, double index) {
+        const auto& points = function.basis.points;
+        if (points.empty()) return;
+        const std::vector<double> values = function.values();
+        for (std::size_t p = 0; p < values.size(); ++p) {
+            const double half = half_of_90 * function.at.typical * function.deviations[p];
+            loop_.function_points.push_back(
+                {index, points[0][p], points.size() > 1 ? points[1][p] : nan, values[p],
+                 values[p] - half, values[p] + half});
+        }
     }
 
     void power() {

@@ -74,8 +74,17 @@ void visit_tables(Loop& loop, Table&& table) {
         see("function_hook", row.hook);
         see("function_driver", row.driver);
         see("function_unit", row.unit);
+        see("function_driver_unit", row.driver_unit);
         see("function_size", row.size);
         see("function_evidence", row.evidence);
+    });
+    table("function_point", loop.function_points, [](auto& row, auto&& see) {
+        see("function_point_of", row.function);
+        see("function_point_at", row.at);
+        see("function_point_and_at", row.and_at);
+        see("function_point_value", row.value);
+        see("function_point_least", row.least);
+        see("function_point_most", row.most);
     });
     table("power", loop.seen, [](auto& row, auto&& see) {
         see("power_effect", row.effect);

@@ -58,8 +58,16 @@ struct StoredLoop {
     /// A function of what the building may follow, at a hook: see FoundFunction.
     struct Function {
         std::string name, hook, driver, unit;
-        double size = nan;      ///< root mean square over training [unit]
-        double evidence = nan;  ///< log marginal likelihood that it brings [-]
+        std::string driver_unit;  ///< of an interaction that of what is not the hour
+        double size = nan;        ///< root mean square over training [unit]
+        double evidence = nan;    ///< log marginal likelihood that it brings [-]
+    };
+    /// What a function says where its driver, and the other one that it may have, are at
+    /// a point.
+    struct FunctionPoint {
+        double function = 0;  ///< index of the function
+        double at = nan, and_at = nan;
+        double value = nan, least = nan, most = nan;  ///< [unit of the function]
     };
     struct Decision {
         std::string series, finding, action, kind;
@@ -75,6 +83,7 @@ struct StoredLoop {
     std::vector<Candidate> candidates;
     std::vector<Effect> effects;
     std::vector<Function> functions;
+    std::vector<FunctionPoint> function_points;
     std::vector<Seen> seen;
     std::vector<Decision> decisions;
 

@@ -124,7 +124,7 @@ std::string loop_power_table(const StoredLoop& loop) {
 }
 
 std::string loop_localisation_table(const StoredLoop& loop) {
-    TextTable table({"alarm: seen from", "ordered by", "before", "after"});
+    TextTable table({"pattern: seen from", "ordered by", "before", "after"});
     const std::vector<Alarm> alarms = alarms_of(loop);
     const std::size_t n = std::min(alarms.size(), most_alarms);
     for (std::size_t k = 0; k < n; ++k)

@@ -79,6 +79,26 @@ TEST(Basis, InteractionsHaveNoMeanOverHoursOrOverTheOther) {
     }
 }
 
+// What a report draws between is straight, so that it is the function itself.
+TEST(Basis, ItsPointsAreWhereItsColumnsAre) {
+    const auto of_hours = hours(), slow = swinging(150);
+    std::vector<double> of_day, years;
+    for (const double point : of_hours)
+        of_day.push_back(std::fmod(point, 24) + (point >= 24 ? 24 : 0));
+    for (std::size_t k = 0; k < of_hours.size(); ++k)
+        years.push_back(static_cast<double>(k) / (24 * 365.25));
+    for (const Basis& basis :
+         {hours_of_week("hours", of_hours), smooth_of("slow", slow),
+          hours_times("both", of_day, slow), wandering("time", years)}) {
+        const Matrix columns = columns_of(basis, basis.points);
+        ASSERT_EQ(columns.rows, basis.at_points.rows) << basis.driver;
+        for (std::size_t p = 0; p < columns.rows; ++p)
+            for (std::size_t c = 0; c < columns.cols; ++c)
+                EXPECT_NEAR(columns(p, c), basis.at_points(p, c), 1e-12) << basis.driver;
+    }
+    EXPECT_TRUE(constant().points.empty());
+}
+
 TEST(Basis, BeyondTrainingTheEndsAreHeld) {
     const auto slow = swinging(150);
     const Basis basis = smooth_of("slow", slow);

@@ -27,6 +27,9 @@ StoredLoop made() {
     loop.effects[1].name = "blinds";
     loop.effects[1].members = {"blinds"};
     loop.effects[1].adequate = 1;
+    loop.functions = {{"gains by wind", "gains", "wind", "W/m2", "m/s", 0.4, 20}};
+    loop.function_points = {{0, 1.5, bemcal::nan, 0.2, 0.1, 0.3},
+                            {0, 4, bemcal::nan, 0.6, 0.4, 0.8}};
     loop.seen = {{"wind", "ground", "effect", "u_wall", 60, 0.9, 0.4, -3}};
     loop.decisions = {{"gas", "zeros", "masked", "data"},
                       {"ground", "one class with u_floor", "kept", "class"}};
@@ -53,6 +56,10 @@ TEST(StoredLoop, ComesBackAsItWas) {
     EXPECT_EQ(back.effects[0].members, made().effects[0].members);
     EXPECT_FALSE(back.effects[0].is_adequate());
     EXPECT_TRUE(back.effects[1].is_adequate());
+    EXPECT_EQ(back.functions.at(0).driver_unit, "m/s");
+    ASSERT_EQ(back.function_points.size(), 2U);
+    EXPECT_EQ(back.function_points[1].at, 4);
+    EXPECT_EQ(back.function_points[1].most, 0.8);
     EXPECT_EQ(back.seen[0].alias_kind, name_of(AliasKind::effect));
     EXPECT_FALSE(back.decisions[0].is_of_class());
     EXPECT_TRUE(back.decisions[1].is_of_class());

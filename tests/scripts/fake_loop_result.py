@@ -121,6 +121,34 @@ def effects(study, found):
             text(study, name, list(column))
 
 
+def function_rows():
+    """(where, hook, driver, its unit, unit, points [(at, and_at)])"""
+    hours = [(float(k), np.nan) for k in range(72)]
+    both = [(float(h), 4.0 * k) for h in range(48) for k in range(5)]
+    return [("gains by hour of the week", "gains", "hour of the week", "h", "W/m2", hours),
+            ("infiltration by wind", "infiltration", "wind", "m/s", "1/h", [(1.5 * k, np.nan) for k in range(8)]),
+            ("gains by hour and outdoor temperature of a day", "gains",
+             "hour and outdoor temperature of a day", "degC", "W/m2", both),
+            ("heating efficiency by time", "heating efficiency", "time", "a", "-",
+             [((k + 0.5) / 26, np.nan) for k in range(26)]),
+            ("meter factor of gas", "meter factor", "one", "", "-", [])]
+
+
+def functions(study, random):
+    """Functions without a name, of every kind; the last follows nothing."""
+    rows = function_rows()
+    for name, column in zip(("function", "function_hook", "function_driver", "function_driver_unit",
+                             "function_unit"), list(zip(*rows))[:5]):
+        text(study, name, list(column))
+    study["function_size"], study["function_evidence"] = [0.6, 0.1, 0.2, 0.03, 0.01], [120, 40, 9, 8, 6.0]
+    points = [(k, *point) for k, row in enumerate(rows) for point in row[5]]
+    value = random.normal(size=len(points))
+    study["function_point_of"], study["function_point_at"], study["function_point_and_at"] = \
+        (np.array(column, float) for column in zip(*points))
+    study["function_point_value"] = value
+    study["function_point_least"], study["function_point_most"] = value - 0.3, value + 0.3
+
+
 def steps(study, found, n_channels, random):
     rows = [("wind infiltration", 412, 24, 160, "accepted"), ("blind control", 38, 24, 9, "accepted")]
     rows = rows[:found] + [("meter drift, gas", 31, 24, -4, "rejected: the held-out score falls"),
@@ -184,6 +212,8 @@ def write(path, channels=CHANNELS, held_out=True, found=2, stage="office/loop", 
         study["fit"] = np.stack(fits, axis=1)
         parameters(study, random)
         effects(study, found)
+        if found:
+            functions(study, random)
         steps(study, found, len(channels), random)
         power(study, random)
         background(study, channels, found, random)

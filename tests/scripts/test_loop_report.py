@@ -16,7 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "scripts"), str(pathlib.Path(__file__).parent)]
 
 import fake_loop_result  # noqa: E402
-from report import page, pictures, result, studies, words  # noqa: E402
+from report import beside, page, pictures, regression, result, studies, words  # noqa: E402
 
 THREE = {"air": "degC", "electricity": "kWh", "gas": "kWh"}
 ONE = {"gas": "kWh"}
@@ -116,6 +116,29 @@ class LoopReport(unittest.TestCase):
                        "in held_out, which the search has not seen, the error fell for",
                        "it stayed the same for electricity", "Not explained:", "9 % for gas"):
             self.assertIn(phrase, lead)
+
+    def test_a_function_is_drawn_over_what_it_follows_with_its_interval(self):
+        drawn = pictures.functions(self.loop)
+        self.assertEqual(len(drawn), 4)         # the fifth follows nothing
+        for one, function in zip(drawn, self.loop.functions):
+            self.assertEqual(one.title.lower(), function.name)
+            k = max(range(len(function.points)), key=lambda p: abs(function.points[p].value))
+            point = function.points[k]
+            self.assertIn(f"{words.number(point.value)}, its 90 % interval is {words.number(point.least)} to "
+                          f"{words.number(point.most)}", one.alt)
+            self.assertIn(one.uri, self.html)
+
+    def test_a_regression_stands_beside_the_models_and_has_its_own_errors(self):
+        errors = beside.regression_errors(self.loop)
+        self.assertEqual({channel for channel, *_ in errors}, {"electricity", "gas"})
+        for channel in ("electricity", "gas"):
+            training, held_out = (beside.readings(self.loop.all_series[period][channel])
+                                  for period in self.loop.periods)
+            fit = regression.Regression(regression.choose_plan(*training), *training)
+            simulated, measured = fit.predict(*held_out[:2]), held_out[2]
+            self.assertAlmostEqual(errors[channel, "held_out", "hourly"], 100 * np.sqrt(
+                np.mean((simulated - measured)**2)) / measured.mean())
+            self.assertIn(f"{channel} {errors[channel, 'held_out', 'hourly']:.1f} % (after: ", self.page.text)
 
     def test_without_held_out_readings_it_says_so(self):
         loop = self.small("training.h5", held_out=False)
@@ -235,6 +258,13 @@ class Numbers(unittest.TestCase):
         cells = pictures.hour_and_month(series, 0)
         self.assertEqual(cells[5, 1], 3)
         self.assertEqual(cells.sum(), 3)
+
+    def test_a_typical_week_begins_on_monday_and_winter_in_december(self):
+        time = np.array(["2021-11-30T23", "2021-12-01T00", "2021-06-06T05", "2021-03-01T00"],
+                        "datetime64[s]").astype(float)
+        # A Tuesday's last hour of autumn, a Wednesday's first of winter, a Sunday, a Monday.
+        self.assertEqual(pictures.season_and_hour(time).tolist(),
+                         [3 * 168 + 47, 48, 2 * 168 + 149, 168])
 
     def test_a_weeks_first_day_is_a_monday(self):
         time = np.datetime64("2021-01-01", "s").astype(float) + 3600 * np.arange(24 * 30.0)

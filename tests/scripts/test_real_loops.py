@@ -15,18 +15,17 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "bench"), str(pathlib.Path(__file__).parent)]
 
 import bench_real_loops  # noqa: E402
+import numpy as np  # noqa: E402
 import fake_loop_result  # noqa: E402
 from report import result  # noqa: E402
 
 
 def printed_of(file):
-    """What change_point_baseline prints, with a choice of few regressions only."""
+    """What change_point_baseline prints."""
     loader = importlib.machinery.SourceFileLoader("change_point_baseline",
                                                   str(ROOT / "scripts" / "change_point_baseline"))
     script = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
     loader.exec_module(script)
-    script.GROUPINGS = {name: script.GROUPINGS[name] for name in ("one", "weekend")}
-    script.CHANGE_POINTS = (1,)
     with contextlib.redirect_stdout(io.StringIO()) as printed:
         script.compare_all(file)
     return printed.getvalue()
@@ -76,7 +75,17 @@ class RealLoops(unittest.TestCase):
         self.assertEqual(printed.getvalue().splitlines(), [
             "real_series_lower_by_10_percent 1 of_3 - -",
             "real_series_higher_by_1_percent 1 of_3 - -",
-            "real_series_not_above_regression 1 of_2 - -"])
+            "real_series_worse_than_before 0 of_3 - -",
+            "real_series_not_above_regression 1 of_2 - -",
+            "real_series_within_2_percent_of_regression 1 of_2 - -"])
+
+    # Of 26 fortnights with equal errors none is worse; with errors that all rose by 5 %, in one more than
+    # in another, it is; where one fortnight alone rose, it is not.
+    def test_worse_is_what_stands_out_from_fortnight_to_fortnight(self):
+        before = np.random.default_rng(1).uniform(1, 2, 26)
+        for change, is_worse in ((np.ones(26), False), (1.05**2 + 0.02 * np.sin(np.arange(26)), True),
+                                 (np.where(np.arange(26) == 3, 4, 1), False), (np.full(26, 1.005**2), False)):
+            self.assertEqual(bench_real_loops.is_worse(np.stack([before, before * change], axis=1)), is_worse)
 
 
 if __name__ == "__main__":

@@ -209,10 +209,16 @@ def write_result(path):
              "effect_class": ["heat island; sky loss"],
              "effect_class_member": ["heat island", "sky loss"], "effect_separates": ["a logger"],
              "effect_doubt": ["others do nearly as well"],
+             "function": ["gains by wind"], "function_hook": ["gains"], "function_driver": ["wind"],
+             "function_driver_unit": ["m/s"], "function_unit": ["W/m2"],
              "decision_series": ["cold"], "decision_finding": ["zeros"],
              "decision_action": ["kept"], "decision_kind": ["data"]}
     numbers = {"effect_class_of": [0.0, 0.0], "effect_coefficient": [1.5], "effect_least": [1.2], "effect_most": [1.8],
-               "effect_adequate": [0.0], "effect_gain": [200.0]}
+               "effect_adequate": [0.0], "effect_gain": [200.0],
+               "function_size": [0.4], "function_evidence": [20.0], "function_point_of": [0.0, 0.0],
+               "function_point_at": [1.0, 5.0], "function_point_and_at": [np.nan, np.nan],
+               "function_point_value": [-0.2, 0.3], "function_point_least": [-0.4, 0.1],
+               "function_point_most": [0.0, 0.5]}
     begin = np.datetime64("2018-01-01T00", "s").astype(np.int64)
     with h5py.File(path, "w") as file:
         for building in ("a", "b"):
@@ -252,6 +258,14 @@ class Results(Folders):
         self.assertEqual(effect["doubt"], "others do nearly as well")
         self.assertEqual((effect["name"], effect["hook"], effect["coefficient"], effect["unit"]),
                          ("heat island", "outdoor air", 1.5, "K"))
+
+    def test_a_function_is_a_record_with_its_points(self):
+        function, = json.loads((self.folder / "functions.json").read_text())
+        self.assertEqual((function["name"], function["driver_unit"], function["unit"], function["size"]),
+                         ("gains by wind", "m/s", "W/m2", 0.4))
+        self.assertEqual(function["points"], [
+            {"at": 1.0, "and_at": None, "value": -0.2, "least": -0.4, "most": 0.0},
+            {"at": 5.0, "and_at": None, "value": 0.3, "least": 0.1, "most": 0.5}])
 
     def test_a_decision_is_a_record(self):
         self.assertEqual(json.loads((self.folder / "decisions.json").read_text()),
@@ -330,7 +344,7 @@ class Runs(Folders):
         self.assertEqual(done.stdout, f"{self.folder / 'out/a'}\n")
         self.assertEqual({path.name for path in (self.folder / "out/a").iterdir()},
                          {"plain.csv", "before.csv", "after.csv", "effects.json",
-                          "decisions.json", "report.html", "result.h5"})
+                          "functions.json", "decisions.json", "report.html", "result.h5"})
         self.assertFalse((self.folder / "out/b").exists())
 
     def test_the_only_good_case_of_several_has_its_folder(self):
