@@ -179,7 +179,8 @@ class Model {
             }
             for (long k = 0; k < n_i; ++k) {
                 const double precision =
-                    i == 0 ? std::max(data_.precision[k], least_precision)
+                    i == 0 ? std::max(data_.precision[k], least_precision) +
+                                 precision_of_range()
                            : joined_[i]->scatter / joined_[i]->variance;
                 all.matrix(first[i] + k, first[i] + k) += precision;
                 if (i == 0) all.right[k] -= data_.precision[k] * data_.at[k];
@@ -339,6 +340,10 @@ class Model {
                                           (right - half.transpose() * half_right)};
     }
 
+    double precision_of_range() const {
+        return data_.linear_range > 0 ? 1 / (data_.linear_range * data_.linear_range) : 0;
+    }
+
     static MatrixXd total(const std::vector<MatrixXd>& by_fold, const Folds& in) {
         MatrixXd all = MatrixXd::Zero(by_fold[0].rows(), by_fold[0].cols());
         for (std::size_t f = 0; f < by_fold.size(); ++f)
@@ -359,6 +364,7 @@ class Model {
 std::vector<std::unique_ptr<Block>> promising(const Model& model,
                                               const std::vector<Pair>& pairs,
                                               const ColumnsOf& columns_of,
+                                              const std::vector<There>& there,
                                               std::size_t most) {
     const Model::Others others = model.others();
     const auto beyond = [](const auto& block) {
@@ -366,6 +372,7 @@ std::vector<std::unique_ptr<Block>> promising(const Model& model,
     };
     std::vector<std::unique_ptr<Block>> blocks;
     for (const Pair& pair : pairs) {
+        if (std::ranges::find(there, pair.id, &There::id) != there.end()) continue;
         auto block = std::make_unique<Block>();
         block->id = pair.id, block->log_odds = pair.log_odds;
         block->columns = columns_of(pair.id);
@@ -405,9 +412,20 @@ std::size_t WeighedData::n_folds() const {
 }
 
 Path search_functions(const WeighedData& data, const std::vector<Pair>& pairs,
-                      const ColumnsOf& columns_of, const SearchOptions& options) {
+                      const ColumnsOf& columns_of, const std::vector<There>& there,
+                      const SearchOptions& options) {
     Model model(data);
-    const auto blocks = promising(model, pairs, columns_of, options.most_candidates);
+    std::vector<std::unique_ptr<Block>> first;
+    for (const There& one : there) {
+        first.push_back(std::make_unique<Block>());
+        Block& block = *first.back();
+        block.id = one.id, block.variance = one.variance, block.scatter = one.scatter;
+        block.columns = columns_of(one.id);
+        model.join(block);
+    }
+    if (!first.empty()) model.settle();
+    const auto blocks =
+        promising(model, pairs, columns_of, there, options.most_candidates);
     std::vector<Block*> judged;
     Path path;
     path.stages.push_back(model.stage());

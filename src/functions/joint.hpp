@@ -19,6 +19,9 @@ struct WeighedData {
     Eigen::MatrixXf parameters;     ///< [readings x parameters] its derivatives
     Eigen::VectorXd precision;      ///< [parameters] of their priors; 0 = none
     Eigen::VectorXd at;             ///< [parameters] where they are, in prior sd
+    /// How far the model is nearly linear in a parameter [prior sd]: moves are as if
+    /// drawn around 0 with this standard deviation. 0 = everywhere.
+    double linear_range = 0;
 
     std::size_t n_folds() const;
 };
@@ -55,7 +58,7 @@ struct Stage {
 
 /// How the search went.
 struct Path {
-    std::vector<Stage> stages;  ///< the first is without any function
+    std::vector<Stage> stages;  ///< the first has the functions that were there
 };
 
 struct SearchOptions {
@@ -63,9 +66,17 @@ struct SearchOptions {
     std::size_t most_candidates = 16;  ///< kept in memory after the first pass
 };
 
-/// Pairs join while the best of the rest brings more evidence than its prior odds ask
-/// for, and foretells folds that it has not seen; variances are found again after each.
+/// A pair that is in the model from the beginning, as an earlier search left it.
+struct There {
+    std::size_t id = 0;
+    double variance = 0, scatter = 1;
+};
+
+/// Pairs join those that are there while the best of the rest brings more evidence than
+/// its prior odds ask for, and foretells folds that it has not seen; variances are found
+/// again after each.
 Path search_functions(const WeighedData& data, const std::vector<Pair>& pairs,
-                      const ColumnsOf& columns_of, const SearchOptions& options = {});
+                      const ColumnsOf& columns_of, const std::vector<There>& there = {},
+                      const SearchOptions& options = {});
 
 }  // namespace bemcal::functions

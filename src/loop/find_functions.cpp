@@ -1,5 +1,6 @@
 /// Simulates the stages of a search with their functions in place, and takes the one that
-/// foretells unseen blocks best; then once more about the model with these.
+/// foretells unseen blocks best; then once more about the model with these, which are
+/// estimated again while others may join.
 /// Source: Vehtari and others 2017 for what was left out as the judge. The search is
 /// `Remainder`'s. Functions are not named: they say where and when, not why.
 #include "loop/find_functions.hpp"
@@ -151,7 +152,9 @@ std::optional<Simulated> better_stage(const LoopData& data,
     const functions::Path path = remainder.search();
     std::optional<Simulated> best;
     double least = so_far.standing.score;
-    for (std::size_t k = 1; k < path.stages.size(); ++k) {
+    // What was there is estimated again, and may do without more.
+    const std::size_t first = so_far.functions.empty() ? 1 : 0;
+    for (std::size_t k = first; k < path.stages.size(); ++k) {
         auto one =
             simulated(data, drivers, place, without, from, remainder, path.stages[k]);
         if (!one || one->standing.score >= least ||

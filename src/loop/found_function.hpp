@@ -16,6 +16,8 @@ struct FoundFunction {
     std::vector<double> mean;  ///< [columns] of its coefficients, in typical sizes
     double size = 0;           ///< root mean square in training [the hook's unit]
     double evidence = 0;       ///< log marginal likelihood that it brings
+    double variance = 0;       ///< of its coefficients' prior
+    double scatter = 1;        ///< of its scores (functions/joint)
     std::vector<double> deviations{};  ///< [basis' points] standard deviation of its
                                        ///< values there, in typical sizes
 

@@ -16,6 +16,9 @@ using Series = std::vector<double>;
 constexpr double log_odds_of_hook = 5;
 /// The same at a meter, which explains anything: a tenth as likely.
 constexpr double log_odds_of_meter = 7.3;
+/// How far the parameters move at once [prior sd]: further, the model is not linear, and
+/// what it then says is not what the step foretold. A later round moves them on.
+constexpr double linear_range = 0.2;
 /// Blocks that are left out together: every sixth.
 constexpr std::size_t n_folds = 6;
 
@@ -99,12 +102,17 @@ Remainder::Remainder(const LoopData& data, const Place& place, const Standing& s
             basis, of_period(drivers.at(basis.driver), *place.drive)));
     for (std::size_t k = 0; k < n_unknowns; ++k)
         if (standing.fit.bound[k] == 0) free_.push_back(k);
-    for (const FoundFunction& function : there) add(function, without_functions_);
+    for (const FoundFunction& function : there) {
+        const auto id = id_of(function);
+        if (!id) continue;
+        add(*id, function, without_functions_);
+        there_.push_back({*id, function.variance, function.scatter});
+    }
 }
 
 functions::Path Remainder::search() const {
-    return functions::search_functions(weighed_data(), pairs(),
-                                       [&](std::size_t id) { return columns_of(id); });
+    return functions::search_functions(
+        weighed_data(), pairs(), [&](std::size_t id) { return columns_of(id); }, there_);
 }
 
 std::vector<FoundFunction> Remainder::found_by(const functions::JointFit& fit) const {
@@ -116,7 +124,8 @@ std::vector<FoundFunction> Remainder::found_by(const functions::JointFit& fit) c
 }
 
 FoundFunction Remainder::found_of(const functions::FunctionFit& fit) const {
-    FoundFunction found{hook_of(fit.id), basis_of(fit.id), {}, 0, fit.evidence};
+    FoundFunction found{hook_of(fit.id), basis_of(fit.id), {},         0,
+                        fit.evidence,    fit.variance,     fit.scatter};
     found.mean.assign(fit.mean.begin(), fit.mean.end());
     found.size = found.at.typical * root_mean_square(input_of(fit.id, found.mean).values);
     found.deviations = deviations_at_points(found.basis, fit.covariance);
@@ -130,16 +139,20 @@ Series Remainder::moves_of(const functions::JointFit& fit) const {
     return moves;
 }
 
-void Remainder::add(const FoundFunction& function, Series& readings) const {
-    for (std::size_t id = 0; id < n_pairs(); ++id) {
-        if (hook_of(id).name != function.at.name ||
-            basis_of(id).driver != function.basis.driver)
-            continue;
-        const Matrix shown = functions::scan(linear_.steps, id / bases_.size(),
-                                             input_of(id, function.mean));
-        const Series own = layout_.readings_of(shown, 0, 1);
-        for (std::size_t i = 0; i < own.size(); ++i) readings[i] += own[i];
-    }
+std::optional<std::size_t> Remainder::id_of(const FoundFunction& function) const {
+    for (std::size_t id = 0; id < n_pairs(); ++id)
+        if (hook_of(id).name == function.at.name &&
+            basis_of(id).driver == function.basis.driver)
+            return id;
+    return std::nullopt;
+}
+
+void Remainder::add(std::size_t id, const FoundFunction& function,
+                    Series& readings) const {
+    const Matrix shown =
+        functions::scan(linear_.steps, id / bases_.size(), input_of(id, function.mean));
+    const Series own = layout_.readings_of(shown, 0, 1);
+    for (std::size_t i = 0; i < own.size(); ++i) readings[i] += own[i];
 }
 
 std::vector<functions::Pair> Remainder::pairs() const {
@@ -160,6 +173,7 @@ functions::WeighedData Remainder::weighed_data() const {
     layout_.write(without_functions_, weighed.residual);
     weighed.left.resize(layout_.n_rows());
     layout_.write(standing_.residuals, weighed.left);
+    weighed.linear_range = linear_range;
     const auto n = static_cast<long>(free_.size());
     weighed.parameters.resize(layout_.n_rows(), n);
     weighed.precision.resize(n);

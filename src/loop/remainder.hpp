@@ -7,6 +7,7 @@
 #include "loop/function_drivers.hpp"
 #include "loop/linear_model.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace bemcal::loop {
@@ -71,15 +72,18 @@ class Remainder {
     Eigen::MatrixXf columns_of(std::size_t id) const;
     /// A pair's function over the steps of training. [steps x 1]
     Matrix input_of(std::size_t id, const std::vector<double>& coefficients) const;
+    std::optional<std::size_t> id_of(const FoundFunction& function) const;
     /// Adds what a function brings to the readings, as the linear steps have it.
-    void add(const FoundFunction& function, std::vector<double>& readings) const;
+    void add(std::size_t id, const FoundFunction& function,
+             std::vector<double>& readings) const;
 
     const Standing& standing_;
     ReadingLayout layout_;
     LinearModel linear_;
     std::vector<functions::Basis> bases_;
-    std::vector<Matrix> inputs_;             ///< [bases] columns on the steps
-    std::vector<std::size_t> free_;          ///< unknowns that no end of a range holds
+    std::vector<Matrix> inputs_;     ///< [bases] columns on the steps
+    std::vector<std::size_t> free_;  ///< unknowns that no end of a range holds
+    std::vector<functions::There> there_;
     std::vector<double> without_functions_;  ///< residuals if those there were not
 };
 

@@ -143,6 +143,46 @@ TEST(JointModel, IntervalsHoldWhatIsThere) {
     EXPECT_LE(inside, 290);
 }
 
+// Ridge regression about where the parameter is: (n + prior + 1 / range^2)^-1 (sum r).
+TEST(JointModel, ParametersMoveWithinTheirLinearRange) {
+    WeighedData data = data_with(-1, 0, 3);
+    data.residual.array() += 1;
+    const double sum = data.residual.cast<double>().sum();
+    for (const double range : {0.0, 0.2, 0.01}) {
+        data.linear_range = range;
+        const Path path = search_functions(data, {}, columns_of_pair);
+        const double precision = n_rows + 1 + (range > 0 ? 1 / (range * range) : 0);
+        EXPECT_NEAR(path.stages.at(0).all.parameters[0], sum / precision, 1e-6);
+    }
+}
+
+TEST(JointModel, WhatIsThereIsEstimatedAgainAndOthersJoinIt) {
+    WeighedData data = data_with(1, 0.3, 1);
+    const Path alone = search_functions(data, {{1, 0}}, columns_of_pair);
+    const FunctionFit& found = alone.stages.at(1).all.functions.at(0);
+    data.residual += columns_of_pair(0) * Eigen::VectorXf::Constant(3, 0.2F);
+    data.left = data.residual;
+    const Path path = search_functions(data, three, columns_of_pair,
+                                       {{1, found.variance, found.scatter}});
+    ASSERT_EQ(path.stages.size(), 2u);
+    ASSERT_EQ(path.stages[0].all.functions.size(), 1u);
+    EXPECT_EQ(path.stages[0].all.functions[0].id, 1u);
+    for (const double coefficient : path.stages[0].all.functions[0].mean)
+        EXPECT_NEAR(coefficient, 0.3, 0.1);
+    ASSERT_EQ(path.stages[1].all.functions.size(), 2u);
+    EXPECT_EQ(path.stages[1].all.functions[1].id, 0u);
+    for (const double coefficient : path.stages[1].all.functions[1].mean)
+        EXPECT_NEAR(coefficient, 0.2, 0.1);
+}
+
+// What was there and brings nothing is next to nothing again, or leaves.
+TEST(JointModel, WhatIsThereAndBringsNothingShrinks) {
+    const Path path =
+        search_functions(data_with(-1, 0, 11), {}, columns_of_pair, {{2, 4, 1}});
+    for (const FunctionFit& left : path.stages.at(0).all.functions)
+        EXPECT_LT(left.mean.norm(), 0.1);
+}
+
 TEST(JointModel, HalvesHaveNotSeenTheirFolds) {
     WeighedData data = data_with(1, 0.3, 1);
     const Path path = search_functions(data, {{1, 0}}, columns_of_pair);
