@@ -10,7 +10,7 @@ from report.words import fixed, number, percent
 HOURS_OF_WEEK, LAGS, LEAST_SHARE = 168, 200, 0.9
 SEASONS = ("winter", "spring", "summer", "autumn")     # from December on
 DAYS = ["Mo", "Tu", "We", "Th", "Fr", "Sa", "Su"]
-CLASSES_OF_DAYS = ("working days", "Saturdays", "Sundays and holidays")
+CLASSES_OF_DAYS = ("working days", "Saturdays", "Sundays, holidays")
 YEAR = 365.25 * 86400          # [s]
 MODELS = {PLAIN: ("plain", theme.PLAIN), BEFORE: ("before", theme.BEFORE),
           AFTER: ("after", theme.AFTER)}
@@ -226,7 +226,8 @@ def by_hour(axis, points):
                           alpha=0.18, linewidth=0)
         axis.plot(hours, middle, color=colour, label=name)
     axis.set(xlabel="hour of the day", xticks=range(0, 25, 6), xlim=(0, 24))
-    axis.legend(loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2, ncols=3)
+    axis.legend(loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2, ncols=3, columnspacing=0.9,
+                handlelength=1, handletextpad=0.4)
 
 
 def along(axis, points, place, label):
