@@ -4,7 +4,7 @@ import pathlib
 import jinja2
 
 from report import beside, pictures, theme, words
-from report.result import AFTER, BEFORE, OF_CLASS, PLAIN
+from report.result import AFTER, BEFORE, OF_CLASS, OF_ENDS, PLAIN
 
 MOST_POWER_ROWS = 15
 
@@ -26,9 +26,9 @@ def power_rows(loop):
 
 
 def decision_rows(loop):
-    """Of the data: classes of effects and parameters stand with the power table."""
+    """Of the data: classes of effects and parameters stand with the power table, ends with the parameters."""
     return [(decision.series, decision.finding, decision.action) for decision in loop.decisions
-            if decision.kind != OF_CLASS]
+            if decision.kind not in (OF_CLASS, OF_ENDS)]
 
 
 def parameter_rows(loop):
@@ -82,7 +82,7 @@ def contents(loop):
         regression=words.regression(loop, regressions), errors=error_rows(loop, regressions), error_picture=pictures.errors(loop), effects=effect_rows(loop),
         functions=function_rows(loop), function_pictures=pictures.functions(loop),
         channels=channels, parameters=parameter_rows(loop),
-        parameter_picture=pictures.parameters(loop), pattern_picture=pictures.patterns(loop),
+        unusual_ends=words.unusual_ends(loop), parameter_picture=pictures.parameters(loop), pattern_picture=pictures.patterns(loop),
         steps=step_rows(loop), ranking=ranking, power=power[:MOST_POWER_ROWS],
         more_power=power[MOST_POWER_ROWS:], unseen=words.unseen(loop), aliases=words.aliases(loop),
         followed=words.followed(loop),

@@ -15,6 +15,7 @@ PLAIN, BEFORE, AFTER = range(3)
 HOURLY, MONTHLY = range(2)
 LEAST_READINGS = 168           # fewer make no picture
 OF_CLASS = "class"             # a kind of decisions: effects that are one with parameters
+OF_ENDS = "parameter"          # another: where a calibration ended
 OF_PARAMETERS = "parameters"   # a kind of aliases: other values of what is calibrated
 # What results of 0.1.0 have in words only, and the limits that they do not say.
 CLASS_OF_0_1_0, PARAMETERS_OF_0_1_0 = "one class with ", "the calibrated parameters themselves"

@@ -1,7 +1,7 @@
 """Numbers and findings in words."""
 import math
 
-from report.result import AFTER, BEFORE, OF_PARAMETERS, PLAIN
+from report.result import AFTER, BEFORE, OF_ENDS, OF_PARAMETERS, PLAIN
 
 DASH = "–"
 SMALL = 0.005                  # changes below this share are none
@@ -172,6 +172,17 @@ def unexplained(loop):
             listed(large) + "."
     return "Of what remains, hour, weekday and season predict less than 2 % of the variance." \
         if known else ""
+
+
+def unusual_ends(loop):
+    """Parameters at an end of their range, or far from their prior."""
+    ends = [f"{decision.series} ({decision.finding.replace('-', '−')})" for decision in loop.decisions
+            if decision.kind == OF_ENDS]
+    if not ends:
+        return ""
+    return f"{'One ends' if len(ends) == 1 else in_words(len(ends)) + ' end'} at an end of the range or far from " \
+           f"the prior: {listed(ends)}. Such a number may stand for what the description lacks, or its range " \
+           "or declared value is wrong."
 
 
 def can_be_seen(loop, effect):

@@ -180,11 +180,12 @@ def background(study, channels, found, random):
     text(study, "structure", ("as described", "air capacity and proportional band", "second mass"))
     study["structure_score"] = [1.31, 0.94, 0.97]
     text(study, "structure_chosen", "air capacity and proportional band")
-    text(study, "decision_series", ("gas", "effect 39"))
+    text(study, "decision_series", ("gas", "effect 39", "thermostat_band"))
     text(study, "decision_finding", ("60 h of the same value from 2022-06-16 16:00",
-                                     "one class with u_floor"))
-    text(study, "decision_action", ("masked", "told apart where it is large"))
-    text(study, "decision_kind", ("data", "class"))
+                                     "one class with u_floor", "at the upper end of its range: 0.5 K"))
+    text(study, "decision_action", ("masked", "told apart where it is large",
+                                    "may stand for what the description lacks"))
+    text(study, "decision_kind", ("data", "class", "parameter"))
     text(study, "hook", HOOKS)
     text(study, "driver", DRIVERS)
     before = 0.9 * random.random((len(HOOKS), len(DRIVERS)))

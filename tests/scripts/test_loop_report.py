@@ -167,12 +167,17 @@ class LoopReport(unittest.TestCase):
         self.assertIn("do nearly the same as (told apart only where large): effect 38.", self.page.text)
         self.assertNotIn("one class with u_floor", self.page.text)
 
+    def test_a_parameter_at_an_end_is_said_beside_the_parameters(self):
+        self.assertIn("One ends at an end of the range or far from the prior: thermostat_band (at the upper end "
+                      "of its range: 0.5 K).", self.page.text)
+        self.assertNotIn("may stand for what the description lacks thermostat", self.page.text)
+
     def test_limits_and_kinds_are_those_of_the_result(self):
         file = fake_loop_result.write(self.folder / "limits.h5", channels=ONE)
         with h5py.File(file, "a") as stored:
             study = stored["office/loop"]
             study["least_detectability"][()], study["same_signature"][()] = 1e9, 0.5
-            study["decision_kind"][:] = ["class", "data"]
+            study["decision_kind"][:] = ["class", "data", "parameter"]
         loop = result.read(file)
         self.assertEqual(page.power_rows(loop), [])
         self.assertEqual(words.followed(loop), [])
@@ -182,8 +187,10 @@ class LoopReport(unittest.TestCase):
         self.assertIn("correlation of 0.5 or more", text)
 
     def test_a_result_of_before_lists_kinds_and_limits_were_stored_looks_the_same(self):
-        now = page.html_of(self.small("now.h5"))
         file = fake_loop_result.write(self.folder / "older.h5", channels=ONE)
+        with h5py.File(file, "a") as stored:        # which says nothing of ends of parameters
+            stored["office/loop/decision_kind"][2] = "data"
+        now = page.html_of(result.read(file))
         with h5py.File(file, "a") as stored:
             for name in ("effect_class_of", "effect_class_member", "decision_kind",
                          "power_alias_kind", "least_detectability", "same_signature"):
