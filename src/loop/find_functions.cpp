@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -68,8 +69,8 @@ bool simulate_at(const LoopData& data, const Series& x, Standing& standing) {
     return true;
 }
 
-/// The model with functions, its parameters moved from x; by less where the whole way
-/// leads to what cannot be simulated. Nothing where no step does.
+/// The model with functions, its parameters moved from x; by less, or not at all, where
+/// the whole way leads to what cannot be simulated. Nothing where no step does.
 std::optional<Standing> joined(const LoopData& data, const FunctionDrivers& drivers,
                                Place& place, const Standing& without, const Series& x,
                                const Series& moves,
@@ -84,7 +85,7 @@ std::optional<Standing> joined(const LoopData& data, const FunctionDrivers& driv
         return std::nullopt;
     }
     const auto& unknowns = with.built.unknowns;
-    for (const double step : {1.0, 0.5, 0.25}) {
+    for (const double step : {1.0, 0.5, 0.25, 0.0}) {
         Series at(unknowns.size(), 1.0);
         for (std::size_t k = 0; k < at.size(); ++k) {
             if (k < x.size()) at[k] = x[k] + step * moves[k];
@@ -102,31 +103,77 @@ struct Simulated {
     Standing standing;  ///< its left_out and score are of the halves
 };
 
-/// nothing where it cannot be simulated.
-std::optional<Simulated> simulated(const LoopData& data, const FunctionDrivers& drivers,
-                                   Place& place, const Standing& without,
-                                   const Standing& from, const Remainder& remainder,
-                                   const functions::Stage& stage) {
-    Series x = from.fit.at.x;
-    x.resize(without.built.unknowns.size());
-    const auto model_of = [&](const functions::JointFit& fit) {
-        return joined(data, drivers, place, without, x, remainder.moves_of(fit),
-                      remainder.found_by(fit));
-    };
-    Series left_out(data.targets.size(), 0.0);
-    for (std::size_t half = 0; half < 2; ++half) {
-        const auto one = model_of(stage.halves[half]);
-        if (!one) return std::nullopt;
-        for (std::size_t k = 0; k < left_out.size(); ++k)
-            if (static_cast<std::size_t>(data.blocks[k]) % 2 == half)
-                left_out[k] = one->residuals[k];
-    }
-    auto all = model_of(stage.all);
-    if (!all) return std::nullopt;
-    all->left_out = std::move(left_out);
-    all->score = deviance(data.targets, without.noise, all->left_out);
-    return Simulated{remainder.found_by(stage.all), std::move(*all)};
+/// Those that leave set-points alone: of heating and cooling they must not come closer
+/// than the thermostat's band, and where they are that close no function can enter.
+std::vector<FoundFunction> apart_from_set_points(std::vector<FoundFunction> found) {
+    using effects::Hook;
+    std::erase_if(found, [](const FoundFunction& function) {
+        return function.at.hook == Hook::heating_set_point ||
+               function.at.hook == Hook::cooling_set_point;
+    });
+    return found;
 }
+
+/// Simulates stages of a search.
+class StageSimulator {
+  public:
+    StageSimulator(const LoopData& data, const FunctionDrivers& drivers, Place& place,
+                   const Standing& without, const Standing& from,
+                   const Remainder& remainder)
+        : data_(data),
+          drivers_(drivers),
+          place_(place),
+          without_(without),
+          remainder_(remainder),
+          x_(from.fit.at.x) {
+        x_.resize(without.built.unknowns.size());
+    }
+
+    /// nothing where it cannot be simulated.
+    std::optional<Simulated> simulated(const functions::Stage& stage) const {
+        auto whole =
+            simulated(stage, [&](const auto& fit) { return remainder_.found_by(fit); });
+        if (whole) return whole;
+        return simulated(stage, [&](const auto& fit) {
+            return apart_from_set_points(remainder_.found_by(fit));
+        });
+    }
+
+  private:
+    using FoundBy = std::function<std::vector<FoundFunction>(const functions::JointFit&)>;
+
+    std::optional<Simulated> simulated(const functions::Stage& stage,
+                                       const FoundBy& found_by) const {
+        std::vector<FoundFunction> found = found_by(stage.all);
+        if (found.empty()) return std::nullopt;
+        Series left_out(data_.targets.size(), 0.0);
+        for (std::size_t half = 0; half < 2; ++half) {
+            const auto one = model_of(stage.halves[half], found_by(stage.halves[half]));
+            if (!one) return std::nullopt;
+            for (std::size_t k = 0; k < left_out.size(); ++k)
+                if (static_cast<std::size_t>(data_.blocks[k]) % 2 == half)
+                    left_out[k] = one->residuals[k];
+        }
+        auto all = model_of(stage.all, found);
+        if (!all) return std::nullopt;
+        all->left_out = std::move(left_out);
+        all->score = deviance(data_.targets, without_.noise, all->left_out);
+        return Simulated{std::move(found), std::move(*all)};
+    }
+
+    std::optional<Standing> model_of(const functions::JointFit& fit,
+                                     const std::vector<FoundFunction>& found) const {
+        return joined(data_, drivers_, place_, without_, x_, remainder_.moves_of(fit),
+                      found);
+    }
+
+    const LoopData& data_;
+    const FunctionDrivers& drivers_;
+    Place& place_;
+    const Standing& without_;
+    const Remainder& remainder_;
+    Series x_;  ///< where the parameters move from
+};
 
 /// Whether no meter's unseen readings are foretold worse.
 bool spares_meters(const LoopData& data, const Standing& without, const Standing& with) {
@@ -150,13 +197,13 @@ std::optional<Simulated> better_stage(const LoopData& data,
     const Remainder remainder(data, place, from, drivers, so_far.functions,
                               without.built.unknowns.size(), without.noise);
     const functions::Path path = remainder.search();
+    const StageSimulator simulator(data, drivers, place, without, from, remainder);
     std::optional<Simulated> best;
     double least = so_far.standing.score;
     // What was there is estimated again, and may do without more.
     const std::size_t first = so_far.functions.empty() ? 1 : 0;
     for (std::size_t k = first; k < path.stages.size(); ++k) {
-        auto one =
-            simulated(data, drivers, place, without, from, remainder, path.stages[k]);
+        auto one = simulator.simulated(path.stages[k]);
         if (!one || one->standing.score >= least ||
             !spares_meters(data, without, one->standing))
             continue;
