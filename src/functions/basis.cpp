@@ -101,8 +101,8 @@ void fill(Basis& basis, const Covariance& prior, const Eigen::MatrixXd& off,
 
 /// 0, step, 2 step ...
 std::vector<double> evenly(long n, double step) {
-    std::vector<double> all;
-    for (long k = 0; k < n; ++k) all.push_back(static_cast<double>(k) * step);
+    std::vector<double> all(static_cast<std::size_t>(n));
+    for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<double>(k) * step;
     return all;
 }
 
@@ -229,11 +229,17 @@ Basis wandering(std::string driver, std::span<const double> years) {
     basis.driver = std::move(driver);
     const auto n =
         static_cast<long>(std::floor(*std::ranges::max_element(years) * fortnights)) + 1;
-    basis.weights = [n](std::span<const double> at) {
-        const double fortnight = std::floor(at[0] * fortnights);
-        const auto point = static_cast<std::size_t>(
-            std::clamp(fortnight, 0.0, static_cast<double>(n - 1)));
-        return Basis::Weights{{point, 0, 0, 0}, {1, 0, 0, 0}};
+    const auto point_at = [n](double year) {
+        return static_cast<std::size_t>(
+            std::clamp(std::floor(year * fortnights), 0.0, static_cast<double>(n - 1)));
+    };
+    const double length = static_cast<double>(n) / fortnights;
+    basis.weights = [=](std::span<const double> at) {
+        const double year_before = at[0] - std::ceil(at[0] - length);
+        if (at[0] < length || length > 2 || year_before < 0)
+            return Basis::Weights{{point_at(at[0]), 0, 0, 0}, {1, 0, 0, 0}};
+        return Basis::Weights{{point_at(at[0]), point_at(year_before), 0, 0},
+                              {0.5, 0.5, 0, 0}};
     };
     basis.points = {evenly(n, 1 / fortnights)};
     for (double& middle : basis.points[0]) middle += 0.5 / fortnights;

@@ -46,7 +46,9 @@ Basis smooth_of(std::string driver, std::span<const double> training);
 Basis hours_times(std::string driver, std::span<const double> hours,
                   std::span<const double> slow);
 /// A level that wanders: a random walk by the fortnight of `years` (points of the
-/// beginning of each); the last level goes on.
+/// beginning of each); the last level goes on. Where no season repeats, in under two
+/// years, it may as well be one: then the mean of the last level and of that of the same
+/// time of the year goes on.
 Basis wandering(std::string driver, std::span<const double> years);
 
 }  // namespace bemcal::functions

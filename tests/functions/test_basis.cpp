@@ -112,13 +112,28 @@ TEST(Basis, BeyondTrainingTheEndsAreHeld) {
 
 TEST(Basis, AWanderingLevelStaysWhereItEnded) {
     std::vector<double> years;
-    for (int day = 0; day < 365; ++day) years.push_back(day / 365.25);
+    for (int day = 0; day < 740; ++day) years.push_back(day / 365.25);
     const Basis basis = wandering("time", years);
-    const Matrix columns = columns_of(basis, {{years.back(), 1.5, 3, 0, -0.2}});
+    const Matrix columns = columns_of(basis, {{years.back(), 2.5, 3, 0, -0.2}});
     for (std::size_t c = 0; c < columns.cols; ++c) {
         EXPECT_EQ(columns(0, c), columns(1, c));
         EXPECT_EQ(columns(0, c), columns(2, c));
         EXPECT_EQ(columns(3, c), columns(4, c));
+    }
+}
+
+// In less than two years what follows time may be a season: half of each is foretold, as
+// often as years pass; where the time of the year was not there, the last level alone.
+TEST(Basis, AWanderingLevelOfOneYearMayBeASeason) {
+    std::vector<double> years;
+    for (int day = 0; day < 300; ++day) years.push_back(day / 365.25);
+    const Matrix columns =
+        columns_of(wandering("time", years), {{years.back(), 0.3, 1.3, 2.3, 0.95}});
+    for (std::size_t c = 0; c < columns.cols; ++c) {
+        const double last = columns(0, c), season = columns(1, c);
+        EXPECT_NEAR(columns(2, c), 0.5 * (last + season), 1e-12);
+        EXPECT_NEAR(columns(3, c), 0.5 * (last + season), 1e-12);
+        EXPECT_EQ(columns(4, c), last);
     }
 }
 

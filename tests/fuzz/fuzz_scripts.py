@@ -161,7 +161,7 @@ def damage_dataset(file, rng):
     if kind == 0:
         return
     if kind == 2:
-        values = values[:rng.randrange(3)] if values.ndim else values
+        values = values[:rng.randrange(3)] if np.ndim(values) else values
     elif kind == 3:
         values = np.zeros(rng.choice(((), (0,), (2,), (3, 3), (1, 2, 2))))
     elif kind == 4:
