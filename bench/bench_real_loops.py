@@ -146,10 +146,11 @@ def of_all_held_out(errors, resolution=0):
     return list(series.values())
 
 
-def is_worse(squares, rng=None):
+def is_worse(squares):
     """Whether after is worse than before by over 1 % and two standard errors. [fortnight x (before, after)]
     sums of squared errors."""
-    rng = rng or np.random.default_rng(1)
+    rng = np.random.default_rng(1)
+
     def change(rows):
         before, after = rows.sum(axis=0)
         return 0.5 * np.log(after / before)

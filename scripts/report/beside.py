@@ -9,8 +9,12 @@ from report.result import HOURLY, MONTHLY
 LEAST_READINGS = 1000          # a level for each hour of the week asks for six weeks
 
 
+def rmse(simulated, measured):
+    return np.sqrt(((simulated - measured) ** 2).mean())
+
+
 def cv_rmse(simulated, measured):
-    return 100 * np.sqrt(((simulated - measured) ** 2).mean()) / measured.mean()
+    return 100 * rmse(simulated, measured) / measured.mean()
 
 
 def monthly(times, values):

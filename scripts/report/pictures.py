@@ -4,10 +4,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from report import theme
+from report.regression import HOURS_OF_WEEK, hour_of_week
 from report.result import AFTER, BEFORE, HOURLY, PLAIN
 from report.words import fixed, number, percent
 
-HOURS_OF_WEEK, LAGS, LEAST_SHARE = 168, 200, 0.9
+LAGS, LEAST_SHARE = 200, 0.9
 SEASONS = ("winter", "spring", "summer", "autumn")     # from December on
 DAYS = ["Mo", "Tu", "We", "Th", "Fr", "Sa", "Su"]
 CLASSES_OF_DAYS = ("working days", "Saturdays", "Sundays, holidays")
@@ -174,7 +175,7 @@ def name_days(axis):
 def season_and_hour(time):
     """The place of each hour among four seasons times the hours of a week, from winter's Monday on."""
     month = time.astype("datetime64[s]").astype("datetime64[M]").astype(int) % 12
-    return ((month + 1) % 12 // 3 * HOURS_OF_WEEK + (time // 3600 + 72) % HOURS_OF_WEEK).astype(int)
+    return ((month + 1) % 12 // 3 * HOURS_OF_WEEK + hour_of_week(time, "none")).astype(int)
 
 
 def typical_weeks(series, channel, unit):
