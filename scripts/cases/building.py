@@ -11,6 +11,11 @@ from cases.toml import number, numbers, scheduled, section, texts
 
 AIR_CHANGE_PER_FLOW = 3.6  # l/s in m3/h
 CONCRETE_CAPACITY = 2.3e6  # J/(m3 K), 2300 kg/m3 of 1000 J/(kg K)
+SENSIBLE_SHARE = 0.7       # of a cooling capacity that also dries
+SUPPLY_BELOW_ROOM = 11     # K, air of 13 degC into a room of 24 degC
+TYPICAL_FLOW = 0.4         # of a varying flow's largest, over the hours of a year
+MOISTURE = 60              # g/h that a person gives off at a desk (ASHRAE Fundamentals 2017, 18.1)
+RHO_C_AIR = 1200           # J/(m3 K)
 BASE_LOAD = 0.5            # W/m2 of electricity that no case declares
 ALWAYS_USED = ("occ", "equip", "light", "hvac", "vent")  # schedules
 
@@ -111,8 +116,8 @@ def loads(case, base_load):
                                 ("equipment", "equipment_W_m2", "equip")):
         yield section("[[zone.load]]", name=name, density=scheduled(i[key], schedule),
                       carrier="electricity")
-    fans = v["flow_l_s_m2_peak"] * v["specific_fan_power_W_per_l_s"]
-    if fans > 0:
+    fans = fan_power(case)
+    if fans > 0 and not reheats(case):
         yield section("[[zone.load]]", name="fans", density=scheduled(fans, "vent"),
                       carrier="electricity", heat_fraction=0)
     if base_load:
@@ -127,6 +132,29 @@ def loads(case, base_load):
                       efficiency=case["plant"]["heating_efficiency"])
         yield section("[[zone.load]]", name="cooking", carrier="gas",
                       density=scheduled(hot_water["cooking_gas_W_peak"] / area, "cooking"))
+
+
+def fan_power(case):
+    """W/m2 while the ventilation runs."""
+    v = case["ventilation"]
+    return v["flow_l_s_m2_peak"] * v["specific_fan_power_W_per_l_s"]
+
+
+def reheats(case):
+    """Whether terminals reheat what one unit has cooled: a system of variable volume."""
+    return "reheat" in case["plant"]["heat_source"].lower() and has_cooling(case)
+
+
+def air_system(case):
+    """The unit of a building whose terminals reheat. Its flow is what carries its cooling capacity;
+    the fan's declared power is that of a typical hour."""
+    design = SENSIBLE_SHARE * case["plant"]["cooling_capacity_W_m2"] / SUPPLY_BELOW_ROOM / \
+        RHO_C_AIR * 3600
+    fan = fan_power(case) / TYPICAL_FLOW ** 2 / (design / AIR_CHANGE_PER_FLOW)
+    yield section("[[air_system]]", name="unit", flow="ventilation", volume="variable",
+                  available=scheduled(1, "hvac"), design_flow=design, fan_power=fan,
+                  fan_exponent=2,
+                  people_moisture=scheduled(case["internal"]["people_per_m2"] * MOISTURE, "occ"))
 
 
 def has_cooling(case):
@@ -173,6 +201,8 @@ def zone(case, base_load):
     yield from elements(case)
     yield from air_flows(case)
     yield from loads(case, base_load)
+    if reheats(case):
+        yield from air_system(case)
     carrier = heating_carrier(p)
     yield section("[plant]", heating_carrier=carrier,
                   heating_efficiency=p["heating_COP" if carrier == "electricity" and

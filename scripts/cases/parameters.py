@@ -10,7 +10,7 @@ import json
 from dataclasses import dataclass, field
 from typing import Callable
 
-from cases.building import has_cooling, heating_carrier
+from cases.building import fan_power, has_cooling, heating_carrier, reheats
 from cases.toml import number, section
 
 
@@ -65,6 +65,16 @@ ROWS = [
     factor("heating_efficiency", 0.8, 1.2, 0.1, "plant.heating_efficiency",
            "zone.zone.load.hot_water.efficiency", needs="gas and hot water"),
     factor("heating_cop", 0.6, 1.5, 0.2, "plant.heating_efficiency", needs="heat pump"),
+    factor("supply_flow", 0.4, 2, 0.25, "air_system.unit.design_flow", needs="reheat"),
+    Row("least_flow", "replace", 0.05, 0.8, 0.3, 0.1, ["air_system.unit.least_flow"],
+        needs="reheat"),
+    factor("unit_fan", 0.3, 2.5, 0.4, "air_system.unit.fan_power", needs="reheat"),
+    offset("supply_temperature", 5, 1.5, "air_system.unit.supply_temperature", needs="reheat"),
+    Row("supply_reset", "replace", 0, 1, 0, 0.2, ["air_system.unit.supply_reset"],
+        needs="reheat"),
+    Row("bypass_factor", "replace", 0, 0.5, 0.1, 0.05, ["air_system.unit.bypass_factor"],
+        needs="reheat"),
+    factor("moisture", 0, 3, 0.4, "air_system.unit.people_moisture", needs="reheat"),
     factor("cooling_cop", 0.6, 1.5, 0.2, "plant.cooling_cop", needs="cooling"),
     factor("hot_water", 0.4, 1.6, 0.3, "zone.zone.load.hot_water.density", needs="hot water"),
     factor("cooking", 0.4, 1.6, 0.3, "zone.zone.load.cooking.density", needs="hot water"),
@@ -87,7 +97,7 @@ def parts_of(case, base_load):
     there = {"": True, "roof": g["roof_area_exposed_m2"] > 0, "base": base_load,
              "floor": g["ground_floor_area_m2"] > 0, "cooling": cooled,
              "cooling setback": cooled and isinstance(plant["cooling_setback_C"], (int, float)),
-             "fans": v["flow_l_s_m2_peak"] * v["specific_fan_power_W_per_l_s"] > 0,
+             "fans": fan_power(case) > 0 and not reheats(case), "reheat": reheats(case),
              "recovery": v["heat_recovery"] > 0, "hot water": hot_water,
              "gas": gas and not hot_water, "gas and hot water": gas and hot_water,
              "heat pump": carrier == "electricity"}

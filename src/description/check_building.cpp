@@ -73,9 +73,38 @@ void check_set_points(const schema::Section& section, const physics::Zone& zone,
     }
 }
 
+/// Air that is to cool must be colder than the room, and what follows moisture needs it.
+void check_air_systems(const Sources& sources, const Case& building) {
+    const std::vector<schema::Section> sections =
+        sources.with("air_system").tables("air_system", "air_system");
+    for (const physics::Zone& zone : building.building.zones) {
+        if (zone.air_system < 0) continue;
+        const auto row = static_cast<std::size_t>(zone.air_system);
+        const physics::AirSystem& system = building.building.air_systems[row];
+        const schema::Section& section = sections[row];
+        if (system.supply_temperature.value >= zone.thermostat.cooling_set_point.value)
+            section.fail("supply_temperature",
+                         fmt::format("is {:g} degC, not below the cooling set-point of "
+                                     "zone \"{}\", {:g} degC; expected less",
+                                     system.supply_temperature.value, zone.name,
+                                     zone.thermostat.cooling_set_point.value));
+        if (!building.weather.relative_humidity.empty()) continue;
+        if (system.limited_by == physics::EconomiserLimit::enthalpy)
+            section.fail_value("economiser_by",
+                               "the weather has no relative humidity; expected a file "
+                               "with it, or \"dry_bulb\"");
+        if (section.has("least_humidity"))
+            section.fail("least_humidity",
+                         "asks for the relative humidity of outdoor air, "
+                         "which the weather lacks; expected a file "
+                         "with it");
+    }
+}
+
 }  // namespace
 
 void check_building(const Sources& sources, const Case& building) {
+    check_air_systems(sources, building);
     const std::vector<schema::Section> sections =
         sources.with("zone").tables("zone", "zone");
     for (const study::Period& period : building.periods) {

@@ -129,6 +129,9 @@ class BuildingReader {
             sources_.own.fail("zone", "is empty; expected at least one [[zone]]");
         for (const schema::Section& section : zones) read_zone(section);
         for (std::size_t i = 0; i < zones.size(); ++i) read_couplings(zones[i], i);
+        for (const schema::Section& section :
+             sources_.with("air_system").tables("air_system", "air_system"))
+            read_air_system(section);
         read_plant();
         return std::move(building_);
     }
@@ -343,6 +346,92 @@ class BuildingReader {
             numbers_.read(part, Part::coupling, &coupling);
             building_.zones[zone].couplings.push_back(coupling);
         }
+    }
+
+    void read_air_system(const schema::Section& section) {
+        physics::AirSystem system;
+        system.name = section.text("name");
+        system.variable = section.choice_as<int>("volume") == 1;
+        system.limited_by = section.choice_as<physics::EconomiserLimit>("economiser_by");
+        numbers_.read(section, Part::air_system, &system);
+        check_keys(section, system);
+        const int index = static_cast<int>(building_.air_systems.size());
+        add_named(section, std::move(system), building_.air_systems);
+        bool brings = !section.has("flow");
+        for (const std::size_t zone : zones_of(section))
+            brings |= serve(section, index, building_.zones[zone]);
+        if (!brings)
+            section.fail_value("flow",
+                               "none of its zones has a [[zone.flow]] of this "
+                               "name; expected the name of one");
+    }
+
+    static void check_keys(const schema::Section& section,
+                           const physics::AirSystem& system) {
+        for (const char* key : {"least_flow", "fan_exponent"})
+            if (!system.variable && section.has(key))
+                section.fail(key,
+                             "has no effect with volume = \"constant\"; remove one "
+                             "of them");
+        if (system.limited_by == physics::EconomiserLimit::differential &&
+            section.has("economiser_limit"))
+            section.fail("economiser_limit",
+                         "has no effect with economiser_by = \"differential\"; expected "
+                         "\"dry_bulb\" or \"enthalpy\" there");
+    }
+
+    /// Rows of the zones that a system serves.
+    std::vector<std::size_t> zones_of(const schema::Section& section) const {
+        std::vector<std::size_t> rows;
+        const std::vector<std::string> names = names_of(building_.zones);
+        rows.reserve(names.size());
+        if (!section.has("zones")) {
+            for (std::size_t k = 0; k < names.size(); ++k) rows.push_back(k);
+            return rows;
+        }
+        for (const std::string& name : section.texts("zones")) {
+            const auto place = std::ranges::find(names, name);
+            if (place == names.end())
+                section.fail("zones", fmt::format("names \"{}\": there is no [[zone]] of "
+                                                  "this name{}",
+                                                  name, input::suggestion(name, names)));
+            rows.push_back(static_cast<std::size_t>(place - names.begin()));
+        }
+        if (rows.empty())
+            section.fail("zones",
+                         "is empty; expected names of zones, or leave it out: "
+                         "the system serves all");
+        return rows;
+    }
+
+    /// Returns whether the zone has the flow that the system brings.
+    bool serve(const schema::Section& section, int index, Zone& zone) const {
+        if (zone.air_system >= 0)
+            section.fail(
+                section.has("zones") ? "zones" : "name",
+                fmt::format(
+                    "serves zone \"{}\", which air system \"{}\" serves "
+                    "already; expected each zone in one system",
+                    zone.name,
+                    building_.air_systems[static_cast<std::size_t>(zone.air_system)]
+                        .name));
+        if (zone.thermostat.imposed)
+            section.fail("name",
+                         fmt::format("serves zone \"{}\", whose imposed_power "
+                                     "leaves it nothing to do; remove one of them",
+                                     zone.name));
+        zone.air_system = index;
+        if (!section.has("flow")) return false;
+        for (std::size_t k = 0; k < zone.flows.size(); ++k)
+            if (zone.flows[k].name == section.text("flow")) {
+                if (zone.flows[k].supply != physics::outdoors)
+                    section.fail_value("flow",
+                                       "this flow comes from a boundary; expected "
+                                       "one from outdoors");
+                zone.system_flow = static_cast<int>(k);
+                return true;
+            }
+        return false;
     }
 
     void read_plant() {

@@ -1,11 +1,12 @@
 /// Moist air, sky and ground by the hour: each series is a formula mapped over the
 /// weather.
-/// Source: ISO 2533 (pressure); WMO Guide 2008, 4.B (Magnus); Clark and Allen 1978 with
+/// Source: WMO Guide 2008, 4.B (Magnus, for dew points); Clark and Allen 1978 with
 /// Walton's clouds (sky). The ground is a lagged mean with an assumed 60 days.
 /// Missing values stay missing; frost (saturation over ice) is left out.
 #include "effects/air.hpp"
 
 #include "base/nan.hpp"
+#include "physics/moist_air.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,13 +23,13 @@ constexpr std::size_t year_h = 8760;
 constexpr double missing = nan;
 
 /// Magnus formula over water [Pa].
-double saturation_pressure(double theta) {
+double magnus(double theta) {
     return 611.2 * std::exp(17.62 * theta / (243.12 + theta));
 }
 
 double dew_point(double theta, double relative_humidity) {
     const double ratio = std::max(relative_humidity, 1.0) / 100;
-    const double x = std::log(ratio * saturation_pressure(theta) / 611.2);
+    const double x = std::log(ratio * magnus(theta) / 611.2);
     return 243.12 * x / (17.62 - x);
 }
 
@@ -57,15 +58,6 @@ double mean_of(const std::vector<double>& values) {
 
 }  // namespace
 
-double standard_pressure(double elevation) {
-    return 101325 * std::pow(1 - 2.25577e-5 * elevation, 5.25588);
-}
-
-double humidity_ratio(double theta, double relative_humidity, double pressure) {
-    const double vapour = relative_humidity / 100 * saturation_pressure(theta);
-    return 621.98 * vapour / (pressure - vapour);
-}
-
 double sky_temperature(double infrared) {
     return std::pow(infrared / stefan_boltzmann, 0.25) - kelvin;
 }
@@ -80,9 +72,11 @@ double sky_infrared(double theta, double relative_humidity, double cloud_cover) 
 
 std::vector<double> moisture_series(const Weather& weather) {
     if (weather.relative_humidity.empty()) return {};
-    const double pressure = standard_pressure(weather.site.elevation);
+    const double pressure = physics::standard_pressure(weather.site.elevation);
     return each_hour(weather, [&](std::size_t k) {
-        return humidity_ratio(weather.theta_e[k], weather.relative_humidity[k], pressure);
+        const double saturated = physics::saturation_pressure(weather.theta_e[k]);
+        return 1000 * physics::humidity_ratio(
+                          weather.relative_humidity[k] / 100 * saturated, pressure);
     });
 }
 

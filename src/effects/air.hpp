@@ -7,13 +7,6 @@
 
 namespace bemcal::effects {
 
-/// Pressure of the standard atmosphere [Pa] at an elevation [m] (ISO 2533).
-double standard_pressure(double elevation);
-
-/// Humidity ratio [g/kg] from temperature [degC], relative humidity [%] and pressure
-/// [Pa]; saturation by the Magnus formula of the WMO (Guide to Instruments, 2008, 4.B).
-double humidity_ratio(double theta, double relative_humidity, double pressure);
-
 /// Apparent temperature of the sky [degC] from its infrared irradiance [W/m2].
 double sky_temperature(double infrared);
 

@@ -40,10 +40,11 @@ double shown(const Building& building, const Drive& drive, Quantity quantity, in
         return sum / building.floor_area();
     }
     const physics::MeterForm form = physics::meter_form(building, drive, quantity, step);
-    double heating = 0, cooling = 0;
+    double heating = 0, cooling = 0, fan = 0;
     for (const StepResult& zone : zones)
-        heating += zone.phi_heating, cooling += zone.phi_cooling;
-    return (form.per_heating * heating + form.per_cooling * cooling + form.source) *
+        heating += zone.phi_heating, cooling += zone.phi_cooling, fan += zone.phi_fan;
+    return (form.per_heating * heating + form.per_cooling * cooling + form.per_fan * fan +
+            form.source) *
            drive.axis.step_s / 3.6e6;
 }
 

@@ -87,6 +87,7 @@ Batch::Batch(const physics::Building& nominal, std::vector<physics::Parameter> p
                      drive,
                      table_of(set),
                      runs_plain(nominal),
+                     nominal.has_air_systems(),
                      plan_months(drive),
                      {},
                      {},

@@ -67,6 +67,7 @@ BatchGroup::BatchGroup(const BatchPlan& shared, std::shared_ptr<Written> of_othe
     const int lanes = plan.table.lanes;
     for (const ZonePlan& zone : plan.zones) zones.push_back(make_zone(zone, lanes));
     floor_share_ = LaneArray(zones.size(), lanes);
+    is_broken_.resize(static_cast<std::size_t>(lanes));
     most_steps_ = longest(plan.chunks);
 }
 
@@ -89,6 +90,7 @@ void BatchGroup::write_lane(std::span<const double> point, int lane) {
     const physics::Building& building = buildings[static_cast<std::size_t>(lane)];
     meter_is_made_.fill(false);
     mixed_is_of_.reset();
+    is_broken_[static_cast<std::size_t>(lane)] = 0;
     for (std::size_t z = 0; z < zones.size(); ++z) {
         Zone& zone = zones[z];
         write_coefficients(plan.zones[z], building, plan.drive, network_,
@@ -126,7 +128,7 @@ bool BatchGroup::is_finite(int lane) const {
     for (std::size_t z = 0; z < zones.size(); ++z)
         for (std::size_t state = 0; state < zones[z].state.columns(); ++state)
             sum += zones[z].state.at(state, lane);
-    return std::isfinite(sum);
+    return std::isfinite(sum) && is_broken_[static_cast<std::size_t>(lane)] == 0;
 }
 
 /// Sums alone need no rows, which are larger than all the rest.
@@ -134,12 +136,18 @@ void BatchGroup::make_room(Show show) {
     if (show == Show::sums || !of_zone_.heating.empty()) return;
     of_zone_ = make_rows(most_steps_, plan.table.lanes);
     if (zones.size() > 1) of_building_ = make_rows(most_steps_, plan.table.lanes);
+    if (plan.supplied) fan_ = LaneArray(most_steps_, plan.table.lanes);
 }
 
 PowerRows BatchGroup::run(int begin, int end, Show show) {
     make_room(show);
     const PowerRows of_zone = of_zone_.pointers();
     const bool add = zones.size() > 1 && show != Show::sums;
+    const bool supply = plan.supplied && show != Show::sums;
+    if (supply) {
+        show = Show::powers_and_air;
+        fan_.clear();
+    }
     if (add)
         for (LaneArray* array :
              {&of_building_.heating, &of_building_.cooling, &of_building_.air})
@@ -148,6 +156,8 @@ PowerRows BatchGroup::run(int begin, int end, Show show) {
         const int segment = plan.zones[z].segment_of[static_cast<std::size_t>(begin)];
         plan.table.run(zones[z].time, zones[z].lanes(), segment, begin, end, show,
                        of_zone);
+        if (supply)
+            supply_rows(supply_place(z, begin, end), of_zone, fan_.data(), is_broken_);
         if (add)
             plan.table.add_zone(of_zone, floor_share_.column(z), end - begin,
                                 of_building_.pointers());
@@ -210,7 +220,14 @@ const double* BatchGroup::show(physics::Quantity quantity, const PowerRows& rows
     if (const double* power = shown_as_it_is(quantity, plan, rows)) return power;
     if (shown_.empty()) shown_ = LaneArray(most_steps_, plan.table.lanes);
     plan.table.meter(meter(quantity), rows, begin, end, shown_.data());
+    show_fans(quantity, begin, end, shown_.data());
     return shown_.data();
+}
+
+void BatchGroup::show_fans(physics::Quantity quantity, int begin, int end,
+                           double* shown) const {
+    if (plan.supplied)
+        add_fans(supply_place(0, begin, end), quantity, fan_.data(), shown);
 }
 
 }  // namespace bemcal::kernel

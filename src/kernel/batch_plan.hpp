@@ -4,6 +4,7 @@
 #include "base/lane_array.hpp"
 #include "base/matrix.hpp"
 #include "kernel/affine.hpp"
+#include "kernel/supply.hpp"
 #include "physics/drive.hpp"
 
 #include <array>
@@ -24,6 +25,7 @@ struct BatchPlan {
     const physics::Drive& drive;
     const Table& table;
     bool plain = false;                ///< runs_plain
+    bool supplied = false;             ///< some zone has an air system
     std::vector<Span> months, chunks;  ///< of the period, in steps of the drive
     std::vector<ZonePlan> zones;       ///< empty where plain
     std::array<MeterPlan, n_quantities> meters;
@@ -36,7 +38,7 @@ struct BatchPlan {
     /// A meter can be read while the powers are in registers.
     bool is_metered_in_one_pass(physics::Quantity quantity) const {
         return quantity != physics::Quantity::air_temperature && zones.size() == 1 &&
-               zones[0].is_standard();
+               zones[0].is_standard() && !supplied;
     }
     const MeterPlan& meter(physics::Quantity quantity) const {
         return meters[static_cast<std::size_t>(quantity)];
@@ -85,6 +87,11 @@ struct BatchGroup {
     /// quantity.
     const double* show(physics::Quantity quantity, const PowerRows& rows, int begin,
                        int end);
+    /// Adds to what a meter shows what the fans of the last run draw.
+    void show_fans(physics::Quantity quantity, int begin, int end, double* shown) const;
+    SupplyPlace supply_place(std::size_t zone, int begin, int end) const {
+        return {buildings, zone, plan.drive, begin, end};
+    }
 
     const BatchPlan& plan;
     std::shared_ptr<Written> written;
@@ -102,8 +109,10 @@ struct BatchGroup {
     physics::Network network_;  ///< scratch
     LaneArray floor_share_;     ///< [zones x lanes]
     std::size_t most_steps_ = 1;
-    Rows of_zone_, of_building_;                      ///< of a chunk
-    LaneArray shown_;                                 ///< a quantity over a chunk
+    Rows of_zone_, of_building_;   ///< of a chunk
+    LaneArray shown_;              ///< a quantity over a chunk
+    LaneArray fan_;                ///< of air systems, over a chunk [W]
+    std::vector<char> is_broken_;  ///< [lanes] what a system takes is not finite
     std::array<LaneArray, n_quantities> meters_;      ///< coefficients,
     std::array<bool, n_quantities> meter_is_made_{};  ///< written when first needed
     LaneArray mixed_;                                 ///< rows of MixedLanes,

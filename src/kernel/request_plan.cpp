@@ -58,7 +58,7 @@ ReadingPlan plan_reading(const Readings& readings, const BatchPlan& batch) {
 /// The sums of a quantity that cannot be made from those of the powers: its steps are
 /// shown.
 bool is_summed(physics::Quantity quantity, const BatchPlan& batch) {
-    return quantity == physics::Quantity::air_temperature ||
+    return quantity == physics::Quantity::air_temperature || batch.supplied ||
            batch.meter(quantity).shares_vary;
 }
 

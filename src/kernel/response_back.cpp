@@ -14,6 +14,10 @@ namespace bemcal::kernel {
 
 namespace {
 
+void copy(const LaneArray& from, LaneArray& to) {
+    std::copy_n(from.data(), from.size(), to.data());
+}
+
 /// A stretch on its way back.
 class StretchBack {
   public:
@@ -26,6 +30,7 @@ class StretchBack {
 
     void pull() {
         keep();
+        if (is_supplied()) run_.of_fan.clear();
         if (in_period_)
             for (std::size_t k = 0; k < plan_.channels.size(); ++k) seed(k);
         for (std::size_t z = 0; z < run_.zones.size(); ++z) pull_zone(z);
@@ -37,6 +42,9 @@ class StretchBack {
         return in_period_ && plan_.shows_air && run_.zones.size() > 1;
     }
     int n_steps() const { return stretch_.end - stretch_.begin; }
+    /// Air systems stand between zones and meters.
+    bool is_supplied() const { return plan_.shared.supplied && in_period_; }
+    bool adds_up() const { return run_.zones.size() > 1 || is_supplied(); }
 
     Stretch in_segments(std::size_t zone) const {
         const std::vector<int>& segment_of = plan_.shared.zones[zone].segment_of;
@@ -52,17 +60,18 @@ class StretchBack {
     }
 
     Show show() const {
-        if (in_period_ && plan_.shows_air) return Show::powers_and_air;
+        if (is_supplied() || (in_period_ && plan_.shows_air)) return Show::powers_and_air;
         return in_period_ && plan_.pulls_powers ? Show::powers : Show::sums;
     }
 
     /// Once more forwards, with tapes.
     void keep() {
-        const bool add = run_.zones.size() > 1 && show() != Show::sums;
+        const bool add = adds_up() && show() != Show::sums;
         if (add)
             for (LaneArray* rows :
                  {&run_.rows.heating, &run_.rows.cooling, &run_.rows.air})
                 rows->clear();
+        if (is_supplied()) run_.fan.clear();
         for (std::size_t z = 0; z < run_.zones.size(); ++z) {
             ResponseRun::OfZone& zone = run_.zones[z];
             const std::size_t n = zone.state.columns();
@@ -71,16 +80,31 @@ class StretchBack {
             table().adjoint.keep(run_.group->zones[z].time, lanes_of(z), in_segments(z),
                                  show(), zone.rows.pointers(), zone.tape.data());
             if (add)
-                table().add_zone(zone.rows.pointers(), run_.floor_share.column(z),
-                                 n_steps(), run_.rows.pointers());
+                table().add_zone(supplied(z), run_.floor_share.column(z), n_steps(),
+                                 run_.rows.pointers());
         }
+    }
+
+    SupplyPlace place(std::size_t zone) const {
+        return run_.group->supply_place(zone, stretch_.begin, stretch_.end);
+    }
+
+    /// What a zone shows behind its air system. What it asks for stays in its rows.
+    PowerRows supplied(std::size_t index) {
+        ResponseRun::OfZone& zone = run_.zones[index];
+        if (!is_supplied()) return zone.rows.pointers();
+        copy(zone.rows.heating, zone.of_asked.heating);
+        copy(zone.rows.cooling, zone.of_asked.cooling);
+        copy(zone.rows.air, zone.of_asked.air);
+        supply_rows(place(index), zone.of_asked.pointers(), run_.fan.data(),
+                    run_.is_broken);
+        return zone.of_asked.pointers();
     }
 
     /// The building's powers, nullptr where they are not needed.
     PowerRows powers() {
         if (!plan_.pulls_powers) return {nullptr, nullptr, nullptr};
-        return run_.zones.size() > 1 ? run_.rows.pointers()
-                                     : run_.zones[0].rows.pointers();
+        return adds_up() ? run_.rows.pointers() : run_.zones[0].rows.pointers();
     }
 
     void seed(std::size_t channel) {
@@ -95,6 +119,36 @@ class StretchBack {
                                    run_.meter_lanes(of_channel.quantity), powers(), begin,
                                    end, how, run_.of_rows.pointers(),
                                    run_.meter(of_channel.quantity).of_rows.data());
+        if (is_supplied() && of_channel.quantity == physics::Quantity::electricity)
+            seed_fans(of_channel, sensitivities);
+    }
+
+    void seed_fans(const ChannelPlan& channel, const double* sensitivities) {
+        const auto lanes = static_cast<std::size_t>(plan_.lanes());
+        double* to = run_.of_shown.data();
+        for (int step = stretch_.begin; step < stretch_.end; ++step) {
+            const auto interval = static_cast<std::size_t>(
+                channel.interval[static_cast<std::size_t>(step)]);
+            for (std::size_t k = 0; k < lanes; ++k)
+                *to++ = sensitivities[interval * lanes + k] * channel.factor[interval];
+        }
+        pull_fans(place(0), run_.fan.data(), run_.of_shown.data(), run_.of_fan.data(),
+                  run_.of_lanes);
+    }
+
+    /// Adjoints of what a zone asks for, from those of what its system takes.
+    PowerRows of_asked(std::size_t index, const PowerRows& of_taken) {
+        ResponseRun::OfZone& zone = run_.zones[index];
+        const PowerRows to = zone.of_asked.pointers();
+        std::copy_n(of_taken.heating, zone.of_asked.heating.size(), to.heating);
+        std::copy_n(of_taken.cooling, zone.of_asked.cooling.size(), to.cooling);
+        if (of_taken.air != nullptr)
+            std::copy_n(of_taken.air, zone.of_asked.air.size(), to.air);
+        else
+            zone.of_asked.air.clear();
+        pull_supply_rows(place(index), zone.rows.pointers(), to, run_.of_fan.data(),
+                         run_.of_lanes);
+        return to;
     }
 
     /// Adjoints of what a zone shows.
@@ -102,13 +156,13 @@ class StretchBack {
         if (!in_period_) return {run_.zeros.data(), run_.zeros.data(), nullptr};
         PowerRows of_rows = run_.of_rows.pointers();
         if (!plan_.shows_air) of_rows.air = nullptr;
-        if (!shares_air()) return of_rows;
+        if (!shares_air()) return is_supplied() ? of_asked(index, of_rows) : of_rows;
         ResponseRun::OfZone& zone = run_.zones[index];
         table().adjoint.share_air(of_rows.air, zone.rows.air.data(),
                                   run_.floor_share.column(index), n_steps(),
                                   zone.of_air.data(), run_.of_floor_share.column(index));
         of_rows.air = zone.of_air.data();
-        return of_rows;
+        return is_supplied() ? of_asked(index, of_rows) : of_rows;
     }
 
     void pull_zone(std::size_t index) {
@@ -126,12 +180,13 @@ class StretchBack {
     bool in_period_;
 };
 
-void clear_adjoints(ResponseRun& run) {
+void clear_adjoints(const physics::Building& zeros, ResponseRun& run) {
     for (ResponseRun::OfMeter& meter : run.meters) meter.of_rows.clear();
     for (ResponseRun::OfZone& zone : run.zones)
         for (LaneArray* adjoints : {&zone.of_regimes, &zone.of_rows, &zone.of_state})
             adjoints->clear();
     run.of_floor_share.clear();
+    for (physics::Building& of_lane : run.of_lanes) of_lane = zeros;
 }
 
 /// Shares of the floor: A_z / sum of A.
@@ -168,7 +223,8 @@ void pull_meter(physics::Quantity quantity, const physics::Building& building, i
 void pull_building(const ResponsePlan& plan, int lane, ResponseRun& run) {
     const physics::Building& building =
         run.group->buildings[static_cast<std::size_t>(lane)];
-    run.of_building = plan.zeros;
+    run.of_building =
+        run.of_lanes.empty() ? plan.zeros : run.of_lanes[static_cast<std::size_t>(lane)];
     for (std::size_t z = 0; z < run.zones.size(); ++z) {
         const LaneAdjoints adjoints{run.zones[z].of_regimes.data() + lane,
                                     run.zones[z].of_rows.data() + lane, plan.lanes()};
@@ -195,7 +251,7 @@ void write_gradient(const ResponsePlan& plan, const physics::Building& of_buildi
 
 void Response::pull_back(Run& run, Matrix& gradient) const {
     if (!is_differentiable()) throw std::logic_error("this building has no derivatives");
-    clear_adjoints(run);
+    clear_adjoints(plan_->zeros, run);
     for (std::size_t k = plan_->stretches.size(); k-- > 0;)
         StretchBack(*plan_, k, run).pull();
     for (std::size_t k = 0; k < run.count; ++k) {

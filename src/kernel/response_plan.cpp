@@ -65,6 +65,7 @@ physics::Building parts_of(const physics::Building& building) {
     parts.constructions.resize(building.constructions.size());
     parts.glazings.resize(building.glazings.size());
     parts.boundaries.resize(building.boundaries.size());
+    parts.air_systems.resize(building.air_systems.size());
     parts.zones.resize(building.zones.size());
     for (std::size_t z = 0; z < parts.zones.size(); ++z) {
         parts.zones[z].surfaces.resize(building.zones[z].surfaces.size());
@@ -99,6 +100,8 @@ std::size_t count_in(const physics::Building& building, physics::Part part) {
             return building.glazings.size();
         case physics::Part::boundary:
             return building.boundaries.size();
+        case physics::Part::air_system:
+            return building.air_systems.size();
         case physics::Part::plant:
             return 1;
         case physics::Part::meter:
@@ -111,7 +114,7 @@ std::size_t count_in(const physics::Building& building, physics::Part part) {
 bool is_of_zone(physics::Part part) {
     return part != physics::Part::construction && part != physics::Part::glazing &&
            part != physics::Part::boundary && part != physics::Part::plant &&
-           part != physics::Part::meter;
+           part != physics::Part::meter && part != physics::Part::air_system;
 }
 
 /// The building's parts with all of their numbers 0; amounts of changes are 0 as they
@@ -157,7 +160,8 @@ ResponseRun::OfZone make_zone(const ResponsePlan& plan, const ZonePlan& zone,
             like(zone.regimes, zone.of_regime_columns(), lanes),
             like(zone.rows, zone.row_columns(), lanes),
             LaneArray(n_states, lanes),
-            LaneArray(n_steps, lanes)};
+            LaneArray(n_steps, lanes),
+            plan.shared.supplied ? make_rows(n_steps, lanes) : BatchGroup::Rows{}};
 }
 
 void add_channel(const Channel& channel, ResponsePlan& plan) {
@@ -203,6 +207,11 @@ ResponseRun::ResponseRun(const ResponsePlan& plan)
     of_rows = make_rows(n_steps, lanes);
     floor_share = LaneArray(zones.size(), lanes);
     of_floor_share = LaneArray(zones.size(), lanes);
+    if (!plan.shared.supplied) return;
+    for (LaneArray* array : {&fan, &of_fan, &of_shown})
+        *array = LaneArray(n_steps, lanes);
+    is_broken.resize(static_cast<std::size_t>(lanes));
+    of_lanes.assign(static_cast<std::size_t>(lanes), plan.zeros);
 }
 
 }  // namespace bemcal::kernel

@@ -68,7 +68,8 @@ struct ResponseRun {
         LaneArray tape;         ///< of a stretch
         BatchGroup::Rows rows;  ///< of a stretch: what it shows
         LaneArray of_regimes, of_rows, of_state;
-        LaneArray of_air;  ///< of a stretch, where there are several zones
+        LaneArray of_air;           ///< of a stretch, where there are several zones
+        BatchGroup::Rows of_asked;  ///< of a stretch, where a zone has an air system
     };
 
     Batch::GroupPointer group;
@@ -77,10 +78,13 @@ struct ResponseRun {
     std::vector<OfChannel> channels;
     std::array<OfMeter, n_quantities> meters;
     std::vector<OfZone> zones;
-    LaneArray shown;                        ///< a quantity over a stretch
-    LaneArray zeros;                        ///< adjoints of the powers in the warm-up
-    BatchGroup::Rows rows, of_rows;         ///< of the building over a stretch
-    LaneArray floor_share, of_floor_share;  ///< [n_zones]
+    LaneArray shown;                          ///< a quantity over a stretch
+    LaneArray zeros;                          ///< adjoints of the powers in the warm-up
+    BatchGroup::Rows rows, of_rows;           ///< of the building over a stretch
+    LaneArray floor_share, of_floor_share;    ///< [n_zones]
+    LaneArray fan, of_fan, of_shown;          ///< of a stretch, where there are systems
+    std::vector<char> is_broken;              ///< scratch
+    std::vector<physics::Building> of_lanes;  ///< what systems give, of each lane
     NetworkPair networks;
     physics::Building of_building;
 

@@ -180,6 +180,33 @@ struct ZoneCoupling {  ///< to another zone, by its air temperature of the last 
     Input air_flow;     ///< [m3/h] from that zone into this one
 };
 
+/// What lets an economiser open, beside air outdoors that is cooler than the room.
+enum class EconomiserLimit { dry_bulb, differential, enthalpy };
+
+/// Air that a fan brings to one or more zones, and what it passes on its way
+/// (air_system.hpp). Flows and powers are by floor area, each zone having its part.
+struct AirSystem {
+    std::string name;
+    bool variable = true;  ///< flow by the load with reheat; else constant flow
+    EconomiserLimit limited_by = EconomiserLimit::differential;
+    Input available{1};            ///< share of the fan that runs [-]; 0 = off
+    Input design_flow{15};         ///< largest, of supply air [m3/(h m2)]
+    Input fan_power{1.5};          ///< at design_flow [W/(l/s)]
+    Input supply_temperature{13};  ///< of air that cools [degC]
+    Input people_moisture;         ///< water that people give off [g/(h m2)]
+    Input economiser;              ///< largest share of outdoor air [-]; 0 = none
+    double least_flow = 0.3;       ///< of design_flow, where it varies [-]
+    double fan_exponent = 2.5;     ///< power follows flow to this power [-]
+    double fan_heat = 1;           ///< share of the fan's power that warms the air [-]
+    double supply_reset = 0;       ///< warmer by this per K below reset_below [K/K]
+    double reset_below = 20;       ///< outdoors [degC]
+    double most_reset = 5;         ///< [K]
+    double bypass_factor = 0.1;    ///< of the cooling coil [-]
+    double economiser_limit = 24;  ///< it opens below: outdoor air [degC or kJ/kg]
+    double frost_limit = -100;     ///< coldest exhaust air after recovery [degC]
+    double least_humidity = 0;     ///< water in the room's air that is kept [g/kg]
+};
+
 struct Zone {
     std::string name;
     double floor_area = 0;                   ///< A_f [m2]
@@ -202,6 +229,8 @@ struct Zone {
     Venting venting;
     OutdoorShift outdoor_shift;
     std::optional<ZoneRadiator> radiator;
+    int air_system = -1;   ///< row of Building::air_systems; -1 = none
+    int system_flow = -1;  ///< row of flows that it brings; -1 = none
     /// heat_capacity and mass_area_ratio follow from the layers of its surfaces.
     bool capacity_of_layers = false;
     std::vector<ZoneCoupling> couplings;
@@ -239,6 +268,7 @@ struct Building {
     std::vector<Glazing> glazings;
     std::vector<Boundary> boundaries;
     std::vector<Plane> planes;  ///< every distinct plane that a surface or window names
+    std::vector<AirSystem> air_systems;
     std::vector<Zone> zones;
     Plant plant;
     std::vector<Link> links;  ///< in the order in which they are followed
@@ -254,6 +284,11 @@ struct Building {
         double sum = 0;
         for (const Zone& zone : zones) sum += zone.floor_area;
         return sum;
+    }
+    bool has_air_systems() const {
+        for (const Zone& zone : zones)
+            if (zone.air_system >= 0) return true;
+        return false;
     }
     /// The row of `plane` in planes, added where it is new.
     int plane_index(const Plane& plane);

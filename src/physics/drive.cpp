@@ -5,6 +5,8 @@
 /// missing is an error. Weather must be hourly; filling it is left to weather.cpp.
 #include "physics/drive.hpp"
 
+#include "physics/moist_air.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -133,6 +135,28 @@ std::vector<double> temperatures(const Weather& weather, const TimeAxis& source)
         theta_e[static_cast<std::size_t>(k)] = temperature_at(weather, middle);
     }
     return theta_e;
+}
+
+/// Humidity ratio of outdoor air; an hour's value holds for its steps. A missing one is
+/// that of the hour before, or of the first that is there. Empty where none is.
+std::vector<double> humidity_ratios(const Weather& weather, const TimeAxis& source) {
+    const std::vector<double>& relative = weather.relative_humidity;
+    const double pressure = standard_pressure(weather.site.elevation);
+    std::vector<double> w(relative.size());
+    for (std::size_t k = 0; k < w.size(); ++k)
+        w[k] = humidity_ratio(relative[k] / 100 * saturation_pressure(weather.theta_e[k]),
+                              pressure);
+    const auto is_known = [](double value) { return !std::isnan(value); };
+    const auto first = std::ranges::find_if(w, is_known);
+    if (first == w.end()) return {};
+    std::fill(w.begin(), first, *first);
+    for (std::size_t k = 1; k < w.size(); ++k)
+        if (!is_known(w[k])) w[k] = w[k - 1];
+    std::vector<double> of_steps(static_cast<std::size_t>(source.n_steps));
+    for (int k = 0; k < source.n_steps; ++k)
+        of_steps[static_cast<std::size_t>(k)] =
+            w[static_cast<std::size_t>(weather.axis.step_of(source.begin_of(k)))];
+    return of_steps;
 }
 
 /// The weather of the hours that `source` touches, with nothing missing.
@@ -305,6 +329,11 @@ Drive make_drive(const Weather& weather, const Building& building,
     drive.n_warm_up = n_warm_up;
     drive.theta_e.resize(layout.pick.size());
     gather(temperatures(weather, layout.source), layout.pick, drive.theta_e);
+    drive.pressure = standard_pressure(weather.site.elevation);
+    if (const auto w = humidity_ratios(weather, layout.source); !w.empty()) {
+        drive.w_e.resize(layout.pick.size());
+        gather(w, layout.pick, drive.w_e);
+    }
     drive.irradiance = gather_rows(
         irradiances(weather, building.planes, layout.source, sky, planes), layout.pick);
     drive.profiles = gather_rows(

@@ -29,8 +29,11 @@ struct Drive {
     int n_warm_up = 0;  ///< steps before the period that is asked for
     double theta_start = start_temperature;  ///< of all nodes before the warm-up [degC]
     std::vector<double> theta_e;             ///< [n_steps] outdoor air temperature [degC]
-    Matrix irradiance;  ///< [n_planes x n_steps] on Building::planes [W/m2]
-    Matrix profiles;    ///< [n_profiles x n_steps]
+    std::vector<double> w_e;   ///< its humidity ratio [kg/kg]; empty where the weather
+                               ///< does not say
+    double pressure = 101325;  ///< of the air [Pa]
+    Matrix irradiance;         ///< [n_planes x n_steps] on Building::planes [W/m2]
+    Matrix profiles;           ///< [n_profiles x n_steps]
     int n_steps() const { return axis.n_steps; }
     /// The steps that are asked for, without the warm-up.
     TimeAxis period() const {

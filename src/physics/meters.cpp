@@ -85,12 +85,14 @@ double mean_air_temperature(const Building& building, const Trajectory& trajecto
 
 /// Power on the meter at a step of the period [W].
 double power_on(const MeterForm& form, const Trajectory& trajectory, std::size_t step) {
-    double heating = 0, cooling = 0;
+    double heating = 0, cooling = 0, fan = 0;
     for (const ZoneTrajectory& zone : trajectory.zones) {
         heating += zone.heating[step];
         cooling += zone.cooling[step];
+        if (!zone.fan.empty()) fan += zone.fan[step];
     }
-    return form.per_heating * heating + form.per_cooling * cooling + form.source;
+    return form.per_heating * heating + form.per_cooling * cooling + form.source +
+           form.per_fan * fan;
 }
 
 }  // namespace
@@ -163,6 +165,7 @@ MeterForm true_meter_form(const Building& building, const Drive& drive, Quantity
     if (carrier == Carrier::electricity) {
         form.per_heating += plant.heating_auxiliary;
         form.per_cooling += plant.cooling_auxiliary;
+        form.per_fan = 1;
     }
     form.source = loads_on(building, drive, carrier, step);
     return form;
@@ -173,7 +176,8 @@ MeterForm meter_form(const Building& building, const Drive& drive, Quantity quan
     const Input& factor = building.meter_factor[static_cast<std::size_t>(quantity)];
     MeterForm form = true_meter_form(building, drive, quantity, step);
     const double shown = factor_at(drive, factor, step);
-    for (double* part : {&form.per_heating, &form.per_cooling, &form.source})
+    for (double* part :
+         {&form.per_heating, &form.per_cooling, &form.source, &form.per_fan})
         *part *= shown;
     return form;
 }

@@ -38,6 +38,8 @@ void* part_at(Building& building, const Target& target) {
             return &building.glazings[row_of(target.index)];
         case Part::boundary:
             return &building.boundaries[row_of(target.index)];
+        case Part::air_system:
+            return &building.air_systems[row_of(target.index)];
         case Part::plant:
             return &building.plant;
         case Part::meter:
@@ -51,9 +53,10 @@ void* part_at(Building& building, const Target& target) {
 }  // namespace
 
 const char* name_of(Part part) {
-    constexpr const char* names[] = {
-        "construction", "glazing", "boundary", "zone",  "surface", "window",  "flow",
-        "load",         "plant",   "coupling", "meter", "layer",   "radiator"};
+    constexpr const char* names[] = {"construction", "glazing",   "boundary", "zone",
+                                     "surface",      "window",    "flow",     "load",
+                                     "plant",        "coupling",  "meter",    "layer",
+                                     "radiator",     "air_system"};
     return names[static_cast<std::size_t>(part)];
 }
 

@@ -102,6 +102,7 @@ std::vector<Entry> entries_of(const Building& building) {
     add_parts(Part::boundary, building.boundaries, entries);
     for (std::size_t zone = 0; zone < building.zones.size(); ++zone)
         add_zone(building, static_cast<int>(zone), entries);
+    add_parts(Part::air_system, building.air_systems, entries);
     add_fields({Part::plant}, {name_of(Part::plant)}, entries);
     add_meters(building, entries);
     return entries;

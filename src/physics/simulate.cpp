@@ -14,6 +14,7 @@ void record(const StepResult& result, ZoneTrajectory& zone) {
     zone.theta_m.push_back(result.theta.theta_m_t);
     zone.heating.push_back(result.phi_heating);
     zone.cooling.push_back(result.phi_cooling);
+    zone.fan.push_back(result.phi_fan);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ struct ZoneTrajectory {  ///< each [n_steps - n_warm_up]
     std::vector<double> theta_air, theta_op,
         theta_m;                           ///< [degC]; theta_m at the end of the step
     std::vector<double> heating, cooling;  ///< mean power [W], both >= 0
+    std::vector<double> fan{};             ///< of an air system [W]
 };
 
 struct Trajectory {

@@ -5,6 +5,7 @@
 #include "physics/stepper.hpp"
 
 #include "base/error.hpp"
+#include "physics/air_hour.hpp"
 #include "physics/zone_radiator.hpp"
 
 #include <algorithm>
@@ -105,8 +106,9 @@ class Stepper::ZoneRun {
             const auto one_step = zone.structure.any() ? advance_step : standard_step;
             return one_step(network_, with, control, state_, drive_->axis.step_s);
         };
-        const StepResult result =
+        StepResult result =
             radiator_ ? radiator_->advance(*drive_, step, hour, room) : room(hour);
+        if (zone.air_system >= 0) let_system_supply(zone, step, result);
         check(step, result);
         state_ = result.after;
         return result;
@@ -121,6 +123,16 @@ class Stepper::ZoneRun {
             add_link(link, theta_air[link.zone], network_, hour);
         }
         reject_ringing(building_->zones[index_], step, network_, drive_->axis.step_s);
+    }
+
+    /// Heat that the zone asks for becomes what coils and fan take.
+    void let_system_supply(const Zone& zone, int step, StepResult& result) const {
+        const AirLoads loads = system_loads(*building_, zone, *drive_, step,
+                                            {result.phi_heating, result.phi_cooling, 0},
+                                            result.theta.theta_air);
+        result.phi_heating = loads.heating;
+        result.phi_cooling = loads.cooling;
+        result.phi_fan = loads.fan;
     }
 
     void check(int step, const AirLink& link) const {

@@ -32,6 +32,7 @@ struct StepResult {
     NodeTemperatures theta;  ///< means of the step (theta_m_t at its end)
     double phi_heating = 0;  ///< mean heating power asked of the plant [W], >= 0
     double phi_cooling = 0;  ///< mean cooling power [W], >= 0
+    double phi_fan = 0;      ///< of an air system, which then makes the two above [W]
 };
 
 /// One step with any of the refinements.

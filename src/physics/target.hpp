@@ -18,7 +18,8 @@ enum class Part {
     coupling,  ///< of a zone; its name is the other zone's
     meter,     ///< index = Quantity
     layer,     ///< of a construction
-    radiator   ///< of a zone, which has one or none
+    radiator,  ///< of a zone, which has one or none
+    air_system
 };
 const char* name_of(Part part);  ///< as in a job file: "construction", "zone", ...
 

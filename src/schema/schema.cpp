@@ -14,10 +14,10 @@ namespace bemcal::schema {
 namespace {
 
 constexpr const char* part_sections[] = {
-    "construction", "glazing",       "boundary",  "zone",
-    "zone.surface", "zone.window",   "zone.flow", "zone.load",
-    "plant",        "zone.coupling", "meter",     "construction.layer",
-    "zone.radiator"};
+    "construction",  "glazing",       "boundary",  "zone",
+    "zone.surface",  "zone.window",   "zone.flow", "zone.load",
+    "plant",         "zone.coupling", "meter",     "construction.layer",
+    "zone.radiator", "air_system"};
 
 /// A number of a building as a row of the schema. Its default is written out for
 /// `describe`.

@@ -30,6 +30,8 @@ inline std::size_t n_parts(const Building& building, Part part) {
             return building.glazings.size();
         case Part::boundary:
             return building.boundaries.size();
+        case Part::air_system:
+            return building.air_systems.size();
         case Part::plant:
             return 1;
         case Part::meter:

@@ -3,6 +3,7 @@
 #include "kernel/batch.hpp"
 #include "kernel/plain_answer.hpp"
 #include "kernel/random_hooks.hpp"
+#include "kernel/random_supply.hpp"
 #include "support/measured.hpp"
 
 #include <limits>
@@ -148,6 +149,7 @@ void expect_answers(const RandomCase& made, unsigned seed, std::size_t n_points)
 
 class FastAgainstPlain : public testing::TestWithParam<unsigned> {};
 class FastWithEffectsAgainstPlain : public testing::TestWithParam<unsigned> {};
+class FastWithAirSystemsAgainstPlain : public testing::TestWithParam<unsigned> {};
 
 }  // namespace
 
@@ -157,6 +159,10 @@ TEST_P(FastAgainstPlain, TotalsMonthsAndErrorsAgree) {
 
 TEST_P(FastWithEffectsAgainstPlain, TotalsMonthsAndErrorsAgree) {
     expect_answers(random_hooked_case(GetParam()), GetParam() + 4000, 3);
+}
+
+TEST_P(FastWithAirSystemsAgainstPlain, TotalsMonthsAndErrorsAgree) {
+    expect_answers(test::random_supplied_case(GetParam()), GetParam() + 6000, 3);
 }
 
 /// What advance() writes for one lane, in predict()'s unit; the period in two parts.
@@ -206,6 +212,12 @@ TEST_P(FastWithEffectsAgainstPlain, EveryStepAgrees) {
     expect_steps(random_hooked_case(GetParam()), GetParam() + 5000);
 }
 
+TEST_P(FastWithAirSystemsAgainstPlain, EveryStepAgrees) {
+    expect_steps(test::random_supplied_case(GetParam()), GetParam() + 7000);
+}
+
+INSTANTIATE_TEST_SUITE_P(RandomBuildings, FastWithAirSystemsAgainstPlain,
+                         testing::Range(1U, 41U));
 INSTANTIATE_TEST_SUITE_P(RandomBuildings, FastAgainstPlain, testing::Range(1U, 61U));
 INSTANTIATE_TEST_SUITE_P(RandomBuildings, FastWithEffectsAgainstPlain,
                          testing::Range(1U, 41U));

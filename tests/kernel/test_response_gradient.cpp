@@ -1,4 +1,6 @@
-/// The derivative of a response for every number of sixty random buildings.
+/// The derivative of a response for every number of sixty random buildings, and of sixty
+/// with air systems.
+#include "kernel/random_supply.hpp"
 #include "kernel/response_derivative.hpp"
 
 namespace bemcal::physics {
@@ -6,6 +8,7 @@ namespace bemcal::physics {
 namespace {
 
 class ResponseOfEveryNumber : public testing::TestWithParam<unsigned> {};
+class ResponseOfAirSystems : public testing::TestWithParam<unsigned> {};
 
 }  // namespace
 
@@ -14,6 +17,12 @@ TEST_P(ResponseOfEveryNumber, DerivativeIsThatOfCentralDifferences) {
     if (made.building.zones[0].couplings.empty()) test::expect_derivative(made);
 }
 
+TEST_P(ResponseOfAirSystems, DerivativeIsThatOfCentralDifferences) {
+    const test::RandomCase made = test::random_supplied_case(GetParam());
+    if (made.building.zones[0].couplings.empty()) test::expect_derivative(made);
+}
+
 INSTANTIATE_TEST_SUITE_P(RandomBuildings, ResponseOfEveryNumber, testing::Range(1U, 61U));
+INSTANTIATE_TEST_SUITE_P(RandomBuildings, ResponseOfAirSystems, testing::Range(1U, 61U));
 
 }  // namespace bemcal::physics

@@ -1,0 +1,87 @@
+/// The products of air_hour in reverse.
+/// Follows from physics/air_hour.cpp. A limit that shuts an economiser has no derivative.
+#include "adjoint/air_hour_adjoint.hpp"
+
+#include "adjoint/network_adjoint.hpp"
+
+namespace bemcal::adjoint {
+
+namespace {
+
+/// The zone's outdoor air: its own and the system's.
+void pull_flows(const PlaceBack& place, const physics::AirHour& of_hour) {
+    const physics::Zone& zone = place.here();
+    physics::Zone& of_zone = place.of_here();
+    for (std::size_t k = 0; k < zone.flows.size(); ++k) {
+        const physics::AirFlow& flow = zone.flows[k];
+        if (flow.supply != physics::outdoors) continue;
+        const bool is_its = static_cast<int>(k) == zone.system_flow;
+        const double of_q = is_its ? of_hour.q_e : of_hour.q_inf;
+        of_zone.volume += of_q * place.at(flow.air_change) / 3600;
+        place.pull(flow.air_change, of_q * zone.volume / 3600,
+                   of_zone.flows[k].air_change);
+        if (is_its)
+            place.pull(flow.heat_recovery, of_hour.heat_recovery,
+                       of_zone.flows[k].heat_recovery);
+    }
+}
+
+/// Returns the adjoint of the outdoor temperature in it.
+double pull_reset(const physics::AirSystem& system, double theta_e, double of_reset,
+                  physics::AirSystem& of_system) {
+    const double wanted = system.supply_reset * (system.reset_below - theta_e);
+    if (wanted <= 0) return 0;
+    if (wanted >= system.most_reset) {
+        of_system.most_reset += of_reset;
+        return 0;
+    }
+    of_system.supply_reset += of_reset * (system.reset_below - theta_e);
+    of_system.reset_below += of_reset * system.supply_reset;
+    return -of_reset * system.supply_reset;
+}
+
+}  // namespace
+
+void pull_air_hour(const physics::Building& building, std::size_t zone_index,
+                   const physics::Drive& drive, int step, const physics::AirHour& of_hour,
+                   physics::Building& of_building) {
+    const PlaceBack place{building, zone_index, drive, step, of_building};
+    const physics::Zone& zone = place.here();
+    physics::Zone& of_zone = place.of_here();
+    const auto row = static_cast<std::size_t>(zone.air_system);
+    const physics::AirSystem& system = building.air_systems[row];
+    physics::AirSystem& of_system = of_building.air_systems[row];
+    const double theta_e = drive.theta_e[static_cast<std::size_t>(step)] +
+                           place.at(zone.outdoor_shift.supply);
+    pull_flows(place, of_hour);
+
+    const double design_flow = place.at(system.design_flow),
+                 fan_power = place.at(system.fan_power),
+                 moisture = place.at(system.people_moisture);
+    const double of_q_design = of_hour.q_design + of_hour.fan_power * fan_power * 1000;
+    place.pull(system.fan_power,
+               of_hour.fan_power * 1000 * design_flow * zone.floor_area / 3600,
+               of_system.fan_power);
+    place.pull(system.design_flow, of_q_design * zone.floor_area / 3600,
+               of_system.design_flow);
+    place.pull(system.people_moisture, of_hour.moisture * zone.floor_area / 3.6e6,
+               of_system.people_moisture);
+    of_zone.floor_area +=
+        of_q_design * design_flow / 3600 + of_hour.moisture * moisture / 3.6e6;
+    place.pull(system.available, of_hour.available, of_system.available);
+    place.pull(system.supply_temperature, of_hour.theta_supply,
+               of_system.supply_temperature);
+    if (physics::open_economiser(system, drive, step, theta_e) != 0)
+        place.pull(system.economiser, of_hour.economiser, of_system.economiser);
+    of_system.least_flow += of_hour.least_flow;
+    of_system.fan_exponent += of_hour.fan_exponent;
+    of_system.fan_heat += of_hour.fan_heat;
+    of_system.bypass_factor += of_hour.bypass_factor;
+    of_system.frost_limit += of_hour.frost_limit;
+    of_system.least_humidity += of_hour.least_w / 1000;
+    const double of_theta_e =
+        of_hour.theta_e + pull_reset(system, theta_e, of_hour.theta_supply, of_system);
+    place.pull(zone.outdoor_shift.supply, of_theta_e, of_zone.outdoor_shift.supply);
+}
+
+}  // namespace bemcal::adjoint

@@ -1,0 +1,416 @@
+/// One hour of an air system, steady within the hour: the heat that supply air has to
+/// take from the zone, its flow, the fan, the mixed air, the coil with what it dries,
+/// reheat at the terminals. The zone itself gets its outdoor air by its own flow, so what
+/// it asks for holds already what outdoor air brings; nothing here changes its
+/// temperature.
+/// Source: energy and water balances of the streams, as in ASHRAE Handbook HVAC Systems
+/// and Equipment 2016, chapter 4; coil by bypass factor and apparatus dew point
+/// (ASHRAE Handbook Fundamentals 2017, 1.10); fan by a power of its flow (90.1, G3.1.3).
+/// Left out: water that room and furniture store, ducts' leaks and heat, the mixing of
+/// several zones' return air (each zone has its own part of the system), fan heat in
+/// hours of a constant flow without a load, bypass of the recovery without an economiser.
+#include "physics/air_system.hpp"
+
+#include "base/error.hpp"
+#include "physics/moist_air.hpp"
+#include "physics/network.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace bemcal::physics {
+
+namespace {
+
+constexpr double rho_air = 1.2;         ///< dry air [kg/m3], with c = rho_c_air / rho_air
+constexpr double least_turning = 0.02;  ///< of q_design: a fan below that stands
+constexpr double least_drop = 1;        ///< of supply air below the room [K]
+constexpr double least_dew_point = 0.02;  ///< of a coil, which must not freeze [degC]
+
+enum class Mode {
+    passive,   ///< fan off: heat comes without it
+    cycling,   ///< fan off by the clock, turning on to cool
+    constant,  ///< supply temperature follows the load
+    variable   ///< flow follows the load, terminals reheat
+};
+
+/// What set a flow.
+enum class Limit { load, least, outdoor, turning, design };
+
+/// All that happens in an hour.
+struct Way {
+    Mode mode = Mode::passive;
+    Limit limit = Limit::load;
+    double D = 0;    ///< zone minus outdoors [K]
+    double eta = 0;  ///< heat recovery, after frost [-]
+    bool is_frosted = false;
+    double asked = 0;           ///< heating, with what frost costs [W]
+    double E = 0;               ///< to be taken from the zone by supply air [W]
+    double drop = 0;            ///< supply air below the room [K]
+    double q = 0;               ///< supply air [m3/s]
+    double fan = 0;             ///< [W]
+    double in_air = 0;          ///< of it, that coils see [W]
+    double reheat = 0;          ///< [W]
+    double net = 0;             ///< to be taken by the coil, negative: given [W]
+    double recovered = 0;       ///< that a bypass leaves outdoors [W]
+    double most_free = 0;       ///< that outdoor air can take [W]
+    double free = 0;            ///< that it takes [W]
+    double x_least = 0, x = 0;  ///< share of outdoor air [-]
+    double sensible = 0;        ///< of the coil [W]
+    bool cycles = false;        ///< the coil is on for a part of the hour
+    double depth = 0;           ///< mixed air minus air that leaves the coil when on [K]
+    bool is_dew_point_held = false;
+    Saturated coil{};            ///< air at the coil's surface
+    double k = 0, M = 0;         ///< air that meets it; outdoor air [kg/s]
+    double above = 0, over = 1;  ///< of the water's balance [kg/s]
+    double latent = 0;           ///< [W]
+    double humidified = 0;       ///< [W]
+};
+
+Mode mode_of(const AirKind& kind, const AirHour& in) {
+    if (in.available > 0) return kind.variable ? Mode::variable : Mode::constant;
+    return in.cooling > 0 ? Mode::cycling : Mode::passive;
+}
+
+void recover(const AirHour& in, Way& way) {
+    way.D = in.theta_air - in.theta_e;
+    way.eta = in.heat_recovery;
+    way.is_frosted = way.D > 0 && in.theta_air - way.eta * way.D < in.frost_limit;
+    if (way.is_frosted) way.eta = std::max(0.0, (in.theta_air - in.frost_limit) / way.D);
+    way.asked = in.heating + rho_c_air * in.q_e * (in.heat_recovery - way.eta) * way.D;
+    way.E = in.cooling - in.heating + rho_c_air * in.q_e * (1 - in.heat_recovery) * way.D;
+}
+
+/// The larger flow, and what set it.
+void raise(double flow, Limit limit, Way& way) {
+    if (way.q >= flow) return;
+    way.q = flow;
+    way.limit = limit;
+}
+
+void set_flow(const AirHour& in, Way& way) {
+    if (way.mode == Mode::constant) {
+        way.q = in.available * in.q_design;
+        way.limit = Limit::design;
+    } else {
+        const double most = (way.mode == Mode::variable ? in.available : 1) * in.q_design;
+        way.drop = std::max(in.theta_air - in.theta_supply, least_drop);
+        way.q = way.E / (rho_c_air * way.drop);
+        way.limit = Limit::load;
+        if (way.q > most) {
+            way.q = most;
+            way.limit = Limit::design;
+        }
+        if (way.mode == Mode::variable)
+            raise(in.least_flow * in.available * in.q_design, Limit::least, way);
+    }
+    raise(in.q_e, Limit::outdoor, way);
+    raise(least_turning * in.q_design, Limit::turning, way);
+}
+
+void drive_fan(const AirHour& in, Way& way) {
+    const double share = way.q / in.q_design;
+    if (way.mode == Mode::variable)
+        way.fan = in.fan_power * std::pow(share, in.fan_exponent);
+    else
+        way.fan = in.fan_power * (way.mode == Mode::constant ? in.available : share);
+    way.in_air = in.fan_heat * way.fan;
+    if (way.mode != Mode::variable)
+        way.in_air = std::min(way.in_air, in.cooling + way.asked);
+}
+
+void mix(const AirHour& in, Way& way) {
+    if (way.mode == Mode::variable)
+        way.reheat =
+            std::max(0.0, rho_c_air * way.q * (in.theta_air - in.theta_supply) - way.E);
+    way.net =
+        way.E + way.reheat - rho_c_air * in.q_e * (1 - way.eta) * way.D + way.in_air;
+    way.x_least = way.x = in.q_e / way.q;
+    way.sensible = std::max(0.0, way.net);
+    if (!(in.economiser > way.x_least && way.D > 0 && way.net > 0)) return;
+    way.recovered = rho_c_air * in.q_e * way.eta * way.D;
+    way.most_free =
+        way.recovered + rho_c_air * way.q * (in.economiser - way.x_least) * way.D;
+    way.free = std::min(way.net, way.most_free);
+    way.x += std::max(0.0, way.free - way.recovered) / (rho_c_air * way.q * way.D);
+    way.sensible = way.net - way.free;
+}
+
+void set_coil(const AirKind& kind, const AirHour& in, Way& way) {
+    const double theta_mixed = in.theta_air - way.x_least * (1 - way.eta) * way.D -
+                               way.free / (rho_c_air * way.q);
+    way.depth = way.sensible / (rho_c_air * way.q);
+    if (way.mode != Mode::variable) {
+        const double when_on =
+            theta_mixed - in.theta_supply + way.in_air / (rho_c_air * way.q);
+        way.cycles = when_on > way.depth;
+        if (way.cycles) way.depth = when_on;
+    }
+    const double dew_point = theta_mixed - way.depth / (1 - in.bypass_factor);
+    way.is_dew_point_held = dew_point < least_dew_point;
+    way.coil = saturated_air(std::max(dew_point, least_dew_point), kind.pressure);
+}
+
+/// The zone's water is in balance: what outdoor air and people bring, the coil takes.
+void dry(const AirKind& kind, const AirHour& in, Way& way) {
+    way.M = rho_air * (way.x * way.q + in.q_inf);
+    if (way.sensible > 0) {
+        set_coil(kind, in, way);
+        way.k = rho_air / rho_c_air * way.sensible * (1 - in.bypass_factor) / way.depth;
+        way.above = way.M * (in.w_e - way.coil.w) + (1 - way.x) * in.moisture;
+        way.over = way.M + way.k * (1 - way.x);
+        if (way.above > 0) way.latent = heat_of_vapour * way.k * way.above / way.over;
+    }
+    const double lacks = way.M * (in.least_w - in.w_e) - in.moisture;
+    if (in.least_w > 0 && in.available > 0 && lacks > 0 && way.latent == 0)
+        way.humidified = heat_of_vapour * lacks;
+}
+
+Way go(const AirKind& kind, const AirHour& in) {
+    Way way;
+    way.mode = mode_of(kind, in);
+    if (way.mode == Mode::passive) return way;
+    recover(in, way);
+    set_flow(in, way);
+    drive_fan(in, way);
+    mix(in, way);
+    if (kind.is_moist) dry(kind, in, way);
+    return way;
+}
+
+/// `go` in reverse: each step adds to what the steps before it gave. Adjoints have the
+/// names of what they belong to.
+class Back {
+  public:
+    Back(const AirHour& hour, const Way& of_way, const AirLoads& of)
+        : in(hour), way(of_way), loads(of) {}
+
+    AirHour pull() {
+        if (way.mode == Mode::passive) {
+            to.heating = loads.heating;
+            return to;
+        }
+        fan = loads.fan;
+        sensible = loads.cooling;
+        reheat = loads.heating;
+        pull_humidified();
+        pull_latent();
+        pull_mix();
+        pull_fan();
+        pull_flow();
+        pull_recovery();
+        return to;
+    }
+
+  private:
+    double c() const { return rho_c_air * way.q; }
+
+    void pull_water(double of_M) {
+        x += of_M * rho_air * way.q;
+        q += of_M * rho_air * way.x;
+        to.q_inf += of_M * rho_air;
+    }
+
+    void pull_humidified() {
+        if (way.humidified <= 0) return;
+        const double lacks = loads.heating * heat_of_vapour;
+        to.least_w += lacks * way.M;
+        to.w_e -= lacks * way.M;
+        to.moisture -= lacks;
+        pull_water(lacks * (in.least_w - in.w_e));
+    }
+
+    void pull_latent() {
+        if (way.latent <= 0) return;
+        const double h = loads.cooling * heat_of_vapour, b = in.bypass_factor;
+        const double above = h * way.k / way.over;
+        const double over = -h * way.k * way.above / (way.over * way.over);
+        const double k = h * way.above / way.over + over * (1 - way.x);
+        to.w_e += above * way.M;
+        to.moisture += above * (1 - way.x);
+        x -= above * in.moisture + over * way.k;
+        pull_water(above * (in.w_e - way.coil.w) + over);
+        double depth = -k * way.k / way.depth;
+        sensible += k * way.k / way.sensible;
+        to.bypass_factor -= k * way.k / (1 - b);
+        const double dew_point =
+            way.is_dew_point_held ? 0 : -above * way.M * way.coil.per_kelvin;
+        depth -= dew_point / (1 - b);
+        to.bypass_factor -= dew_point * way.depth / ((1 - b) * (1 - b));
+        pull_depth(depth, dew_point);
+    }
+
+    void pull_depth(double depth, double theta_mixed) {
+        if (way.cycles) {
+            theta_mixed += depth;
+            to.theta_supply -= depth;
+            in_air += depth / c();
+            q -= depth * way.in_air / (c() * way.q);
+        } else {
+            sensible += depth / c();
+            q -= depth * way.depth / way.q;
+        }
+        to.theta_air += theta_mixed;
+        x_least -= theta_mixed * (1 - way.eta) * way.D;
+        eta += theta_mixed * way.x_least * way.D;
+        D -= theta_mixed * way.x_least * (1 - way.eta);
+        free -= theta_mixed / c();
+        q += theta_mixed * way.free / (c() * way.q);
+    }
+
+    void pull_economiser() {
+        free -= sensible;
+        const double of_recovered = pull_share();
+        double recovered = of_recovered;
+        if (way.free < way.most_free) {
+            net += free;
+        } else {
+            recovered += free;
+            const double more = in.economiser - way.x_least;
+            q += free * rho_c_air * more * way.D;
+            to.economiser += free * c() * way.D;
+            x_least -= free * c() * way.D;
+            D += free * c() * more;
+        }
+        to.q_e += recovered * rho_c_air * way.eta * way.D;
+        eta += recovered * rho_c_air * in.q_e * way.D;
+        D += recovered * rho_c_air * in.q_e * way.eta;
+    }
+
+    /// The share of outdoor air: returns the adjoint of what is recovered.
+    double pull_share() {
+        x_least += x;
+        if (way.free <= way.recovered) return 0;
+        const double per = x / (c() * way.D);
+        free += per;
+        q -= x * (way.x - way.x_least) / way.q;
+        D -= x * (way.x - way.x_least) / way.D;
+        return -per;
+    }
+
+    void pull_mix() {
+        if (way.most_free > 0)
+            pull_economiser();
+        else
+            x_least += x;
+        to.q_e += x_least / way.q;
+        q -= x_least * way.x_least / way.q;
+        net += way.net > 0 ? sensible : -loads.heating;
+        E += net;
+        reheat += net;
+        in_air += net;
+        to.q_e -= net * rho_c_air * (1 - way.eta) * way.D;
+        eta += net * rho_c_air * in.q_e * way.D;
+        D -= net * rho_c_air * in.q_e * (1 - way.eta);
+        if (way.reheat <= 0) return;
+        q += reheat * rho_c_air * (in.theta_air - in.theta_supply);
+        to.theta_air += reheat * c();
+        to.theta_supply -= reheat * c();
+        E -= reheat;
+    }
+
+    void pull_fan() {
+        if (way.mode != Mode::variable && way.in_air < in.fan_heat * way.fan) {
+            to.cooling += in_air;
+            asked += in_air;
+        } else {
+            to.fan_heat += in_air * way.fan;
+            fan += in_air * in.fan_heat;
+        }
+        const double share = way.q / in.q_design;
+        double of_share = 0;
+        if (way.mode == Mode::variable) {
+            to.fan_power += fan * std::pow(share, in.fan_exponent);
+            to.fan_exponent += fan * way.fan * std::log(share);
+            of_share = fan * in.fan_exponent * way.fan / share;
+        } else if (way.mode == Mode::constant) {
+            to.fan_power += fan * in.available;
+            to.available += fan * in.fan_power;
+        } else {
+            to.fan_power += fan * share;
+            of_share = fan * in.fan_power;
+        }
+        q += of_share / in.q_design;
+        to.q_design -= of_share * share / in.q_design;
+    }
+
+    void pull_flow() {
+        const double on = way.mode == Mode::cycling ? 1 : in.available;
+        double share = 0;  // of on q_design
+        switch (way.limit) {
+            case Limit::load:
+                E += q / (rho_c_air * way.drop);
+                if (way.drop > least_drop) {
+                    to.theta_air -= q * way.q / way.drop;
+                    to.theta_supply += q * way.q / way.drop;
+                }
+                break;
+            case Limit::least:
+                to.least_flow += q * on * in.q_design;
+                share = in.least_flow;
+                break;
+            case Limit::design:
+                share = 1;
+                break;
+            case Limit::outdoor:
+                to.q_e += q;
+                break;
+            case Limit::turning:
+                to.q_design += q * least_turning;
+                break;
+        }
+        to.q_design += q * share * on;
+        if (way.mode != Mode::cycling) to.available += q * share * in.q_design;
+    }
+
+    void pull_recovery() {
+        to.cooling += E;
+        to.heating += asked - E;
+        const double lost = asked * rho_c_air, brought = E * rho_c_air;
+        to.q_e +=
+            (lost * (in.heat_recovery - way.eta) + brought * (1 - in.heat_recovery)) *
+            way.D;
+        to.heat_recovery += (lost - brought) * in.q_e * way.D;
+        eta -= lost * in.q_e * way.D;
+        D += (lost * (in.heat_recovery - way.eta) + brought * (1 - in.heat_recovery)) *
+             in.q_e;
+        if (!way.is_frosted) {
+            to.heat_recovery += eta;
+        } else if (way.eta > 0) {
+            to.theta_air += eta / way.D;
+            to.frost_limit -= eta / way.D;
+            D -= eta * way.eta / way.D;
+        }
+        to.theta_air += D;
+        to.theta_e -= D;
+    }
+
+    const AirHour& in;
+    const Way& way;
+    const AirLoads& loads;
+    AirHour to = [] {
+        AirHour zeros;
+        zeros.fan_exponent = 0;
+        return zeros;
+    }();
+    double D = 0, eta = 0, asked = 0, E = 0, q = 0, fan = 0, in_air = 0, reheat = 0,
+           net = 0, free = 0, x_least = 0, x = 0, sensible = 0;
+};
+
+}  // namespace
+
+AirLoads supply(const AirKind& kind, const AirHour& hour) {
+    const Way way = go(kind, hour);
+    if (way.mode == Mode::passive) return {hour.heating, 0, 0};
+    return {way.reheat + std::max(0.0, -way.net) + way.humidified,
+            way.sensible + way.latent, way.fan};
+}
+
+AirHour pull_supply(const AirKind& kind, const AirHour& hour, const AirLoads& of_loads) {
+    const Way way = go(kind, hour);
+    return Back(hour, way, of_loads).pull();
+}
+
+}  // namespace bemcal::physics
