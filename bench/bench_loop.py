@@ -173,6 +173,8 @@ def print_names(scored):
     line("loop_nulls_with_any_effect", sum(bool(s.found) for s in nulls), f"of_{len(nulls)}", 0)
     line("loop_detectable_singles", len(seen), f"of_{len(singles)}", 0)
     line("loop_strict_name", share(map(named, seen)), "%", 70)
+    line("loop_strict_name_by_a_parameter", sum(named(s) and bool(loop_scores.by_parameter(s))
+                                                for s in seen), f"of_{len(seen)}", 0)
     line("loop_class", share(map(classed, seen)), "%", 85)
     line("loop_class_of_found_effects", share(map(found, seen)), "%", 0)
     stated = [len(loop_scores.put_with_parameters(s)) for s in scored]
@@ -201,8 +203,8 @@ def print_reliability(scored):
     wrong = [loop_scores.false_effects(s) for s in scored]
     adequate = [effect not in false for s, false in zip(scored, wrong) for effect in s.found
                 if effect["adequate"]]
-    calendars = [effect not in false for s, false in zip(scored, wrong) for effect in s.found
-                 if loop_scores.is_calendar(effect)]
+    calendars = [loop_scores.is_right_calendar(s, effect) for s in scored for effect in s.found
+                 if loop_scores.calendar_of(effect)]
     line("loop_adequate_effects_right", share(adequate), f"%_of_{len(adequate)}", 95)
     line("loop_calendars_right", share(calendars), f"%_of_{len(calendars)}", 90)
 

@@ -50,6 +50,7 @@ GAS = ("gas meter",)
 STATION = ("urban heat island or station offset", "urban heat island at night")
 
 
+CODE_OF = {"England": "GB", "Zurich": "CH", "Hong Kong": "HK"}   # of the truth's countries
 OPENS, CLOSES = 7, 19    # [h], as declared: of hours that are others
 
 

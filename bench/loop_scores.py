@@ -4,6 +4,7 @@ A case's record holds its kind, what was planted, what was found, and the errors
 year. Detectability is the power table's of the first name, scaled from the typical size to the planted.
 """
 import json
+import re
 import sys
 from dataclasses import dataclass, field
 
@@ -18,7 +19,8 @@ sys.path[:0] = [str(large_job.ROOT / "scripts"), str(large_job.ROOT / "tests" / 
 from case_folder import COLUMNS as CHANNELS, YEAR, error   # noqa: E402
 from cases import loop_result                              # noqa: E402
 from effects import EFFECTS                                # noqa: E402
-from loop_names import ALWAYS_THERE, CLOCK, OF_AIR_HANDLER, RIGHT, is_in_class, is_right  # noqa: E402
+from loop_names import (ALWAYS_THERE, CLOCK, CODE_OF, OF_AIR_HANDLER, RIGHT,  # noqa: E402
+                        is_in_class, is_right)
 from report.result import OF_CLASS                         # noqa: E402
 
 DETECTABLE = 5
@@ -180,6 +182,11 @@ def is_nearer_to_the_truth(scored, planted):
     return abs(found - right) < abs(found)
 
 
+def by_parameter(scored):
+    """Planted effects that calibration finds, and no search."""
+    return [name for name in scored.planted if RIGHT[name].parameter]
+
+
 def is_named(scored, planted):
     if RIGHT[planted].is_decision:
         return was_decided(scored)
@@ -227,9 +234,17 @@ def class_size(effect):
     return len({name for name in effect["class"] if name} | {effect["name"]})
 
 
-def is_calendar(effect):
-    """Of a country or state, which is said where its probability is 90 % or more."""
-    return "on the public holidays of" in effect["gate"]
+def calendar_of(effect):
+    """The country whose calendar closed days are said to follow, at a probability of 90 % or more; ""
+    where none is named."""
+    named = re.search("on the public holidays of ([A-Z]{2})", effect["shape"])
+    return named[1] if named else ""
+
+
+def is_right_calendar(scored, effect):
+    """Days off that follow no country's calendar make any country wrong."""
+    country = scored.details.get("moving_holidays", {}).get("country")
+    return calendar_of(effect) == CODE_OF.get(country)
 
 
 def is_detectable(scored):

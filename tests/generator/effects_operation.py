@@ -17,6 +17,7 @@ DAY = 24 * STEPS_PER_HOUR
 EARLIER, LATER = 0.7, 0.7        # odds that the day begins earlier, that it ends later
 SATURDAYS, SUNDAYS = 0.4, 0.15   # odds that they are worked
 STAFF_AT_WEEKENDS = 0.5          # share of a weekday's
+OF_USE = 0.5                     # of the plant's size: people's hours differ less than the plant's
 # --- optimum start
 BALANCE = 15.0                   # no earlier start after a night that warm [degC]
 EARLIEST = 5.0                   # [h] before the declared hour
@@ -43,10 +44,11 @@ def drawn_weekend(rng, odds):
 
 
 def hours_of(d, size):
-    """{"plant" and "use": {day class: (begin, end) or None}}; the plant is off by its own hours."""
+    """{"plant" and "use": {day class: (begin, end) or None}}; each is off by hours of its own."""
     rng = rng_of(d)
     weekend = {"saturday": drawn_weekend(rng, SATURDAYS), "sunday": drawn_weekend(rng, SUNDAYS)}
-    return {who: {"weekday": drawn_span(rng, size), **weekend} for who in ("plant", "use")}
+    return {who: {"weekday": drawn_span(rng, share * size), **weekend}
+            for who, share in (("plant", 1.0), ("use", OF_USE))}
 
 
 def of_the_day(d):
@@ -157,8 +159,8 @@ def sized(capacity):
 
 
 EFFECTS = {
-    "other_hours": Effect("plant and use run other hours than declared: begin and end of a weekday "
-                          "are together so many hours off, weekends may be worked", 3.0, "h",
+    "other_hours": Effect("plant and use run other hours than declared: begin and end of the plant's "
+                          "weekday are together so many hours off, weekends may be worked", 3.0, "h",
                           _other_hours, 1.5, 5, details=_hours_details),
     "moving_holidays": Effect("closed on a country's public holidays, of which most move from year "
                               "to year, as a share", 1.0, "-", _moving_holidays, 0.8, 1,

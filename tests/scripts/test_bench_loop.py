@@ -20,11 +20,14 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "bench"))
 
 import bench_loop       # noqa: E402
+import calendars        # noqa: E402
 import case_folder      # noqa: E402
 import loop_names       # noqa: E402
 import loop_scores      # noqa: E402
 from case import make_case  # noqa: E402
 from effects import EFFECTS, INSIDE, OPERATION  # noqa: E402
+
+CALENDAR = "as on Sunday, on the public holidays of GB"   # as a loop writes it
 
 
 def digest(text):
@@ -229,11 +232,10 @@ class Scores(unittest.TestCase):
             self.assertEqual(len(loop_scores.false_effects(case)), n)
 
     def test_sizes_of_classes_and_what_is_said_to_be_so(self):
-        calendar = found("holidays") | {"gate": ", on the public holidays of England"}
         cases = [scored({"blinds": 0.5}, [found("blinds", ["blinds", "shade", ""]),
-                                          found("reheat") | {"gate": ""}]),
-                 scored({"moving_holidays": 1.0}, [calendar])]
-        cases[0].found[0]["gate"] = ""
+                                          found("reheat")]),
+                 scored({"moving_holidays": 1.0}, [found("holidays", shape=CALENDAR)])]
+        cases[1].details = {"moving_holidays": {"country": "England"}}
         out = io.StringIO()
         with contextlib.redirect_stdout(out):
             bench_loop.print_classes(cases)
@@ -242,6 +244,20 @@ class Scores(unittest.TestCase):
                      "loop_adequate_effects_right 66.667 %_of_3 95 0.702",
                      "loop_calendars_right 100.000 %_of_1 90 1.111"):
             self.assertIn(text, out.getvalue())
+
+    def test_a_calendar_is_right_where_its_country_was_planted(self):
+        for planted, country, is_right in (
+                ("moving_holidays", "England", True), ("moving_holidays", "Zurich", False),
+                ("single_holidays", None, False)):
+            holidays = found("holidays", shape=CALENDAR)
+            case = scored({planted: 1.0}, [holidays])
+            case.details = {planted: {"country": country}} if country else {}
+            self.assertEqual(loop_scores.is_right_calendar(case, holidays), is_right)
+            self.assertEqual(loop_scores.false_effects(case), [])   # they are days off
+        self.assertEqual(loop_scores.calendar_of(found("holidays", shape="as on Sunday")), "")
+
+    def test_countries_of_the_truth_have_their_code(self):
+        self.assertEqual(set(loop_names.CODE_OF), set(calendars.HOLIDAYS))
 
     def test_a_clock_is_a_decision(self):
         decision = {"finding": "the meter's clock is 1 h late"}
