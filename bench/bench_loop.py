@@ -3,15 +3,19 @@
 that the catalogue cannot express, all drawn by seed.
 
     bench_loop.py [--only N] [--seed S] [--ranks R] [--folder DIR] [--rungs RUNG...]
-                  [--cases-only | --score-only]
+                  [--of operation] [--air declared|silent] [--cases-only | --score-only]
 
 Writes the cases (about 10 s of a core each; those that are there stay), runs the loop on all of them
 as one job, which goes on where it was stopped, and prints a line for each case and then
 `name value unit reference ratio`. The cases come in turns, so that the first N are a fair sample.
+With `--of operation` the single effects, and one of each pair, are of what real meters showed: other
+hours, moving holidays, optimum start, a plant of another size. With `--air` every building has an air
+handler, of which building.json tells or is silent.
 """
 import argparse
 import concurrent.futures
 import csv
+import dataclasses
 import os
 import pathlib
 import subprocess
@@ -26,12 +30,16 @@ from case import Recipe
 from case_folder import write_case
 from cases import loop_job, running
 from cases.folder import CaseError
-from designs import drawn_design, drawn_effects
-from effects import INSIDE, OUTSIDE
+from designs import drawn_air_system, drawn_design, drawn_effects
+from effects import INSIDE, OPERATION, OUTSIDE
 
 TURN = ("null", "single", "null", "single", "null", "single", "pair", "outside")
 TURNS = 20  # 60 nulls, 60 singles, 20 pairs, 20 outside
-DRAWN = {"null": (INSIDE, 0), "single": (INSIDE, 1), "pair": (INSIDE, 2), "outside": (OUTSIDE, 1)}
+DRAWN = {   # kind of case: how many effects of which tables
+    "usual": {"null": (), "single": ((INSIDE, 1),), "pair": ((INSIDE, 2),),
+              "outside": ((OUTSIDE, 1),)},
+    "operation": {"null": (), "single": ((OPERATION, 1),), "pair": ((OPERATION, 1), (INSIDE, 1)),
+                  "outside": ((OUTSIDE, 1),)}}
 LADDER = {"hourly": ({}, None), "electricity": ({"meters": '["electricity"]'}, None),
           "monthly": ({}, "monthly")}
 
@@ -40,25 +48,32 @@ def kinds(n):
     return (TURN * TURNS)[:n]
 
 
-def recipe(seed, number, kind):
-    """The case of that number; the same for the same arguments."""
+def recipe(seed, number, kind, of="usual", air=None):
+    """The case of that number; the same for the same arguments. Of handlers others are drawn, so that
+    the building beside them stays. `air`: what is said of a handler; None: there is none."""
     rng = np.random.default_rng([seed, number])
     climate, design = drawn_design(rng)
-    effects, n = DRAWN[kind]
     own = int(rng.integers(2 ** 31))
-    return Recipe(climate, "2021-01-01", 730, own, design, drawn_effects(rng, design, effects, n))
+    if air:
+        handler = drawn_air_system(np.random.default_rng([seed, number, 1]), air == "declared")
+        design = dataclasses.replace(design, air_system=handler)
+    effects = {}
+    for table, n in DRAWN[of][kind]:
+        effects |= drawn_effects(rng, design, table, n)
+    return Recipe(climate, "2021-01-01", 730, own, design, effects)
 
 
-def make_case(folder, seed, number, kind):
+def make_case(folder, *which):
     if not (folder / "truth.json").exists():
-        write_case(folder, recipe(seed, number, kind))
+        write_case(folder, recipe(*which))
 
 
-def make_cases(folder, seed, n):
-    """{folder: kind} of the first n cases."""
-    cases = {folder / f"case_{number:03}": kind for number, kind in enumerate(kinds(n))}
+def make_cases(folder, options):
+    """{folder: kind} of the first cases."""
+    cases = {folder / f"case_{number:03}": kind for number, kind in enumerate(kinds(options.only))}
+    n = len(cases)
     with concurrent.futures.ProcessPoolExecutor(len(os.sched_getaffinity(0))) as pool:
-        done = [pool.submit(make_case, case, seed, number, kind)
+        done = [pool.submit(make_case, case, options.seed, number, kind, options.of, options.air)
                 for number, (case, kind) in enumerate(cases.items())]
         for number, one in enumerate(concurrent.futures.as_completed(done), 1):
             one.result()
@@ -158,6 +173,8 @@ def print_names(scored):
     line("loop_nulls_with_any_effect", sum(bool(s.found) for s in nulls), f"of_{len(nulls)}", 0)
     line("loop_detectable_singles", len(seen), f"of_{len(singles)}", 0)
     line("loop_strict_name", share(map(named, seen)), "%", 70)
+    line("loop_strict_name_by_a_parameter", sum(named(s) and bool(loop_scores.by_parameter(s))
+                                                for s in seen), f"of_{len(seen)}", 0)
     line("loop_class", share(map(classed, seen)), "%", 85)
     line("loop_class_of_found_effects", share(map(found, seen)), "%", 0)
     stated = [len(loop_scores.put_with_parameters(s)) for s in scored]
@@ -172,6 +189,24 @@ def print_names(scored):
         scored, "single", "pair", "outside"))), "%", 5)
     line("loop_adequate_but_wrong_outside", share(map(loop_scores.is_adequate_but_wrong, of_kind(
         scored, "outside"))), "%", 0)
+
+
+def print_classes(scored):
+    sizes = [loop_scores.class_size(effect) for s in scored for effect in s.found]
+    for name, at in (("median", 50), ("p90", 90)):
+        line(f"loop_class_size_{name}", float(np.percentile(sizes, at)) if sizes else np.nan,
+             "names", 0)
+
+
+def print_reliability(scored):
+    """How often what is said is so; 90 % intervals are `loop_coverage`."""
+    wrong = [loop_scores.false_effects(s) for s in scored]
+    adequate = [effect not in false for s, false in zip(scored, wrong) for effect in s.found
+                if effect["adequate"]]
+    calendars = [loop_scores.is_right_calendar(s, effect) for s in scored for effect in s.found
+                 if loop_scores.calendar_of(effect)]
+    line("loop_adequate_effects_right", share(adequate), f"%_of_{len(adequate)}", 95)
+    line("loop_calendars_right", share(calendars), f"%_of_{len(calendars)}", 90)
 
 
 def print_errors(scored):
@@ -219,7 +254,9 @@ def judge(cases, folder, options, rung):
         print_rung(scored, rung)
         return
     print_names(scored)
+    print_classes(scored)
     print_errors(scored)
+    print_reliability(scored)
     line("loop_seconds_per_case", seconds * options.ranks / len(cases), "core_s", 40)
 
 
@@ -231,6 +268,10 @@ def arguments():
     parser.add_argument("--folder", type=pathlib.Path, help="default: build/bench/loop_SEED")
     parser.add_argument("--rungs", nargs="+", choices=LADDER, default=["hourly"],
                         help="of the ladder of data: also electricity alone, meters by month")
+    parser.add_argument("--of", choices=DRAWN, default="usual",
+                        help="operation: effects are of what real meters showed")
+    parser.add_argument("--air", choices=("declared", "silent"),
+                        help="all buildings have an air handler, of which building.json tells or not")
     parser.add_argument("--cases-only", action="store_true", help="write the cases, run nothing")
     parser.add_argument("--score-only", action="store_true", help="read the last run's result")
     return parser.parse_args()
@@ -238,9 +279,10 @@ def arguments():
 
 def main():
     options = arguments()
+    parts = [part for part in (options.of, options.air) if part not in ("usual", None)]
     folder = (options.folder or large_job.ROOT / "build" / "bench" /
-              f"loop_{options.seed}").absolute()
-    cases = make_cases(folder, options.seed, options.only)
+              "_".join(["loop", str(options.seed), *parts])).absolute()
+    cases = make_cases(folder, options)
     if options.cases_only:
         return
     for rung in options.rungs:

@@ -4,6 +4,9 @@ standard (plain), with its structure chosen (before), with the effects found (af
 regression on outdoor temperature and hour of the week (scripts/change_point_baseline), fitted to
 the same readings.
 
+    bench_real_loops.py [JOB...]
+
+runs all, or the jobs named: `twin_house_n2` is the room temperature of six weeks, in seconds.
 Prints `name value unit reference ratio`: CV(RMSE), hourly and by month, with the regression's as
 the reference; a temperature's RMSE with plain's. Before that the effects found, and the seconds
 that a job took on two ranks. At the end, over series (a meter's or a room's held-out hours, all of
@@ -194,8 +197,24 @@ def print_medians(hourly, monthly):
     """Of after over the regression."""
     for name, series in (("hourly", hourly), ("monthly", monthly)):
         ratios = [of["after"] / of["regression"] for of in series if "regression" in of]
+        if not ratios:
+            continue
         print(f"real_series_{name}_after_over_regression_median {statistics.median(ratios):.3f} - 1 "
               f"{statistics.median(ratios):.3f}")
+
+
+def jobs_in(folder, names):
+    """All, or those named."""
+    jobs = [JOBS / "twin_house_n2", JOBS / "real_loops",
+            filled_in(folder, STOCK.name, rows_of(STOCK / "buildings.csv"), template_of()),
+            filled_in(folder, "more_cambridge", map(as_box, rows_of(METERS / "buildings.csv")),
+                      template_of(METERS / "cambridge_gas.csv.gz")),
+            *sorted((METERS / "jobs").iterdir())]
+    known = {job.stem: job for job in jobs}
+    if unknown := [name for name in names if name not in known]:
+        sys.exit(f"bench_real_loops: no job named {', '.join(unknown)}; there are: "
+                 f"{', '.join(known)}")
+    return [known[name] for name in names or known]
 
 
 def main():
@@ -205,13 +224,7 @@ def main():
     hourly, monthly, worse = [], [], []
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        jobs = [JOBS / "twin_house_n2", JOBS / "real_loops",
-                filled_in(folder, STOCK.name, rows_of(STOCK / "buildings.csv"),
-                          template_of()),
-                filled_in(folder, "more_cambridge", map(as_box, rows_of(METERS / "buildings.csv")),
-                          template_of(METERS / "cambridge_gas.csv.gz")),
-                *sorted((METERS / "jobs").iterdir())]
-        for job in jobs:
+        for job in jobs_in(folder, sys.argv[1:]):
             result = folder / f"{job.stem}.h5"
             run(job, result)
             print_effects(result)

@@ -4,6 +4,7 @@ A case's record holds its kind, what was planted, what was found, and the errors
 year. Detectability is the power table's of the first name, scaled from the typical size to the planted.
 """
 import json
+import re
 import sys
 from dataclasses import dataclass, field
 
@@ -18,7 +19,8 @@ sys.path[:0] = [str(large_job.ROOT / "scripts"), str(large_job.ROOT / "tests" / 
 from case_folder import COLUMNS as CHANNELS, YEAR, error   # noqa: E402
 from cases import loop_result                              # noqa: E402
 from effects import EFFECTS                                # noqa: E402
-from loop_names import ALWAYS_THERE, CLOCK, RIGHT, is_in_class, is_right  # noqa: E402
+from loop_names import (ALWAYS_THERE, CLOCK, CODE_OF, OF_AIR_HANDLER, RIGHT,  # noqa: E402
+                        is_in_class, is_right)
 from report.result import OF_CLASS                         # noqa: E402
 
 DETECTABLE = 5
@@ -48,6 +50,9 @@ class Scored:
     detectability: dict     # planted effect -> d, NaN where the table lacks it
     parameters: dict        # {model: rms error in prior standard deviations}
     covered: list = field(default_factory=list)   # of right names with a coefficient
+    calibrated: dict = field(default_factory=dict)   # parameter: its value in the last model
+    details: dict = field(default_factory=dict)   # planted effect: what it drew
+    air_handler: str = ""   # its kind
 
 
 def true_parameters(truth):
@@ -114,16 +119,25 @@ def closed(errors, truth, begin, end):
 
 def detectability(loop, truth):
     """{planted effect: d}, of the table's typical size scaled to the planted one. A lock-out's size is
-    a day, and the table's season is another: of one that moves no meter nothing can be seen."""
+    a day, and the table's season is another: of one that moves no meter nothing can be seen. Nor can
+    of a capacity that moves none."""
     table = dict(zip(loop_result.texts(loop, "power_effect"), loop["power_detectability"][:]))
 
     def of_one(effect, size):
+        if RIGHT[effect].parameter:   # the table has effects only
+            return np.nan if affected(truth, truth["without_one"][effect]) else 0.0
         typical = next((table[row] for row in RIGHT[effect].rows() if row in table), np.nan)
         if RIGHT[effect].is_dated:
             moved = affected(truth, truth["without_one"][effect])
             return np.nan_to_num(typical) if moved else 0.0
         return typical * abs(size) / EFFECTS[effect].size
     return {effect: of_one(effect, size) for effect, size in truth["effects"].items()}
+
+
+def calibrated(loop):
+    after = loop_result.texts(loop, "model").index("after")
+    return dict(zip(loop_result.texts(loop, "parameter"),
+                    map(float, loop["parameter_value"][after])))
 
 
 def coverage(found, planted, truth):
@@ -144,7 +158,8 @@ def score(file, case, kind):
                   loop_result.decisions(loop, ("series", "finding", "action", "kind")), errors,
                   {step: closed(errors, truth, *step) for step in steps},
                   detectability(loop, truth), parameter_errors(loop, truth, case, found),
-                  coverage(found, planted, truth))
+                  coverage(found, planted, truth), calibrated(loop), truth.get("details", {}),
+                  truth.get("structure", {}).get("air_handler", {}).get("kind", ""))
 
 
 def scores(result, cases):
@@ -160,10 +175,24 @@ def was_decided(scored):
     return any(CLOCK in decision["finding"].lower() for decision in scored.decisions)
 
 
+def is_nearer_to_the_truth(scored, planted):
+    """Of a factor on a declared capacity, on a logarithmic scale."""
+    declared, true = scored.details[planted][RIGHT[planted].parameter]
+    found, right = np.log(scored.calibrated[RIGHT[planted].parameter]), np.log(true / declared)
+    return abs(found - right) < abs(found)
+
+
+def by_parameter(scored):
+    """Planted effects that calibration finds, and no search."""
+    return [name for name in scored.planted if RIGHT[name].parameter]
+
+
 def is_named(scored, planted):
     if RIGHT[planted].is_decision:
         return was_decided(scored)
-    return any(is_right(effect, planted) for effect in scored.found)
+    if RIGHT[planted].parameter:
+        return is_nearer_to_the_truth(scored, planted)
+    return any(is_right(effect, planted, scored.details.get(planted)) for effect in scored.found)
 
 
 def put_with_parameters(scored):
@@ -179,8 +208,8 @@ def is_put_with_parameters(scored, planted):
 
 
 def is_in_a_found_class(scored, planted):
-    return is_named(scored, planted) or any(is_in_class(effect, planted)
-                                            for effect in scored.found)
+    return is_named(scored, planted) or any(
+        is_in_class(effect, planted, scored.details.get(planted)) for effect in scored.found)
 
 
 def is_classed(scored, planted):
@@ -194,9 +223,28 @@ def error_fell(scored):
 
 def false_effects(scored):
     """Found effects that are neither planted, nor in its class, nor always there."""
-    excused = ALWAYS_THERE if error_fell(scored) else set()
+    there = ALWAYS_THERE | OF_AIR_HANDLER.get(scored.air_handler, set())
+    excused = there if error_fell(scored) else set()
     return [effect for effect in scored.found if effect["name"] not in excused
-            and not any(is_in_class(effect, name) for name in scored.planted)]
+            and not any(is_in_class(effect, name, scored.details.get(name))
+                        for name in scored.planted)]
+
+
+def class_size(effect):
+    return len({name for name in effect["class"] if name} | {effect["name"]})
+
+
+def calendar_of(effect):
+    """The country whose calendar closed days are said to follow, at a probability of 90 % or more; ""
+    where none is named."""
+    named = re.search("on the public holidays of ([A-Z]{2})", effect["shape"])
+    return named[1] if named else ""
+
+
+def is_right_calendar(scored, effect):
+    """Days off that follow no country's calendar make any country wrong."""
+    country = scored.details.get("moving_holidays", {}).get("country")
+    return calendar_of(effect) == CODE_OF.get(country)
 
 
 def is_detectable(scored):

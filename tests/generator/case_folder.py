@@ -6,6 +6,7 @@ from dataclasses import asdict
 
 import numpy as np
 
+from air_system import RESET, VAV
 from case import SETTLING_DAYS, weather_of
 from construction import MATERIALS
 from drives import AVERAGE_DAYS, DayNoise, make_drives
@@ -60,6 +61,20 @@ def plant(design):
             "cooling_available": "all year"}
 
 
+def systems(design):
+    """What is declared of an air handler; {} where there is none, or nobody says so."""
+    air = design.air_system
+    if air is None or not air.is_declared:
+        return {}
+    per_area = design.volume / 3.6 / design.floor_area
+    return {"systems": {"air_handler": {
+        "kind": air.kind, "supply_flow_l_s_m2": air.supply * per_area,
+        "least_flow_share": air.least_flow if air.kind == VAV else 1.0,
+        "supply_C": {f"outdoors_{RESET[0]:g}_C": air.supply_warm,
+                     f"outdoors_{RESET[1]:g}_C": air.supply_cold},
+        "fan_heat_share": air.fan_heat, "economiser": air.economiser}}}
+
+
 def building(recipe, name):
     design, climate = recipe.design, CLIMATES[recipe.climate]
     flow = design.fresh_air * design.volume / 3.6 / design.floor_area
@@ -77,7 +92,7 @@ def building(recipe, name):
             "ventilation": {"flow_l_s_m2_peak": flow, "heat_recovery": 0.0,
                             "specific_fan_power_W_per_l_s": design.fan_power},
             "declared_closed_days": {"list_mm_dd": sorted({d[5:] for d in design.holidays})},
-            "channels": {}}
+            "channels": {}, **systems(design)}
 
 
 # --- weather
@@ -145,6 +160,14 @@ def numbers_of(office):
     return {name: value for name, value in asdict(office).items() if isinstance(value, float)}
 
 
+def beside_sizes(recipe, built, weather):
+    """What effects drew, and the structure, in cases that have such."""
+    drives = make_drives(built, weather, AVERAGE_DAYS, recipe.seed, recipe.first_day)
+    details, air = apply_effects(drives, built, recipe.effects), built.air_system
+    return ({"details": details} if details else {}) | \
+        ({"structure": {"air_handler": asdict(air)}} if air else {})
+
+
 def truth(recipe, built, weather, measured):
     """Errors of the held-out year: `expected_floor`, the best that any model can do, and those of
     the truth without the effects, and without each of them alone."""
@@ -161,6 +184,7 @@ def truth(recipe, built, weather, measured):
     return {"effects": recipe.effects, "climate": recipe.climate, "seed": recipe.seed,
             "meaning": {name: EFFECTS[name].meaning for name in recipe.effects},
             "design": numbers_of(recipe.design), "built": numbers_of(built), **floors,
+            **beside_sizes(recipe, built, weather),
             "held_out_kWh_m2": {column: float(np.nansum(series[YEAR:])) / built.floor_area
                                 for column, series in measured.items()
                                 if column != COLUMNS["air"]}}

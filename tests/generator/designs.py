@@ -3,6 +3,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from air_system import SINGLE_ZONE, VAV, AirSystem
 from office import FACADES, Office
 from weather import CLIMATES
 
@@ -30,6 +31,16 @@ def drawn_design(rng):
     return climate, replace(Office(), **numbers, **set_backs, floors=int(rng.integers(2, 8)),
                             window_share=shares, holidays=days,
                             heat_source="boiler" if boiler else "heat pump")
+
+
+def drawn_air_system(rng, is_declared):
+    """A handler that serves the whole building."""
+    cold = round(float(rng.uniform(12.5, 14.5)), 1)
+    return AirSystem(
+        kind=str(rng.choice((SINGLE_ZONE, VAV))), supply=round(float(rng.uniform(3, 6)), 2),
+        supply_cold=cold, supply_warm=cold + round(float(rng.uniform(1, 5)), 1),
+        fan_heat=round(float(rng.uniform(0.7, 1)), 2), economiser=bool(rng.random() < 0.5),
+        least_flow=round(float(rng.uniform(0.25, 0.5)), 2), is_declared=is_declared)
 
 
 def drawn_effects(rng, design, effects, n):

@@ -8,7 +8,7 @@ import numpy as np
 
 import sun
 from office import AZIMUTH, FACADES
-from weather import STEPS_PER_HOUR, season
+from weather import CLIMATES, STEPS_PER_HOUR, season
 
 
 @dataclass(frozen=True)
@@ -30,6 +30,7 @@ class Drives:
     open_day: np.ndarray          # whether the calendar's day is a working day
     hour: np.ndarray              # 0 to 24, fractional
     weekday: np.ndarray           # 0 = Monday
+    date: np.ndarray              # datetime64[D]
     season_day: np.ndarray        # day of the year, from 0
     bright: np.ndarray            # whether a facade has over 250 W/m2 [n_facades x n_steps]
     elapsed: np.ndarray           # 0 to 1 over the measured period (negative before)
@@ -37,6 +38,7 @@ class Drives:
     ghi: np.ndarray               # global horizontal irradiance [W/m2]
     theta_ground: np.ndarray      # follows the year a month and a half late [degC]
     seed: int                     # of effects that draw
+    climate: str                  # its name
     people: np.ndarray            # [W]
     lights: np.ndarray
     equipment: np.ndarray
@@ -68,6 +70,8 @@ class Drives:
     part_load_loss: float = 0.0   # of the boiler at no load [-]
     cop_slope: float = 0.0        # COP lost per kelvin outdoors above 27 degC [1/K]
     reheat: float = 0.0           # heating per cooling [-]
+    heating_size: float = 1.0     # on the plant's declared capacity
+    cooling_size: float = 1.0
     hours_late: int = 0           # of the meters' clocks
     latent_share: float = 0.0     # of the fresh air's moisture that the cooling coil removes
     meter_factor: dict = field(default_factory=dict)  # meter -> [n_steps]
@@ -116,11 +120,13 @@ def make_drives(office, weather, noise, seed, measured_from):
     start = np.datetime64(measured_from, "s")
     return Drives(
         theta_e=weather.theta_e.copy(), hour=hour, weekday=weekday, open_day=open_day,
-        season_day=(days - times.astype("datetime64[Y]")).astype(int), bright=np.array(bright),
+        date=days, season_day=(days - times.astype("datetime64[Y]")).astype(int),
+        bright=np.array(bright),
         humidity_ratio=humidity_ratio(weather.theta_e, weather.relative_humidity),
         elapsed=((times - start) / (times[-1] - start)).astype(float),
         years=(times - start) / np.timedelta64(365 * 24, "h"), ghi=weather.ghi,
         theta_ground=ground_temperature(weather), seed=seed,
+        climate=next(name for name, c in CLIMATES.items() if c == weather.climate),
         people=area * office.people * lively("people", noise.people),
         lights=area * office.lights * lively("lights", noise.lights),
         equipment=area * office.equipment * lively("equipment", noise.equipment),

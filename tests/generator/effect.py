@@ -8,6 +8,7 @@ from drives import by_calendar
 
 LOADS = ("people", "lights", "equipment")
 PLANT = ("fresh_air", "heating_set", "cooling_set")
+NO_HANDLER = "no air handler"    # of an effect that a handler brings with it
 IDLE = {"people": 0.0, "lights": 0.05, "equipment": 0.2}  # of the density, on days off
 
 
@@ -21,7 +22,8 @@ class Effect:
     least: float = None
     most: float = None
     either_sign: bool = False
-    needs: str = ""             # "boiler" or "heat pump", where it takes one
+    needs: str = ""             # "boiler", "heat pump" or NO_HANDLER, where it takes one
+    details: Callable = None    # (drives, office, size): {what it drew}, where a size does not tell
 
     def draw(self, rng):
         """A size from the plausible range."""
@@ -29,7 +31,7 @@ class Effect:
         return float(size * rng.choice([-1, 1])) if self.either_sign else float(size)
 
     def fits(self, office):
-        return self.needs in ("", office.heat_source)
+        return self.needs in ("", office.heat_source, NO_HANDLER if not office.air_system else "")
 
 
 def night(d):

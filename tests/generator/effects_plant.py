@@ -1,7 +1,7 @@
 """Effects of controls, plant and meters."""
 import numpy as np
 
-from effect import Effect, days_of_year, run_plant, scale_meter, stepped
+from effect import NO_HANDLER, Effect, days_of_year, run_plant, scale_meter, stepped
 
 
 def _weekend_setback_missing(d, office, size):
@@ -103,7 +103,7 @@ EFFECTS = {
     "demand_response": Effect("cooling set-point raised on summer afternoons", 2.0, "K",
                               _demand_response, 1, 3),
     "reheat": Effect("air cooled and heated again: heating as a share of cooling", 0.2, "-",
-                     _reheat, 0.1, 0.4),
+                     _reheat, 0.1, 0.4, needs=NO_HANDLER),
     "part_load": Effect("boiler less efficient at small loads", 0.25, "-", _part_load, 0.1, 0.4,
                         needs="boiler"),
     "cop_temperature": Effect("cooling COP that falls with the outdoor temperature", 0.02, "1/K",
@@ -113,7 +113,7 @@ EFFECTS = {
     "degraded_boiler": Effect("boiler efficiency lost by the end of the period", 0.2, "-",
                               _degraded_boiler, 0.14, 0.4, needs="boiler"),
     "latent_load": Effect("the coil dries the fresh air: share of the moisture removed", 0.8,
-                          "-", _latent_load, 0.4, 1),
+                          "-", _latent_load, 0.4, 1, needs=NO_HANDLER),
     "standing_losses": Effect("gas that burns at all hours", 2.0, "W/m2", _standing_losses, 1, 4,
                               needs="boiler"),
     "hot_water": Effect("hot water in the evening, which nobody declared", 8.0, "W/m2",

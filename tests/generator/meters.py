@@ -29,7 +29,7 @@ def part_load(ratio):
 
 def cooling_power(office, drives, cooling):
     """Electric power of the chiller [W]: better when it is cool outside, worse at part load."""
-    full = office.cooling_capacity * office.floor_area
+    full = drives.cooling_size * office.cooling_capacity * office.floor_area
     cop = office.cooling_cop * (1 - 0.012 * (np.clip(drives.theta_e, 15, 40) - 30))
     if drives.cop_slope:
         cop = cop * (1 - drives.cop_slope * np.clip(drives.theta_e - 27, -15, 15))
@@ -40,14 +40,15 @@ def heating_power(office, drives, heating):
     """Electric power of the heat pump [W]."""
     if office.heat_source != "heat pump":
         return 0.0
-    full = office.heating_capacity * office.floor_area
+    full = drives.heating_size * office.heating_capacity * office.floor_area
     cop = office.heating_cop * (1 + 0.02 * (np.clip(drives.theta_e, -5, 20) - 8))
     return heating / (cop * part_load(np.clip(heating / full, 0, 1)))
 
 
 def boiler_power(office, drives, heating):
     """Gas of the boiler: a little less efficient at part load, with `part_load_loss` more so [W]."""
-    ratio = np.clip(heating / (office.heating_capacity * office.floor_area), 0, 1)
+    full = drives.heating_size * office.heating_capacity * office.floor_area
+    ratio = np.clip(heating / full, 0, 1)
     efficiency = office.heating_efficiency * drives.efficiency_factor * (0.96 + 0.04 * ratio)
     return heating / efficiency * (1 + drives.part_load_loss * np.exp(-ratio / 0.15))
 
@@ -60,9 +61,12 @@ def latent_cooling(drives, cooling):
 
 def true_powers(office, drives, run):
     """What flows through every meter at every step [W]."""
-    cooling = run.asked_cooling + latent_cooling(drives, run.asked_cooling)
-    heating = run.asked_heating + drives.reheat * cooling if drives.reheat else run.asked_heating
-    fans = office.fan_power * 1000 * drives.fresh_air
+    cooling = run.asked_cooling + latent_cooling(drives, run.asked_cooling) + run.coil_cooling
+    heating = run.asked_heating + run.coil_heating
+    if drives.reheat:
+        heating = heating + drives.reheat * cooling
+    has_handler = getattr(office, "air_system", None) is not None
+    fans = run.fan if has_handler else office.fan_power * 1000 * drives.fresh_air
     electric = (drives.lights + drives.equipment + drives.base_load + fans
                 + PUMP_SHARE * (cooling + heating)
                 + cooling_power(office, drives, cooling)

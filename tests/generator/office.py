@@ -68,6 +68,7 @@ class Office:
     heating_efficiency: float = 0.9  # of the boiler
     base_load: float = 0.8          # lifts, pumps, outdoor lights [W/m2]
     holidays: tuple = ()            # dates "2021-10-01"
+    air_system: object = None       # an AirSystem; None: fresh air comes to the zone as it is
     schedules: dict = field(default_factory=_schedules)
 
     @property

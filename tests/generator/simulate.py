@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 import sun
+from air_system import air_step, coils
 from construction import RHO_C_AIR, make_network
 from weather import STEP_S
 
@@ -33,6 +34,10 @@ class Trajectory:
     convective: np.ndarray         # gains straight to the air [W]
     stored: np.ndarray             # heat in all capacities but the air [J]
     surface_gain: np.ndarray       # heat into the network from outside and gains [W]
+    air_gain: np.ndarray           # an air handler's, to the zone's air [W]
+    coil_heating: np.ndarray       # its loads beside what the zone asked for [W]
+    coil_cooling: np.ndarray
+    fan: np.ndarray                # its fan [W]
 
 
 def transmitted_sun(window, weather, keep):
@@ -127,24 +132,30 @@ def step(zone, s, air_s, loss, theta_e, convective, control):
     return asked_h, asked_c
 
 
-def air_loss(drives, k, volume, theta_air):
-    """Conductance of all outdoor air that enters in a step [W/K]."""
+def air_loss(drives, k, volume, theta_air, air=None):
+    """Conductance of all outdoor air that enters in a step; a handler brings its own [W/K]."""
     difference = theta_air - drives.theta_e[k]
     change = (drives.infiltration[k] + drives.wind_share[k] + drives.extra_air[k]
               + drives.stack * abs(difference) ** 0.5)
     if drives.opening[k] > 0 and theta_air > drives.opening_above and difference > 1:
         change += drives.opening[k]
-    fresh = drives.fresh_air[k] * (1 - drives.recovery[k])
+    fresh = air.outdoor if air else drives.fresh_air[k] * (1 - drives.recovery[k])
     return RHO_C_AIR * (change * volume / 3600 + fresh)
 
 
-def surroundings(drives, k, loss):
-    """Conductance and temperature of outdoor air and neighbour together."""
-    other = drives.neighbour[k]
-    if other == 0:
-        return loss, drives.theta_e[k]
-    total = loss + other
-    return total, (loss * drives.theta_e[k] + other * drives.theta_neighbour[k]) / total
+def surroundings(drives, k, loss, air=None):
+    """Conductance and temperature of outdoor air, neighbour and supplied air together."""
+    other, theta = drives.neighbour[k], drives.theta_e[k]
+    if other != 0:
+        loss, theta = joined(loss, theta, other, drives.theta_neighbour[k])
+    if air:
+        loss, theta = joined(loss, theta, RHO_C_AIR * air.supply, air.theta_supply)
+    return loss, theta
+
+
+def joined(one, theta_one, other, theta_other):
+    total = one + other
+    return total, (one * theta_one + other * theta_other) / total
 
 
 def run_chunk(zone, office, drives, rows, convective, first, out):
@@ -153,16 +164,31 @@ def run_chunk(zone, office, drives, rows, convective, first, out):
     air_rows = solved_rows @ zone.air
     for i in range(len(rows)):
         k = first + i
-        loss = air_loss(drives, k, office.volume, zone.theta_air)
+        air = air_step(office, drives, k, zone.theta_air)
+        loss = air_loss(drives, k, office.volume, zone.theta_air, air)
         control = (drives.heating_set[k], drives.cooling_set[k],
-                   drives.heating_on[k] * office.heating_capacity * office.floor_area,
-                   drives.cooling_on[k] * office.cooling_capacity * office.floor_area)
-        total, theta = surroundings(drives, k, loss)
-        asked = step(zone, solved_rows[i], air_rows[i], total, theta, convective[i], control)
+                   drives.heating_on[k] * drives.heating_size * office.heating_capacity
+                   * office.floor_area,
+                   drives.cooling_on[k] * drives.cooling_size * office.cooling_capacity
+                   * office.floor_area)
+        gain = convective[i]
+        if air:
+            control = (*control[:3], min(control[3], air.most_cooling))
+            gain = gain + air.gain
+        total, theta = surroundings(drives, k, loss, air)
+        asked = step(zone, solved_rows[i], air_rows[i], total, theta, gain, control)
+        if air:
+            note_air(zone, office, drives, k, air, asked[1], out)
         out.asked_heating[k], out.asked_cooling[k] = asked
         out.emitted_heating[k], out.emitted_cooling[k] = zone.heating, zone.cooling
         out.theta_air[k], out.air_conductance[k] = zone.theta_air, loss
         note_balance(zone, rows[i], k, out)
+
+
+def note_air(zone, office, drives, k, air, asked_cooling, out):
+    load = coils(office, drives, k, air, asked_cooling)
+    out.coil_heating[k], out.coil_cooling[k], out.fan[k] = load.heating, load.cooling, load.fan
+    out.air_gain[k] = air.gain + RHO_C_AIR * air.supply * (air.theta_supply - zone.theta_air)
 
 
 def note_balance(zone, row, k, out):
@@ -189,7 +215,7 @@ def simulate(office, weather, drives, theta_start=22.0):
     network = make_network(elements, windows)
     zone = Zone(network, AIR_MULTIPLIER * RHO_C_AIR * office.volume, theta_start)
     n = len(weather.times)
-    out = Trajectory(*(np.zeros(n) for _ in range(9)))
+    out = Trajectory(*(np.zeros(n) for _ in range(13)))
     for first, last in chunks(n, drives.envelope_from):
         if first == drives.envelope_from and drives.envelope_factor != 1:
             other = office.opaque_elements(drives.envelope_factor)

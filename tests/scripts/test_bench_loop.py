@@ -1,7 +1,10 @@
 #!/usr/bin/python3
 """The loop's bench: what it draws, what it takes for right and for false, and its figures."""
 import contextlib
+import dataclasses
+import hashlib
 import io
+import json
 import pathlib
 import re
 import sys
@@ -17,9 +20,18 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "bench"))
 
 import bench_loop       # noqa: E402
+import calendars        # noqa: E402
+import case_folder      # noqa: E402
 import loop_names       # noqa: E402
 import loop_scores      # noqa: E402
-from effects import EFFECTS, INSIDE, OUTSIDE  # noqa: E402
+from case import make_case  # noqa: E402
+from effects import EFFECTS, INSIDE, OPERATION  # noqa: E402
+
+CALENDAR = "as on Sunday, on the public holidays of GB"   # as a loop writes it
+
+
+def digest(text):
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
 def found(name, members=(), adequate=True, hook="gains", driver="hour of the day",
@@ -44,23 +56,47 @@ class Draws(unittest.TestCase):
 
     def test_a_case_has_what_its_kind_says(self):
         for number, kind in enumerate(bench_loop.kinds(24)):
-            case = bench_loop.recipe(3, number, kind)
-            table, n = bench_loop.DRAWN[kind]
-            self.assertEqual(len(case.effects), n)
-            self.assertTrue(set(case.effects) <= set(table))
-            self.assertEqual(case, bench_loop.recipe(3, number, kind))
+            for of, drawn in bench_loop.DRAWN.items():
+                case = bench_loop.recipe(3, number, kind, of)
+                self.assertEqual(len(case.effects), sum(n for _, n in drawn[kind]))
+                for table, n in drawn[kind]:
+                    self.assertEqual(len(set(case.effects) & set(table)), n)
+                self.assertEqual(case, bench_loop.recipe(3, number, kind, of))
+
+    def test_what_is_not_asked_for_leaves_a_seeds_buildings_as_they_were(self):
+        """Digests of effects, of descriptions, and of a fortnight's readings in spring."""
+        recipes = [bench_loop.recipe(7, n, kind) for n, kind in enumerate(bench_loop.kinds(16))]
+        drawn = [(case.climate, case.seed, sorted(case.effects.items())) for case in recipes]
+        told = [case_folder.building(case, "case") for case in recipes]
+        spring = make_case(dataclasses.replace(recipes[3], first_day="2021-05-10", n_days=14))
+        read = {name: np.nan_to_num(series, nan=-1).tolist()
+                for name, series in spring.measured.items()}
+        self.assertEqual([digest(repr(drawn)), digest(json.dumps(told)), digest(json.dumps(read))],
+                         ["78ccef06a4e06ede", "95516dbd9658e276", "276c14d463090587"])
+
+    def test_a_handler_leaves_the_building_beside_it(self):
+        for air in ("declared", "silent"):
+            case = bench_loop.recipe(3, 0, "null", "usual", air)
+            self.assertEqual(case.design.air_system.is_declared, air == "declared")
+            without = dataclasses.replace(case.design, air_system=None)
+            self.assertEqual(without, bench_loop.recipe(3, 0, "null").design)
 
     def test_effects_are_drawn_from_all_that_fit(self):
         drawn = Counter(name for number in range(2000)
                         for name in bench_loop.recipe(5, number, "single").effects)
         self.assertEqual(set(drawn), set(INSIDE))
+        drawn = Counter(name for number in range(100)
+                        for name in bench_loop.recipe(5, number, "single", "operation").effects)
+        self.assertEqual(set(drawn), set(OPERATION))
 
 
 class Names(unittest.TestCase):
     def test_every_effect_has_its_row(self):
         self.assertEqual(set(loop_names.RIGHT), set(EFFECTS))
-        for name in INSIDE:
-            self.assertTrue(loop_names.RIGHT[name].names, name)
+        for name in [*INSIDE, *OPERATION]:
+            right = loop_names.RIGHT[name]
+            self.assertTrue(right.names or right.parameter, name)
+            self.assertTrue(set(right.when) <= set(right.names), name)
 
     def test_every_name_is_the_catalogues(self):
         rows = "".join(path.read_text() for path in (ROOT / "src/effects").glob("*_rows.cpp"))
@@ -155,6 +191,73 @@ class Scores(unittest.TestCase):
                          {"heating_locked": 30.0, "reheat": 4.0})
         truth["without_one"]["heating_locked"]["heat_kWh"] = 13.0
         self.assertEqual(loop_scores.detectability(loop, truth)["heating_locked"], 0)
+
+    def test_hours_are_named_by_the_parts_that_were_drawn(self):
+        hours = {"plant": {"weekday": (6.0, 18.0), "saturday": None, "sunday": None},
+                 "use": {"weekday": (7.5, 20.0), "saturday": None, "sunday": None}}
+        for name, is_part in (("early start", True), ("plant runs on after hours", False),
+                              ("evening use", True), ("Saturdays worked", False),
+                              ("blinds", False)):
+            case = scored({"other_hours": 3}, [found(name)])
+            case.details = {"other_hours": hours}
+            self.assertEqual(loop_scores.is_named(case, "other_hours"), is_part, name)
+            self.assertEqual(not loop_scores.false_effects(case), is_part, name)
+
+    def test_a_capacity_is_named_where_it_is_nearer_to_the_truth_than_to_the_declared(self):
+        for true, factor, is_named in ((140.0, 1.5, True), (140.0, 1.4, False), (35.0, 0.7, True),
+                                       (35.0, 0.72, False), (35.0, 1.5, False)):
+            case = scored({"undersized_plant": 0.4}, [])
+            case.details = {"undersized_plant": {"heating_capacity": [70.0, true]}}
+            case.calibrated = {"heating_capacity": factor}
+            self.assertEqual(loop_scores.is_named(case, "undersized_plant"), is_named)
+
+    def test_a_capacity_that_moves_no_meter_cannot_be_detected(self):
+        truth = {"effects": {"oversized_plant": 2.5}, "expected_floor": {"heat_kWh": 12.0},
+                 "held_out_kWh_m2": {"heat_kWh": 30.0}}
+        loop = h5py.File("none", "w", driver="core", backing_store=False)
+        self.addCleanup(loop.close)
+        loop.create_dataset("power_effect", data=["reheat"], dtype=h5py.string_dtype())
+        loop["power_detectability"] = [8.0]
+        for error, is_seen in ((20.0, True), (13.0, False)):
+            truth["without_one"] = {"oversized_plant": {"heat_kWh": error}}
+            case = scored({"oversized_plant": 2.5}, [])
+            case.detectability = loop_scores.detectability(loop, truth)
+            self.assertEqual(loop_scores.is_detectable(case), is_seen)
+
+    def test_what_a_handler_does_is_false_without_one_or_if_the_error_rises(self):
+        for kind, after, n in (("VAV with terminal reheat", 0.9, 0), ("single zone", 0.9, 1),
+                               ("", 0.9, 1), ("VAV with terminal reheat", 1.1, 1)):
+            case = scored({}, [found("reheat")], "null", after)
+            case.air_handler = kind
+            self.assertEqual(len(loop_scores.false_effects(case)), n)
+
+    def test_sizes_of_classes_and_what_is_said_to_be_so(self):
+        cases = [scored({"blinds": 0.5}, [found("blinds", ["blinds", "shade", ""]),
+                                          found("reheat")]),
+                 scored({"moving_holidays": 1.0}, [found("holidays", shape=CALENDAR)])]
+        cases[1].details = {"moving_holidays": {"country": "England"}}
+        out = io.StringIO()
+        with contextlib.redirect_stdout(out):
+            bench_loop.print_classes(cases)
+            bench_loop.print_reliability(cases)
+        for text in ("loop_class_size_median 1.000 names - -", "loop_class_size_p90 1.800 names - -",
+                     "loop_adequate_effects_right 66.667 %_of_3 95 0.702",
+                     "loop_calendars_right 100.000 %_of_1 90 1.111"):
+            self.assertIn(text, out.getvalue())
+
+    def test_a_calendar_is_right_where_its_country_was_planted(self):
+        for planted, country, is_right in (
+                ("moving_holidays", "England", True), ("moving_holidays", "Zurich", False),
+                ("single_holidays", None, False)):
+            holidays = found("holidays", shape=CALENDAR)
+            case = scored({planted: 1.0}, [holidays])
+            case.details = {planted: {"country": country}} if country else {}
+            self.assertEqual(loop_scores.is_right_calendar(case, holidays), is_right)
+            self.assertEqual(loop_scores.false_effects(case), [])   # they are days off
+        self.assertEqual(loop_scores.calendar_of(found("holidays", shape="as on Sunday")), "")
+
+    def test_countries_of_the_truth_have_their_code(self):
+        self.assertEqual(set(loop_names.CODE_OF), set(calendars.HOLIDAYS))
 
     def test_a_clock_is_a_decision(self):
         decision = {"finding": "the meter's clock is 1 h late"}
