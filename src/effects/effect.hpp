@@ -35,6 +35,8 @@ enum class Hook {
     second_mass,           ///< conductance to a second mass, per floor [W/(m2 K)]
     aperture,              ///< solar gains through windows of a facade, as a share [-]
     heat_recovery,         ///< of ventilation, added [-]
+    economiser,            ///< largest share of outdoor air of air systems, added [-]
+    supply_temperature,    ///< of air systems [K]
     gains,                 ///< heat nobody meters, added [W/m2]
     loads,                 ///< people, lights and equipment, as a share [-]
     lights_and_equipment,  ///< on the electricity meter and into the room, added [W/m2]

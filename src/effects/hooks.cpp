@@ -15,6 +15,7 @@ namespace bemcal::effects {
 namespace {
 
 using physics::AirFlow;
+using physics::AirSystem;
 using physics::ChangeKind;
 using physics::OutdoorShift;
 using physics::Thermostat;
@@ -22,6 +23,7 @@ using physics::Thermostat;
 constexpr unsigned calendar = Follows::calendar, anything = Follows::anything;
 constexpr const char* no_heating = "there is no heating by a thermostat and a plant";
 constexpr const char* no_cooling = "there is no cooling by a thermostat and a plant";
+constexpr const char* no_air_system = "there is no air system";
 
 Range at_least_zero(double most) {
     return {0, most};
@@ -144,6 +146,24 @@ constexpr HookRow rows[] = {
              sites.of_flows(&AirFlow::heat_recovery, recovers_heat);
          },
      .lack = "there is no ventilation from outdoors that could recover heat"},
+    {.hook = Hook::economiser,
+     .name = "economiser",
+     .unit = "-",
+     .enter = change_inputs,
+     .shapes_regimes = false,
+     .range = at_least_zero,
+     .sites = [](const Effect&,
+                 Sites& sites) { sites.of_air_systems(&AirSystem::economiser); },
+     .lack = no_air_system},
+    {.hook = Hook::supply_temperature,
+     .name = "supply temperature",
+     .unit = "K",
+     .enter = change_inputs,
+     .shapes_regimes = false,
+     .sites = [](const Effect&,
+                 Sites& sites) { sites.of_air_systems(&AirSystem::supply_temperature); },
+     .lack = no_air_system,
+     .grammar = {0, 4, 1.5}},
     {.hook = Hook::gains,
      .name = "gains",
      .unit = "W/m2",

@@ -196,6 +196,13 @@ void Sites::of_cooling(Input Thermostat::* input) {
     of_thermostats(input, has_cooling);
 }
 
+void Sites::of_air_systems(Input physics::AirSystem::* input) {
+    for (std::size_t k = 0; k < building_.air_systems.size(); ++k)
+        if (std::ranges::find(building_.zones, static_cast<int>(k), &Zone::air_system) !=
+            building_.zones.end())
+            add(Part::air_system, k, 0, building_.air_systems[k].*input);
+}
+
 void Sites::of_heating_plant() {
     if (building_.plant.heating_carrier != physics::Carrier::none &&
         std::ranges::any_of(building_.zones, has_heating))
@@ -228,6 +235,10 @@ void Sites::of_scheduled_plant() {
     for (Input AirFlow::* input : {&AirFlow::air_change, &AirFlow::heat_recovery})
         of_flows(input, [](const AirFlow&) { return true; });
     of_openings();
+    for (Input physics::AirSystem::* input :
+         {&physics::AirSystem::available, &physics::AirSystem::supply_temperature,
+          &physics::AirSystem::economiser})
+        of_air_systems(input);
     keep_scheduled();
 }
 

@@ -31,12 +31,15 @@ class Sites {
     /// A thermostat's input in the zones that it heats, or cools.
     void of_heating(physics::Input physics::Thermostat::* input);
     void of_cooling(physics::Input physics::Thermostat::* input);
+    /// Of the systems that serve a zone.
+    void of_air_systems(physics::Input physics::AirSystem::* input);
     /// The efficiency, or COP, where a carrier and some zone use it.
     void of_heating_plant();
     void of_cooling_plant();
     /// The factor of an energy's meter.
     void of_meter(std::optional<physics::Quantity> meter);
-    /// Inputs of loads, or of thermostat, flows and openings, that follow a profile.
+    /// Inputs of loads, or of thermostat, flows, openings and air systems, that follow a
+    /// profile.
     void of_scheduled_loads();
     void of_scheduled_plant();
 

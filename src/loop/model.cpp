@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/nan.hpp"
 #include "effects/make_surroundings.hpp"
+#include "effects/sites.hpp"
 #include "physics/calendar.hpp"
 #include "physics/interval_hours.hpp"
 
@@ -102,6 +103,45 @@ bool sky_of_hay_and_davies(physics::Building& building) {
                 surface.plane = plane_with(change, surface.plane, building);
     }
     return true;
+}
+
+/// Air systems that nobody declared, in zones that are cooled and have none.
+template <class Set>
+bool add_air_systems(physics::Building& building, Set set) {
+    bool changed = false;
+    for (physics::Zone& zone : building.zones) {
+        const physics::Thermostat& control = zone.thermostat;
+        if (zone.air_system >= 0 || control.imposed ||
+            !(control.cooling_capacity.value > 0))
+            continue;
+        physics::AirSystem system;
+        system.name = "of " + zone.name;
+        system.available = {0};
+        system.fan_power = {0};
+        set(zone, system);
+        zone.air_system = static_cast<int>(building.air_systems.size());
+        building.air_systems.push_back(system);
+        changed = true;
+    }
+    return changed;
+}
+
+/// The flow from outdoors that a fan brings; -1 = none.
+int flow_of_fan(const physics::Zone& zone) {
+    const auto place = std::ranges::find_if(zone.flows, effects::is_fan);
+    return place == zone.flows.end() ? -1 : static_cast<int>(place - zone.flows.begin());
+}
+
+/// Cooled air leaves its water on the coil. The fan's power and hours stay what they are
+/// described as.
+bool coil_that_dries(physics::Building& building) {
+    return add_air_systems(building, [](physics::Zone& zone, physics::AirSystem& system) {
+        system.variable = false;
+        zone.system_flow = flow_of_fan(zone);
+        for (const physics::Load& load : zone.loads)
+            if (load.carrier == physics::Carrier::none && load.density.profile >= 0)
+                system.people_moisture = {1, 0, load.density.profile};
+    });
 }
 
 /// All planes that any structure asks for, in every one of them: they share one drive.
@@ -411,6 +451,12 @@ const std::vector<Refinement>& refinements() {
          {{following("share of infiltration by wind", effects::Hook::leakage,
                      effects::Driver::relative_wind, 0.3),
            0.3, 0.1, 0, 0.45}}},
+        {"coil that dries",
+         {{"coil_temperature", "air_system.*.supply_temperature", 12, 1.5, 6, 18},
+          {"coil_bypass", "air_system.*.bypass_factor", 0.1, 0.05, 0, 0.4},
+          {"moisture_of_people", "air_system.*.people_moisture", 3, 2, 0, 20}},
+         {},
+         coil_that_dries},
         {"auxiliaries",
          {{"heating_auxiliary", "plant.heating_auxiliary", 0.02, 0.02, 0, 0.3},
           {"cooling_auxiliary", "plant.cooling_auxiliary", 0.02, 0.02, 0, 0.3}}},

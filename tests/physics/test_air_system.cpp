@@ -47,8 +47,8 @@ double least_of(const AirHour& hour) {
 
 }  // namespace
 
-// What coils give, less what they take, is what the zone asks for, less the fan's heat; of
-// a constant flow with a small load, no more of that than the load.
+// What coils give, less what they take, is what the zone asks for, less the fan's heat;
+// of a constant flow with a small load, no more of that than the load.
 TEST(AirSystem, SensibleHeatIsInBalance) {
     for (const bool follows : {true, false})
         for (const double load : {-60000.0, -8000.0, 4000.0, 30000.0, 90000.0}) {
@@ -56,8 +56,7 @@ TEST(AirSystem, SensibleHeatIsInBalance) {
             hour.heating = std::max(load, 0.0);
             hour.cooling = std::max(-load, 0.0);
             const AirLoads loads = supply({follows, false, 101325}, hour);
-            const double fan =
-                follows ? loads.fan : std::min(loads.fan, std::fabs(load));
+            const double fan = follows ? loads.fan : std::min(loads.fan, std::fabs(load));
             EXPECT_NEAR(loads.heating - loads.cooling, load - fan, 1e-8)
                 << follows << " " << load;
         }
