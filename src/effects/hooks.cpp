@@ -163,7 +163,7 @@ constexpr HookRow rows[] = {
      .sites = [](const Effect&,
                  Sites& sites) { sites.of_air_systems(&AirSystem::supply_temperature); },
      .lack = no_air_system,
-     .grammar = {0, 4, 1.5}},
+     .grammar = {Follows::seasons, 4, 1.5}},
     {.hook = Hook::gains,
      .name = "gains",
      .unit = "W/m2",

@@ -96,6 +96,18 @@ inline physics::Zone office_zone() {
     return zone;
 }
 
+/// Of so large a flow that outdoor air is a small share of it.
+inline physics::AirSystem office_air_system() {
+    physics::AirSystem system;
+    system.name = "unit";
+    system.variable = false;
+    system.available = {1, 0, office_hours_row};
+    system.design_flow = {60};
+    system.fan_power = {0.1};
+    system.people_moisture = {3, 0, office_hours_row};
+    return system;
+}
+
 inline physics::Building office_building() {
     using std::numbers::pi;
     physics::Building building;
@@ -108,6 +120,9 @@ inline physics::Building office_building() {
                                  .angle_modifier = {}});
     building.planes = {{pi / 2, pi, {}}, {pi / 2, 1.5 * pi, {}}, {0, 0, {}}};
     building.zones.push_back(office_zone());
+    building.air_systems.push_back(office_air_system());
+    building.zones[0].air_system = 0;
+    building.zones[0].system_flow = 1;
     return building;
 }
 
