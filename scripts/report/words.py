@@ -78,6 +78,12 @@ def functions(loop):
     return f" Of what is left, a part follows {shown}: that says where and when, not why."
 
 
+def learned(loop):
+    """Hours that nobody wrote down."""
+    return ". ".join(schedule.sentence[:1].upper() + schedule.sentence[1:] for schedule in loop.schedules) + "." \
+        if loop.schedules else ""
+
+
 def found(loop):
     """What was found."""
     if not loop.effects:

@@ -261,13 +261,35 @@ class Search {
     std::vector<std::string> barred_;
 };
 
+/// Hours that nobody wrote down are learned first: the building with them, which has the
+/// plain model as it is written.
+struct Hours {
+    explicit Hours(const LoopData& written)
+        : plain(calibrate_plain(written)), data(written) {
+        if (plain.fit.failed) return;
+        learned = learn_hours(written, plain);
+        data = LoopData(with_hours(written.building, learned), written.options);
+    }
+    Standing plain;
+    std::vector<LearnedHours> learned;
+    LoopData data;
+};
+
 /// Everything of one building; empty where it cannot be simulated as described.
-study::Conclusion searched(const std::string& name, const LoopData& data,
+study::Conclusion searched(const std::string& name, const LoopData& written,
                            int hours_late = 0) {
+    std::optional<Hours> hours;
+    if (!written.building.unknown_hours.empty()) hours.emplace(written);
+    if (hours && hours->plain.fit.failed) return {};
+    const LoopData& data = hours ? hours->data : written;
     LoopResult result;
     result.hours_late = hours_late;
     result.baseline = make_baseline(data);
     if (result.baseline.chosen.fit.failed) return {};
+    if (hours) {
+        result.baseline.plain = std::move(hours->plain);
+        result.hours = std::move(hours->learned);
+    }
     know_loads(result.baseline.place, result.baseline.chosen);
     const Place& place = result.baseline.place;
     result.power = power_of(data, place, result.baseline.chosen);
@@ -276,7 +298,7 @@ study::Conclusion searched(const std::string& name, const LoopData& data,
     Search search(data, result);
     search.run();
     if (const auto& late = search.late_clock()) {
-        const study::Case set = with_clock_set(data.building, *late);
+        const study::Case set = with_clock_set(written.building, *late);
         return searched(name, LoopData(set, data.options), late->hours);
     }
     if (result.last.model.effects.empty()) result.last = result.baseline.chosen;
@@ -284,7 +306,7 @@ study::Conclusion searched(const std::string& name, const LoopData& data,
         result.functions = find_functions(data, result.baseline.place, result.last);
     result.after = localise(data, place, result.last);
     result.unexplained = unexplained_of(data, result.last);
-    return conclude_loop(data.building.name + "/" + name, data, result);
+    return conclude_loop(data.building.name + "/" + name, written, data, result);
 }
 
 bool has_training(const study::Case& building, const LoopOptions& options) {
