@@ -105,9 +105,9 @@ class Trials {
         write_row(model_.schedule.profile(), model_.schedule.row_of(common));
         std::size_t row = first_row_;
         for (int k = 1; k <= tile.n_before; ++k)
-            write_row(row++, model_.schedule.row_of(kind_, tile.from - k));
+            write_row(row++, model_.schedule.hour_of(kind_, tile.from - k));
         for (int k = 0; k < tile.n_after; ++k)
-            write_row(row++, model_.schedule.row_of(kind_, tile.until + k));
+            write_row(row++, model_.schedule.hour_of(kind_, tile.until + k));
     }
 
     std::vector<double> point_of(const Tile& tile, int before, int after) const {
@@ -153,29 +153,36 @@ class Trials {
 
 ScheduleHours::ScheduleHours(const LoopData& data, std::size_t profile)
     : profile_(profile) {
-    study::Case numbered = data.building;
-    physics::Schedule& schedule = numbered.profiles[profile].schedule;
-    schedule = physics::numbered_hours(schedule);
-    physics::Building without_sun = numbered.building;
-    without_sun.planes.clear();
-    const physics::Drive drive = study::drive_of(numbered, without_sun, data.training());
-    const auto row = drive.profiles.row(profile);
-    numbers_.reserve(row.size());
-    for (const double number : row) numbers_.push_back(static_cast<int>(number));
+    const study::Case& building = data.building;
+    const auto numbers = data.drive->profiles.row(*numbered_row_of(building, profile));
+    numbers_.reserve(numbers.size());
+    for (const double number : numbers) numbers_.push_back(static_cast<int>(number));
+    const auto& week = building.profiles[profile].schedule.week;
+    if (!physics::hours_of(building.profiles[profile].schedule)) return;  // all alike
+    low_ = high_ = week[0][0];
+    for (const physics::Day& day : week) {
+        low_ = std::min(low_, std::ranges::min(day));
+        high_ = std::max(high_, std::ranges::max(day));
+    }
 }
 
-std::vector<double> ScheduleHours::row_of(const physics::WeekHours& hours) const {
+std::vector<double> ScheduleHours::levels_of(const physics::WeekHours& hours, double low,
+                                             double high) const {
     std::vector<double> row;
     row.reserve(numbers_.size());
     for (const int number : numbers_)
-        row.push_back(physics::runs_at(hours, number) ? 1 : 0);
+        row.push_back(physics::runs_at(hours, number) ? high : low);
     return row;
 }
 
-std::vector<double> ScheduleHours::row_of(physics::DayKind kind, int hour) const {
+std::vector<double> ScheduleHours::row_of(const physics::WeekHours& hours) const {
+    return levels_of(hours, low_, high_);
+}
+
+std::vector<double> ScheduleHours::hour_of(physics::DayKind kind, int hour) const {
     physics::WeekHours hours{};
     hours[static_cast<std::size_t>(kind)] = {hour, hour + 1};
-    return row_of(hours);
+    return levels_of(hours, 0, high_ - low_);
 }
 
 void try_runs(const HourModel& model, const std::vector<kernel::Channel>& channels,

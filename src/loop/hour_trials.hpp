@@ -11,19 +11,26 @@
 
 namespace bemcal::loop {
 
-/// The hours of a schedule of the case, on the steps of the training period.
+/// The hours of a schedule of the case that has numbered ones, on the steps of the
+/// training period.
 class ScheduleHours {
   public:
     ScheduleHours(const LoopData& data, std::size_t profile);
 
     std::size_t profile() const { return profile_; }
-    /// 1 in these hours, 0 in others. [n_steps]
+    double low() const { return low_; }    ///< outside of its hours
+    double high() const { return high_; }  ///< within them
+    /// High in these hours, low in others. [n_steps]
     std::vector<double> row_of(const physics::WeekHours& hours) const;
-    /// The same of one hour on one kind of days.
-    std::vector<double> row_of(physics::DayKind kind, int hour) const;
+    /// What one hour on one kind of days adds to the low. [n_steps]
+    std::vector<double> hour_of(physics::DayKind kind, int hour) const;
 
   private:
+    std::vector<double> levels_of(const physics::WeekHours& hours, double low,
+                                  double high) const;
+
     std::size_t profile_;
+    double low_ = 0, high_ = 1;
     std::vector<int> numbers_;  ///< [n_steps] of physics::numbered_hours
 };
 

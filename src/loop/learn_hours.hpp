@@ -23,15 +23,24 @@ struct LearnedHours {
     std::string name, use;
     physics::WeekHours usual;  ///< of its use, where the search began
     std::array<LearnedRun, physics::n_day_kinds> runs;
-    double evidence = 0;  ///< of all hours learned over the usual ones of all
+    double evidence = 0;  ///< of the hours learned of all schedules over the usual ones
 
     physics::WeekHours hours() const;
 };
 
-/// Hours of all schedules of case.unknown_hours: start and end by kind of day, one after
-/// the other, until none changes.
-/// \param plain  calibrated with the usual hours
-std::vector<LearnedHours> learn_hours(const LoopData& data, const Standing& plain);
+/// The schedules of case.unknown_hours with the usual hours, where a search begins.
+std::vector<LearnedHours> usual_hours_of(const study::Case& building);
+
+/// Learns the hours of these schedules: start and end by kind of day, one after the
+/// other, until none changes.
+/// \param standing  the model of any structure, calibrated with the hours so far, which
+///                  are those of data.drive
+std::vector<LearnedHours> learn_hours(const LoopData& data, const Standing& standing,
+                                      std::vector<LearnedHours> so_far);
+
+/// Whether both have the same hours, schedule by schedule.
+bool have_same_hours(const std::vector<LearnedHours>& one,
+                     const std::vector<LearnedHours>& other);
 
 /// The case with these hours in its schedules.
 study::Case with_hours(const study::Case& building,

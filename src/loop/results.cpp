@@ -227,7 +227,8 @@ class Writer {
         const effects::Effect& effect = result_.last.model.effects[k];
         const Found& found = result_.found[k];
         const double c = result_.last.coefficient(k);
-        const double half = half_of_90 * deviation_of(found, sd, c);
+        const double half =
+            effect.other_hours ? 0 : half_of_90 * deviation_of(found, sd, c);
         const effects::Entry* entry = effects::entry_of(effect);
         StoredLoop::Effect& stored = loop_.effects.emplace_back();
         stored.name = effect.name;

@@ -38,7 +38,7 @@ study::Case building_with(const WeekHours& truth, const char* use, std::uint64_t
 
 std::vector<LearnedHours> learned_in(const study::Case& made) {
     const LoopData data(made, hours_only());
-    return learn_hours(data, calibrate_plain(data));
+    return learn_hours(data, calibrate_plain(data), usual_hours_of(made));
 }
 
 std::vector<study::Dataset> searched(const study::Case& made) {
