@@ -85,9 +85,18 @@ class Follower {
     Matrix matrix_;
 };
 
-/// The few that are calibrated.
-std::vector<TriedRun> best_of(std::vector<TriedRun> tried) {
+/// The few that are calibrated: of those that explain more than the run so far, before
+/// their priors are counted.
+std::vector<TriedRun> best_of(std::vector<TriedRun> tried, const DailyRun& so_far,
+                              const std::function<double(const DailyRun&)>& prior) {
     constexpr std::size_t most_calibrated = 3;
+    const auto own = std::ranges::find(tried, so_far, &TriedRun::run);
+    if (own != tried.end()) {
+        const double least = own->cost - prior(so_far);
+        std::erase_if(tried, [&](const TriedRun& one) {
+            return one.run == so_far || one.cost - prior(one.run) >= least;
+        });
+    }
     std::ranges::stable_sort(tried, {}, &TriedRun::cost);
     tried.resize(std::min(tried.size(), most_calibrated));
     return tried;
@@ -113,12 +122,14 @@ std::vector<TriedRun> HourSearch::improve(std::size_t schedule, DayKind kind,
                                           bool from_prior) {
     std::vector<TriedRun> tried = tried_from(standing_, schedule, kind);
     if (tried.empty()) return tried;
-    std::vector<TriedRun> best = best_of(tried);
+    const DailyRun so_far = schedules_[schedule].hours[static_cast<std::size_t>(kind)];
+    const auto prior = [&](const DailyRun& run) { return prior_of(run, schedule, kind); };
+    std::vector<TriedRun> best = best_of(tried, so_far, prior);
     // Parameters may have gone where hours that are wrong have no effect: a set-back of
     // 0 K.
     if (from_prior)
         if (const auto fresh = at_prior()) {
-            const auto more = best_of(tried_from(*fresh, schedule, kind));
+            const auto more = best_of(tried_from(*fresh, schedule, kind), so_far, prior);
             best.insert(best.end(), more.begin(), more.end());
         }
     take_best(best, schedule, kind);

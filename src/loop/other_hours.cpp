@@ -92,7 +92,8 @@ std::vector<Departure> other_hours(const LoopData& data, const Place& place,
                               return cost_of_other(run, from);
                           });
         for (std::size_t kind = 0; kind < physics::n_day_kinds; ++kind)
-            search.improve(0, static_cast<DayKind>(kind), kind == 0);
+            search.improve(0, static_cast<DayKind>(kind),
+                           kind == 0 && standing.model.effects.empty());
         const WeekHours& hours = search.hours(0);
         if (hours == *declared) continue;
         found.push_back({effects::with_hours(as_effect(data, schedule, hours, *declared)),

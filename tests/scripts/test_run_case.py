@@ -105,6 +105,11 @@ class Jobs(Folders):
     def test_declared_closed_days_stay_declared(self):
         self.assertEqual(self.building()["holidays"], ["01-01/01-03"])
 
+    def test_hours_may_be_left_to_the_loop(self):
+        building = self.building(changed(["schedules", "hvac"], {"hours": "learn", "use": "school"}))
+        schedule, = (each for each in building["schedule"] if each["name"] == "hvac")
+        self.assertEqual(schedule, {"name": "hvac", "hours": "learn", "use": "school"})
+
     def test_structure_is_left_to_the_loop(self):
         targets = str([p["target"] for p in self.building()["parameter"]])
         for number in ("proportional_band", "air_capacity", "emitter", "second_mass"):
