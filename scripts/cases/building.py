@@ -35,7 +35,9 @@ def schedules(case):
     for name in ALWAYS_USED:
         case["schedules"][name]  # refuses the case where it is not there
     for name, days in case["schedules"].items():
-        if isinstance(days, dict):
+        if isinstance(days, dict) and "hours" in days:  # "learn"
+            yield section("[[schedule]]", name=name, hours=days["hours"], use=days.get("use"))
+        elif isinstance(days, dict):
             yield section("[[schedule]]", name=name, weekdays=numbers(days["wd"]),
                           saturday=numbers(days["sat"]), sunday=numbers(days["sun"]))
     hot_water = case.get("domestic_hot_water")

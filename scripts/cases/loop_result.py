@@ -54,6 +54,19 @@ def functions(loop):
     return [function_record(function) for function in stored.functions_in(loop)]
 
 
+def schedule_record(schedule):
+    days = [{name: getattr(row, name) for name in (
+        "days", "from", "until", "probability", "from_least", "from_most", "until_least", "until_most",
+        "usual_from", "usual_until")} for row in schedule.hours]
+    return {"name": schedule.name, "use": schedule.use, "sentence": schedule.sentence,
+            "evidence": finite(schedule.evidence), "days": days}
+
+
+def schedules(loop):
+    """Hours that nobody wrote down, as hours.json has it."""
+    return [schedule_record(schedule) for schedule in stored.schedules_in(loop)]
+
+
 def decisions(loop, keys=("series", "finding", "action")):
     """What was found in the data, as decisions.json has it."""
     return [{key: getattr(decision, key) for key in keys}
@@ -121,17 +134,20 @@ def without_result(result, names, study="loop"):
 
 
 def write_files(result, building, folder, study="loop"):
-    """plain.csv, before.csv, after.csv, effects.json, functions.json and decisions.json of one building."""
+    """plain.csv, before.csv, after.csv, effects.json, functions.json and decisions.json of one building; and hours.json
+    where hours were learned."""
     def read(file):
         loop = loop_of(file, building, study)
         return ({model: predictions(loop, model) for model in texts(loop, "model")}, effects(loop),
-                functions(loop), decisions(loop))
-    predicted, found, unnamed, decided = of_result(result, read)
+                functions(loop), decisions(loop), schedules(loop))
+    predicted, found, unnamed, decided, hours = of_result(result, read)
     for model, columns in predicted.items():
         write_predictions(os.path.join(folder, f"{model}.csv"), *columns)
     write_json(os.path.join(folder, "effects.json"), found)
     write_json(os.path.join(folder, "functions.json"), unnamed)
     write_json(os.path.join(folder, "decisions.json"), decided)
+    if hours:
+        write_json(os.path.join(folder, "hours.json"), hours)
 
 
 def cut_out(result, building, others, path):

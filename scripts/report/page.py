@@ -79,7 +79,7 @@ def contents(loop):
     return dict(
         study=loop, words=words, structure_words=words.structure(loop),
         lead=" ".join([words.found(loop), words.judged(loop), words.unexplained(loop)]),
-        regression=words.regression(loop, regressions), errors=error_rows(loop, regressions), error_picture=pictures.errors(loop), effects=effect_rows(loop),
+        learned=words.learned(loop), regression=words.regression(loop, regressions), errors=error_rows(loop, regressions), error_picture=pictures.errors(loop), effects=effect_rows(loop),
         functions=function_rows(loop), function_pictures=pictures.functions(loop),
         channels=channels, parameters=parameter_rows(loop),
         unusual_ends=words.unusual_ends(loop), parameter_picture=pictures.parameters(loop), pattern_picture=pictures.patterns(loop),

@@ -57,6 +57,15 @@ FUNCTION = {"name": text("function"), "hook": text("function_hook"), "driver": t
 POINT = {"value": number("function_point_value"), "function": number("function_point_of"),
          "at": number("function_point_at"), "and_at": number("function_point_and_at"),
          "least": number("function_point_least"), "most": number("function_point_most")}
+SCHEDULE = {"name": text("learned_schedule"), "use": text("learned_schedule_use"),
+            "sentence": text("learned_schedule_sentence"),
+            "evidence": number("learned_schedule_evidence")}
+HOURS = {"schedule": number("learned_hours_of"), "days": text("learned_hours_days"),
+         "from": number("learned_hours_from"), "until": number("learned_hours_until"),
+         "probability": number("learned_hours_probability"),
+         "from_least": number("learned_hours_from_least"), "from_most": number("learned_hours_from_most"),
+         "until_least": number("learned_hours_until_least"), "until_most": number("learned_hours_until_most"),
+         "usual_from": number("learned_hours_usual_from"), "usual_until": number("learned_hours_usual_until")}
 MEMBER = {"name": text("effect_class_member"), "effect": number("effect_class_of")}
 POWER = {"effect": text("power_effect"), "detectability": number("power_detectability"),
          "visibility": number("power_visibility"), "alias": text("power_alias"),
@@ -97,6 +106,14 @@ def effects_in(group):
         effect.others = [name for name in effect.members if name not in ("", effect.name)]
         effect.is_adequate = effect.adequate == 1
     return effects
+
+
+def schedules_in(group):
+    """The schedules whose hours were learned, each with these."""
+    schedules, hours = rows_in(group, SCHEDULE), rows_in(group, HOURS)
+    for k, schedule in enumerate(schedules):
+        schedule.hours = [row for row in hours if row.schedule == k]
+    return schedules
 
 
 def functions_in(group):
@@ -198,6 +215,7 @@ class Loop:
         self.channels = [channel.name for channel in self.of_channels]
         self.parameters = [parameter.name for parameter in self.of_parameters]
         self.effects, self.functions = effects_in(group), functions_in(group)
+        self.schedules = schedules_in(group)
         self.periods, self.resolutions, self.metrics, self.hooks, self.drivers = (
             texts_of(group, name)
             for name in ("period", "resolution", "metric", "hook", "driver"))

@@ -49,13 +49,22 @@ def listed(texts, last="and"):
         if texts else ""
 
 
+def is_choice(effect):
+    """Whether it is there or not, without a size: hours, for instance."""
+    return effect.least == effect.most
+
+
 def size(effect):
-    """"0.083 1/h per m/s"."""
+    """"0.083 1/h per m/s"; of a choice what was chosen."""
+    if is_choice(effect):
+        return effect.shape
     return number(effect.coefficient) + ("" if effect.unit in ("", "-") else " " + effect.unit)
 
 
 def coefficient(effect):
     """"0.083 1/h per m/s, 90 % interval 0.079 to 0.087"."""
+    if is_choice(effect):
+        return "none: it is there or not"
     return f"{size(effect)}, 90 % interval {number(effect.least)} to {number(effect.most)}"
 
 
@@ -76,6 +85,12 @@ def functions(loop):
     names = [function.name for function in sorted(loop.functions, key=lambda one: -one.evidence)]
     shown = listed(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
     return f" Of what is left, a part follows {shown}: that says where and when, not why."
+
+
+def learned(loop):
+    """Hours that nobody wrote down."""
+    return ". ".join(schedule.sentence[:1].upper() + schedule.sentence[1:] for schedule in loop.schedules) + "." \
+        if loop.schedules else ""
 
 
 def found(loop):

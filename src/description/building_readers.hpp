@@ -48,6 +48,10 @@ std::vector<physics::Profile> read_profiles(
     input::InputFiles& files, const physics::Site& site,
     std::vector<study::DataDecision>& decisions);
 
+/// Schedules with hours = "learn", into the case, which has profiles and building; a note
+/// for each goes to case.decisions. Throws UserError where nothing follows one.
+void read_unknown_hours(const Sources& sources, study::Case& building);
+
 /// The series among them, with their units.
 std::vector<study::Column> read_columns(const Sources& sources);
 

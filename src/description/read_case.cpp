@@ -55,6 +55,7 @@ study::Case read_case(const Sources& sources, input::InputFiles& files) {
     building.columns = read_columns(sources);
     building.building = read_building(sources, building.profiles);
     building.building.name = building.name;
+    read_unknown_hours(sources, building);
     check_building(sources, building);
     read_parameters(sources, building);
     read_meters(sources, files, building);

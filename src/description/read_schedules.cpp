@@ -7,6 +7,7 @@
 #include "description/building_readers.hpp"
 #include "description/read_holidays.hpp"
 #include "description/timed_csv.hpp"
+#include "physics/week_hours.hpp"
 
 #include <algorithm>
 #include <array>
@@ -98,18 +99,43 @@ std::map<std::chrono::sys_days, double> read_register(const schema::Section& sec
     return days;
 }
 
+bool has_unknown_hours(const schema::Section& section) {
+    return section.choice("hours") == "learn";
+}
+
+/// Of a schedule without hours those of its use, which a loop starts from.
+void read_usual_hours(const schema::Section& section, physics::Schedule& schedule) {
+    std::vector<const char*> keys = {"holiday", "register", "register_column", "period"};
+    for (const DayKey& key : day_keys) keys.push_back(key.key);
+    for (const char* key : keys)
+        if (section.has(key))
+            section.fail(key,
+                         "has no place beside hours = \"learn\", which says that nobody "
+                         "knows the hours; remove one of the two");
+    physics::set_hours(*physics::usual_hours(section.choice("use")), schedule);
+}
+
+void read_hours(const schema::Section& section, physics::Schedule& schedule) {
+    if (has_unknown_hours(section)) return read_usual_hours(section, schedule);
+    if (section.has("use"))
+        section.fail("use",
+                     "has no effect on hours that are given; remove it, or write hours = "
+                     "\"learn\" in their place");
+    schedule.week = read_week(section);
+    schedule.holiday =
+        section.has("holiday") ? read_day(section, "holiday") : schedule.week[6];
+}
+
 physics::Profile read_schedule(const schema::Section& section,
                                const std::vector<physics::DateRange>& holidays,
                                input::InputFiles& files) {
     physics::Profile profile;
     physics::Schedule& schedule = profile.schedule;
     profile.name = schedule.name = section.text("name");
-    schedule.week = read_week(section);
-    schedule.holiday =
-        section.has("holiday") ? read_day(section, "holiday") : schedule.week[6];
     schedule.holidays =
         section.has("holidays") ? read_dates(section, "holidays") : holidays;
     schedule.summer_time = section.choice("summer_time");
+    read_hours(section, schedule);
     if (section.has("register"))
         schedule.days = read_register(section, files);
     else if (section.has("register_column"))
@@ -163,6 +189,28 @@ std::vector<physics::Profile> read_profiles(
          sources.with("series").tables("series", "series"))
         add(profiles, read_series(section, files, site, decisions), section);
     return profiles;
+}
+
+void read_unknown_hours(const Sources& sources, study::Case& building) {
+    const auto sections = sources.with("schedule").tables("schedule", "schedule");
+    for (std::size_t k = 0; k < sections.size(); ++k) {
+        const schema::Section& section = sections[k];
+        if (!has_unknown_hours(section)) continue;
+        if (physics::inputs_that_follow(building.building, static_cast<int>(k)).empty())
+            section.fail_value("hours",
+                               "nothing follows this schedule, so that no reading shows "
+                               "its hours; remove it, or name it in an input: {value = "
+                               "20, low = 16, schedule = \"" +
+                                   section.text("name") + "\"}");
+        const std::string use = section.choice("use");
+        const physics::WeekHours usual = *physics::usual_hours(use);
+        building.unknown_hours.push_back({k, use, usual});
+        building.decisions.push_back(
+            {"schedule " + section.text("name"), "its hours are not given",
+             fmt::format("those that are usual for its use ({}): {}; a study of kind "
+                         "\"loop\" learns them",
+                         use, physics::sentence_of(usual))});
+    }
 }
 
 std::vector<study::Column> read_columns(const Sources& sources) {

@@ -57,6 +57,15 @@ Effect with_days(const std::string& name, std::vector<Days> days) {
     return effect;
 }
 
+Effect with_hours(OtherHours hours) {
+    const auto rows = catalogue();
+    const auto row = std::ranges::find(rows, Each::found_hours, &Entry::each);
+    Effect effect = row->effect;
+    effect.place_name = "schedule " + hours.schedule;
+    effect.other_hours = std::move(hours);
+    return effect;
+}
+
 Effect closed_days(std::vector<Days> days) {
     return with_days("holidays", std::move(days));
 }

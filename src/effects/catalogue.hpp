@@ -15,11 +15,14 @@ std::span<const Entry> catalogue();
 /// Each::found_days ("holidays", "windows open on some days"). Throws
 /// std::invalid_argument for another.
 Effect with_days(const std::string& name, std::vector<Days> days);
+/// "other hours than declared".
+Effect with_hours(OtherHours hours);
 /// "holidays": all schedules as on Sunday.
 Effect closed_days(std::vector<Days> days);
 
 /// Every effect that can enter this building and has a say in this period: the
-/// catalogue's with all of their shapes, facades and meters; not those on found days.
+/// catalogue's with all of their shapes, facades and meters; not those on found days and
+/// hours.
 /// \param meters  that are measured
 std::vector<Effect> named_candidates(const Surroundings& surroundings,
                                      std::span<const physics::Quantity> meters);

@@ -19,6 +19,7 @@ const char* words_of(Each each) {
                                      "Monday to Friday, each alone",
                                      "the summer times of the EU and the US",
                                      "days picked in the data (for holidays only)",
+                                     "each schedule, with hours found by simulation",
                                      "a decision on the data: the model is not changed"};
     return words[static_cast<std::size_t>(each)];
 }

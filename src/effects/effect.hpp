@@ -11,6 +11,7 @@
 #pragma once
 
 #include "physics/quantities.hpp"
+#include "physics/week_hours.hpp"
 
 #include <optional>
 #include <string>
@@ -125,6 +126,16 @@ struct Hours {
     double from = 0, until = 24;
 };
 
+/// Hours that a schedule has in place of those declared: its row of the drive is another
+/// one, for all that follow it. They are there or not, with a coefficient of 1.
+struct OtherHours {
+    std::string schedule;      ///< its name
+    int profile = -1;          ///< its row of Drive::profiles
+    int numbers = -1;          ///< the row of its hours as physics::numbered_hours
+    double low = 0, high = 1;  ///< outside of its hours, within them
+    physics::WeekHours hours{}, declared{};
+};
+
 struct Effect {
     std::string name{};  ///< "wind infiltration"; of the grammar: a sentence
     int number = 0;      ///< row of the catalogue; 0 = of the grammar
@@ -144,6 +155,7 @@ struct Effect {
     int weekday = -1;            ///< only on this one, 0 = Monday; -1 = on all
     Hours hours{};               ///< only in these
     bool is_smooth = false;      ///< its profile is not rounded to few levels
+    std::optional<OtherHours> other_hours{};  ///< then nothing else of it has a say
 
     bool is_named() const { return number != 0; }
 };

@@ -166,6 +166,7 @@ void move_schedules_of_loads(Placer& placer, const HookRow& row, const Effect& e
 }
 
 void move_schedules_of_plant(Placer& placer, const HookRow& row, const Effect& effect) {
+    if (effect.other_hours) return placer.act_always();  // the drive has them
     check_moves_schedules(effect);
     Sites sites(placer.building());
     sites.of_scheduled_plant();

@@ -16,6 +16,7 @@ enum class Each {
     weekday,        ///< Monday to Friday
     summer_time,    ///< gates of summer time by the rules of the EU and the US
     found_days,     ///< days that a caller finds in the data (with_days)
+    found_hours,    ///< hours that a caller finds in the data (with_hours)
     data            ///< none: the data are mended or masked, the building is not changed
 };
 

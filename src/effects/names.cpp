@@ -28,12 +28,17 @@ bool are_equal(const Effect& a, const Effect& b) {
                           e.gate, e.weekday, e.hours.from, e.hours.until, e.facade,
                           e.meter, e.column);
     };
-    return key(a) == key(b) && std::equal(a.days.begin(), a.days.end(), b.days.begin(),
-                                          b.days.end(), [](const Days& x, const Days& y) {
-                                              return x.first == y.first &&
-                                                     x.last == y.last &&
-                                                     x.yearly == y.yearly;
-                                          });
+    const auto hours = [](const Effect& e) {
+        const OtherHours none;
+        const OtherHours& own = e.other_hours ? *e.other_hours : none;
+        return std::pair(own.profile, own.hours);
+    };
+    return key(a) == key(b) && hours(a) == hours(b) &&
+           std::equal(a.days.begin(), a.days.end(), b.days.begin(), b.days.end(),
+                      [](const Days& x, const Days& y) {
+                          return x.first == y.first && x.last == y.last &&
+                                 x.yearly == y.yearly;
+                      });
 }
 
 bool is_at_a_meter(Hook hook) {

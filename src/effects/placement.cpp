@@ -31,11 +31,33 @@ Range positive_share(Range range, const std::vector<double>& profile) {
 /// A range about 0: twice as wide as what is plausible, cut where physics ends.
 Range range_of(const HookRow& hook, const Effect& effect,
                const std::vector<double>& profile) {
+    if (effect.other_hours) return {1, 1};
     double most = 2 * std::max(std::abs(effect.least), std::abs(effect.most));
     if (hook.range != nullptr) return hook.range(most);
     if (hook.kind == ChangeKind::schedule) most = std::min(most, 1.5);
     const Range range{-most, most};
     return hook.kind == ChangeKind::factor ? positive_share(range, profile) : range;
+}
+
+bool has_other_hours(const Effect& effect) {
+    return effect.other_hours.has_value();
+}
+
+/// What other effects follow and move are then these hours, too.
+physics::Drive with_other_hours(std::span<const Effect> effects,
+                                const physics::Drive& declared) {
+    physics::Drive drive = declared;
+    for (const Effect& effect : effects) {
+        if (!effect.other_hours) continue;
+        const OtherHours& other = *effect.other_hours;
+        const auto numbers = drive.profiles.row(static_cast<std::size_t>(other.numbers));
+        const auto row = drive.profiles.row(static_cast<std::size_t>(other.profile));
+        for (std::size_t k = 0; k < row.size(); ++k)
+            row[k] = physics::runs_at(other.hours, static_cast<int>(numbers[k]))
+                         ? other.high
+                         : other.low;
+    }
+    return drive;
 }
 
 void put(const Effect& effect, Placer& placer) {
@@ -52,9 +74,7 @@ void put(const Effect& effect, Placer& placer) {
     hook.enter(placer, hook, effect);
 }
 
-}  // namespace
-
-Placed place(std::span<const Effect> effects, const Surroundings& around) {
+Placed placed(std::span<const Effect> effects, const Surroundings& around) {
     Placer placer(around);
     for (const Effect& effect : effects) try {
             put(effect, placer);
@@ -63,6 +83,16 @@ Placed place(std::span<const Effect> effects, const Surroundings& around) {
                 fmt::format("effect '{}': {}", effect.name, error.what()));
         }
     return {std::move(placer.building()), placer.drive(), placer.parameters()};
+}
+
+}  // namespace
+
+Placed place(std::span<const Effect> effects, const Surroundings& around) {
+    if (std::ranges::none_of(effects, has_other_hours)) return placed(effects, around);
+    const physics::Drive drive = with_other_hours(effects, *around.drive);
+    Surroundings moved = around;
+    moved.drive = &drive;
+    return placed(effects, moved);
 }
 
 std::optional<std::string> objection(const Effect& effect, const Surroundings& around) {

@@ -134,9 +134,25 @@ bool is_graded(Form form) {
            form == Form::lagged;
 }
 
+/// "plant runs Monday to Friday 9 to 21 h, Saturdays off; declared 6 to 18 h, 8 to 13 h":
+/// the days that differ.
+std::string sentence_of(const OtherHours& other) {
+    std::string hours, declared;
+    for (std::size_t kind = 0; kind < other.hours.size(); ++kind) {
+        if (other.hours[kind] == other.declared[kind]) continue;
+        const char* comma = hours.empty() ? "" : ", ";
+        hours += fmt::format("{}{} {}", comma,
+                             physics::name_of(static_cast<physics::DayKind>(kind)),
+                             physics::sentence_of(other.hours[kind]));
+        declared += comma + physics::sentence_of(other.declared[kind]);
+    }
+    return fmt::format("{} runs {}; declared {}", other.schedule, hours, declared);
+}
+
 }  // namespace
 
 std::string sentence_of(const Effect& effect) {
+    if (effect.other_hours) return sentence_of(*effect.other_hours);
     const std::string text = shape_of(effect) + gate_of(effect);
     return effect.place_name.empty() ? text : text + ", " + effect.place_name;
 }

@@ -2,13 +2,14 @@
 /// an office's schedules, and parameters that take up what a box misses.
 /// Follows from guesses for what is not said; of gas units the one is taken that makes a
 /// year's gas nearest to 160 kWh/m2.
-/// Leaves out cooling, neighbours, and other uses than offices'.
+/// Leaves out cooling, neighbours, and other uses than offices', but for their hours.
 #include "job/stock_description.hpp"
 
 #include "base/machine.hpp"
 #include "description/stock_readings.hpp"
 #include "description/timed_csv.hpp"
 #include "physics/calendar.hpp"
+#include "physics/week_hours.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -23,8 +24,8 @@ namespace bemcal::job {
 
 namespace {
 
-/// What the box does not take from the line: an office's use and its ranges.
-constexpr const char* common_text = R"(
+/// An office's hours, where the line does not leave them to be learned.
+constexpr const char* office_hours_text = R"(
 [[schedule]]
 name = "day"
 summer_time = "eu"
@@ -35,6 +36,10 @@ name = "occupied"
 summer_time = "eu"
 weekdays = [0, 0, 0, 0, 0, 0, 0, 0.2, 0.6, 1, 1, 1, 1, 1, 1, 1, 1, 0.7, 0.3, 0.1, 0, 0, 0, 0]
 weekend = 0.1
+)";
+
+/// What the box does not take from the line: ranges.
+constexpr const char* common_text = R"(
 [[parameter]]
 name = "envelope"
 target = ["construction.*.u_value", "glazing.window.u_value"]
@@ -110,7 +115,8 @@ class Writer {
         add_periods();
         add_envelope();
         add_zone();
-        return {text_ + common_text + load_parameters() + gas_parameters() + meters_,
+        return {text_ + hours_text() + common_text + load_parameters() +
+                    gas_parameters() + meters_,
                 std::move(decisions_)};
     }
 
@@ -306,6 +312,31 @@ class Writer {
             if (const std::string column = word(key, ""); !column.empty())
                 text_ += fmt::format("{} = {{column = \"{}\", stamp = \"{}\"}}\n", key,
                                      column, word(std::string(key) + "_stamp", "start"));
+    }
+
+    /// Of plant and use alike.
+    std::string hours_text() const {
+        const std::string hours = word("hours", ""), use = word("use", "");
+        if (hours.empty() && !use.empty())
+            fail("use",
+                 "has no effect without the column hours = learn; an office's "
+                 "hours are taken where it is left out");
+        if (hours.empty()) return office_hours_text;
+        if (hours != "learn")
+            fail("hours", fmt::format("\"{}\" is no way to say hours; expected learn, or "
+                                      "nothing for an office's",
+                                      hours));
+        if (!use.empty() && !physics::usual_hours(use))
+            fail("use", fmt::format("\"{}\" is no use that has usual hours; expected "
+                                    "office, home, school or shop",
+                                    use));
+        std::string text;
+        for (const char* name : {"day", "occupied"})
+            text += fmt::format(
+                "[[schedule]]\nname = \"{}\"\nsummer_time = \"eu\"\nhours = "
+                "\"learn\"\nuse = \"{}\"\n",
+                name, use.empty() ? "office" : use);
+        return text;
     }
 
     void add_holidays() {

@@ -234,6 +234,11 @@ std::vector<double> first_start(const LoopData& data, const Place& place) {
 
 }  // namespace
 
+Standing calibrate_plain(const LoopData& data) {
+    const Place place = make_place(data, {}, data.drive);
+    return calibrate(data, place, {}, first_start(data, place));
+}
+
 Baseline make_baseline(const LoopData& data) {
     Baseline baseline;
     baseline.place = make_place(data, {}, data.drive);

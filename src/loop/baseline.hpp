@@ -64,6 +64,9 @@ struct Baseline {
     std::vector<TriedStructure> tried;
     double gained = 0;  ///< change of the score from the standard's to the chosen one's
 };
+/// The building as described, from where the options say.
+Standing calibrate_plain(const LoopData& data);
+
 /// One refinement joins after the other, the best first, as long as the score falls.
 Baseline make_baseline(const LoopData& data);
 

@@ -51,6 +51,10 @@ std::vector<double> deviations_of(const LoopData& data, const Standing& standing
     for (std::size_t k = 0; k < diagonal.size(); ++k)
         sd[k] = std::max(sd[k], std::sqrt(std::max(0.0, covariance(k, k)))) *
                 standing.built.unknowns[k].scale;
+    // Hours are there or not.
+    for (std::size_t k = 0; k < standing.model.effects.size(); ++k)
+        if (standing.model.effects[k].other_hours)
+            sd[standing.built.first_effect() + k] = 0;
     return sd;
 }
 

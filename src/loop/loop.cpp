@@ -261,13 +261,59 @@ class Search {
     std::vector<std::string> barred_;
 };
 
+/// The building as it is written, with the hours that nobody wrote down, which are
+/// learned in the standard's model, and again in the structure that is then chosen.
+class WithHours {
+  public:
+    explicit WithHours(const LoopData& written)
+        : written_(written), hours_(usual_hours_of(written.building)) {
+        if (hours_.empty()) {
+            baseline_ = make_baseline(written);
+            return;
+        }
+        plain_ = calibrate_plain(written);
+        if (plain_->fit.failed) return;
+        learn(*plain_);
+        if (baseline_.chosen.fit.failed || baseline_.chosen.model.structure.empty())
+            return;
+        learn(baseline_.chosen);
+    }
+
+    const LoopData& data() const { return data_ ? *data_ : written_; }
+
+    /// Of the plain one the hours are the usual ones.
+    Baseline take_baseline() {
+        if (plain_) baseline_.plain = std::move(*plain_);
+        return std::move(baseline_);
+    }
+    std::vector<LearnedHours> take_hours() { return std::move(hours_); }
+
+  private:
+    void learn(const Standing& standing) {
+        const auto before = hours_;
+        hours_ = learn_hours(data(), standing, std::move(hours_));
+        if (data_ && have_same_hours(before, hours_)) return;
+        data_.emplace(with_hours(written_.building, hours_), written_.options);
+        baseline_ = make_baseline(*data_);
+    }
+
+    const LoopData& written_;
+    std::optional<LoopData> data_;  ///< where hours were learned
+    std::optional<Standing> plain_;
+    std::vector<LearnedHours> hours_;
+    Baseline baseline_;
+};
+
 /// Everything of one building; empty where it cannot be simulated as described.
-study::Conclusion searched(const std::string& name, const LoopData& data,
+study::Conclusion searched(const std::string& name, const LoopData& written,
                            int hours_late = 0) {
+    WithHours start(written);
+    const LoopData& data = start.data();
     LoopResult result;
     result.hours_late = hours_late;
-    result.baseline = make_baseline(data);
-    if (result.baseline.chosen.fit.failed) return {};
+    result.baseline = start.take_baseline();
+    if (result.baseline.plain.fit.failed || result.baseline.chosen.fit.failed) return {};
+    result.hours = start.take_hours();
     know_loads(result.baseline.place, result.baseline.chosen);
     const Place& place = result.baseline.place;
     result.power = power_of(data, place, result.baseline.chosen);
@@ -276,7 +322,7 @@ study::Conclusion searched(const std::string& name, const LoopData& data,
     Search search(data, result);
     search.run();
     if (const auto& late = search.late_clock()) {
-        const study::Case set = with_clock_set(data.building, *late);
+        const study::Case set = with_clock_set(written.building, *late);
         return searched(name, LoopData(set, data.options), late->hours);
     }
     if (result.last.model.effects.empty()) result.last = result.baseline.chosen;
@@ -284,7 +330,7 @@ study::Conclusion searched(const std::string& name, const LoopData& data,
         result.functions = find_functions(data, result.baseline.place, result.last);
     result.after = localise(data, place, result.last);
     result.unexplained = unexplained_of(data, result.last);
-    return conclude_loop(data.building.name + "/" + name, data, result);
+    return conclude_loop(data.building.name + "/" + name, written, data, result);
 }
 
 bool has_training(const study::Case& building, const LoopOptions& options) {

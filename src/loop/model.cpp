@@ -157,6 +157,31 @@ void add_planes(physics::Building& building) {
     }
 }
 
+std::string name_of_numbered(const study::Case& building, std::size_t profile) {
+    return "numbered hours of " + building.profiles[profile].name;
+}
+
+bool has_unknown_hours(const study::Case& building, std::size_t profile) {
+    return std::ranges::find(building.unknown_hours, profile,
+                             &study::UnknownHours::profile) !=
+           building.unknown_hours.end();
+}
+
+/// The hours of schedules that have one run a day, in a drive beside the schedules.
+void add_numbered_hours(study::Case& building) {
+    const std::size_t n = building.profiles.size();
+    for (std::size_t p = 0; p < n; ++p) {
+        const physics::Profile& own = building.profiles[p];
+        if (own.is_series || numbered_row_of(building, p) ||
+            !(has_unknown_hours(building, p) || physics::hours_of(own.schedule)))
+            continue;
+        physics::Profile numbered;
+        numbered.name = name_of_numbered(building, p);
+        numbered.schedule = physics::numbered_hours(own.schedule);
+        building.profiles.push_back(std::move(numbered));
+    }
+}
+
 /// Where a number stands in every zone, but what a parameter of the job calibrates: that
 /// one keeps its prior.
 std::vector<physics::Target> free_targets(const Place& place, const char* path) {
@@ -338,6 +363,7 @@ LoopData::LoopData(const study::Case& given, const LoopOptions& chosen)
     : building(given), options(chosen), targets{{}, {0}, {}} {
     const study::Period& period = training();
     add_planes(building.building);
+    add_numbered_hours(building);
     drive = drive_over(period);
     const physics::TimeAxis axis = study::axis_of(building, period);
     const auto readings = training_readings(building, period);
@@ -356,6 +382,15 @@ LoopData::LoopData(const study::Case& given, const LoopOptions& chosen)
     if (meters.empty())
         throw std::invalid_argument("no meter has a reading in the training period");
     blocks = blocks_of(options.block_days);
+}
+
+std::optional<std::size_t> numbered_row_of(const study::Case& building,
+                                           std::size_t profile) {
+    const auto& all = building.profiles;
+    const auto found = std::ranges::find(all, name_of_numbered(building, profile),
+                                         &physics::Profile::name);
+    if (found == all.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - all.begin());
 }
 
 std::vector<kernel::Readings> training_readings(const study::Case& building,

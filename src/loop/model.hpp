@@ -8,6 +8,7 @@
 #include "study/fit_model.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,9 @@ struct ChannelNoise {
 struct LoopData {
     LoopData(const study::Case& given, const LoopOptions& chosen);
 
-    study::Case building;  ///< its planes are those of every refinement
+    /// Its planes are those of every refinement. It also has a profile of numbered hours
+    /// for each schedule whose hours may be searched.
+    study::Case building;
     LoopOptions options;
     std::vector<std::size_t> meters;       ///< channels: indices into building.meters
     study::Targets targets;                ///< of the training period
@@ -44,6 +47,11 @@ struct LoopData {
     /// so that no reading is in two.
     std::vector<int> blocks_of(double days) const;
 };
+
+/// The row of Drive::profiles in which the hours of a schedule are numbered; nothing of
+/// one that has no single run of hours a day.
+std::optional<std::size_t> numbered_row_of(const study::Case& building,
+                                           std::size_t profile);
 
 /// The meters' readings of a period, those missing that show the state that the building
 /// had before where nothing is known of that: of two days, in periods of twenty or more.

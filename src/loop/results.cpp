@@ -119,8 +119,10 @@ std::vector<double> outdoors_of(const physics::Drive& drive) {
 /// Fills what is stored, part by part.
 class Writer {
   public:
-    Writer(const std::string& stage, const LoopData& data, const LoopResult& result)
+    Writer(const std::string& stage, const LoopData& written, const LoopData& data,
+           const LoopResult& result)
         : stage_(stage),
+          written_(written),
           data_(data),
           result_(result),
           decisions_(data.building.decisions) {}
@@ -133,6 +135,7 @@ class Writer {
         localisation();
         effects_found();
         functions_found();
+        hours_learned();
         power();
         unusual_ends();
         fits();
@@ -224,7 +227,8 @@ class Writer {
         const effects::Effect& effect = result_.last.model.effects[k];
         const Found& found = result_.found[k];
         const double c = result_.last.coefficient(k);
-        const double half = half_of_90 * deviation_of(found, sd, c);
+        const double half =
+            effect.other_hours ? 0 : half_of_90 * deviation_of(found, sd, c);
         const effects::Entry* entry = effects::entry_of(effect);
         StoredLoop::Effect& stored = loop_.effects.emplace_back();
         stored.name = effect.name;
@@ -265,6 +269,33 @@ class Writer {
                 {index, points[0][p], points.size() > 1 ? points[1][p] : nan, values[p],
                  values[p] - half, values[p] + half});
         }
+    }
+
+    void hours_learned() {
+        for (const LearnedHours& learned : result_.hours) {
+            for (std::size_t kind = 0; kind < learned.runs.size(); ++kind)
+                loop_.hours.push_back(daily_hours(learned, kind));
+            loop_.schedules.push_back(
+                {learned.name, learned.use, sentence_of(learned), learned.evidence});
+        }
+    }
+
+    StoredLoop::DailyHours daily_hours(const LearnedHours& learned,
+                                       std::size_t kind) const {
+        const LearnedRun& run = learned.runs[kind];
+        StoredLoop::DailyHours stored;
+        stored.schedule = static_cast<double>(loop_.schedules.size());
+        stored.days = physics::name_of(static_cast<physics::DayKind>(kind));
+        stored.from = run.run.from;
+        stored.until = run.run.until;
+        stored.usual_from = learned.usual[kind].from;
+        stored.usual_until = learned.usual[kind].until;
+        stored.from_least = run.least.from;
+        stored.from_most = run.most.from;
+        stored.until_least = run.least.until;
+        stored.until_most = run.most.until;
+        stored.probability = run.probability;
+        return stored;
     }
 
     void power() {
@@ -329,11 +360,14 @@ class Writer {
     void fits_of(std::size_t p) {
         const study::Period& period = data_.building.periods[p];
         const auto drive = data_.drive_over(period);
+        const auto plain_drive =
+            result_.hours.empty() ? drive : written_.drive_over(period);
         const physics::TimeAxis axis = study::axis_of(data_.building, period);
         const auto begins = study::begins_of(axis, physics::Interval::hourly);
         Hours hours;
         for (std::size_t m = 0; m < StoredLoop::n_models; ++m)
-            hours.push_back(predicted(m, period, drive, begins.size()));
+            hours.push_back(predicted(
+                m, period, m == StoredLoop::plain ? plain_drive : drive, begins.size()));
         const auto readings = study::readings_of(data_.building, period);
         StoredPeriod& stored = periods_.emplace_back();
         stored.name = period.name;
@@ -453,6 +487,7 @@ class Writer {
     std::size_t n_channels() const { return data_.meters.size(); }
 
     std::string stage_;
+    const LoopData& written_;
     const LoopData& data_;
     const LoopResult& result_;
     std::vector<study::DataDecision>
@@ -463,9 +498,9 @@ class Writer {
 
 }  // namespace
 
-study::Conclusion conclude_loop(const std::string& stage, const LoopData& data,
-                                const LoopResult& result) {
-    return Writer(stage, data, result).write();
+study::Conclusion conclude_loop(const std::string& stage, const LoopData& written,
+                                const LoopData& data, const LoopResult& result) {
+    return Writer(stage, written, data, result).write();
 }
 
 }  // namespace bemcal::loop

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "loop/found_function.hpp"
+#include "loop/learn_hours.hpp"
 #include "loop/portrait.hpp"
 #include "loop/power.hpp"
 #include "study/stage.hpp"
@@ -31,6 +32,7 @@ struct LoopResult {
     Standing last;                         ///< with effects
     std::vector<Found> found;              ///< [last.model.effects]
     std::vector<FoundFunction> functions;  ///< their effects follow those found
+    std::vector<LearnedHours> hours;       ///< that nobody wrote down; plain lacks them
     std::vector<LoggedStep> log;
     PowerTable power;
     Localisation before, after;
@@ -43,7 +45,8 @@ struct LoopResult {
 };
 
 /// \param stage  "BUILDING/STUDY"
-study::Conclusion conclude_loop(const std::string& stage, const LoopData& data,
-                                const LoopResult& result);
+/// \param written  the building as the job has it, which is the plain one
+study::Conclusion conclude_loop(const std::string& stage, const LoopData& written,
+                                const LoopData& data, const LoopResult& result);
 
 }  // namespace bemcal::loop

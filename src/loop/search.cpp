@@ -11,6 +11,7 @@
 #include "loop/consistency.hpp"
 #include "loop/gates.hpp"
 #include "loop/moves.hpp"
+#include "loop/other_hours.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -200,6 +201,27 @@ std::vector<Refitted> refit_all(const LoopData& data, const Place& place,
     return ranking;
 }
 
+/// Other hours than declared are no matter of a tangent: they are found by simulation,
+/// and stand beside what was screened.
+void add_other_hours(const LoopData& data, const Place& place, const Standing& standing,
+                     const std::vector<std::string>& barred,
+                     std::vector<Refitted>& ranking) {
+    for (Departure& found : other_hours(data, place, standing)) {
+        if (is_among(data.options.exclude, found.effect) ||
+            is_among(barred, found.effect))
+            continue;
+        Screened as_found{found.effect, 0, 1, 0, {}, {}, {}, 0};
+        Standing from = standing;
+        from.fit.at.x = std::move(found.x);
+        Refitted candidate{found.effect, with_effect(data, place, from, as_found)};
+        if (candidate.standing.fit.failed) continue;
+        candidate.gain = evidence(data, standing, candidate.standing) - found.price;
+        drop_derivatives(candidate.standing);
+        ranking.push_back(std::move(candidate));
+    }
+    sort_by_gain(ranking, ranking.size());
+}
+
 constexpr std::size_t most_judged = 14;
 
 /// Takes a quick refit to its end.
@@ -290,6 +312,7 @@ Step search(const LoopData& data, const Place& place, const Standing& standing,
     const auto screened = screen(
         data, place, standing, candidates_of(data, place, standing, barred), Keep::gains);
     step.ranking = refit_all(data, place, standing, shortlist(screened));
+    add_other_hours(data, place, standing, barred, step.ranking);
     const std::size_t n_judged = std::min(most_judged, step.ranking.size());
     for (std::size_t k = 0; k < n_judged; ++k) finish(data, standing, step.ranking[k]);
     sort_by_gain(step.ranking, n_judged);

@@ -86,6 +86,25 @@ void visit_tables(Loop& loop, Table&& table) {
         see("function_point_least", row.least);
         see("function_point_most", row.most);
     });
+    table("learned_schedule", loop.schedules, [](auto& row, auto&& see) {
+        see("learned_schedule", row.name);
+        see("learned_schedule_use", row.use);
+        see("learned_schedule_sentence", row.sentence);
+        see("learned_schedule_evidence", row.evidence);
+    });
+    table("learned_hours", loop.hours, [](auto& row, auto&& see) {
+        see("learned_hours_of", row.schedule);
+        see("learned_hours_days", row.days);
+        see("learned_hours_from", row.from);
+        see("learned_hours_until", row.until);
+        see("learned_hours_probability", row.probability);
+        see("learned_hours_from_least", row.from_least);
+        see("learned_hours_from_most", row.from_most);
+        see("learned_hours_until_least", row.until_least);
+        see("learned_hours_until_most", row.until_most);
+        see("learned_hours_usual_from", row.usual_from);
+        see("learned_hours_usual_until", row.usual_until);
+    });
     table("power", loop.seen, [](auto& row, auto&& see) {
         see("power_effect", row.effect);
         see("power_alias", row.alias);

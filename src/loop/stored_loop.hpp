@@ -69,6 +69,19 @@ struct StoredLoop {
         double at = nan, and_at = nan;
         double value = nan, least = nan, most = nan;  ///< [unit of the function]
     };
+    /// A schedule whose hours nobody wrote down: see LearnedHours.
+    struct Schedule {
+        std::string name, use, sentence;
+        double evidence = nan;
+    };
+    /// Its hours on a kind of days [h]; both 0 = off.
+    struct DailyHours {
+        double schedule = 0;  ///< index of the schedule
+        std::string days;
+        double from = nan, until = nan, usual_from = nan, usual_until = nan;
+        double from_least = nan, from_most = nan, until_least = nan, until_most = nan;
+        double probability = nan;
+    };
     struct Decision {
         std::string series, finding, action, kind;
         /// Of effects that are one with parameters, not of data.
@@ -84,6 +97,8 @@ struct StoredLoop {
     std::vector<Effect> effects;
     std::vector<Function> functions;
     std::vector<FunctionPoint> function_points;
+    std::vector<Schedule> schedules;
+    std::vector<DailyHours> hours;
     std::vector<Seen> seen;
     std::vector<Decision> decisions;
 

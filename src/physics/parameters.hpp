@@ -31,6 +31,9 @@ struct Parameter {
 /// matched.
 std::vector<Target> resolve(const Building& building, const std::string& path);
 
+/// Places of the inputs that follow a row of Drive::profiles.
+std::vector<Target> inputs_that_follow(const Building& building, int profile);
+
 /// Writes a point into `building`, which must be a copy of `nominal` (its other numbers
 /// are left as they are), and what follows from it (derived.hpp). Where two parameters
 /// have the same target the last one holds. No allocation, no look-up by name.

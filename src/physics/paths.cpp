@@ -198,4 +198,15 @@ std::vector<Target> resolve(const Building& building, const std::string& path) {
     return targets;
 }
 
+std::vector<Target> inputs_that_follow(const Building& building, int profile) {
+    std::vector<Target> targets;
+    Building copy = building;  // input_at() takes what may be written to
+    for (const Entry& entry : entries_of(building)) {
+        const Input* input = input_at(copy, entry.target);
+        if (input != nullptr && input->profile == profile)
+            targets.push_back(entry.target);
+    }
+    return targets;
+}
+
 }  // namespace bemcal::physics

@@ -76,6 +76,37 @@ std::string function_table(const StoredLoop& loop) {
                         : text + "  size: root mean square over the training period\n";
 }
 
+/// "8 (7 to 9)".
+std::string hour_of(double hour, double least, double most) {
+    return fmt::format("{:.0f} ({:.0f} to {:.0f})", hour, least, most);
+}
+
+/// Hours that nobody wrote down: before and after have them, plain the usual ones.
+std::string hours_table(const StoredLoop& loop) {
+    TextTable table({"hours learned", "days", "from [h]", "until [h]", "usual", "prob."});
+    std::string sentences;
+    for (std::size_t s = 0; s < loop.schedules.size(); ++s) {
+        for (const StoredLoop::DailyHours& day : loop.hours) {
+            if (day.schedule != static_cast<double>(s)) continue;
+            const bool is_off = day.from == day.until;
+            table.add(
+                {loop.schedules[s].name, day.days,
+                 is_off ? "off" : hour_of(day.from, day.from_least, day.from_most),
+                 is_off ? "-" : hour_of(day.until, day.until_least, day.until_most),
+                 day.usual_from == day.usual_until
+                     ? "off"
+                     : fmt::format("{:.0f} to {:.0f}", day.usual_from, day.usual_until),
+                 fmt::format("{:.2f}", day.probability)});
+        }
+        sentences += wrapped(loop.schedules[s].sentence);
+    }
+    const std::string text = text_of(table, 24);
+    return text.empty() ? text
+                        : text + sentences +
+                              "  in brackets: 90 % of the probability; plain has the "
+                              "usual hours\n";
+}
+
 /// "gas -8.6": the channel whose error a step lowers most.
 std::string best_of(const StoredLoop& loop, std::size_t step) {
     double least = nan;
@@ -192,7 +223,7 @@ std::string loop_section(const Group& study) {
     for (const std::string& part :
          {failure_lines(study), loop_decision_table(loop, of_data),
           loop_structure_table(loop), loop_power_table(loop),
-          loop_unexplained_table(loop), loop_localisation_table(loop),
+          loop_unexplained_table(loop), loop_localisation_table(loop), hours_table(loop),
           parameter_table(loop), step_table(loop) + end_lines(loop), effects,
           function_table(loop), loop_headline(loop) + loop_fit_table(loop)})
         if (!part.empty()) text += "\n" + part;

@@ -253,6 +253,11 @@ constexpr Key table[] = {
      "Default: the building's holidays."},
     {"schedule", "summer_time", Type::choice, "none|eu|us", "none", 0, 0,
      "eu, us: its hours follow the wall clock."},
+    {"schedule", "hours", Type::choice, "given|learn", "given", 0, 0,
+     "learn: nobody wrote its hours down. It holds no values by day; a study of kind "
+     "\"loop\" learns when it is 1, and others take the usual hours of its use."},
+    {"schedule", "use", Type::choice, "office|home|school|shop", "office", 0, 0,
+     "With hours = \"learn\": the use whose usual hours the search starts from."},
     {"schedule", "register", Type::text, "", "", 0, 0,
      "CSV file with a date in its first column and a number for that day: the hours' "
      "values are multiplied by it, and by 0 on days that it leaves out."},

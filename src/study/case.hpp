@@ -3,6 +3,7 @@
 #pragma once
 
 #include "kernel/batch.hpp"
+#include "physics/week_hours.hpp"
 #include "stats/prior.hpp"
 #include "study/decision.hpp"
 
@@ -47,6 +48,14 @@ struct Column {
     std::string unit;  ///< "" = not said
 };
 
+/// A schedule whose hours nobody wrote down. It has the usual ones of a use until a loop
+/// has learned others.
+struct UnknownHours {
+    std::size_t profile;  ///< of the case
+    std::string use;
+    physics::WeekHours usual;
+};
+
 struct Case {
     std::string name;
     physics::Building building;  ///< nominal
@@ -55,6 +64,7 @@ struct Case {
     physics::Weather weather;
     std::vector<physics::Profile> profiles;
     std::vector<Column> columns;  ///< the profiles that are series
+    std::vector<UnknownHours> unknown_hours;
     std::vector<Meter> meters;
     std::vector<Period> periods;                      ///< the first is for training
     std::vector<physics::DateRange> school_holidays;  ///< no schedule follows them

@@ -83,7 +83,7 @@ TEST(Catalogue, EveryRowCanEnterAnOfficeWithEverything) {
     const int day = static_cast<int>(
         physics::parse_time("2021-05-04").time_since_epoch().count() / 86400);
     for (const Entry& entry : catalogue()) {
-        if (entry.each == Each::data) continue;
+        if (entry.each == Each::data || entry.each == Each::found_hours) continue;
         if (entry.each == Each::found_days) {
             const Effect found = with_days(entry.effect.name, {{day, day + 2}});
             EXPECT_EQ(objection(found, office().around), std::nullopt);

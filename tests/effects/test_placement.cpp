@@ -1,4 +1,5 @@
 #include "base/error.hpp"
+#include "effects/catalogue.hpp"
 #include "effects/hooks.hpp"
 #include "effects/levels.hpp"
 #include "effects/profiles.hpp"
@@ -92,6 +93,71 @@ TEST(Placement, OutdoorAirIsTheSumOfItsThreeWays) {
     const auto three = shown(place(ways, office().around), {2, 2, 2}, Quantity::heating);
     EXPECT_EQ(three, shown(placed(whole), {2}, Quantity::heating));
     for (const Effect& way : ways) EXPECT_LT(heating(way, 2), -1) << way.name;
+}
+
+/// The office's set-back at other hours, in a drive that numbers its hours in a third
+/// row.
+struct OfficeWithOtherHours {
+    OfficeWithOtherHours() {
+        const OtherHours other{"set-back", test::night_row, 2, 0, 1, hours, declared};
+        effect = with_hours(other);
+        around.drive = &drive;
+    }
+    static physics::Drive drive_with(const physics::Profile& night) {
+        physics::Profile numbered = night;
+        numbered.schedule = physics::numbered_hours(night.schedule);
+        return physics::make_drive(office().weather, office().building,
+                                   {test::office_profile(), night, numbered},
+                                   physics::parse_time("2021-01-15"),
+                                   physics::parse_time("2021-12-31"), 3600, 14 * 24);
+    }
+    physics::WeekHours hours = {{{7, 20}, {9, 12}, {}}},
+                       declared = {{{6, 22}, {6, 22}, {6, 22}}};
+    physics::Drive drive = drive_with(test::night_profile());
+    Surroundings around = office().around;
+    Effect effect;
+};
+
+TEST(Placement, OtherHoursAreTheScheduleOfAllThatFollowsIt) {
+    const OfficeWithOtherHours with;
+    physics::Profile right = test::night_profile();
+    physics::set_hours(with.hours, right.schedule);
+    const physics::Drive other = OfficeWithOtherHours::drive_with(right);
+    const Placed moved = place(std::span(&with.effect, 1), with.around);
+    EXPECT_TRUE(std::ranges::equal(moved.drive.profiles.row(test::night_row),
+                                   other.profiles.row(test::night_row)));
+    EXPECT_EQ(test::all_shown(moved, {1}),
+              test::all_shown(Placed{office().building, other, {}}, {}));
+    // They are there or not.
+    EXPECT_EQ(moved.parameters.at(0).least, 1);
+    EXPECT_EQ(moved.parameters.at(0).most, 1);
+    // What else moves the schedule moves these hours: closed, it is as on Sunday.
+    const int monday = static_cast<int>(
+        physics::parse_time("2021-02-01").time_since_epoch().count() / 86400);
+    const Placed closed =
+        place(std::vector{with.effect, closed_days({{monday, monday}})}, with.around);
+    physics::Building building = closed.building;
+    physics::apply(closed.building, closed.parameters, std::vector{1.0, 1.0}, building);
+    const int step = closed.drive.axis.step_of(physics::parse_time("2021-02-01 10:00"));
+    EXPECT_EQ(closed.drive.at(building.zones[0].thermostat.heating_set_point, step), 16);
+    EXPECT_EQ(closed.drive.at(building.zones[0].thermostat.heating_set_point, step + 24),
+              21);
+}
+
+TEST(Placement, OtherHoursAreSaidWhereTheyAreOthers) {
+    OfficeWithOtherHours with;
+    EXPECT_EQ(
+        sentence_of(with.effect),
+        "set-back runs Monday to Friday 7 to 20 h, Saturdays 9 to 12 h, Sundays and "
+        "holidays off; declared 6 to 22 h, 6 to 22 h, 6 to 22 h");
+    Effect other = with.effect;
+    EXPECT_TRUE(are_equal(with.effect, other));
+    other.other_hours->hours[0] = {6, 22};
+    EXPECT_FALSE(are_equal(with.effect, other));
+    EXPECT_EQ(
+        sentence_of(other),
+        "set-back runs Saturdays 9 to 12 h, Sundays and holidays off; declared 6 to "
+        "22 h, 6 to 22 h");
 }
 
 TEST(Placement, WindInfiltrationRaisesHeatingWhenItIsWindy) {

@@ -111,5 +111,28 @@ TEST(LoopStudy, IsAStageOfItsNameAndSaysWhatItWillDo) {
         << text;
 }
 
+// In any kind of study the building has the usual hours, and the plan says so.
+TEST(LoopStudy, HoursThatNobodyWroteDownAreTheUsualOnesUntilALoopLearnsOthers) {
+    const Folder folder;
+    const std::string given =
+        "weekdays = [0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, "
+        "0]\nsaturday = 0\nsunday = 0";
+    const Job job = read_job(write_small_office(
+        folder,
+        replaced(small_office_text(), given, "hours = \"learn\"\nuse = \"shop\"")));
+    const study::Case& building = job.buildings[0];
+    ASSERT_EQ(building.unknown_hours.size(), 1U);
+    EXPECT_EQ(building.unknown_hours[0].profile, 1U);
+    EXPECT_EQ(physics::hours_of(building.profiles[1].schedule),
+              physics::usual_hours("shop"));
+    const std::string text = plan::plan_text(job, 2);
+    EXPECT_NE(text.find("data, schedule plant: its hours are not given: those that are "
+                        "usual for its use (shop): Monday to Friday 8 to 20 h, Saturdays "
+                        "8 to 20 h, Sundays and holidays off; a study of kind \"loop\" "
+                        "learns them"),
+              std::string::npos)
+        << text;
+}
+
 }  // namespace
 }  // namespace bemcal::job

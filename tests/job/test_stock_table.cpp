@@ -124,6 +124,25 @@ TEST(StockTables, MaySayInWhichCountryABuildingStands) {
               std::string::npos);
 }
 
+TEST(StockTables, MayLeaveHoursToBeLearned) {
+    const study::Case learned = StockTable(",hours,use", ",learn,school").building();
+    ASSERT_EQ(learned.unknown_hours.size(), 2U);  // of plant and use
+    EXPECT_EQ(learned.unknown_hours[0].usual, physics::usual_hours("school"));
+    EXPECT_EQ(StockTable(",hours", ",learn").building().unknown_hours[0].use, "office");
+    EXPECT_TRUE(StockTable("", "").building().unknown_hours.empty());
+    const auto says = [](const std::string& columns, const std::string& cells,
+                         const std::string& what) {
+        const std::string said = StockTable(columns, cells).complaint();
+        EXPECT_NE(said.find(what), std::string::npos) << said;
+    };
+    says(",hours", ",guess",
+         "stock.csv:2: hours: \"guess\" is no way to say hours; expected learn");
+    says(
+        ",hours,use", ",learn,hospital",
+        "stock.csv:2: use: \"hospital\" is no use that has usual hours; expected office");
+    says(",use", ",school", "stock.csv:2: use: has no effect without the column hours");
+}
+
 TEST(StockTables, MayHaveReadingsByTheMonth) {
     const auto month = [](int k) {
         return fmt::format("2021-{:02}-01;{}", k + 1, 100 * k);

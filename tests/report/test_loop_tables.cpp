@@ -115,6 +115,22 @@ void add_background(store::ResultFile& result) {
     add(numbers("power_bias", "power", {0.1, -3.5, 1, 1, 1}));
     add(numbers("unexplained", "channel", {0.07, nan}));
     add(texts("unexplained_where", "channel", {"weekday mornings", ""}));
+    add(texts("learned_schedule", "learned_schedule", {"work"}));
+    add(texts(
+        "learned_schedule_sentence", "learned_schedule",
+        {"schedule work: Monday to Friday 8 to 19 h, Saturdays off; learned, nobody "
+         "declared it"}));
+    add(numbers("learned_hours_of", "learned_hours", {0, 0}));
+    add(texts("learned_hours_days", "learned_hours", {"Monday to Friday", "Saturdays"}));
+    add(numbers("learned_hours_from", "learned_hours", {8, 0}));
+    add(numbers("learned_hours_until", "learned_hours", {19, 0}));
+    add(numbers("learned_hours_probability", "learned_hours", {0.97, 1}));
+    add(numbers("learned_hours_from_least", "learned_hours", {7, 0}));
+    add(numbers("learned_hours_from_most", "learned_hours", {8, 0}));
+    add(numbers("learned_hours_until_least", "learned_hours", {19, 0}));
+    add(numbers("learned_hours_until_most", "learned_hours", {19, 0}));
+    add(numbers("learned_hours_usual_from", "learned_hours", {7, 0}));
+    add(numbers("learned_hours_usual_until", "learned_hours", {18, 0}));
 }
 
 store::ResultFile loop_result(bool is_held_out = true, bool is_adequate = true) {
@@ -227,6 +243,16 @@ TEST(LoopTables, TheSearchEndsWithItsReason) {
 TEST(LoopTables, ParametersMoveInStandardDeviationsOfTheirPriors) {
     EXPECT_TRUE(says(tables_of(loop_result()),
                      "u_wall - 1 +- 0.2 1.4 1.3 +- 0.04 1.05 +- 0.03 -1.25"));
+}
+
+TEST(LoopTables, HoursThatNobodyWroteDownStandByTheDay) {
+    const std::string text = tables_of(loop_result());
+    EXPECT_TRUE(
+        says(text, "work Monday to Friday 8 (7 to 8) 19 (19 to 19) 7 to 18 0.97"));
+    EXPECT_TRUE(says(text, "work Saturdays off - off 1.00"));
+    EXPECT_TRUE(says(text,
+                     "schedule work: Monday to Friday 8 to 19 h, Saturdays off; learned, "
+                     "nobody declared it"));
 }
 
 TEST(LoopTables, ThePowerTableNamesWhatCannotBeSeenOrToldApart) {

@@ -196,6 +196,20 @@ def background(study, channels, found, random):
     text(study, "unexplained_where", ["weekday mornings in winter"] * len(channels))
 
 
+def hours_learned(study):
+    text(study, "learned_schedule", ["work"])
+    text(study, "learned_schedule_use", ["office"])
+    text(study, "learned_schedule_sentence",
+         ["schedule work: Monday to Friday 8 to 19 h, Saturdays off; learned, nobody declared it"])
+    study["learned_schedule_evidence"] = [812.0]
+    text(study, "learned_hours_days", ["Monday to Friday", "Saturdays", "Sundays and holidays"])
+    study["learned_hours_of"] = [0.0, 0.0, 0.0]
+    for name, values in (("from", (8, 0, 0)), ("until", (19, 0, 0)), ("probability", (0.97, 1, 1)),
+                         ("from_least", (7, 0, 0)), ("from_most", (8, 0, 0)), ("until_least", (19, 0, 0)),
+                         ("until_most", (19, 0, 0)), ("usual_from", (7, 0, 0)), ("usual_until", (18, 0, 0))):
+        study[f"learned_hours_{name}"] = np.array(values, float)
+
+
 def write(path, channels=CHANNELS, held_out=True, found=2, stage="office/loop", seed=1):
     random = np.random.default_rng(seed)
     with h5py.File(path, "w") as file:
@@ -215,6 +229,7 @@ def write(path, channels=CHANNELS, held_out=True, found=2, stage="office/loop", 
         effects(study, found)
         if found:
             functions(study, random)
+            hours_learned(study)
         steps(study, found, len(channels), random)
         power(study, random)
         background(study, channels, found, random)

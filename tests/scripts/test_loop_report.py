@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import types
 import unittest
 
 import h5py
@@ -116,6 +117,19 @@ class LoopReport(unittest.TestCase):
                        "in held_out, which the search has not seen, the error fell for",
                        "it stayed the same for electricity", "Not explained:", "9 % for gas"):
             self.assertIn(phrase, lead)
+
+    def test_hours_that_nobody_wrote_down_are_said_before_the_structure(self):
+        text = " ".join(self.page.text.split())
+        said = "Schedule work: Monday to Friday 8 to 19 h, Saturdays off; learned, nobody declared it."
+        self.assertIn(said + " Plain has the usual hours of the use", text)
+        self.assertLess(text.index(said), text.index("Before any effect"))
+
+    def test_hours_in_place_of_declared_ones_have_no_interval(self):
+        effect = types.SimpleNamespace(name="other hours than declared", coefficient=1.0, least=1.0, most=1.0,
+                                       unit="-", shape="plant runs Saturdays off; declared 8 to 13 h", others=[])
+        self.assertEqual(words.found_one(effect),
+                         "other hours than declared (plant runs Saturdays off; declared 8 to 13 h)")
+        self.assertEqual(words.coefficient(effect), "none: it is there or not")
 
     def test_a_function_is_drawn_over_what_it_follows_with_its_interval(self):
         drawn = pictures.functions(self.loop)

@@ -105,6 +105,11 @@ class Jobs(Folders):
     def test_declared_closed_days_stay_declared(self):
         self.assertEqual(self.building()["holidays"], ["01-01/01-03"])
 
+    def test_hours_may_be_left_to_the_loop(self):
+        building = self.building(changed(["schedules", "hvac"], {"hours": "learn", "use": "school"}))
+        schedule, = (each for each in building["schedule"] if each["name"] == "hvac")
+        self.assertEqual(schedule, {"name": "hvac", "hours": "learn", "use": "school"})
+
     def test_structure_is_left_to_the_loop(self):
         targets = str([p["target"] for p in self.building()["parameter"]])
         for number in ("proportional_band", "air_capacity", "emitter", "second_mass"):
@@ -211,6 +216,9 @@ def write_result(path):
              "effect_doubt": ["others do nearly as well"],
              "function": ["gains by wind"], "function_hook": ["gains"], "function_driver": ["wind"],
              "function_driver_unit": ["m/s"], "function_unit": ["W/m2"],
+             "learned_schedule": ["hvac"], "learned_schedule_use": ["office"],
+             "learned_schedule_sentence": ["schedule hvac: Saturdays off"],
+             "learned_hours_days": ["Saturdays"],
              "decision_series": ["cold"], "decision_finding": ["zeros"],
              "decision_action": ["kept"], "decision_kind": ["data"]}
     numbers = {"effect_class_of": [0.0, 0.0], "effect_coefficient": [1.5], "effect_least": [1.2], "effect_most": [1.8],
@@ -219,6 +227,10 @@ def write_result(path):
                "function_point_at": [1.0, 5.0], "function_point_and_at": [np.nan, np.nan],
                "function_point_value": [-0.2, 0.3], "function_point_least": [-0.4, 0.1],
                "function_point_most": [0.0, 0.5]}
+    numbers |= {"learned_schedule_evidence": [90.0], "learned_hours_probability": [0.97]} | {
+        f"learned_hours_{name}": [0.0] for name in (
+            "of", "from", "until", "from_least", "from_most", "until_least", "until_most", "usual_from",
+            "usual_until")}
     begin = np.datetime64("2018-01-01T00", "s").astype(np.int64)
     with h5py.File(path, "w") as file:
         for building in ("a", "b"):
@@ -266,6 +278,14 @@ class Results(Folders):
         self.assertEqual(function["points"], [
             {"at": 1.0, "and_at": None, "value": -0.2, "least": -0.4, "most": 0.0},
             {"at": 5.0, "and_at": None, "value": 0.3, "least": 0.1, "most": 0.5}])
+
+    def test_hours_that_were_learned_are_a_record_with_its_days(self):
+        schedule, = json.loads((self.folder / "hours.json").read_text())
+        self.assertEqual((schedule["name"], schedule["use"], schedule["sentence"], schedule["evidence"]),
+                         ("hvac", "office", "schedule hvac: Saturdays off", 90.0))
+        day, = schedule["days"]
+        self.assertEqual((day["days"], day["from"], day["until"], day["probability"]),
+                         ("Saturdays", 0.0, 0.0, 0.97))
 
     def test_a_decision_is_a_record(self):
         self.assertEqual(json.loads((self.folder / "decisions.json").read_text()),
