@@ -38,7 +38,7 @@ Range range_of(const HookRow& hook, const Effect& effect,
     return hook.kind == ChangeKind::factor ? positive_share(range, profile) : range;
 }
 
-void put(const Effect& effect, Placer& placer) {
+void put_in(const Effect& effect, Placer& placer) {
     const HookRow& hook = row_of(effect.hook);
     const Range range = range_of(hook, effect, profile_of(effect, placer.around()));
     physics::Parameter coefficient;
@@ -54,21 +54,24 @@ void put(const Effect& effect, Placer& placer) {
 
 }  // namespace
 
+void put(const Effect& effect, Placer& placer) {
+    try {
+        put_in(effect, placer);
+    } catch (const CannotSimulate& error) {
+        throw CannotSimulate(fmt::format("effect '{}': {}", effect.name, error.what()));
+    }
+}
+
 Placed place(std::span<const Effect> effects, const Surroundings& around) {
     Placer placer(around);
-    for (const Effect& effect : effects) try {
-            put(effect, placer);
-        } catch (const CannotSimulate& error) {
-            throw CannotSimulate(
-                fmt::format("effect '{}': {}", effect.name, error.what()));
-        }
+    for (const Effect& effect : effects) put(effect, placer);
     return {std::move(placer.building()), placer.drive(), placer.parameters()};
 }
 
 std::optional<std::string> objection(const Effect& effect, const Surroundings& around) {
     Placer placer(around);
     try {
-        put(effect, placer);
+        put_in(effect, placer);
     } catch (const CannotSimulate& error) {
         return error.what();
     }

@@ -71,7 +71,8 @@ std::vector<std::vector<Run>> runs_of(std::span<const int> block_of) {
 NormalEquations normal_equations(const Matrix& derivatives, std::span<const double> r,
                                  std::span<const double> weights) {
     const View J = view(derivatives);
-    const RowMajor scaled = J * view(weights).cwiseSqrt().asDiagonal();
+    const Eigen::VectorXd roots = view(weights).cwiseSqrt();
+    const RowMajor scaled = J * roots.asDiagonal();
     Eigen::MatrixXd A = Eigen::MatrixXd::Zero(J.rows(), J.rows());
     A.selfadjointView<Eigen::Lower>().rankUpdate(scaled);
     A = Eigen::MatrixXd(A.selfadjointView<Eigen::Lower>());
