@@ -176,7 +176,6 @@ FitModel::FitModel(const physics::Building& building,
       run_(response_->make_run()) {
     for (std::size_t c = 0; c < response_->channels().size(); ++c)
         first_.push_back(first_.back() + response_->n_readings(c));
-    of_lanes_ = Matrix(static_cast<std::size_t>(response_->lanes()), n_readings());
 }
 
 Matrix FitModel::predict(const Matrix& points) const {
@@ -189,16 +188,18 @@ Matrix FitModel::predict(const Matrix& points) const {
 
 void FitModel::predict_each(const Matrix& points, const Take& take) const {
     const auto lanes = static_cast<std::size_t>(response_->lanes());
+    const std::size_t n = n_readings();
+    const auto of_lanes = std::make_unique_for_overwrite<double[]>(lanes * n);
     for (std::size_t first = 0; first < points.rows; first += lanes) {
         const std::size_t count = std::min(lanes, points.rows - first);
         const auto failures = response_->predict(points, first, count, *run_);
         for (std::size_t c = 0; c + 1 < first_.size(); ++c) {
             const double* from = response_->readings(*run_, c);
             for (std::size_t i = first_[c]; i < first_[c + 1]; ++i, from += lanes)
-                for (std::size_t k = 0; k < count; ++k) of_lanes_(k, i) = from[k];
+                for (std::size_t k = 0; k < count; ++k) of_lanes[k * n + i] = from[k];
         }
         for (std::size_t k = 0; k < count; ++k) {
-            const auto row = of_lanes_.row(k);
+            const std::span row(of_lanes.get() + k * n, n);
             if (!failures[k].empty()) std::ranges::fill(row, nan);
             take(first + k, row);
         }

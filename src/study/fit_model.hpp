@@ -68,9 +68,7 @@ class FitModel {
     std::unique_ptr<kernel::Batch> batch_;
     std::unique_ptr<kernel::Response> response_;
     std::vector<std::size_t> first_;
-    /// Scratch: a model is of one thread.
-    mutable kernel::Response::RunPointer run_;
-    mutable Matrix of_lanes_;  ///< [lanes x n_readings]
+    mutable kernel::Response::RunPointer run_;  ///< scratch: a model is of one thread
 };
 
 /// Where a fit stands: unknowns, predictions, their derivatives by the unknowns. What is
