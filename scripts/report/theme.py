@@ -7,10 +7,9 @@ import base64
 import io
 
 import matplotlib
-import matplotlib.pyplot as plt
+from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.colors import LinearSegmentedColormap, to_rgba
-
-matplotlib.use("Agg")
+from matplotlib.figure import Figure
 
 INK, SOFT, GRID = "#123451", "#123452", "#123453"
 PLAIN, BEFORE, AFTER, STRONG = "#123454", "#123455", "#123456", "#c51b7d"
@@ -33,8 +32,9 @@ STYLE = {
     "figure.facecolor": "none", "axes.facecolor": "none", "savefig.facecolor": "none",
 }
 WIDTH = 4.1                    # [in] as a phone shows it
+DPI = 144                      # of what is drawn as an image
 
-plt.rcParams.update(STYLE)
+matplotlib.rcParams.update(STYLE)
 
 
 def diverging():
@@ -50,7 +50,8 @@ def rising():
 
 def figure(height, **grid):
     """Figure and axes, in the page's style."""
-    return plt.subplots(figsize=(WIDTH, height), layout="constrained", **grid)
+    drawn = Figure(figsize=(WIDTH, height), dpi=DPI, layout="constrained")
+    return drawn, drawn.subplots(**grid)
 
 
 def variables(column):
@@ -58,10 +59,12 @@ def variables(column):
 
 
 def data_uri(drawn):
-    """The SVG of a figure, which is closed."""
-    out = io.StringIO()
-    drawn.savefig(out, format="svg", dpi=144, metadata={"Date": None, "Creator": None})
-    plt.close(drawn)
+    """The SVG of a figure. `savefig` would draw it once more, for nothing but its layout."""
+    out, canvas = io.StringIO(), FigureCanvasSVG(drawn)
+    drawn.get_layout_engine().execute(drawn)
+    drawn.set_layout_engine("none")
+    drawn.set_dpi(DPI)         # which asking for the text's size has changed
+    canvas.print_svg(out, metadata={"Date": None, "Creator": None})
     svg = out.getvalue()
     for marker, (name, *_) in COLOURS.items():
         svg = svg.replace(marker, f"var(--{name})")

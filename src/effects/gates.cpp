@@ -70,11 +70,6 @@ bool is_occupied(double share) {
 
 Series open_gate(const Effect& effect, const Surroundings& around) {
     constexpr Hours day{7, 19}, night{19, 7};
-    const auto in = [&](const Hours& hours) {
-        return each_step(around, [&](std::size_t k) {
-            return share_of(hours, around, static_cast<int>(k));
-        });
-    };
     switch (effect.gate) {
         case Gate::occupied:
             return where(occupation_of(around), is_occupied);
@@ -82,9 +77,9 @@ Series open_gate(const Effect& effect, const Surroundings& around) {
             return where(occupation_of(around),
                          [](double share) { return !is_occupied(share); });
         case Gate::day:
-            return in(day);
+            return shares_of(day, around);
         case Gate::night:
-            return in(night);
+            return shares_of(night, around);
         case Gate::weekend:
             return weekdays(around, 5, 6);
         case Gate::weekday:
@@ -108,10 +103,11 @@ Series open_gate(const Effect& effect, const Surroundings& around) {
 
 std::vector<double> gate_of(const Effect& effect, const Surroundings& around) {
     Series gate = open_gate(effect, around);
+    const Series of_hours = shares_of(effect.hours, around);
     for (std::size_t k = 0; k < gate.size(); ++k) {
         if (effect.weekday >= 0 && around.calendar[k].weekday != effect.weekday)
             gate[k] = 0;
-        if (gate[k] != 0) gate[k] *= share_of(effect.hours, around, static_cast<int>(k));
+        if (gate[k] != 0) gate[k] *= of_hours[k];
     }
     return gate;
 }

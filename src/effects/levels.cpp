@@ -5,16 +5,17 @@
 #include "effects/levels.hpp"
 
 #include <algorithm>
-#include <set>
 
 namespace bemcal::effects {
 namespace {
 
 /// Whether there are more different values than `n`; stops where that is known.
 bool has_more_values(const std::vector<double>& profile, std::size_t n) {
-    std::set<double> values;
+    std::vector<double> values;
+    values.reserve(n + 1);
     for (const double value : profile) {
-        values.insert(value);
+        if (std::ranges::find(values, value) != values.end()) continue;
+        values.push_back(value);
         if (values.size() > n) return true;
     }
     return false;

@@ -39,11 +39,40 @@ Range range_of(const HookRow& hook, const Effect& effect,
     return hook.kind == ChangeKind::factor ? positive_share(range, profile) : range;
 }
 
+void put_in(const Effect& effect, Placer& placer) {
+    const HookRow& hook = row_of(effect.hook);
+    const Range range = range_of(hook, effect, profile_of(effect, placer.around()));
+    physics::Parameter coefficient;
+    coefficient.name = placer.has(effect.name)
+                           ? fmt::format("{}: {}", effect.name, sentence_of(effect))
+                           : effect.name;
+    coefficient.unit = unit_of(effect);
+    coefficient.least = range.least;
+    coefficient.most = range.most;
+    placer.begin(std::move(coefficient));
+    hook.enter(placer, hook, effect);
+}
+
+Placed placed(std::span<const Effect> effects, const Surroundings& around) {
+    Placer placer(around);
+    for (const Effect& effect : effects) put(effect, placer);
+    return {std::move(placer.building()), placer.drive(), placer.parameters()};
+}
+
 bool has_other_hours(const Effect& effect) {
     return effect.other_hours.has_value();
 }
 
-/// What other effects follow and move are then these hours, too.
+}  // namespace
+
+void put(const Effect& effect, Placer& placer) {
+    try {
+        put_in(effect, placer);
+    } catch (const CannotSimulate& error) {
+        throw CannotSimulate(fmt::format("effect '{}': {}", effect.name, error.what()));
+    }
+}
+
 physics::Drive with_other_hours(std::span<const Effect> effects,
                                 const physics::Drive& declared) {
     physics::Drive drive = declared;
@@ -60,33 +89,6 @@ physics::Drive with_other_hours(std::span<const Effect> effects,
     return drive;
 }
 
-void put(const Effect& effect, Placer& placer) {
-    const HookRow& hook = row_of(effect.hook);
-    const Range range = range_of(hook, effect, profile_of(effect, placer.around()));
-    physics::Parameter coefficient;
-    coefficient.name = placer.has(effect.name)
-                           ? fmt::format("{}: {}", effect.name, sentence_of(effect))
-                           : effect.name;
-    coefficient.unit = unit_of(effect);
-    coefficient.least = range.least;
-    coefficient.most = range.most;
-    placer.begin(std::move(coefficient));
-    hook.enter(placer, hook, effect);
-}
-
-Placed placed(std::span<const Effect> effects, const Surroundings& around) {
-    Placer placer(around);
-    for (const Effect& effect : effects) try {
-            put(effect, placer);
-        } catch (const CannotSimulate& error) {
-            throw CannotSimulate(
-                fmt::format("effect '{}': {}", effect.name, error.what()));
-        }
-    return {std::move(placer.building()), placer.drive(), placer.parameters()};
-}
-
-}  // namespace
-
 Placed place(std::span<const Effect> effects, const Surroundings& around) {
     if (std::ranges::none_of(effects, has_other_hours)) return placed(effects, around);
     const physics::Drive drive = with_other_hours(effects, *around.drive);
@@ -98,7 +100,7 @@ Placed place(std::span<const Effect> effects, const Surroundings& around) {
 std::optional<std::string> objection(const Effect& effect, const Surroundings& around) {
     Placer placer(around);
     try {
-        put(effect, placer);
+        put_in(effect, placer);
     } catch (const CannotSimulate& error) {
         return error.what();
     }

@@ -26,6 +26,15 @@ struct Placed {
 /// no such facade, more than physics::most_changes at one input), saying why.
 Placed place(std::span<const Effect> effects, const Surroundings& surroundings);
 
+/// The drive with the hours of effects that are other hours than declared; what other
+/// effects follow and move are then these, too.
+physics::Drive with_other_hours(std::span<const Effect> effects,
+                                const physics::Drive& declared);
+
+class Placer;
+/// Puts an effect beside those that a placer has; throws as `place` does.
+void put(const Effect& effect, Placer& placer);
+
 /// Why the effect cannot enter, or that it has no say at any step of this period (which
 /// `place` accepts); none: it can.
 std::optional<std::string> objection(const Effect& effect,

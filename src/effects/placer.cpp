@@ -59,15 +59,18 @@ bool Placer::acts() const {
 
 physics::Drive Placer::drive() const {
     physics::Drive drive = *around_.drive;
-    Matrix profiles(drive.profiles.rows + rows_.size(),
-                    static_cast<std::size_t>(drive.n_steps()));
-    std::copy(drive.profiles.values.begin(), drive.profiles.values.end(),
-              profiles.values.begin());
-    for (std::size_t k = 0; k < rows_.size(); ++k)
-        std::copy(rows_[k].begin(), rows_[k].end(),
-                  profiles.row(drive.profiles.rows + k).begin());
-    drive.profiles = std::move(profiles);
+    write_profiles(drive);
     return drive;
+}
+
+void Placer::write_profiles(physics::Drive& drive) const {
+    Matrix& profiles = drive.profiles;
+    const std::size_t n_own = around_.drive->profiles.rows;
+    profiles.rows = n_own + rows_.size();
+    profiles.cols = static_cast<std::size_t>(drive.n_steps());
+    profiles.values.resize(profiles.rows * profiles.cols);
+    for (std::size_t k = 0; k < rows_.size(); ++k)
+        std::ranges::copy(rows_[k], profiles.row(n_own + k).begin());
 }
 
 }  // namespace bemcal::effects

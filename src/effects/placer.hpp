@@ -41,6 +41,8 @@ class Placer {
     bool acts() const;
     /// The surroundings' drive with the profiles appended.
     physics::Drive drive() const;
+    /// The same in a copy of that drive, whatever was appended to it before.
+    void write_profiles(physics::Drive& drive) const;
     const std::vector<physics::Parameter>& parameters() const { return parameters_; }
 
   private:

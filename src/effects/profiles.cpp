@@ -58,11 +58,10 @@ void apply_shape(const Effect& effect, const Surroundings& around, Series& serie
     const Shape& shape = effect.shape;
     if (shape.form == Form::lagged)
         return lag(series, shape.at, around.drive->axis.step_s);
-    const bool of_hours = effect.driver == Driver::hour && shape.form == Form::within;
-    for (std::size_t k = 0; k < series.size(); ++k)
-        series[k] = of_hours
-                        ? share_of({shape.at, shape.until}, around, static_cast<int>(k))
-                        : shaped(shape, series[k]);
+    if (effect.driver == Driver::hour && shape.form == Form::within)
+        series = shares_of({shape.at, shape.until}, around);
+    else
+        for (double& value : series) value = shaped(shape, value);
 }
 
 }  // namespace

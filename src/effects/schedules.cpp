@@ -7,8 +7,9 @@
 #include "physics/calendar.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <utility>
+#include <iterator>
 
 namespace bemcal::effects {
 namespace {
@@ -37,40 +38,63 @@ int first_step_of(const physics::Drive& drive, int day) {
     return drive.axis.step_of(std::chrono::sys_days(days(day)));
 }
 
+/// A whole day of a row. Those with the same values have one pattern.
+struct WholeDay {
+    int day, first_step;
+    std::size_t pattern = 0;
+};
+
 /// The whole days from a step on that are this weekday.
-std::vector<int> whole_days(const physics::Drive& drive, int weekday, int from) {
-    std::vector<int> found;
+std::vector<WholeDay> whole_days(const physics::Drive& drive, int weekday, int from) {
+    std::vector<WholeDay> found;
     const int last = day_of(drive, drive.n_steps() - 1);
     for (int day = day_of(drive, from); day <= last; ++day) {
         const int first = first_step_of(drive, day);
         const bool whole = first >= from && first + per_day(drive) <= drive.n_steps();
         const int found_weekday =
             physics::calendar_step(std::chrono::sys_days(days(day))).weekday;
-        if (whole && found_weekday == weekday) found.push_back(day);
+        if (whole && found_weekday == weekday) found.push_back({day, first});
     }
     return found;
 }
 
-bool equal_days(const physics::Drive& drive, Row row, int a, int b) {
-    const auto n = index(per_day(drive));
-    const Row first = row.subspan(index(first_step_of(drive, a)), n);
-    const Row second = row.subspan(index(first_step_of(drive, b)), n);
-    return std::equal(first.begin(), first.end(), second.begin());
+/// A pattern is numbered as the first day that has it.
+void find_patterns(const physics::Drive& drive, Row row, std::vector<WholeDay>& all) {
+    const auto values = [&](const WholeDay& day) {
+        return row.subspan(index(day.first_step), index(per_day(drive)));
+    };
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const auto is_alike = [&](const WholeDay& other) {
+            return std::ranges::equal(values(other), values(all[k]));
+        };
+        all[k].pattern =
+            index(static_cast<int>(std::ranges::find_if(all, is_alike) - all.begin()));
+    }
+}
+
+/// The nearest of days in their order, the nearest first; of two as near the earlier one.
+std::span<const WholeDay> nearest(const std::vector<WholeDay>& all, int day,
+                                  std::array<WholeDay, nearest_days>& found) {
+    auto after = std::ranges::lower_bound(all, day, {}, &WholeDay::day);
+    auto before = after;  // one behind it
+    std::size_t n = 0;
+    for (; n < std::min(all.size(), found.size()); ++n) {
+        const bool is_earlier =
+            after == all.end() ||
+            (before != all.begin() && day - std::prev(before)->day <= after->day - day);
+        found[n] = is_earlier ? *--before : *after++;
+    }
+    return std::span(found).first(n);
 }
 
 /// The most frequent of the nearest candidates; of equally frequent ones the nearest.
-int usual_day(const physics::Drive& drive, Row row, std::vector<int> candidates,
-              int day) {
-    std::sort(candidates.begin(), candidates.end(), [&](int a, int b) {
-        return std::pair(std::abs(a - day), a) < std::pair(std::abs(b - day), b);
-    });
-    candidates.resize(std::min(candidates.size(), nearest_days));
-    const auto frequency = [&](int a) {
-        return std::count_if(candidates.begin(), candidates.end(),
-                             [&](int b) { return equal_days(drive, row, a, b); });
+WholeDay usual_day(const std::vector<WholeDay>& candidates, int day) {
+    std::array<WholeDay, nearest_days> room{};
+    const auto near = nearest(candidates, day, room);
+    const auto frequency = [&](const WholeDay& one) {
+        return std::ranges::count(near, one.pattern, &WholeDay::pattern);
     };
-    return *std::max_element(candidates.begin(), candidates.end(),
-                             [&](int a, int b) { return frequency(a) < frequency(b); });
+    return *std::ranges::max_element(near, {}, frequency);
 }
 
 }  // namespace
@@ -88,12 +112,13 @@ bool is_schedule(Row row, const physics::Drive& drive) {
 
 std::vector<double> as_on(int weekday, Row row, const physics::Drive& drive) {
     std::vector<double> other(row.begin(), row.end());
-    std::vector<int> candidates = whole_days(drive, weekday, drive.n_warm_up);
+    std::vector<WholeDay> candidates = whole_days(drive, weekday, drive.n_warm_up);
     if (candidates.empty()) candidates = whole_days(drive, weekday, 0);  // a short period
     if (candidates.empty()) return other;
+    find_patterns(drive, row, candidates);
     const int last = day_of(drive, drive.n_steps() - 1);
     for (int day = day_of(drive, 0); day <= last; ++day) {
-        const int from = first_step_of(drive, usual_day(drive, row, candidates, day));
+        const int from = usual_day(candidates, day).first_step;
         const int to = first_step_of(drive, day);
         for (int k = std::max(0, -to); k < per_day(drive); ++k)
             if (to + k < drive.n_steps()) other[index(to + k)] = row[index(from + k)];

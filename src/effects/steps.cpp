@@ -62,9 +62,16 @@ Series weekdays(const Surroundings& around, int first, int last) {
     });
 }
 
-double share_of(const Hours& hours, const Surroundings& around, int step) {
-    const double begin = clock_of(around, static_cast<std::size_t>(step));
-    return overlap(begin, begin + around.drive->axis.step_s / 3600.0, hours);
+Series shares_of(const Hours& hours, const Surroundings& around) {
+    const int step_s = around.drive->axis.step_s;
+    const auto per_day = static_cast<std::size_t>(physics::day_s / step_s);
+    Series shares(static_cast<std::size_t>(around.drive->n_steps()));
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+        const double begin = k < per_day ? clock_of(around, k) : 0;
+        shares[k] = k < per_day ? overlap(begin, begin + step_s / 3600.0, hours)
+                                : shares[k - per_day];
+    }
+    return shares;
 }
 
 double mean_of_known(const Series& values) {

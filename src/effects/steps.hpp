@@ -21,8 +21,8 @@ double clock_of(const Surroundings& around, std::size_t step);
 /// 1 from one weekday to another, both included (0 = Monday), else 0.
 std::vector<double> weekdays(const Surroundings& around, int first, int last);
 
-/// Share of the step's time that lies in these hours of the day.
-double share_of(const Hours& hours, const Surroundings& around, int step);
+/// Share of each step's time that lies in these hours of the day. [n_steps]
+std::vector<double> shares_of(const Hours& hours, const Surroundings& around);
 
 /// Density of people over its largest [n_steps]: of the loads named people or occupants,
 /// else of all that follow a profile; empty where there are none.

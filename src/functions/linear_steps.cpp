@@ -105,6 +105,21 @@ void linearise_state(std::span<const double> from, int step,
     }
 }
 
+/// to = A state + b u, for each input.
+void step(std::span<const double> A, const Matrix& state, std::span<const double> b,
+          std::span<const double> u, Matrix& to) {
+    for (std::size_t i = 0; i < to.rows; ++i) {
+        const auto row = to.row(i);
+        for (std::size_t f = 0; f < u.size(); ++f) row[f] = b[i] * u[f];
+        for (std::size_t k = 0; k < state.rows; ++k) {
+            const double a = A[i * state.rows + k];
+            if (a == 0) continue;
+            const auto from = state.row(k);
+            for (std::size_t f = 0; f < u.size(); ++f) row[f] += a * from[f];
+        }
+    }
+}
+
 }  // namespace
 
 LinearSteps linear_steps(const Building& building, const Drive& drive,
@@ -149,30 +164,13 @@ Matrix scan(const LinearSteps& steps, std::size_t hook, const Matrix& inputs) {
     const std::size_t n_states = steps.n_states, n = inputs.cols;
     const HookSteps& own = steps.hooks[hook];
     Matrix shown(steps.n_meters * n, steps.n_steps());
-    Matrix state(n_states, n), after(n_states, n);
+    Matrix state(n_states, n), after(n_states, n), meters(steps.n_meters, n);
     for (std::size_t t = 0; t < steps.n_steps(); ++t) {
         const auto u = inputs.row(t);
-        const auto C = steps.meters.row(t);
-        const auto d = own.to_meters.row(t);
-        for (std::size_t m = 0; m < steps.n_meters; ++m)
-            for (std::size_t f = 0; f < n; ++f) {
-                double sum = d[m] * u[f];
-                for (std::size_t k = 0; k < n_states; ++k)
-                    sum += C[m * n_states + k] * state(k, f);
-                shown(m * n + f, t) = sum;
-            }
-        const auto A = steps.states.row(t);
-        const auto b = own.to_state.row(t);
-        for (std::size_t i = 0; i < n_states; ++i) {
-            const auto to = after.row(i);
-            for (std::size_t f = 0; f < n; ++f) to[f] = b[i] * u[f];
-            for (std::size_t k = 0; k < n_states; ++k) {
-                const double a = A[i * n_states + k];
-                if (a == 0) continue;
-                const auto from = state.row(k);
-                for (std::size_t f = 0; f < n; ++f) to[f] += a * from[f];
-            }
-        }
+        step(steps.meters.row(t), state, own.to_meters.row(t), u, meters);
+        for (std::size_t k = 0; k < meters.values.size(); ++k)
+            shown(k, t) = meters.values[k];
+        step(steps.states.row(t), state, own.to_state.row(t), u, after);
         std::swap(state, after);
     }
     return shown;

@@ -48,20 +48,29 @@ std::vector<double> start_of(const Place& place, const Standing& from) {
     return start;
 }
 
-/// A model's fit with the noise held.
-Standing fitted(const LoopData& data, const Place& place, const LoopModel& model,
+/// Of a fit with the noise held.
+constexpr study::FitOptions with_noise_held{10, 5e-4};
+
+/// A model's fit with the noise held, scored by that noise.
+Standing scored(const LoopData& data, const Place& place, const LoopModel& model,
                 std::vector<double> start, const std::vector<ChannelNoise>& noise) {
     Standing standing{model, build(place, model.effects), {}, noise, {}, {}, 0};
-    refit(data, standing, std::move(start), {10, 5e-4});
+    refit(data, standing, std::move(start), with_noise_held);
+    standing.score = std::numeric_limits<double>::infinity();
+    if (standing.fit.failed) return standing;
+    score_unseen(data, standing);
     return standing;
 }
 
-/// The same, scored by that noise.
-Standing scored(const LoopData& data, const Place& place, const LoopModel& model,
-                std::vector<double> start, const std::vector<ChannelNoise>& noise) {
-    Standing standing = fitted(data, place, model, std::move(start), noise);
-    standing.score = std::numeric_limits<double>::infinity();
-    if (standing.fit.failed) return standing;
+/// Fits a model that is built from where it stands, until the noise that weighs the
+/// channels is that of the residuals.
+Standing calibrated(const LoopData& data, Standing standing) {
+    standing.noise = first_noise(data);
+    for (int round = 0; round < noise_rounds; ++round) {
+        refit(data, standing, with_noise_held);
+        if (standing.fit.failed) return standing;
+        standing.noise = noise_of(data, standing.residuals);
+    }
     score_unseen(data, standing);
     return standing;
 }
@@ -153,9 +162,14 @@ physics::Building building_at(const BuiltModel& built,
 
 void refit(const LoopData& data, Standing& standing, std::vector<double> start,
            const study::FitOptions& options) {
+    standing.fit.at = {std::move(start)};
+    refit(data, standing, options);
+}
+
+void refit(const LoopData& data, Standing& standing, const study::FitOptions& options) {
     standing.fit = study::fit(
         *standing.built.fit_model, standing.built.unknowns, data.targets.measured,
-        weights_of(data.targets, standing.noise), std::move(start), options);
+        weights_of(data.targets, standing.noise), std::move(standing.fit.at), options);
     if (!standing.fit.failed)
         standing.residuals =
             study::residuals_of(data.targets.measured, standing.fit.at.predicted);
@@ -163,12 +177,12 @@ void refit(const LoopData& data, Standing& standing, std::vector<double> start,
 
 void score_unseen(const LoopData& data, Standing& standing) {
     standing.left_out =
-        left_out_of(data, standing.built, standing.fit, standing.noise, data.blocks);
+        left_out_of(data, standing.built, standing.fit.at, standing.noise, data.blocks);
     standing.score = deviance(data.targets, standing.noise, standing.left_out);
 }
 
 void settle(const LoopData& data, Standing& standing) {
-    refit(data, standing, standing.fit.at.x, {8, 3e-4});
+    refit(data, standing, {8, 3e-4});
     standing.noise = noise_of(data, standing.residuals);
     score_unseen(data, standing);
 }
@@ -180,18 +194,19 @@ double evidence(const LoopData& data, const Standing& without, const Standing& w
 }
 
 std::vector<double> left_out_of(const LoopData& data, const BuiltModel& built,
-                                const study::Fit& all,
+                                const study::Linearised& from,
                                 const std::vector<ChannelNoise>& noise,
                                 std::span<const int> blocks) {
     std::vector<double> left(data.targets.size());
     const auto weights = weights_of(data.targets, noise);
+    const study::FitOptions options{3, 1e-3, study::without_derivatives};
     for (const int half : {0, 1}) {
         auto of_half = weights;
         for (std::size_t k = 0; k < of_half.size(); ++k)
             if (blocks[k] % 2 == half) of_half[k] = 0;
         const study::Fit fitted =
             study::fit(*built.fit_model, built.unknowns, data.targets.measured, of_half,
-                       all.at.x, {3, 1e-3});
+                       from, options);
         const auto residuals =
             study::residuals_of(data.targets.measured, fitted.at.predicted);
         for (std::size_t k = 0; k < left.size(); ++k)
@@ -202,17 +217,9 @@ std::vector<double> left_out_of(const LoopData& data, const BuiltModel& built,
 
 Standing calibrate(const LoopData& data, const Place& place, const LoopModel& model,
                    std::vector<double> start) {
-    std::vector<ChannelNoise> noise = first_noise(data);
-    Standing standing;
-    for (int round = 0; round < noise_rounds; ++round) {
-        standing = fitted(data, place, model, std::move(start), noise);
-        if (standing.fit.failed) return standing;
-        start = standing.fit.at.x;
-        noise = noise_of(data, standing.residuals);
-    }
-    standing.noise = noise;
-    score_unseen(data, standing);
-    return standing;
+    Standing standing{model, build(place, model.effects), {}, {}, {}, {}, 0};
+    standing.fit.at = {std::move(start)};
+    return calibrated(data, std::move(standing));
 }
 
 namespace {
@@ -252,8 +259,7 @@ Baseline make_baseline(const LoopData& data) {
         if (!better) break;
         baseline.gained += better->standing.score - baseline.chosen.score;
         baseline.place = std::move(better->place);
-        baseline.chosen = calibrate(data, baseline.place, better->standing.model,
-                                    better->standing.fit.at.x);
+        baseline.chosen = calibrated(data, std::move(better->standing));
     }
     return baseline;
 }

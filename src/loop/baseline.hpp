@@ -33,6 +33,8 @@ physics::Building building_at(const BuiltModel& built, const std::vector<double>
 /// well.
 void refit(const LoopData& data, Standing& standing, std::vector<double> start,
            const study::FitOptions& options);
+/// The same from where it stands.
+void refit(const LoopData& data, Standing& standing, const study::FitOptions& options);
 
 /// Fills left_out and score, by the standing's own noise.
 void score_unseen(const LoopData& data, Standing& standing);
@@ -49,7 +51,7 @@ Standing calibrate(const LoopData& data, const Place& place, const LoopModel& mo
 
 /// Residuals of every other block under a fit to the others, and the other way round.
 std::vector<double> left_out_of(const LoopData& data, const BuiltModel& built,
-                                const study::Fit& fit,
+                                const study::Linearised& from,
                                 const std::vector<ChannelNoise>& noise,
                                 std::span<const int> blocks);
 

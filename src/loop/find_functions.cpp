@@ -62,8 +62,7 @@ bool simulate_at(const LoopData& data, const Series& x, Standing& standing) {
         point(0, k) = standing.built.unknowns[k].within(x[k]);
     Matrix predicted = standing.built.fit_model->predict(point);
     if (std::isnan(predicted(0, 0))) return false;
-    standing.fit.at.x = x;
-    standing.fit.at.predicted = std::move(predicted.values);
+    standing.fit.at = {x, std::move(predicted.values)};
     standing.residuals =
         study::residuals_of(data.targets.measured, standing.fit.at.predicted);
     return true;
@@ -187,13 +186,13 @@ bool spares_meters(const LoopData& data, const Standing& without, const Standing
 }
 
 /// The stage that foretells unseen blocks best, of a search about the best so far, if any
-/// is better than that and spares all meters.
+/// is better than that and spares all meters. Derivatives of the best so far are found.
 std::optional<Simulated> better_stage(const LoopData& data,
                                       const FunctionDrivers& drivers, Place& place,
-                                      const Standing& without, const Simulated& so_far) {
+                                      const Standing& without, Simulated& so_far) {
     add_columns(so_far.functions, drivers, place);
-    Standing from = so_far.standing;
-    if (!so_far.functions.empty()) refit(data, from, from.fit.at.x, only_derivatives);
+    Standing& from = so_far.standing;
+    if (!so_far.functions.empty()) refit(data, from, only_derivatives);
     const Remainder remainder(data, place, from, drivers, so_far.functions,
                               without.built.unknowns.size(), without.noise);
     const functions::Path path = remainder.search();
@@ -229,7 +228,7 @@ std::vector<FoundFunction> find_functions(const LoopData& data, Place& place,
     if (best.functions.empty()) return {};
     standing = std::move(best.standing);
     add_columns(best.functions, drivers, place);
-    refit(data, standing, standing.fit.at.x, only_derivatives);
+    refit(data, standing, only_derivatives);
     return std::move(best.functions);
 }
 

@@ -185,9 +185,9 @@ double LastQuarter::change_to(const Standing& after) {
 }
 
 double LastQuarter::error_of(const Standing& standing) const {
-    const study::Fit fitted =
-        study::fit(*standing.built.fit_model, standing.built.unknowns,
-                   data_.targets.measured, weights_, standing.fit.at.x, {4, 1e-3});
+    const study::Fit fitted = study::fit(
+        *standing.built.fit_model, standing.built.unknowns, data_.targets.measured,
+        weights_, standing.fit.at, {4, 1e-3, study::without_derivatives});
     const auto residuals =
         study::residuals_of(data_.targets.measured, fitted.at.predicted);
     double sum = 0;

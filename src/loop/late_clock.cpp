@@ -57,9 +57,10 @@ study::Targets read_later(const study::Targets& targets, int hours) {
 /// What the best fit leaves, from the prior's means on; infinity where none can be made.
 double objective_of(const BuiltModel& built, const study::Targets& targets,
                     const std::vector<ChannelNoise>& noise) {
-    const study::Fit best = study::fit(
-        *built.fit_model, built.unknowns, targets.measured, weights_of(targets, noise),
-        std::vector<double>(built.unknowns.size(), 0.0), {20, 5e-4});
+    const study::Fit best = study::fit(*built.fit_model, built.unknowns, targets.measured,
+                                       weights_of(targets, noise),
+                                       std::vector<double>(built.unknowns.size(), 0.0),
+                                       {20, 5e-4, study::without_derivatives});
     return best.failed ? std::numeric_limits<double>::infinity() : best.objective;
 }
 

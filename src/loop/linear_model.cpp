@@ -56,7 +56,7 @@ std::unique_ptr<MovedModel> moved_model(const Place& place, const Standing& stan
     all.push_back(hook);
     try {
         auto moved = std::make_unique<MovedModel>();
-        moved->built = build(place, all);
+        moved->built = place_only(place, all);
         const physics::Parameter& coefficient = moved->built.parameters.back();
         const double by = moved_share * hook.typical;
         if (coefficient.least > -by || coefficient.most < by) return nullptr;
@@ -75,7 +75,7 @@ std::unique_ptr<MovedModel> moved_model(const Place& place, const Standing& stan
 
 LinearModel linear_model(const LoopData& data, const Place& place,
                          const Standing& standing) {
-    const BuiltModel built = build(place, standing.model.effects);
+    const BuiltModel built = place_only(place, standing.model.effects);
     const physics::Building base = building_at(built, values_in(built, standing));
     std::vector<std::unique_ptr<MovedModel>> models;
     std::vector<functions::Moved> moved;

@@ -28,7 +28,7 @@ std::vector<double> on_all_steps(const physics::Trajectory& trajectory,
 }  // namespace
 
 void know_loads(Place& place, const Standing& calibrated) {
-    const BuiltModel built = build(place, {});
+    const BuiltModel built = place_only(place, {});
     effects::ModelSeries& series = place.surroundings->model;
     try {
         const auto trajectory = physics::simulate(

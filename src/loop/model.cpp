@@ -537,20 +537,43 @@ Place make_place(const LoopData& data, const std::vector<std::size_t>& structure
     return place;
 }
 
-BuiltModel build(const Place& place, const std::vector<effects::Effect>& added) {
-    BuiltModel built;
-    built.building = place.building;
-    built.drive = place.drive;
-    built.n_effects = added.size();
+namespace {
+
+/// What effects see that enter the building of a place.
+effects::Surroundings surroundings_of(const Place& place) {
+    effects::Surroundings surroundings = *place.surroundings;
+    surroundings.building = &place.building;
+    surroundings.drive = place.drive.get();
+    return surroundings;
+}
+
+/// Those of the structure first.
+std::vector<effects::Effect> all_effects_of(const Place& place,
+                                            const std::vector<effects::Effect>& added) {
     std::vector<effects::Effect> all;
     all.reserve(place.always.size() + added.size());
     for (const Refinement::Always& always : place.always) all.push_back(always.effect);
     all.insert(all.end(), added.begin(), added.end());
-    effects::Surroundings surroundings = *place.surroundings;
-    surroundings.building = &built.building;
-    surroundings.drive = built.drive.get();
-    built.placed =
-        std::make_shared<const effects::Placed>(effects::place(all, surroundings));
+    return all;
+}
+
+}  // namespace
+
+BuiltModel build(const Place& place, const std::vector<effects::Effect>& added) {
+    BuiltModel built = place_only(place, added);
+    built.fit_model = std::make_shared<const study::FitModel>(
+        built.placed->building, built.parameters, built.placed->drive, place.channels);
+    return built;
+}
+
+BuiltModel place_only(const Place& place, const std::vector<effects::Effect>& added) {
+    BuiltModel built;
+    built.building = place.building;
+    built.drive = place.drive;
+    built.n_effects = added.size();
+    const std::vector<effects::Effect> all = all_effects_of(place, added);
+    built.placed = std::make_shared<const effects::Placed>(
+        effects::place(all, surroundings_of(place)));
     built.parameters = place.parameters;
     built.unknowns = place.unknowns;
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -571,9 +594,32 @@ BuiltModel build(const Place& place, const std::vector<effects::Effect>& added) 
         }
         built.unknowns.push_back(unknown);
     }
-    built.fit_model = std::make_shared<const study::FitModel>(
-        built.placed->building, built.parameters, built.placed->drive, place.channels);
     return built;
+}
+
+OneMore::OneMore(const Place& place, const std::vector<effects::Effect>& effects)
+    : place_(place),
+      shared_(effects::with_other_hours(effects, *place.drive)),
+      surroundings_(surroundings_of(place)),
+      placer_(surroundings_),
+      drive_(shared_) {
+    surroundings_.drive = &shared_;
+    for (const effects::Effect& effect : all_effects_of(place, effects))
+        effects::put(effect, placer_);
+}
+
+const study::FitModel& OneMore::with(const effects::Effect& effect) {
+    effects::Placer placer = placer_;
+    effects::put(effect, placer);
+    fit_model_.reset();  // it refers to what changes now
+    building_ = placer.building();
+    placer.write_profiles(drive_);
+    parameters_ = place_.parameters;
+    const auto& placed = placer.parameters();
+    parameters_.insert(parameters_.end(), placed.begin(), placed.end());
+    fit_model_ = std::make_unique<const study::FitModel>(building_, parameters_, drive_,
+                                                         place_.channels);
+    return *fit_model_;
 }
 
 std::vector<double> weights_of(const study::Targets& targets,

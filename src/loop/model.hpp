@@ -3,6 +3,7 @@
 #pragma once
 
 #include "effects/placement.hpp"
+#include "effects/placer.hpp"
 #include "loop/options.hpp"
 #include "study/case.hpp"
 #include "study/fit_model.hpp"
@@ -94,7 +95,7 @@ struct BuiltModel {
     std::shared_ptr<const effects::Placed> placed;
     std::vector<study::FitUnknown> unknowns;  ///< parameters, refinements, effects found
     std::vector<physics::Parameter> parameters;
-    std::shared_ptr<const study::FitModel> fit_model;
+    std::shared_ptr<const study::FitModel> fit_model;  ///< nullptr of place_only
     std::size_t n_effects = 0;
 
     std::size_t first_effect() const { return unknowns.size() - n_effects; }
@@ -119,6 +120,31 @@ Place make_place(const LoopData& data, const std::vector<std::size_t>& structure
 
 /// Throws CannotSimulate where an effect cannot enter.
 BuiltModel build(const Place& place, const std::vector<effects::Effect>& effects);
+/// The same without what simulates its points.
+BuiltModel place_only(const Place& place, const std::vector<effects::Effect>& effects);
+
+/// Models that have one more effect than another, one at a time: what they share is
+/// placed once.
+class OneMore {
+  public:
+    /// \param place  must outlive this, and stay as it is
+    OneMore(const Place& place, const std::vector<effects::Effect>& effects);
+
+    /// The model with the effect, until the next one. Throws as `build` does.
+    const study::FitModel& with(const effects::Effect& effect);
+    /// Of the effect that `with` had.
+    const physics::Parameter& coefficient() const { return parameters_.back(); }
+
+  private:
+    const Place& place_;
+    physics::Drive shared_;  ///< with other hours than declared, without profiles
+    effects::Surroundings surroundings_;
+    effects::Placer placer_;  ///< of what they share
+    physics::Building building_;
+    physics::Drive drive_;
+    std::vector<physics::Parameter> parameters_;
+    std::unique_ptr<const study::FitModel> fit_model_;
+};
 
 /// [targets.size()] weights by channel; 0 where nothing is measured.
 std::vector<double> weights_of(const study::Targets& targets,

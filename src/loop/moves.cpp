@@ -63,6 +63,9 @@ std::vector<effects::Effect> moved_shapes(const effects::Effect& effect, double 
     return moved;
 }
 
+/// Whether a moved shape is a better one.
+constexpr study::FitOptions quick{2, 1e-3, study::without_derivatives};
+
 /// The model with an effect in place of another; fit.failed where that cannot be.
 struct InPlace {
     std::size_t index;
@@ -90,7 +93,7 @@ bool move_shape(const LoopData& data, const Place& place, Standing& standing,
     bool helped = false;
     for (const auto& effect : moved_shapes(standing.model.effects[index], part)) {
         Standing tried = with_in_place(data, place, standing,
-                                       {index, effect, standing.fit.at.x, {2, 1e-3}});
+                                       {index, effect, standing.fit.at.x, quick});
         if (tried.fit.failed || tried.fit.objective >= standing.fit.objective - 0.5)
             continue;
         standing = std::move(tried);
@@ -128,8 +131,7 @@ Standing with_best_shape(const LoopData& data, const Place& place, Standing stan
                          std::size_t index) {
     constexpr int most_moves = 5;     ///< of one length
     constexpr double day = 1.0 / 14;  ///< of a date's first move
-    refit(data, standing, standing.fit.at.x,
-          {2, 1e-3});  // the objective by its own noise
+    refit(data, standing, quick);     // the objective by its own noise
     for (const double part : {1.0, 0.5, 0.25, 2 * day, day}) {
         if (part < 0.25 && !is_dated(standing.model.effects[index])) break;
         for (int k = 0; k < most_moves && move_shape(data, place, standing, index, part);
@@ -163,12 +165,12 @@ double deviation_over_shapes(const LoopData& data, const Place& place,
                              const Standing& standing, std::size_t effect,
                              double misfit) {
     Standing own = standing;
-    refit(data, own, own.fit.at.x, {2, 1e-3});  // the objective by its own noise
+    refit(data, own, quick);  // the objective by its own noise
     double likely = 1, square = 0;
     for (const double part : {1.0, 0.5})
         for (const auto& moved : moved_shapes(standing.model.effects[effect], part)) {
             const Standing tried =
-                with_in_place(data, place, own, {effect, moved, own.fit.at.x, {2, 1e-3}});
+                with_in_place(data, place, own, {effect, moved, own.fit.at.x, quick});
             if (tried.fit.failed) continue;
             const double worse = std::max(0.0, tried.fit.objective - own.fit.objective);
             const double weight = std::exp(-0.5 * worse / misfit);
@@ -190,8 +192,9 @@ int swap(const LoopData& data, const Place& place, Standing& standing, std::size
         if (has_name && !rivals[k].is_named()) continue;  // says less
         std::vector<double> start = standing.fit.at.x;
         start[unknown] = rivals[k].most > 0 ? 0.5 : -0.5;
-        Standing tried = with_in_place(data, place, standing,
-                                       {effect, rivals[k], std::move(start), {6, 1e-3}});
+        Standing tried = with_in_place(
+            data, place, standing,
+            {effect, rivals[k], std::move(start), {6, 1e-3, study::without_derivatives}});
         if (tried.fit.failed || tried.fit.bound[unknown] != 0 ||
             !is_plausible(rivals[k], tried.coefficient(effect)))
             continue;
@@ -244,7 +247,7 @@ bool split(const LoopData& data, const Place& place, Standing& standing,
     }
     std::vector<double> start = standing.fit.at.x;
     start.push_back(start[standing.built.first_effect() + effect]);
-    refit(data, tried, std::move(start), {8, 1e-3});
+    refit(data, tried, std::move(start), {8, 1e-3, study::without_derivatives});
     if (tried.fit.failed ||
         evidence(data, standing, tried) < std::max(least, least_evidence))
         return false;
@@ -273,7 +276,7 @@ Standing without_effect(const LoopData& data, const Place& place,
     std::vector<double> start = standing.fit.at.x;
     start.erase(start.begin() +
                 static_cast<std::ptrdiff_t>(standing.built.first_effect() + effect));
-    refit(data, without, std::move(start), {5, 1e-3});
+    refit(data, without, std::move(start), {5, 1e-3, study::without_derivatives});
     return without;
 }
 
@@ -376,7 +379,7 @@ bool spare_meters(const LoopData& data, const Standing& before, Standing& standi
         for (std::size_t c = 0; c < growth.size(); ++c)
             if (growth[c] > largest_growth)
                 tried.noise[c].sigma /= std::min(1.5, std::pow(growth[c], 4));
-        refit(data, tried, tried.fit.at.x, {6, 3e-4});
+        refit(data, tried, {6, 3e-4});
         if (tried.fit.failed || !are_the_same(standing, tried)) break;
         growth = growth_of(data, before, tried);
         if (std::ranges::max(growth) >= least) continue;

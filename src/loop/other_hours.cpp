@@ -38,7 +38,8 @@ bool drives_plant(const physics::Building& building, std::size_t profile) {
         physics::inputs_that_follow(building, static_cast<int>(profile)),
         [](const physics::Target& target) {
             return target.part == physics::Part::zone ||
-                   target.part == physics::Part::flow;
+                   target.part == physics::Part::flow ||
+                   target.part == physics::Part::air_system;
         });
 }
 

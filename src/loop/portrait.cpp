@@ -117,16 +117,16 @@ Units units_of(const LoopData& data, std::span<const double> score,
     return units;
 }
 
-/// An effect's score at each reading; empty where it cannot enter.
-std::vector<double> score_of(const LoopData& data, const Place& place,
-                             const Standing& standing, const effects::Effect& effect) {
-    const auto screened = screen(data, place, standing, {effect}, Keep::signatures);
-    if (screened.empty()) return {};
+/// The effects' scores at each reading, of those that can enter.
+std::vector<Screened> with_scores(const LoopData& data, const Place& place,
+                                  const Standing& standing,
+                                  const std::vector<effects::Effect>& effects) {
+    auto screened = screen(data, place, standing, effects, Keep::signatures);
     const auto weights = weights_of(data.targets, standing.noise);
-    std::vector<double> score = screened[0].signature;
-    for (std::size_t k = 0; k < score.size(); ++k)
-        score[k] *= weights[k] * standing.residuals[k];
-    return score;
+    for (Screened& one : screened)
+        for (std::size_t k = 0; k < weights.size(); ++k)
+            one.signature[k] *= weights[k] * standing.residuals[k];
+    return screened;
 }
 
 double cell(const LoopData& data, const Place& place, std::span<const double> score,
@@ -202,20 +202,24 @@ Localisation localise(const LoopData& data, const Place& place,
     for (const Driver driver : drivers)
         map.drivers.emplace_back(effects::name_of(driver));
     map.statistic = Matrix(hooks.size(), drivers.size(), nan);
-    for (std::size_t h = 0; h < hooks.size(); ++h) {
-        const std::vector<double> score =
-            score_of(data, place, standing, constant_at(hooks[h]));
-        for (std::size_t d = 0; d < drivers.size() && !score.empty(); ++d)
-            map.statistic(h, d) =
-                cell(data, place, score, drivers[d], series_of(place, drivers[d]));
+    std::vector<effects::Effect> constants;
+    constants.reserve(hooks.size());
+    for (const Hook hook : hooks) constants.push_back(constant_at(hook));
+    for (const Screened& one : with_scores(data, place, standing, constants)) {
+        const auto h = static_cast<std::size_t>(
+            std::ranges::find(hooks, one.effect.hook) - hooks.begin());
+        for (std::size_t d = 0; d < drivers.size(); ++d)
+            map.statistic(h, d) = cell(data, place, one.signature, drivers[d],
+                                       series_of(place, drivers[d]));
     }
     return map;
 }
 
 double alarm_of(const LoopData& data, const Place& place, const Standing& standing,
                 const effects::Effect& effect) {
-    const std::vector<double> score = score_of(data, place, standing, effect);
-    if (score.empty()) return 0;
+    const auto screened = with_scores(data, place, standing, {effect});
+    if (screened.empty()) return 0;
+    const std::vector<double>& score = screened[0].signature;
     double largest = 0;
     for (const Driver driver : {effect.driver, Driver::hour, Driver::elapsed}) {
         const double here = cell(data, place, score, driver, series_of(place, driver));

@@ -64,9 +64,9 @@ struct Secant {
     double gain_at(double c) const { return 2 * c * U - c * c * I; }
 };
 
-Secant secant_of(const Standing& standing, const Tangent& tangent,
-                 std::span<const double> predicted, double amplitude) {
-    Secant secant;
+/// \param secant  what it was is lost
+void take_secant(const Standing& standing, const Tangent& tangent,
+                 std::span<const double> predicted, double amplitude, Secant& secant) {
     secant.per_unit.resize(predicted.size());
     for (std::size_t k = 0; k < predicted.size(); ++k)
         secant.per_unit[k] = (predicted[k] - standing.fit.at.predicted[k]) / amplitude;
@@ -75,7 +75,6 @@ Secant secant_of(const Standing& standing, const Tangent& tangent,
     secant.followed = tangent.times_inverse(secant.sums.with_others);
     secant.U = secant.sums.with_residual;
     secant.I = secant.sums.with_itself - dot(secant.sums.with_others, secant.followed);
-    return secant;
 }
 
 /// The largest coefficient that a fit may take: twice what is plausible.
@@ -115,14 +114,14 @@ std::vector<double> scores_by_block(const LoopData& data, const Standing& standi
 }
 
 Matrix points_of(const Standing& standing, const effects::Effect& effect,
-                 const BuiltModel& built) {
-    Matrix points(amplitudes.size(), built.unknowns.size());
+                 const physics::Parameter& coefficient) {
+    const auto& unknowns = standing.built.unknowns;
+    Matrix points(amplitudes.size(), unknowns.size() + 1);
     for (std::size_t a = 0; a < amplitudes.size(); ++a) {
-        for (std::size_t k = 0; k + 1 < built.unknowns.size(); ++k)
-            points(a, k) = standing.built.unknowns[k].value(standing.fit.at.x[k]);
-        const physics::Parameter& last = built.parameters.back();
-        points(a, built.unknowns.size() - 1) =
-            std::clamp(amplitudes[a] * effect.typical, last.least, last.most);
+        for (std::size_t k = 0; k < unknowns.size(); ++k)
+            points(a, k) = unknowns[k].value(standing.fit.at.x[k]);
+        points(a, unknowns.size()) = std::clamp(amplitudes[a] * effect.typical,
+                                                coefficient.least, coefficient.most);
     }
     return points;
 }
@@ -133,9 +132,10 @@ Screened judged(const LoopData& data, const Standing& standing, const Tangent& t
     Screened screened{effect, 0, 0, secant.I, {}, {}, {}, 0};
     screened.coefficient = within(secant.coefficient(), amplitude, furthest(effect));
     screened.gain = secant.gain_at(screened.coefficient);
+    if (keep == Keep::gains) return screened;
     std::vector<double> own = own_part(standing, secant);
     screened.by_block = scores_by_block(data, standing, tangent, own);
-    if (keep != Keep::gains) {
+    if (keep != Keep::scores) {
         screened.bias = secant.followed;
         for (double& bias : screened.bias) bias *= effect.typical;
         screened.signature = std::move(own);
@@ -147,41 +147,40 @@ bool is_plausible_sign(const effects::Effect& effect, double amplitude) {
     return (amplitude > 0 && effect.most > 0) || (amplitude < 0 && effect.least < 0);
 }
 
+/// Secants of a candidate, of which the best is kept; used again for the next one.
+struct Secants {
+    Secant now, best;
+};
+
 /// At the best of the amplitudes; none where no amplitude moves a meter.
-std::optional<Screened> screen_one(const LoopData& data, const Place& place,
-                                   const Standing& standing, const Tangent& tangent,
-                                   const effects::Effect& effect, Keep keep) {
-    std::vector<effects::Effect> all = standing.model.effects;
-    all.push_back(effect);
-    const BuiltModel built = build(place, all);
-    const Matrix points = points_of(standing, effect, built);
-    const Matrix predicted = built.fit_model->predict(points);
-    double best_gain = -1;
-    std::size_t best = 0;
-    Secant best_secant;
-    for (std::size_t a = 0; a < amplitudes.size(); ++a) {
-        const double amplitude = points(a, built.unknowns.size() - 1);
-        if (!is_plausible_sign(effect, amplitude) || std::isnan(predicted(a, 0)))
-            continue;
-        if (keep == Keep::of_typical && a > 0) break;
-        Secant secant = secant_of(standing, tangent, predicted.row(a), amplitude);
-        if (!(secant.I > 1e-12 * secant.sums.with_itself)) continue;
+std::optional<Screened> screen_one(const LoopData& data, const Standing& standing,
+                                   const Tangent& tangent, const effects::Effect& effect,
+                                   Keep keep, OneMore& one_more, Secants& secants) {
+    const study::FitModel& model = one_more.with(effect);
+    const Matrix points = points_of(standing, effect, one_more.coefficient());
+    double best_gain = -1, best_amplitude = 0;
+    std::optional<double> small_share;  ///< that no other unknown follows
+    model.predict_each(points, [&](std::size_t a, std::span<const double> predicted) {
+        constexpr std::size_t small_amplitude = 2;  ///< its place among them
+        const double amplitude = points(a, points.cols - 1);
+        const bool is_judged =
+            is_plausible_sign(effect, amplitude) && (keep != Keep::of_typical || a == 0);
+        const bool is_small = keep == Keep::of_typical && a == small_amplitude;
+        if (std::isnan(predicted[0]) || (!is_judged && !is_small)) return;
+        Secant& secant = secants.now;
+        take_secant(standing, tangent, predicted, amplitude, secant);
+        if (is_small && secant.sums.with_itself > 0) small_share = secant.own_share();
+        if (!is_judged || !(secant.I > 1e-12 * secant.sums.with_itself)) return;
         const double gain =
             secant.gain_at(within(secant.coefficient(), amplitude, furthest(effect)));
-        if (gain <= best_gain) continue;
-        best_gain = gain, best = a;
-        best_secant = std::move(secant);
-    }
+        if (gain <= best_gain) return;
+        best_gain = gain, best_amplitude = amplitude;
+        std::swap(secants.best, secants.now);
+    });
     if (best_gain < 0) return std::nullopt;
-    Screened screened = judged(data, standing, tangent, effect, best_secant,
-                               points(best, built.unknowns.size() - 1), keep);
-    screened.visibility = best_secant.own_share();
-    constexpr std::size_t small_amplitude = 2;  ///< its place among them
-    if (keep == Keep::of_typical && !std::isnan(predicted(small_amplitude, 0))) {
-        const Secant secant = secant_of(standing, tangent, predicted.row(small_amplitude),
-                                        points(small_amplitude, points.cols - 1));
-        if (secant.sums.with_itself > 0) screened.visibility = secant.own_share();
-    }
+    Screened screened =
+        judged(data, standing, tangent, effect, secants.best, best_amplitude, keep);
+    screened.visibility = small_share.value_or(secants.best.own_share());
     return screened;
 }
 
@@ -193,11 +192,14 @@ std::vector<Screened> screen(const LoopData& data, const Place& place,
     std::vector<char> bound = standing.fit.bound;
     if (keep == Keep::of_typical) bound.assign(bound.size(), 0);
     const Tangent tangent(data, standing, bound);
+    OneMore one_more(place, standing.model.effects);
+    Secants secants;
     std::vector<Screened> screened;
     screened.reserve(candidates.size());
     for (const effects::Effect& effect : candidates) {
         try {
-            if (auto one = screen_one(data, place, standing, tangent, effect, keep))
+            if (auto one =
+                    screen_one(data, standing, tangent, effect, keep, one_more, secants))
                 screened.push_back(std::move(*one));
         } catch (const CannotSimulate&) {
             continue;  // It cannot enter this building: no candidate.

@@ -78,7 +78,7 @@ Standing with_effect(const LoopData& data, const Place& place, const Standing& f
     for (const double part : {1.0, 0.7, 0.4}) {
         std::vector<double> start = from.fit.at.x;
         start.push_back(part * screened.coefficient / next.built.unknowns.back().scale);
-        refit(data, next, std::move(start), {4, 1e-3});
+        refit(data, next, std::move(start), {4, 1e-3, study::without_derivatives});
         if (!next.fit.failed) break;
     }
     return next;
@@ -121,7 +121,7 @@ class Unseen {
     const Blocks& filled(Blocks& blocks, std::vector<int> of_readings) {
         if (!blocks.left.empty()) return blocks;
         blocks.left =
-            left_out_of(data_, before_.built, before_.fit, before_.noise, of_readings);
+            left_out_of(data_, before_.built, before_.fit.at, before_.noise, of_readings);
         blocks.of_readings = std::move(of_readings);
         return blocks;
     }
@@ -155,7 +155,7 @@ void judge_left_out(const LoopData& data, const Standing& before, Unseen& unseen
                     Refitted& candidate) {
     const auto& [blocks, old_left] = unseen.blocks_for(candidate.effect);
     candidate.left_out = left_out_of(data, candidate.standing.built,
-                                     candidate.standing.fit, before.noise, blocks);
+                                     candidate.standing.fit.at, before.noise, blocks);
     candidate.score = deviance(data.targets, before.noise, old_left) -
                       deviance(data.targets, before.noise, candidate.left_out);
     candidate.consistency = consistency_of(changes_of(
@@ -169,7 +169,11 @@ void judge_left_out(const LoopData& data, const Standing& before, Unseen& unseen
     }
 }
 
-/// Dozens of candidates stand beside each other; only one is fitted on, from its start.
+/// Dozens of candidates stand beside each other; only while one is judged are its
+/// derivatives kept.
+void know_derivatives(Standing& standing) {
+    study::linearise(*standing.built.fit_model, standing.built.unknowns, standing.fit.at);
+}
 void drop_derivatives(Standing& standing) {
     standing.fit.at.derivatives = {};
 }
@@ -191,7 +195,6 @@ std::vector<Refitted> refit_all(const LoopData& data, const Place& place,
             if (candidate.standing.fit.failed) continue;
             candidate.gain =
                 evidence(data, standing, candidate.standing) - occam(*screened);
-            drop_derivatives(candidate.standing);
             ranking.push_back(std::move(candidate));
         } catch (const CannotSimulate&) {
             continue;  // It cannot enter together with the others: no candidate.
@@ -228,9 +231,8 @@ constexpr std::size_t most_judged = 14;
 void finish(const LoopData& data, const Standing& before, Refitted& candidate) {
     Standing& standing = candidate.standing;
     const double was = evidence(data, before, standing);
-    refit(data, standing, standing.fit.at.x, {10, 2e-4});
+    refit(data, standing, {10, 2e-4, study::without_derivatives});
     candidate.gain += evidence(data, before, standing) - was;
-    drop_derivatives(standing);
 }
 
 /// Whether other dates or hours may make a candidate the best.
@@ -264,7 +266,6 @@ void move_dates(const LoopData& data, const Place& place, const Standing& before
         candidate.gain += more;
         candidate.effect = moved.model.effects[newest];
         candidate.standing = std::move(moved);
-        drop_derivatives(candidate.standing);
     }
     sort_by_gain(ranking, n_judged);
 }
@@ -279,7 +280,7 @@ double threshold_of(const LoopData& data, const Place& place, const Standing& st
     for (const Refitted& candidate : step.ranking) effects.push_back(candidate.effect);
     Standing rest = standing;
     rest.residuals = step.ranking[0].standing.residuals;
-    return null_gain(screen(data, place, rest, effects, Keep::gains), data.options.alpha,
+    return null_gain(screen(data, place, rest, effects, Keep::scores), data.options.alpha,
                      data.options.seed);
 }
 
@@ -328,10 +329,13 @@ Step search(const LoopData& data, const Place& place, const Standing& standing,
         }
         candidate.coefficient =
             candidate.standing.coefficient(candidate.standing.model.effects.size() - 1);
-        if (candidate.gain > rival_share * step.threshold)
+        if (candidate.gain > rival_share * step.threshold) {
+            know_derivatives(candidate.standing);
             judge_left_out(data, standing, unseen, candidate);
+        }
         candidate.objection =
             objection_to(data, standing, candidate, step.threshold, last_quarter);
+        drop_derivatives(candidate.standing);
     }
     step.chosen = choice_of(step.ranking);
     if (step.chosen >= 0)

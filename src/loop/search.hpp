@@ -15,7 +15,8 @@ struct Screened {
     double gain = 0;                ///< fall of the objective, all else refitted [-]
     double coefficient = 0;         ///< where that is
     double information = 0;         ///< of the coefficient, all else free
-    std::vector<double> by_block;   ///< its score, block by block: for the null
+    std::vector<double> by_block;   ///< its score, block by block: for the null; may be
+                                    ///< empty
     std::vector<double> signature;  ///< [targets] effect at its typical size, what the
                                     ///< other unknowns can follow taken off; may be empty
     std::vector<double> bias;  ///< [unknowns] what leaving it out does to them, at its
@@ -24,9 +25,9 @@ struct Screened {
                                ///< the typical, where it is small: a large one bends
 };
 
-/// What is wanted: gains; signatures and bias, too; or these of the typical size,
-/// whatever the readings say of it and wherever the fit has met a limit.
-enum class Keep { gains, signatures, of_typical };
+/// What is wanted: gains; scores by block, too; signatures and bias, too; or these of the
+/// typical size, whatever the readings say of it and wherever the fit has met a limit.
+enum class Keep { gains, scores, signatures, of_typical };
 
 /// In the order of the candidates; those that cannot be simulated are left out.
 std::vector<Screened> screen(const LoopData& data, const Place& place,

@@ -48,52 +48,37 @@ struct Moved {
     double by;
 };
 
-Matrix predict_moved(const FitModel& model, std::span<const FitUnknown> unknowns,
-                     const std::vector<double>& x, const std::vector<Moved>& moves) {
-    Matrix points(moves.size() + 1, x.size());
-    write_values(unknowns, x, points.row(0));
+/// Simulates the moves and writes the derivatives of those that could be; returns the
+/// others, to be moved the other way.
+std::vector<Moved> write_derivatives(const FitModel& model,
+                                     std::span<const FitUnknown> unknowns,
+                                     const std::vector<Moved>& moves, Linearised& at) {
+    Matrix points(moves.size(), at.x.size());
     for (std::size_t k = 0; k < moves.size(); ++k) {
-        std::vector<double> moved = x;
+        std::vector<double> moved = at.x;
         moved[moves[k].unknown] += moves[k].by;
-        write_values(unknowns, moved, points.row(k + 1));
+        write_values(unknowns, moved, points.row(k));
     }
-    return model.predict(points);
-}
-
-/// Writes the derivatives of those that could be simulated; returns the others, to be
-/// moved the other way.
-std::vector<Moved> write_derivatives(const std::vector<Moved>& moves,
-                                     const Matrix& predicted, Matrix& derivatives) {
     std::vector<Moved> again;
-    const auto from = predicted.row(0);
-    for (std::size_t k = 0; k < moves.size(); ++k) {
-        const auto moved = predicted.row(k + 1);
-        const auto to = derivatives.row(moves[k].unknown);
+    model.predict_each(points, [&](std::size_t k, std::span<const double> moved) {
+        const auto& [unknown, by] = moves[k];
         if (std::isnan(moved[0])) {
-            again.push_back({moves[k].unknown, -moves[k].by});
-            continue;
+            again.push_back({unknown, -by});
+            return;
         }
+        const auto to = at.derivatives.row(unknown);
         for (std::size_t i = 0; i < to.size(); ++i)
-            to[i] = (moved[i] - from[i]) / moves[k].by;
-    }
+            to[i] = (moved[i] - at.predicted[i]) / by;
+    });
     return again;
 }
 
-Linearised linearise(const FitModel& model, std::span<const FitUnknown> unknowns,
-                     std::vector<double> x) {
-    std::vector<Moved> moves;
-    moves.reserve(x.size());
-    for (std::size_t k = 0; k < x.size(); ++k)
-        moves.push_back({k, step_of(unknowns[k], x[k])});
-    const Matrix predicted = predict_moved(model, unknowns, x, moves);
-    Linearised at{std::move(x), {}, Matrix(moves.size(), predicted.cols)};
-    at.predicted.assign(predicted.row(0).begin(), predicted.row(0).end());
-    if (std::isnan(at.predicted[0])) return at;
-    const auto again = write_derivatives(moves, predicted, at.derivatives);
-    if (!again.empty())
-        write_derivatives(again, predict_moved(model, unknowns, at.x, again),
-                          at.derivatives);
-    return at;
+void predict_at(const FitModel& model, std::span<const FitUnknown> unknowns,
+                Linearised& at) {
+    if (!at.predicted.empty()) return;
+    Matrix point(1, at.x.size());
+    write_values(unknowns, at.x, point.row(0));
+    at.predicted = model.predict(point).values;
 }
 
 /// A fit on its way.
@@ -140,26 +125,27 @@ struct Descent {
 
 constexpr std::array dampings = {0.0, 0.05, 0.6, 6.0};
 
-/// The best of the damped steps: its unknowns and objective.
+/// The best of the damped steps.
 struct Tried {
-    std::vector<double> x;
-    double objective;
+    Linearised at;
+    double objective = std::numeric_limits<double>::infinity();
 };
 
 Tried best_step(const Descent& descent, const Linearised& at, std::span<const char> fixed,
                 const stats::NormalEquations& all) {
     Matrix points(dampings.size(), at.x.size());
     std::vector<std::vector<double>> tried;
+    tried.reserve(dampings.size());
     for (std::size_t k = 0; k < dampings.size(); ++k) {
         tried.push_back(descent.moved(at, all, fixed, dampings[k]));
         write_values(descent.unknowns, tried.back(), points.row(k));
     }
-    const Matrix predicted = descent.model.predict(points);
-    Tried best{{}, std::numeric_limits<double>::infinity()};
-    for (std::size_t k = 0; k < tried.size(); ++k) {
-        const double objective = descent.objective(tried[k], predicted.row(k));
-        if (objective < best.objective) best = {tried[k], objective};
-    }
+    Tried best;
+    descent.model.predict_each(points, [&](std::size_t k, std::span<const double> row) {
+        const double objective = descent.objective(tried[k], row);
+        if (objective < best.objective)
+            best = {{tried[k], {row.begin(), row.end()}, {}}, objective};
+    });
     return best;
 }
 
@@ -194,21 +180,30 @@ FitModel::FitModel(const physics::Building& building,
 
 Matrix FitModel::predict(const Matrix& points) const {
     Matrix all(points.rows, n_readings());
+    predict_each(points, [&](std::size_t point, std::span<const double> row) {
+        std::ranges::copy(row, all.row(point).begin());
+    });
+    return all;
+}
+
+void FitModel::predict_each(const Matrix& points, const Take& take) const {
     const auto lanes = static_cast<std::size_t>(response_->lanes());
+    const std::size_t n = n_readings();
+    const auto of_lanes = std::make_unique_for_overwrite<double[]>(lanes * n);
     for (std::size_t first = 0; first < points.rows; first += lanes) {
         const std::size_t count = std::min(lanes, points.rows - first);
         const auto failures = response_->predict(points, first, count, *run_);
         for (std::size_t c = 0; c + 1 < first_.size(); ++c) {
             const double* from = response_->readings(*run_, c);
-            for (std::size_t k = 0; k < count; ++k) {
-                double* to = all.row(first + k).data() + first_[c];
-                const bool ok = failures[k].empty();
-                for (std::size_t i = 0; i < first_[c + 1] - first_[c]; ++i)
-                    to[i] = ok ? from[i * lanes + k] : nan;
-            }
+            for (std::size_t i = first_[c]; i < first_[c + 1]; ++i, from += lanes)
+                for (std::size_t k = 0; k < count; ++k) of_lanes[k * n + i] = from[k];
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::span row(of_lanes.get() + k * n, n);
+            if (!failures[k].empty()) std::ranges::fill(row, nan);
+            take(first + k, row);
         }
     }
-    return all;
 }
 
 std::vector<double> residuals_of(std::span<const double> measured,
@@ -227,28 +222,50 @@ std::vector<double> prior_diagonal(std::span<const FitUnknown> unknowns) {
     return diagonal;
 }
 
+void linearise(const FitModel& model, std::span<const FitUnknown> unknowns,
+               Linearised& at) {
+    predict_at(model, unknowns, at);
+    if (at.has_derivatives()) return;
+    at.derivatives = Matrix(at.x.size(), at.predicted.size());
+    std::vector<Moved> moves;
+    moves.reserve(at.x.size());
+    for (std::size_t k = 0; k < at.x.size(); ++k)
+        moves.push_back({k, step_of(unknowns[k], at.x[k])});
+    const auto again = write_derivatives(model, unknowns, moves, at);
+    if (!again.empty()) write_derivatives(model, unknowns, again, at);
+}
+
 Fit fit(const FitModel& model, std::span<const FitUnknown> unknowns,
         std::span<const double> measured, std::span<const double> weights,
         std::vector<double> start, const FitOptions& options) {
+    return fit(model, unknowns, measured, weights, Linearised{std::move(start)}, options);
+}
+
+Fit fit(const FitModel& model, std::span<const FitUnknown> unknowns,
+        std::span<const double> measured, std::span<const double> weights,
+        Linearised start, const FitOptions& options) {
     const Descent descent{model, unknowns, measured, weights, prior_diagonal(unknowns)};
-    for (std::size_t k = 0; k < start.size(); ++k)
-        start[k] = std::clamp(start[k], unknowns[k].lowest(), unknowns[k].highest());
+    for (std::size_t k = 0; k < start.x.size(); ++k)
+        start.x[k] = std::clamp(start.x[k], unknowns[k].lowest(), unknowns[k].highest());
     Fit result;
-    result.at = linearise(model, unknowns, std::move(start));
+    result.at = std::move(start);
+    predict_at(model, unknowns, result.at);
     result.objective = descent.objective(result.at.x, result.at.predicted);
     result.failed = std::isinf(result.objective);
     result.bound.assign(unknowns.size(), 0);
     for (int step = 0; step < options.most_steps && !result.failed; ++step) {
+        linearise(model, unknowns, result.at);
         const stats::NormalEquations all = descent.equations(result.at);
         const std::vector<char> held = descent.held(result.at, all.right);
         result.bound = held;
-        const Tried best = best_step(descent, result.at, held, all);
+        Tried best = best_step(descent, result.at, held, all);
         if (best.objective >= result.objective) break;
         const double gained = result.objective - best.objective;
-        result.at = linearise(model, unknowns, best.x);
+        result.at = std::move(best.at);
         result.objective = best.objective;
         if (gained < options.tolerance * result.objective) break;
     }
+    if (options.derivatives && !result.failed) linearise(model, unknowns, result.at);
     return result;
 }
 

@@ -8,6 +8,7 @@
 #include "stats/prior.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -58,6 +59,10 @@ class FitModel {
     /// [points x n_readings]; a row of NaN where a point is impossible.
     Matrix predict(const Matrix& points) const;
 
+    /// The same, handed over point by point: rows that live until the next.
+    using Take = std::function<void(std::size_t point, std::span<const double> row)>;
+    void predict_each(const Matrix& points, const Take& take) const;
+
   private:
     std::vector<physics::Parameter> parameters_;
     std::unique_ptr<kernel::Batch> batch_;
@@ -66,17 +71,22 @@ class FitModel {
     mutable kernel::Response::RunPointer run_;  ///< scratch: a model is of one thread
 };
 
-/// Where a fit stands: unknowns, predictions, their derivatives by the unknowns.
+/// Where a fit stands: unknowns, predictions, their derivatives by the unknowns. What is
+/// not known is empty.
 struct Linearised {
-    std::vector<double> x;          ///< [p]
-    std::vector<double> predicted;  ///< [n]
-    Matrix derivatives;             ///< [p x n]; rows of 0 where a difference failed
+    std::vector<double> x{};          ///< [p]
+    std::vector<double> predicted{};  ///< [n]
+    Matrix derivatives{};             ///< [p x n]; rows of 0 where a difference failed
+
+    bool has_derivatives() const { return derivatives.cols > 0; }
 };
 
 struct FitOptions {
     int most_steps = 8;
     double tolerance = 1e-3;  ///< a step that lowers the objective by less ends the fit
+    bool derivatives = true;  ///< whether they are wanted where it ends
 };
+inline constexpr bool without_derivatives = false;
 
 struct Fit {
     Linearised at;
@@ -85,11 +95,21 @@ struct Fit {
     std::vector<char> bound;  ///< [p] 1 = held at an end of its range
 };
 
+/// Simulates what is not known yet.
+void linearise(const FitModel& model, std::span<const FitUnknown> unknowns,
+               Linearised& at);
+
 /// Levenberg-Marquardt within the ranges: four damped steps are simulated at once, and
-/// the best is taken. \param weights  [n], 0 = not fitted  \param start  [p]
+/// the best is taken.
+/// \param weights  [n], 0 = not fitted
+/// \param start    [p]
 Fit fit(const FitModel& model, std::span<const FitUnknown> unknowns,
         std::span<const double> measured, std::span<const double> weights,
         std::vector<double> start, const FitOptions& options = {});
+/// The same from where a fit of the same model stands: what is known is not simulated.
+Fit fit(const FitModel& model, std::span<const FitUnknown> unknowns,
+        std::span<const double> measured, std::span<const double> weights,
+        Linearised start, const FitOptions& options = {});
 
 /// measured - predicted; 0 where nothing is measured. [n]
 std::vector<double> residuals_of(std::span<const double> measured,

@@ -4,6 +4,7 @@
 #include "loop/search.hpp"
 #include "loop/windy_model.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -40,6 +41,24 @@ TEST(LoopScreen, AnEffectThatCannotEnterTheBuildingIsLeftOut) {
                {outside, named("wind infiltration"), outside}, Keep::gains);
     ASSERT_EQ(screened.size(), 1U);
     EXPECT_EQ(screened[0].effect.name, "wind infiltration");
+}
+
+TEST(LoopScreen, OneMoreEffectIsPlacedAsAllAtOnce) {
+    const test::WindyModel model({"holidays"});
+    const auto& standing = model.standing.model.effects;
+    OneMore one_more(model.place, standing);
+    for (const char* name : {"use at night", "wind infiltration"}) {
+        auto all = standing;
+        all.push_back(named(name));
+        const BuiltModel built = build(model.place, all);
+        Matrix point(1, built.unknowns.size());
+        for (std::size_t k = 0; k < point.cols; ++k)
+            point(0, k) = std::clamp(built.unknowns[k].value(0.3),
+                                     built.unknowns[k].least, built.unknowns[k].most);
+        const auto own = one_more.with(all.back()).predict(point).values;
+        EXPECT_EQ(own, built.fit_model->predict(point).values);
+        EXPECT_EQ(one_more.coefficient().name, name);
+    }
 }
 
 TEST(LoopScreen, AnEffectThatMovesNoMeterIsLeftOut) {

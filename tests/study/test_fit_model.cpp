@@ -70,6 +70,31 @@ TEST(FitModel, StaysWithinTheRanges) {
     EXPECT_EQ(found.bound[0], 1);
 }
 
+TEST(FitModel, GoesOnFromWhereItStandsAsFromItsPlaceAlone) {
+    const Room room;
+    const FitModel model = room.model();
+    const auto measured = room.readings(model, 1.7, 0.6);
+    const std::vector<double> weights(measured.size(), 1e4);
+    const auto fitted = [&](const auto& start, int most_steps, bool derivatives) {
+        return fit(model, room.unknowns, measured, weights, start,
+                   {most_steps, 1e-12, derivatives});
+    };
+    const std::vector<double> begin{0, 0};
+    const Fit first = fitted(begin, 1, true);
+    const Fit bare = fitted(begin, 1, without_derivatives);
+    EXPECT_EQ(bare.at.x, first.at.x);
+    EXPECT_FALSE(bare.at.has_derivatives());
+    const Fit by_place = fitted(first.at.x, 3, true);
+    EXPECT_NE(by_place.at.x, first.at.x);
+    for (const Fit* from : {&first, &bare}) {
+        const Fit on = fitted(from->at, 3, true);
+        EXPECT_EQ(on.at.x, by_place.at.x);
+        EXPECT_EQ(on.at.predicted, by_place.at.predicted);
+        EXPECT_EQ(on.at.derivatives.values, by_place.at.derivatives.values);
+        EXPECT_EQ(on.objective, by_place.objective);
+    }
+}
+
 TEST(FitModel, WithoutReadingsThePriorHolds) {
     Room room;
     for (FitUnknown& unknown : room.unknowns) unknown.has_prior = true;
