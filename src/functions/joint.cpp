@@ -8,8 +8,6 @@
 /// evidence. Twins are not grouped.
 #include "functions/joint.hpp"
 
-#include "stats/inner_products.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -21,27 +19,11 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::MatrixXf;
 using Eigen::VectorXd;
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr double least_precision = 1e-6;  ///< of a parameter without a prior [1/sd^2]
 constexpr double most_variance = 4;       ///< of a function: twice the typical size
 constexpr double least_scatter = 0.01;    ///< below it errors would be opposite
 constexpr double least_variance = 1e-6;   ///< below which it is nothing
-
-/// a^T b of some rows, added to `to`. [columns of a x columns of b]
-void add_product(const MatrixXf& a, const MatrixXf& b, long from, long n, RowMajor& to) {
-    const auto columns = [&](const MatrixXf& all) {
-        return stats::NumberRows<float>{all.data() + from,
-                                        static_cast<std::size_t>(all.cols()),
-                                        static_cast<std::size_t>(all.rows())};
-    };
-    stats::add_inner_products(columns(a), columns(b), static_cast<std::size_t>(n),
-                              to.data());
-}
-
-RowMajor no_product(const MatrixXf& a, const MatrixXf& b) {
-    return RowMajor::Zero(a.cols(), b.cols());
-}
 
 /// A pair with its columns, and their products with all that have been asked for.
 struct Block {
@@ -56,22 +38,23 @@ struct Block {
 
     const MatrixXd& product_with(const Block& other) {
         MatrixXd& product = with[&other];
-        if (product.size() > 0) return product;
-        RowMajor sums = no_product(columns, other.columns);
-        add_product(columns, other.columns, 0, columns.rows(), sums);
-        return product = sums;
+        if (product.size() == 0)
+            product = (columns.transpose() * other.columns).cast<double>();
+        return product;
     }
 };
 
 std::vector<MatrixXd> products(const WeighedData& data, const MatrixXf& a,
                                const MatrixXf& b) {
-    std::vector<RowMajor> by_fold(data.n_folds(), no_product(a, b));
+    std::vector<MatrixXd> by_fold;
+    by_fold.assign(data.n_folds(), MatrixXd::Zero(a.cols(), b.cols()));
+    if (a.cols() == 0 || b.cols() == 0) return by_fold;
     for (std::size_t block = 0; block < data.fold.size(); ++block) {
-        const long from = data.first_row[block];
-        add_product(a, b, from, data.first_row[block + 1] - from,
-                    by_fold[data.fold[block]]);
+        const long from = data.first_row[block], n = data.first_row[block + 1] - from;
+        by_fold[data.fold[block]] +=
+            (a.middleRows(from, n).transpose() * b.middleRows(from, n)).cast<double>();
     }
-    return {by_fold.begin(), by_fold.end()};
+    return by_fold;
 }
 
 /// [columns x blocks] products with what the model leaves.

@@ -5,8 +5,6 @@
 /// condition.
 #include "stats/least_squares.hpp"
 
-#include "stats/inner_products.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -51,24 +49,6 @@ Eigen::MatrixXd reduced(const Matrix& matrix, std::span<const double> diagonal,
     return full(free, free);
 }
 
-/// J w J^T, from stretches of J w: all of it would not stay in the cache.
-Matrix weighed_gram(const Matrix& J, std::span<const double> weights) {
-    constexpr std::size_t stretch = 512;
-    Matrix gram(J.rows, J.rows), scaled(J.rows, stretch);
-    for (std::size_t from = 0; from < J.cols; from += stretch) {
-        const std::size_t n = std::min(stretch, J.cols - from);
-        for (std::size_t i = 0; i < J.rows; ++i)
-            for (std::size_t k = 0; k < n; ++k)
-                scaled(i, k) = weights[from + k] * J(i, from + k);
-        add_inner_products({scaled.values.data(), J.rows, stretch},
-                           {J.values.data() + from, J.rows, J.cols}, n,
-                           gram.values.data());
-    }
-    for (std::size_t i = 0; i < J.rows; ++i)
-        for (std::size_t k = 0; k < i; ++k) gram(k, i) = gram(i, k);
-    return gram;
-}
-
 /// A run of readings of one block.
 struct Run {
     Eigen::Index begin, size;
@@ -90,8 +70,14 @@ std::vector<std::vector<Run>> runs_of(std::span<const int> block_of) {
 
 NormalEquations normal_equations(const Matrix& derivatives, std::span<const double> r,
                                  std::span<const double> weights) {
-    const Eigen::VectorXd right = view(derivatives) * view(weights).cwiseProduct(view(r));
-    return {weighed_gram(derivatives, weights), {right.begin(), right.end()}};
+    const View J = view(derivatives);
+    const Eigen::VectorXd roots = view(weights).cwiseSqrt();
+    const RowMajor scaled = J * roots.asDiagonal();
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(J.rows(), J.rows());
+    A.selfadjointView<Eigen::Lower>().rankUpdate(scaled);
+    A = Eigen::MatrixXd(A.selfadjointView<Eigen::Lower>());
+    const Eigen::VectorXd right = J * view(weights).cwiseProduct(view(r));
+    return {to_matrix(A), {right.begin(), right.end()}};
 }
 
 Bordered bordered(const Matrix& derivatives, std::span<const double> s,

@@ -10,5 +10,4 @@ fi
 "$root/scripts/dev/check_weak_symbols" "$objects/kernel_v3.cpp.o" "$objects/kernel_v4.cpp.o"
 emulator=$BEMCAL_BUILD/CMakeFiles/bemcal_emulator.dir/src/emulator
 "$root/scripts/dev/check_weak_symbols" "$emulator/correlation.cpp.o" "$emulator/elimination.cpp.o"
-"$root/scripts/dev/check_weak_symbols" "$BEMCAL_BUILD/CMakeFiles/bemcal_stats.dir/src/stats/inner_products.cpp.o"
 ! "$root/scripts/dev/check_weak_symbols" "$BEMCAL_BUILD/CMakeFiles/bemcal_job.dir/src/job/grid_kind.cpp.o" >/dev/null
