@@ -71,6 +71,7 @@ def has_weekends(hours):
 
 
 PARTS_OF_HOURS = {
+    "other hours than declared": lambda hours: True,
     "plant runs on after hours": ends_later("plant"), "early start": begins_earlier,
     "schedules earlier or later": lambda hours: True, "evening use": ends_later("use"),
     "Saturdays worked": has_saturdays, "Saturday mornings worked": has_saturdays,

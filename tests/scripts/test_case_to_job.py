@@ -91,6 +91,22 @@ class CaseToJob(unittest.TestCase):
         people = next(load for load in zone["load"] if load["name"] == "people")
         self.assertAlmostEqual(people["density"]["value"], 7.5)
 
+    def test_reheat_is_an_air_system_in_place_of_a_fan(self):
+        self.assertNotIn("air_system", self.job())
+        self.case["plant"]["heat_source"] = "electric reheat"
+        (self.folder / "job" / "job.toml").unlink()
+        job = self.job()
+        unit, = job["air_system"]
+        self.assertEqual((unit["flow"], unit["volume"]), ("ventilation", "variable"))
+        self.assertAlmostEqual(unit["design_flow"], 0.7 * 60 / 11 / 1200 * 3600, places=3)
+        # At four tenths of its flow the fan draws what is declared, 1.5 W/m2.
+        full = unit["fan_power"] * unit["design_flow"] / 3.6
+        self.assertAlmostEqual(full * 0.4 ** unit["fan_exponent"], 1.5, places=3)
+        self.assertNotIn("fans", {load["name"] for load in job["zone"][0]["load"]})
+        names = {parameter["name"] for parameter in job["parameter"]}
+        self.assertLessEqual({"supply_flow", "least_flow", "bypass_factor"}, names)
+        self.assertNotIn("fans", names)
+
     def test_adiabatic_facades_are_left_out(self):
         zone = self.job()["zone"][0]
         self.assertEqual([window["area"] for window in zone["window"]], [50])
