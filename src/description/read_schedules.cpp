@@ -103,6 +103,12 @@ bool has_unknown_hours(const schema::Section& section) {
     return section.choice("hours") == "learn";
 }
 
+physics::WeekHours usual_hours_of(const schema::Section& section) {
+    const auto usual = physics::usual_hours(section.choice("use"));
+    if (!usual) section.fail_value("use", "has no usual hours");
+    return *usual;
+}
+
 /// Of a schedule without hours those of its use, which a loop starts from.
 void read_usual_hours(const schema::Section& section, physics::Schedule& schedule) {
     std::vector<const char*> keys = {"holiday", "register", "register_column", "period"};
@@ -112,7 +118,7 @@ void read_usual_hours(const schema::Section& section, physics::Schedule& schedul
             section.fail(key,
                          "has no place beside hours = \"learn\", which says that nobody "
                          "knows the hours; remove one of the two");
-    physics::set_hours(*physics::usual_hours(section.choice("use")), schedule);
+    physics::set_hours(usual_hours_of(section), schedule);
 }
 
 void read_hours(const schema::Section& section, physics::Schedule& schedule) {
@@ -203,7 +209,7 @@ void read_unknown_hours(const Sources& sources, study::Case& building) {
                                "20, low = 16, schedule = \"" +
                                    section.text("name") + "\"}");
         const std::string use = section.choice("use");
-        const physics::WeekHours usual = *physics::usual_hours(use);
+        const physics::WeekHours usual = usual_hours_of(section);
         building.unknown_hours.push_back({k, use, usual});
         building.decisions.push_back(
             {"schedule " + section.text("name"), "its hours are not given",

@@ -8,6 +8,7 @@
 #include "stats/least_squares.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace bemcal::loop {
@@ -19,70 +20,126 @@ using physics::WeekHours;
 
 constexpr study::FitOptions short_fit{4, 1e-3}, long_fit{8, 3e-4}, only_slopes{0, 0};
 
-double cost_at(const LoopData& data, const std::vector<ChannelNoise>& noise,
-               std::span<const study::FitUnknown> unknowns,
-               std::span<const double> residuals, std::span<const double> x) {
-    double cost = deviance(data.targets, noise, residuals);
+/// Four sums beside each other: an addition need not wait for the one before it.
+double product_of(std::span<const double> a, std::span<const double> b) {
+    std::array<double, 4> sums{};
+    std::size_t k = 0;
+    for (; k + sums.size() <= a.size(); k += sums.size())
+        for (std::size_t s = 0; s < sums.size(); ++s) sums[s] += a[k + s] * b[k + s];
+    for (; k < a.size(); ++k) sums[0] += a[k] * b[k];
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
+double pull_of(std::span<const study::FitUnknown> unknowns, std::span<const double> x) {
+    double sum = 0;
     for (std::size_t k = 0; k < x.size(); ++k)
-        if (unknowns[k].has_prior) cost += x[k] * x[k];
-    return cost;
+        if (unknowns[k].has_prior) sum += x[k] * x[k];
+    return sum;
 }
 
 /// Lets the parameters of a model follow a change of what it predicts, along its
-/// tangents.
+/// tangents. Residuals are seen through their products with these, channel by channel:
+/// squares of what is left when the parameters have moved follow from that.
 class Follower {
   public:
     Follower(const LoopData& data, const std::vector<ChannelNoise>& noise,
              const Standing& standing)
-        : data_(data),
+        : targets_(data.targets),
           noise_(noise),
           standing_(standing),
-          weights_(weights_of(data.targets, noise)),
-          prior_(study::prior_diagonal(standing.built.unknowns)),
-          matrix_(stats::normal_equations(derivatives(), standing.residuals, weights_)
-                      .matrix) {}
+          slopes_(standing.fit.at.derivatives),
+          matrix_(slopes_.rows, slopes_.rows) {
+        for (std::size_t p = 0; p < slopes_.rows; ++p)
+            for (std::size_t k = 0; k < slopes_.cols; ++k)
+                if (std::isnan(targets_.measured[k])) slopes_(p, k) = 0;
+        for (std::size_t c = 0; c < targets_.n_channels(); ++c) add_channel(c);
+        diagonal_ = study::prior_diagonal(standing.built.unknowns);
+        for (double& entry : diagonal_) entry += 1e-9;
+    }
 
     TriedRun follow(const DailyRun& run, std::span<const double> predicted) const {
-        auto residuals = study::residuals_of(data_.targets.measured, predicted);
-        std::vector<double> x = moved(residuals);
-        const auto& from = standing_.fit.at.x;
-        for (std::size_t k = 0; k < x.size(); ++k) {
-            const double by = x[k] - from[k];
-            const auto row = derivatives().row(k);
-            for (std::size_t i = 0; i < residuals.size(); ++i)
-                if (weights_[i] > 0) residuals[i] -= by * row[i];
+        const auto residuals = study::residuals_of(targets_.measured, predicted);
+        const Matrix products = products_of(residuals);
+        const std::vector<double> by = moves_by(products);
+        std::vector<double> x = standing_.fit.at.x, squares;
+        for (std::size_t p = 0; p < x.size(); ++p) x[p] += by[p];
+        for (std::size_t c = 0; c < targets_.n_channels(); ++c) {
+            const auto own = targets_.of(c, residuals);
+            const double left = product_of(own, own) -
+                                2 * product_of(by, products.row(c)) +
+                                squared(by, grams_[c]);
+            squares.push_back(n_[c] > 0 ? std::max(0.0, left) / n_[c] : 0);
         }
-        const double cost =
-            cost_at(data_, noise_, standing_.built.unknowns, residuals, x);
+        const double cost = deviance_of_squares(targets_, noise_, squares) +
+                            pull_of(standing_.built.unknowns, x);
         return {run, cost, std::move(x)};
     }
 
   private:
-    const Matrix& derivatives() const { return standing_.fit.at.derivatives; }
-
-    std::vector<double> moved(std::span<const double> residuals) const {
-        const auto& unknowns = standing_.built.unknowns;
-        std::vector<double> x = standing_.fit.at.x, right(x.size(), 0.0),
-                            diagonal = prior_;
-        for (std::size_t k = 0; k < x.size(); ++k) {
-            const auto row = derivatives().row(k);
-            for (std::size_t i = 0; i < residuals.size(); ++i)
-                right[k] += weights_[i] * row[i] * residuals[i];
-            right[k] -= prior_[k] * x[k];
-            diagonal[k] += 1e-9;
-        }
-        const std::vector<double> by =
-            stats::solve(matrix_, diagonal, right, standing_.fit.bound);
-        for (std::size_t k = 0; k < x.size(); ++k)
-            x[k] = std::clamp(x[k] + by[k], unknowns[k].lowest(), unknowns[k].highest());
-        return x;
+    std::span<const double> slope(std::size_t parameter, std::size_t channel) const {
+        return targets_.of(channel, slopes_.row(parameter));
     }
 
-    const LoopData& data_;
+    double weight(std::size_t c) const {
+        return noise_[c].share / (noise_[c].sigma * noise_[c].sigma * noise_[c].kappa);
+    }
+
+    void add_channel(std::size_t c) {
+        Matrix gram(slopes_.rows, slopes_.rows);
+        for (std::size_t p = 0; p < gram.rows; ++p)
+            for (std::size_t q = 0; q <= p; ++q)
+                gram(p, q) = gram(q, p) = product_of(slope(p, c), slope(q, c));
+        for (std::size_t k = 0; k < gram.values.size(); ++k)
+            matrix_.values[k] += weight(c) * gram.values[k];
+        grams_.push_back(std::move(gram));
+        n_.push_back(static_cast<double>(
+            std::ranges::count_if(targets_.of(c, targets_.measured),
+                                  [](double value) { return !std::isnan(value); })));
+    }
+
+    /// [channels x parameters]
+    Matrix products_of(std::span<const double> residuals) const {
+        Matrix products(targets_.n_channels(), slopes_.rows);
+        for (std::size_t c = 0; c < products.rows; ++c)
+            for (std::size_t p = 0; p < products.cols; ++p)
+                products(c, p) = product_of(slope(p, c), targets_.of(c, residuals));
+        return products;
+    }
+
+    static double squared(std::span<const double> by, const Matrix& gram) {
+        double sum = 0;
+        for (std::size_t p = 0; p < by.size(); ++p)
+            sum += by[p] * product_of(gram.row(p), by);
+        return sum;
+    }
+
+    /// By how much the parameters move, within their ranges.
+    std::vector<double> moves_by(const Matrix& products) const {
+        const auto& unknowns = standing_.built.unknowns;
+        const auto& x = standing_.fit.at.x;
+        std::vector<double> right(x.size(), 0.0);
+        for (std::size_t p = 0; p < x.size(); ++p) {
+            for (std::size_t c = 0; c < products.rows; ++c)
+                right[p] += weight(c) * products(c, p);
+            if (unknowns[p].has_prior) right[p] -= x[p];
+        }
+        std::vector<double> by =
+            stats::solve(matrix_, diagonal_, right, standing_.fit.bound);
+        for (std::size_t p = 0; p < x.size(); ++p)
+            by[p] =
+                std::clamp(x[p] + by[p], unknowns[p].lowest(), unknowns[p].highest()) -
+                x[p];
+        return by;
+    }
+
+    const study::Targets& targets_;
     const std::vector<ChannelNoise>& noise_;
     const Standing& standing_;
-    std::vector<double> weights_, prior_;
+    Matrix slopes_;              ///< 0 where nothing is measured [parameters x targets]
+    std::vector<Matrix> grams_;  ///< [channels] of the slopes
+    std::vector<double> n_;      ///< [channels] readings
     Matrix matrix_;
+    std::vector<double> diagonal_;
 };
 
 /// The few that are calibrated: of those that explain more than the run so far, before
@@ -106,8 +163,8 @@ std::vector<TriedRun> best_of(std::vector<TriedRun> tried, const DailyRun& so_fa
 
 double cost_of(const LoopData& data, const std::vector<ChannelNoise>& noise,
                const Standing& standing) {
-    return cost_at(data, noise, standing.built.unknowns, standing.residuals,
-                   standing.fit.at.x);
+    return deviance(data.targets, noise, standing.residuals) +
+           pull_of(standing.built.unknowns, standing.fit.at.x);
 }
 
 HourSearch::HourSearch(const LoopData& data, const Place& place, const Standing& standing,

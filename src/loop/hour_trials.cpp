@@ -5,6 +5,7 @@
 #include "loop/hour_trials.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace bemcal::loop {
 namespace {
@@ -154,7 +155,10 @@ class Trials {
 ScheduleHours::ScheduleHours(const LoopData& data, std::size_t profile)
     : profile_(profile) {
     const study::Case& building = data.building;
-    const auto numbers = data.drive->profiles.row(*numbered_row_of(building, profile));
+    const auto row = numbered_row_of(building, profile);
+    if (!row) throw std::logic_error("the hours of a schedule that are not numbered");
+    numbered_row_ = *row;
+    const auto numbers = data.drive->profiles.row(numbered_row_);
     numbers_.reserve(numbers.size());
     for (const double number : numbers) numbers_.push_back(static_cast<int>(number));
     const auto& week = building.profiles[profile].schedule.week;

@@ -18,6 +18,7 @@ class ScheduleHours {
     ScheduleHours(const LoopData& data, std::size_t profile);
 
     std::size_t profile() const { return profile_; }
+    std::size_t numbered_row() const { return numbered_row_; }
     double low() const { return low_; }    ///< outside of its hours
     double high() const { return high_; }  ///< within them
     /// High in these hours, low in others. [n_steps]
@@ -29,7 +30,7 @@ class ScheduleHours {
     std::vector<double> levels_of(const physics::WeekHours& hours, double low,
                                   double high) const;
 
-    std::size_t profile_;
+    std::size_t profile_, numbered_row_ = 0;
     double low_ = 0, high_ = 1;
     std::vector<int> numbers_;  ///< [n_steps] of physics::numbered_hours
 };

@@ -101,8 +101,6 @@ std::vector<LearnedHours> learn_hours(const LoopData& data, const Standing& stan
     const Place place = make_place(data, standing.model.structure, data.drive);
     HourSearch search(data, place, standing, schedules_of(data, so_far),
                       cost_of_departure);
-    // What parameters have lost by wrong hours they have back in a chosen structure.
-    const bool is_first = standing.model.structure.empty();
     bool is_changed = true;
     for (int round = 0; round < most_rounds && is_changed; ++round) {
         is_changed = false;
@@ -111,7 +109,7 @@ std::vector<LearnedHours> learn_hours(const LoopData& data, const Standing& stan
                 LearnedRun& own = so_far[s].runs[kind];
                 const DailyRun before = own.run;
                 const auto tried =
-                    search.improve(s, static_cast<DayKind>(kind), is_first && round == 0);
+                    search.improve(s, static_cast<DayKind>(kind), round == 0);
                 if (!tried.empty()) own = certainty_of(tried);
                 own.run = search.hours(s)[kind];
                 is_changed = is_changed || own.run != before;

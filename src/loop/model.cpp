@@ -669,7 +669,12 @@ std::vector<double> mean_squares(const study::Targets& targets,
 
 double deviance(const study::Targets& targets, const std::vector<ChannelNoise>& noise,
                 std::span<const double> residuals) {
-    const std::vector<double> squares = mean_squares(targets, residuals);
+    return deviance_of_squares(targets, noise, mean_squares(targets, residuals));
+}
+
+double deviance_of_squares(const study::Targets& targets,
+                           const std::vector<ChannelNoise>& noise,
+                           std::span<const double> squares) {
     double sum = 0;
     for (std::size_t c = 0; c < squares.size(); ++c) {
         const auto measured = targets.of(c, targets.measured);

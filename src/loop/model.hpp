@@ -161,5 +161,9 @@ std::vector<double> mean_squares(const study::Targets& targets,
 /// least^2).
 double deviance(const study::Targets& targets, const std::vector<ChannelNoise>& noise,
                 std::span<const double> residuals);
+/// The same of mean squares that are known. [channels]
+double deviance_of_squares(const study::Targets& targets,
+                           const std::vector<ChannelNoise>& noise,
+                           std::span<const double> squares);
 
 }  // namespace bemcal::loop

@@ -72,7 +72,7 @@ effects::OtherHours as_effect(const LoopData& data, const ScheduleHours& schedul
     const std::size_t profile = schedule.profile();
     return {data.building.profiles[profile].name,
             static_cast<int>(profile),
-            static_cast<int>(*numbered_row_of(data.building, profile)),
+            static_cast<int>(schedule.numbered_row()),
             schedule.low(),
             schedule.high(),
             hours,
