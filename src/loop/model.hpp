@@ -129,6 +129,8 @@ class OneMore {
   public:
     /// \param place  must outlive this, and stay as it is
     OneMore(const Place& place, const std::vector<effects::Effect>& effects);
+    OneMore(const OneMore&) = delete;  // parts refer to each other
+    OneMore& operator=(const OneMore&) = delete;
 
     /// The model with the effect, until the next one. Throws as `build` does.
     const study::FitModel& with(const effects::Effect& effect);
