@@ -37,7 +37,7 @@ constexpr int most_steps = 60;            ///< of Newton's, or halvings to 1e-13
 // curve of capacity from rated air (26.7 degC, wet bulb 19.4 degC) and 35 degC outdoors
 // to a wet bulb of 13 degC and 24 degC: mild air comes with mild weather.
 constexpr double rated_enthalpy = 55.2e3;        // [J/kg]
-constexpr double strength_by_enthalpy = 6.7e-6;  // [kg/J]
+constexpr double strength_by_enthalpy = 6.8e-6;  // [kg/J]
 
 enum class Mode {
     passive,   ///< fan off: heat comes without it

@@ -161,7 +161,7 @@ TEST(AirSystem, CoilTakesItsEnthalpyDownToASaturatedSurface) {
             hour.coil_enthalpy = 16600;
             const double sensible = sensible_of(kind, hour);
             const double ratio = supply(kind, hour).cooling / sensible - 1;
-            const double strength = 1 + 6.7e-6 * (enthalpy(theta_e, hour.w_e) - 55.2e3);
+            const double strength = 1 + 6.8e-6 * (enthalpy(theta_e, hour.w_e) - 55.2e3);
             const double fall =
                 16600 * strength / (1 - hour.bypass_factor) / (c_air * (1 + ratio));
             const double water = ratio * c_air * fall / heat_of_vapour;
