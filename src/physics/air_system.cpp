@@ -145,8 +145,7 @@ void mix(const AirHour& in, Way& way) {
     if (way.mode == Mode::variable)
         way.reheat =
             std::max(0.0, rho_c_air * way.q * (in.theta_air - in.theta_supply) - way.E);
-    way.net =
-        way.E + way.reheat - rho_c_air * in.q_e * (1 - way.eta) * way.D + way.in_air;
+    way.net = in.cooling - way.asked + way.reheat + way.in_air;
     way.x_least = way.x = in.q_e / way.q;
     way.sensible = std::max(0.0, way.net);
     if (!(in.economiser > way.x_least && way.D > 0 && way.net > 0)) return;
@@ -410,12 +409,10 @@ class Back {
         to.q_e += x_least / way.q;
         q -= x_least * way.x_least / way.q;
         net += way.net > 0 ? sensible : -loads.heating;
-        E += net;
+        to.cooling += net;
+        asked -= net;
         reheat += net;
         in_air += net;
-        to.q_e -= net * rho_c_air * (1 - way.eta) * way.D;
-        eta += net * rho_c_air * in.q_e * way.D;
-        D -= net * rho_c_air * in.q_e * (1 - way.eta);
         if (way.reheat <= 0) return;
         q += reheat * rho_c_air * (in.theta_air - in.theta_supply);
         to.theta_air += reheat * c();
