@@ -77,6 +77,7 @@ void pull_air_hour(const physics::Building& building, std::size_t zone_index,
     of_system.fan_exponent += of_hour.fan_exponent;
     of_system.fan_heat += of_hour.fan_heat;
     of_system.bypass_factor += of_hour.bypass_factor;
+    of_system.coil_enthalpy += of_hour.coil_enthalpy * 1000;
     of_system.frost_limit += of_hour.frost_limit;
     of_system.least_humidity += of_hour.least_w / 1000;
     const double of_theta_e =

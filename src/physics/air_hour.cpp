@@ -32,10 +32,11 @@ void check_air(const Zone& zone, int step, const AirHour& hour) {
     const struct {
         const char* name;
         double value;
-    } numbers[] = {{"available", hour.available},        {"fan_power", hour.fan_power},
-                   {"people_moisture", hour.moisture},   {"outdoor air", hour.q_e},
-                   {"least_flow", hour.least_flow},      {"economiser", hour.economiser},
-                   {"bypass_factor", hour.bypass_factor}};
+    } numbers[] = {
+        {"available", hour.available},         {"fan_power", hour.fan_power},
+        {"people_moisture", hour.moisture},    {"outdoor air", hour.q_e},
+        {"least_flow", hour.least_flow},       {"economiser", hour.economiser},
+        {"bypass_factor", hour.bypass_factor}, {"coil_enthalpy", hour.coil_enthalpy}};
     for (const auto& number : numbers)
         if (!(number.value >= 0) || !std::isfinite(number.value))
             reject_air(
@@ -92,6 +93,7 @@ AirHour air_hour(const Building& building, const Zone& zone, const Drive& drive,
     hour.theta_supply =
         at(system.supply_temperature) + supply_reset(system, hour.theta_e);
     hour.bypass_factor = system.bypass_factor;
+    hour.coil_enthalpy = 1000 * system.coil_enthalpy;
     hour.economiser = open_economiser(system, drive, step, hour.theta_e);
     hour.frost_limit = system.frost_limit;
     hour.least_w = system.least_humidity / 1000;

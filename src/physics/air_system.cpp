@@ -6,9 +6,11 @@
 /// Source: energy and water balances of the streams, as in ASHRAE Handbook HVAC Systems
 /// and Equipment 2016, chapter 4; coil by bypass factor and apparatus dew point
 /// (ASHRAE Handbook Fundamentals 2017, 1.10); fan by a power of its flow (90.1, G3.1.3).
+/// A coil with an enthalpy of its own (direct expansion) is on or off.
 /// Left out: water that room and furniture store, ducts' leaks and heat, the mixing of
 /// several zones' return air (each zone has its own part of the system), fan heat in
-/// hours of a constant flow without a load, bypass of the recovery without an economiser.
+/// hours of a constant flow without a load, bypass of the recovery without an economiser,
+/// water that evaporates from a coil that is off, a stage's capacity at another flow.
 #include "physics/air_system.hpp"
 
 #include "base/error.hpp"
@@ -24,10 +26,18 @@ namespace bemcal::physics {
 
 namespace {
 
-constexpr double rho_air = 1.2;         ///< dry air [kg/m3], with c = rho_c_air / rho_air
-constexpr double least_turning = 0.02;  ///< of q_design: a fan below that stands
-constexpr double least_drop = 1;        ///< of supply air below the room [K]
+constexpr double c_air = 1020;  ///< of air with 8 g/kg of water, per dry air [J/(kg K)]
+constexpr double rho_air = rho_c_air / c_air;  ///< dry air that carries rho_c_air [kg/m3]
+constexpr double least_turning = 0.02;         ///< of q_design: a fan below that stands
+constexpr double least_drop = 1;               ///< of supply air below the room [K]
 constexpr double least_dew_point = 0.02;  ///< of a coil, which must not freeze [degC]
+constexpr int most_steps = 60;            ///< of Newton's, or halvings to 1e-13
+
+// A coil on or off takes less of air with less enthalpy. The slope is that of DOE-2's
+// curve of capacity from rated air (26.7 degC, wet bulb 19.4 degC) and 35 degC outdoors
+// to a wet bulb of 13 degC and 24 degC: mild air comes with mild weather.
+constexpr double rated_enthalpy = 55.2e3;        // [J/kg]
+constexpr double strength_by_enthalpy = 6.8e-6;  // [kg/J]
 
 enum class Mode {
     passive,   ///< fan off: heat comes without it
@@ -38,6 +48,13 @@ enum class Mode {
 
 /// What set a flow.
 enum class Limit { load, least, outdoor, turning, design };
+
+/// What sets the coil's surface.
+enum class Coil {
+    modulates,   ///< on all the time: the load
+    to_supply,   ///< on or off: the temperature of the supply air
+    by_enthalpy  ///< on or off: what it takes from air that is as moist as it is
+};
 
 /// All that happens in an hour.
 struct Way {
@@ -59,14 +76,17 @@ struct Way {
     double free = 0;            ///< that it takes [W]
     double x_least = 0, x = 0;  ///< share of outdoor air [-]
     double sensible = 0;        ///< of the coil [W]
-    bool cycles = false;        ///< the coil is on for a part of the hour
-    double depth = 0;           ///< mixed air minus air that leaves the coil when on [K]
+    Coil coil = Coil::modulates;
+    double theta_mixed = 0;  ///< air before the coil [degC]
+    double fall = 0;         ///< from there to the coil's surface, when it is on [K]
     bool is_dew_point_held = false;
-    Saturated coil{};            ///< air at the coil's surface
-    double k = 0, M = 0;         ///< air that meets it; outdoor air [kg/s]
-    double above = 0, over = 1;  ///< of the water's balance [kg/s]
-    double latent = 0;           ///< [W]
-    double humidified = 0;       ///< [W]
+    Saturated surface{};  ///< air at the coil's surface
+    double k = 0, M = 0;  ///< air that meets it; outdoor air [kg/s]
+    double y = 0,
+           y_fall = 0;      ///< water of mixed air above the surface's [kg/kg], by fall
+    double over = 1;        ///< of the water's balance [kg/s]
+    double latent = 0;      ///< [W]
+    double humidified = 0;  ///< [W]
 };
 
 Mode mode_of(const AirKind& kind, const AirHour& in) {
@@ -125,8 +145,7 @@ void mix(const AirHour& in, Way& way) {
     if (way.mode == Mode::variable)
         way.reheat =
             std::max(0.0, rho_c_air * way.q * (in.theta_air - in.theta_supply) - way.E);
-    way.net =
-        way.E + way.reheat - rho_c_air * in.q_e * (1 - way.eta) * way.D + way.in_air;
+    way.net = in.cooling - way.asked + way.reheat + way.in_air;
     way.x_least = way.x = in.q_e / way.q;
     way.sensible = std::max(0.0, way.net);
     if (!(in.economiser > way.x_least && way.D > 0 && way.net > 0)) return;
@@ -138,30 +157,98 @@ void mix(const AirHour& in, Way& way) {
     way.sensible = way.net - way.free;
 }
 
-void set_coil(const AirKind& kind, const AirHour& in, Way& way) {
-    const double theta_mixed = in.theta_air - way.x_least * (1 - way.eta) * way.D -
-                               way.free / (rho_c_air * way.q);
-    way.depth = way.sensible / (rho_c_air * way.q);
-    if (way.mode != Mode::variable) {
-        const double when_on =
-            theta_mixed - in.theta_supply + way.in_air / (rho_c_air * way.q);
-        way.cycles = when_on > way.depth;
-        if (way.cycles) way.depth = when_on;
-    }
-    const double dew_point = theta_mixed - way.depth / (1 - in.bypass_factor);
+/// Water of mixed air above that at the coil's surface: the zone's water is in balance,
+/// what outdoor air and people bring, the coil takes.
+void balance(const AirKind& kind, const AirHour& in, double fall, Way& way) {
+    const double dew_point = way.theta_mixed - fall;
+    way.fall = fall;
     way.is_dew_point_held = dew_point < least_dew_point;
-    way.coil = saturated_air(std::max(dew_point, least_dew_point), kind.pressure);
+    way.surface = saturated_air(std::max(dew_point, least_dew_point), kind.pressure);
+    way.k = way.sensible / (c_air * fall);
+    way.over = way.M + way.k * (1 - way.x);
+    way.y = (way.M * (in.w_e - way.surface.w) + (1 - way.x) * in.moisture) / way.over;
+    const double colder = way.is_dew_point_held ? 0 : way.M * way.surface.per_kelvin;
+    way.y_fall = (colder + way.y * (1 - way.x) * way.k / fall) / way.over;
 }
 
-/// The zone's water is in balance: what outdoor air and people bring, the coil takes.
+double enthalpy_before_coil(const Way& way) {
+    return enthalpy(way.theta_mixed, way.surface.w + way.y);
+}
+
+/// What a coil takes when it is on, of what it takes of rated air [-].
+double strength(const Way& way) {
+    return 1 + strength_by_enthalpy * (enthalpy_before_coil(way) - rated_enthalpy);
+}
+
+/// Enthalpy that air which meets the surface loses at a fall, above what the coil takes
+/// [J/kg]. It grows with the fall.
+double excess(const AirHour& in, const Way& way) {
+    return c_air * way.fall + heat_of_vapour * std::max(way.y, 0.0) -
+           in.coil_enthalpy / (1 - in.bypass_factor) * strength(way);
+}
+
+/// Of mixed air, which is linear in both: by water [J/kg], by temperature [J/(kg K)].
+double enthalpy_by_water(const Way& way) {
+    return enthalpy(way.theta_mixed, 1) - enthalpy(way.theta_mixed, 0);
+}
+double enthalpy_by_kelvin(const Way& way) {
+    const double w = way.surface.w + way.y;
+    return enthalpy(1, w) - enthalpy(0, w);
+}
+
+double excess_by_fall(const AirHour& in, const Way& way) {
+    const double w_fall =
+        way.y_fall - (way.is_dew_point_held ? 0 : way.surface.per_kelvin);
+    return c_air + (way.y > 0 ? heat_of_vapour * way.y_fall : 0) -
+           in.coil_enthalpy / (1 - in.bypass_factor) * strength_by_enthalpy *
+               enthalpy_by_water(way) * w_fall;
+}
+
+/// From a fall that is too small: Newton's steps, halved where they leave the bracket.
+void fall_by_enthalpy(const AirKind& kind, const AirHour& in, Way& way) {
+    double low = way.fall;
+    double high = std::max(low, in.coil_enthalpy / (c_air * (1 - in.bypass_factor)));
+    balance(kind, in, high, way);
+    for (int step = 0; step < most_steps && excess(in, way) < 0; ++step) {
+        high *= 2;
+        balance(kind, in, high, way);
+    }
+    double fall = high;
+    for (int step = 0; step < most_steps; ++step) {
+        balance(kind, in, fall, way);
+        const double off = excess(in, way);
+        (off > 0 ? high : low) = fall;
+        double next = fall - off / excess_by_fall(in, way);
+        if (!(next >= low && next <= high)) next = (low + high) / 2;
+        if (std::fabs(next - fall) < 1e-13 * fall) break;
+        fall = next;
+    }
+}
+
+void set_coil(const AirKind& kind, const AirHour& in, Way& way) {
+    way.theta_mixed = in.theta_air - way.x_least * (1 - way.eta) * way.D -
+                      way.free / (rho_c_air * way.q);
+    double depth = way.sensible / (rho_c_air * way.q);
+    if (way.mode != Mode::variable && in.coil_enthalpy <= 0) {
+        const double when_on =
+            way.theta_mixed - in.theta_supply + way.in_air / (rho_c_air * way.q);
+        if (when_on > depth) {
+            way.coil = Coil::to_supply;
+            depth = when_on;
+        }
+    }
+    balance(kind, in, depth / (1 - in.bypass_factor), way);
+    if (in.coil_enthalpy > 0 && excess(in, way) < 0) {
+        way.coil = Coil::by_enthalpy;
+        fall_by_enthalpy(kind, in, way);
+    }
+}
+
 void dry(const AirKind& kind, const AirHour& in, Way& way) {
     way.M = rho_air * (way.x * way.q + in.q_inf);
     if (way.sensible > 0) {
         set_coil(kind, in, way);
-        way.k = rho_air / rho_c_air * way.sensible * (1 - in.bypass_factor) / way.depth;
-        way.above = way.M * (in.w_e - way.coil.w) + (1 - way.x) * in.moisture;
-        way.over = way.M + way.k * (1 - way.x);
-        if (way.above > 0) way.latent = heat_of_vapour * way.k * way.above / way.over;
+        if (way.y > 0) way.latent = heat_of_vapour * way.k * way.y;
     }
     const double lacks = way.M * (in.least_w - in.w_e) - in.moisture;
     if (in.least_w > 0 && in.available > 0 && lacks > 0 && way.latent == 0)
@@ -224,34 +311,58 @@ class Back {
 
     void pull_latent() {
         if (way.latent <= 0) return;
-        const double h = loads.cooling * heat_of_vapour, b = in.bypass_factor;
-        const double above = h * way.k / way.over;
-        const double over = -h * way.k * way.above / (way.over * way.over);
-        const double k = h * way.above / way.over + over * (1 - way.x);
+        const double h = loads.cooling * heat_of_vapour;
+        const double fall = pull_balance(h * way.y, h * way.k);
+        const double b = in.bypass_factor;
+        if (way.coil == Coil::by_enthalpy) {
+            // The fall follows from an equation: of its adjoint that of the equation.
+            pull_excess(-fall / excess_by_fall(in, way));
+        } else {
+            to.bypass_factor += fall * way.fall / (1 - b);
+            pull_depth(fall / (1 - b));
+        }
+        pull_theta_mixed();
+    }
+
+    void pull_excess(double of_excess) {
+        const double b = in.bypass_factor, at_rated = of_excess / (1 - b);
+        to.coil_enthalpy -= at_rated * strength(way);
+        to.bypass_factor -= at_rated / (1 - b) * in.coil_enthalpy * strength(way);
+        const double of_enthalpy = -at_rated * in.coil_enthalpy * strength_by_enthalpy;
+        const double w = of_enthalpy * enthalpy_by_water(way);
+        pull_balance(0, of_excess * heat_of_vapour + w);
+        theta_mixed += of_enthalpy * enthalpy_by_kelvin(way);
+        if (!way.is_dew_point_held) theta_mixed += w * way.surface.per_kelvin;
+    }
+
+    /// From the adjoints of k and y: returns that of the fall.
+    double pull_balance(double k, double y) {
+        const double above = y / way.over, over = -y * way.y / way.over;
+        k += over * (1 - way.x);
         to.w_e += above * way.M;
         to.moisture += above * (1 - way.x);
         x -= above * in.moisture + over * way.k;
-        pull_water(above * (in.w_e - way.coil.w) + over);
-        double depth = -k * way.k / way.depth;
+        pull_water(above * (in.w_e - way.surface.w) + over);
         sensible += k * way.k / way.sensible;
-        to.bypass_factor -= k * way.k / (1 - b);
         const double dew_point =
-            way.is_dew_point_held ? 0 : -above * way.M * way.coil.per_kelvin;
-        depth -= dew_point / (1 - b);
-        to.bypass_factor -= dew_point * way.depth / ((1 - b) * (1 - b));
-        pull_depth(depth, dew_point);
+            way.is_dew_point_held ? 0 : -above * way.M * way.surface.per_kelvin;
+        theta_mixed += dew_point;
+        return -k * way.k / way.fall - dew_point;
     }
 
-    void pull_depth(double depth, double theta_mixed) {
-        if (way.cycles) {
+    void pull_depth(double depth) {
+        if (way.coil == Coil::to_supply) {
             theta_mixed += depth;
             to.theta_supply -= depth;
             in_air += depth / c();
             q -= depth * way.in_air / (c() * way.q);
         } else {
             sensible += depth / c();
-            q -= depth * way.depth / way.q;
+            q -= depth * way.sensible / (c() * way.q);
         }
+    }
+
+    void pull_theta_mixed() {
         to.theta_air += theta_mixed;
         x_least -= theta_mixed * (1 - way.eta) * way.D;
         eta += theta_mixed * way.x_least * way.D;
@@ -298,12 +409,10 @@ class Back {
         to.q_e += x_least / way.q;
         q -= x_least * way.x_least / way.q;
         net += way.net > 0 ? sensible : -loads.heating;
-        E += net;
+        to.cooling += net;
+        asked -= net;
         reheat += net;
         in_air += net;
-        to.q_e -= net * rho_c_air * (1 - way.eta) * way.D;
-        eta += net * rho_c_air * in.q_e * way.D;
-        D -= net * rho_c_air * in.q_e * (1 - way.eta);
         if (way.reheat <= 0) return;
         q += reheat * rho_c_air * (in.theta_air - in.theta_supply);
         to.theta_air += reheat * c();
@@ -396,7 +505,7 @@ class Back {
         return zeros;
     }();
     double D = 0, eta = 0, asked = 0, E = 0, q = 0, fan = 0, in_air = 0, reheat = 0,
-           net = 0, free = 0, x_least = 0, x = 0, sensible = 0;
+           net = 0, free = 0, x_least = 0, x = 0, sensible = 0, theta_mixed = 0;
 };
 
 }  // namespace

@@ -23,6 +23,7 @@ struct AirHour {
     double fan_heat = 0;              ///< share of the fan's power in the air [-]
     double theta_supply = 0;          ///< leaving coil and fan [degC]
     double bypass_factor = 0;         ///< of the cooling coil [-]
+    double coil_enthalpy = 0;         ///< of rated air, when on [J/kg]; 0: modulates
     double economiser = 0;            ///< largest share of outdoor air now [-]
     double frost_limit = 0;           ///< coldest exhaust air after recovery [degC]
     double least_w = 0;               ///< humidity ratio that is kept [kg/kg]

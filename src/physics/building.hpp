@@ -202,6 +202,7 @@ struct AirSystem {
     double reset_below = 20;       ///< outdoors [degC]
     double most_reset = 5;         ///< [K]
     double bypass_factor = 0.1;    ///< of the cooling coil [-]
+    double coil_enthalpy = 0;      ///< of rated air, when on [kJ/kg]; 0 = modulates
     double economiser_limit = 24;  ///< it opens below: outdoor air [degC or kJ/kg]
     double frost_limit = -100;     ///< coldest exhaust air after recovery [degC]
     double least_humidity = 0;     ///< water in the room's air that is kept [g/kg]

@@ -267,6 +267,9 @@ constexpr Field table[] = {
         "largest reset of the supply air", constant<&AirSystem::most_reset>()),
     row(Part::air_system, "bypass_factor", "-", 0.1, 0, 0.9,
         "share of air that passes the cooling coil untouched", constant<&AirSystem::bypass_factor>()),
+    row(Part::air_system, "coil_enthalpy", "kJ/kg", 0, 0, 60,
+        "what the coil, being on or off, takes from rated air when on; 0 = it modulates, or with a constant flow "
+        "is on or off at supply_temperature", constant<&AirSystem::coil_enthalpy>()),
     row(Part::air_system, "economiser_limit", "degC or kJ/kg", 24, -50, 150,
         "the economiser opens below: outdoor temperature, or enthalpy", constant<&AirSystem::economiser_limit>()),
     row(Part::air_system, "frost_limit", "degC", -100, -100, 20,

@@ -21,6 +21,7 @@ inline AirSystem random_air_system(Dice& dice, int number) {
     system.fan_heat = dice.between(0.5, 1);
     if (dice.chance(0.5)) system.supply_reset = dice.between(0.1, 0.6);
     system.bypass_factor = dice.between(0.05, 0.3);
+    if (dice.chance(0.3)) system.coil_enthalpy = dice.between(12, 20);
     system.economiser_limit =
         system.limited_by == EconomiserLimit::enthalpy ? dice.between(40, 60) : 18;
     if (dice.chance(0.3)) system.frost_limit = dice.between(2, 12);

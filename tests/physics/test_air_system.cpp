@@ -34,6 +34,9 @@ AirHour office() {
     return hour;
 }
 
+constexpr double c_air = 1020;             ///< of moist air per dry air [J/(kg K)]
+constexpr double rho = rho_c_air / c_air;  ///< dry air [kg/m3]
+
 constexpr AirKind variable{true, true, 101325}, constant{false, true, 101325},
     dry_variable{true, false, 101325};
 
@@ -108,9 +111,9 @@ TEST(AirSystem, CoilDriesWhatComesIn) {
     AirHour hour = office();
     hour.cooling = 40000;
     const double latent = supply(variable, hour).cooling - sensible_of(variable, hour);
-    const double brought = 1.2 * (1 + 0.1) * hour.w_e + hour.moisture;
+    const double brought = rho * (1 + 0.1) * hour.w_e + hour.moisture;
     const double taken = latent / heat_of_vapour;
-    const double w_room = (brought - taken) / (1.2 * (1 + 0.1));
+    const double w_room = (brought - taken) / (rho * (1 + 0.1));
     EXPECT_GT(w_room, saturated_air(8, 101325).w);
     EXPECT_LT(w_room, saturated_air(15, 101325).w + 0.001);
 }
@@ -122,6 +125,60 @@ TEST(AirSystem, DryAirLeavesTheCoilDry) {
     hour.moisture = 0;
     for (const AirKind& kind : {variable, constant})
         EXPECT_EQ(supply(kind, hour).cooling, sensible_of(kind, hour));
+}
+
+namespace {
+
+/// Outdoor air alone, a bit of a load for the coil.
+AirHour all_outdoors(double theta_e, double w_e) {
+    AirHour hour = office();
+    hour.theta_e = theta_e;
+    hour.w_e = w_e;
+    hour.q_e = hour.q_design;
+    hour.q_inf = 0;
+    hour.theta_supply = theta_e - 3;
+    hour.cooling = rho_c_air * hour.q_design * 3;
+    return hour;
+}
+
+}  // namespace
+
+// Air of 17 degC and 7.3 g/kg, cooled by some kelvin, stays above its dew point. A coil
+// that is on for a part of the hour is colder than that.
+TEST(AirSystem, CoilThatIsOnOrOffDriesMildAir) {
+    AirHour hour = all_outdoors(17, 0.0073);
+    EXPECT_EQ(supply(variable, hour).cooling, sensible_of(variable, hour));
+    hour.coil_enthalpy = 16600;
+    EXPECT_GT(supply(variable, hour).cooling, 1.2 * sensible_of(variable, hour));
+}
+
+// From sensible and latent heat follow the surface's temperature and the water there,
+// which is that of saturated air. Rated air, and other air, of which it takes less.
+TEST(AirSystem, CoilTakesItsEnthalpyDownToASaturatedSurface) {
+    for (const double theta_e : {26.7, 19.0})
+        for (const AirKind& kind : {variable, constant}) {
+            AirHour hour = all_outdoors(theta_e, theta_e > 20 ? 0.0111 : 0.0085);
+            hour.coil_enthalpy = 16600;
+            const double sensible = sensible_of(kind, hour);
+            const double ratio = supply(kind, hour).cooling / sensible - 1;
+            const double strength = 1 + 6.8e-6 * (enthalpy(theta_e, hour.w_e) - 55.2e3);
+            const double fall =
+                16600 * strength / (1 - hour.bypass_factor) / (c_air * (1 + ratio));
+            const double water = ratio * c_air * fall / heat_of_vapour;
+            EXPECT_GT(ratio, 0.1);
+            EXPECT_NEAR(hour.w_e - water, saturated_air(theta_e - fall, 101325).w, 1e-9);
+        }
+}
+
+// Where the load needs all that the coil has, it is on all the time: it modulates.
+TEST(AirSystem, CoilWithoutReserveModulates) {
+    AirHour hour = office();
+    hour.cooling = 60000;
+    const double modulating = supply(variable, hour).cooling;
+    hour.coil_enthalpy = 14000;
+    EXPECT_EQ(supply(variable, hour).cooling, modulating);
+    hour.coil_enthalpy = 40000;
+    EXPECT_GT(supply(variable, hour).cooling, modulating);
 }
 
 // 10 degC outdoors: opened wide, outdoor air takes all that the coil would.
@@ -175,7 +232,7 @@ TEST(AirSystem, HumidificationKeepsTheLeast) {
     const double before = supply(constant, hour).heating;
     hour.least_w = 0.006;
     EXPECT_NEAR(supply(constant, hour).heating - before,
-                heat_of_vapour * (1.2 * 1.1 * 0.004 - 0.002), 1e-6);
+                heat_of_vapour * (rho * 1.1 * 0.004 - 0.002), 1e-6);
     hour.least_w = 0.002;  // people bring more
     EXPECT_EQ(supply(constant, hour).heating, before);
 }
@@ -188,8 +245,8 @@ constexpr double AirHour::* numbers[] = {
     &AirHour::q_inf,        &AirHour::moisture,      &AirHour::heat_recovery,
     &AirHour::available,    &AirHour::q_design,      &AirHour::least_flow,
     &AirHour::fan_power,    &AirHour::fan_exponent,  &AirHour::fan_heat,
-    &AirHour::theta_supply, &AirHour::bypass_factor, &AirHour::economiser,
-    &AirHour::frost_limit,  &AirHour::least_w};
+    &AirHour::theta_supply, &AirHour::bypass_factor, &AirHour::coil_enthalpy,
+    &AirHour::economiser,   &AirHour::frost_limit,   &AirHour::least_w};
 
 /// Hours of all kinds, drawn.
 AirHour drawn(std::mt19937_64& engine) {
@@ -207,6 +264,7 @@ AirHour drawn(std::mt19937_64& engine) {
     hour.available = chance(0.8) ? between(0.5, 1) : 0;
     hour.heat_recovery = chance(0.5) ? between(0.3, 0.9) : 0;
     hour.economiser = chance(0.5) ? between(0.3, 1) : 0;
+    hour.coil_enthalpy = chance(0.3) ? between(8000, 20000) : 0;
     hour.frost_limit = chance(0.5) ? between(0, 8) : -100;
     hour.least_w = chance(0.5) ? between(0.004, 0.009) : 0;
     if (chance(0.5))

@@ -49,6 +49,7 @@ TEST(Fields, StateTheDefaultsOfTheStructs) {
     zone.flows.resize(1);
     zone.loads.resize(1);
     zone.couplings.resize(1);
+    building.air_systems.resize(1);
     building.constructions[0].layers.resize(1);
     Radiator& radiator = zone.radiator.emplace().radiator;
     radiator.power_60 = radiator.capacity = radiator.most_flow = 0;  // a job gives them
