@@ -31,7 +31,7 @@ def main():
     wrong = [f"{name} = {values[name]} kWh, below {least}" for name, least in MUST_NOT_VANISH.items() if values[name] < least]
     for name, value in values.items():
         load, _, figure = name.rpartition("_")
-        if figure in ASKED and "_fan" not in load:
+        if figure in ASKED and not load.endswith("_fan"):
             most = MISSED.get(name, ASKED[figure])
             if not abs(value) <= most:
                 wrong.append(f"{name} = {value} %, above {most}")
