@@ -269,8 +269,7 @@ Way go(const AirKind& kind, const AirHour& in) {
 
 /// `go` in reverse: each step adds to what the steps before it gave. Adjoints have the
 /// names of what they belong to.
-class Back {
-  public:
+struct Back {
     Back(const AirHour& hour, const Way& of_way, const AirLoads& of)
         : in(hour), way(of_way), loads(of) {}
 
@@ -291,7 +290,6 @@ class Back {
         return to;
     }
 
-  private:
     double c() const { return rho_c_air * way.q; }
 
     void pull_water(double of_M) {
