@@ -14,7 +14,6 @@ CONCRETE_CAPACITY = 2.3e6  # J/(m3 K), 2300 kg/m3 of 1000 J/(kg K)
 SENSIBLE_SHARE = 0.7       # of a cooling capacity that also dries
 SUPPLY_BELOW_ROOM = 11     # K, air of 13 degC into a room of 24 degC
 TYPICAL_FLOW = 0.4         # of a varying flow's largest, over the hours of a year
-DX_CAPACITY = 17           # kJ/kg of supply air, the usual rating of a packaged unit (judgement)
 MOISTURE = 60              # g/h that a person gives off at a desk (ASHRAE Fundamentals 2017, 18.1)
 RHO_C_AIR = 1200           # J/(m3 K)
 BASE_LOAD = 0.5            # W/m2 of electricity that no case declares
@@ -157,7 +156,6 @@ def air_system(case):
     yield section("[[air_system]]", name="unit", flow="ventilation", volume="variable",
                   available=scheduled(1, "hvac"), design_flow=design, fan_power=fan,
                   fan_exponent=2,
-                  coil_enthalpy=DX_CAPACITY if case["plant"].get("cooling_source") == "DX" else None,
                   people_moisture=scheduled(case["internal"]["people_per_m2"] * MOISTURE, "occ"))
 
 

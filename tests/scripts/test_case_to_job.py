@@ -102,10 +102,6 @@ class CaseToJob(unittest.TestCase):
         # At four tenths of its flow the fan draws what is declared, 1.5 W/m2.
         full = unit["fan_power"] * unit["design_flow"] / 3.6
         self.assertAlmostEqual(full * 0.4 ** unit["fan_exponent"], 1.5, places=3)
-        self.assertNotIn("coil_enthalpy", unit)
-        self.case["plant"]["cooling_source"] = "DX"
-        (self.folder / "job" / "job.toml").unlink()
-        self.assertEqual(self.job()["air_system"][0]["coil_enthalpy"], 17)
         self.assertNotIn("fans", {load["name"] for load in job["zone"][0]["load"]})
         names = {parameter["name"] for parameter in job["parameter"]}
         self.assertLessEqual({"supply_flow", "least_flow", "bypass_factor"}, names)

@@ -364,7 +364,8 @@ class Runs(Folders):
         self.assertEqual(done.stdout, f"{self.folder / 'out/a'}\n")
         self.assertEqual({path.name for path in (self.folder / "out/a").iterdir()},
                          {"plain.csv", "before.csv", "after.csv", "effects.json",
-                          "functions.json", "decisions.json", "report.html", "result.h5"})
+                          "functions.json", "decisions.json", "hours.json", "report.html",
+                          "result.h5"})
         self.assertFalse((self.folder / "out/b").exists())
 
     def test_the_only_good_case_of_several_has_its_folder(self):
