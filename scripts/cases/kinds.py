@@ -31,7 +31,7 @@ KINDS = {key: kind for keys, kind in (
     ("site geometry envelope internal ventilation plant schedules declared_closed_days "
      "domestic_hot_water channels occ equip light hvac vent", Kind("an object", is_object)),
     ("case weather_train weather_test construction slab heat_source heating_available "
-     "cooling_source cooling_available use", Kind("a text", is_text)),
+     "cooling_available use", Kind("a text", is_text)),
     ("hours", Kind('"learn"', lambda value: value == "learn")),
     ("gross_floor_area_m2 air_volume_m3 SHGC_normal solar_absorptance_wall",
      Kind("a number above 0", lambda value: is_number(value) and value > 0)),

@@ -135,15 +135,15 @@ std::optional<Better> best_refinement(const LoopData& data, const Baseline& base
     return best;
 }
 
-double prior_pull(const Standing& standing) {
+}  // namespace
+
+double prior_pull(std::span<const study::FitUnknown> unknowns,
+                  std::span<const double> x) {
     double sum = 0;
-    for (std::size_t k = 0; k < standing.built.unknowns.size(); ++k)
-        if (standing.built.unknowns[k].has_prior)
-            sum += standing.fit.at.x[k] * standing.fit.at.x[k];
+    for (std::size_t k = 0; k < unknowns.size(); ++k)
+        if (unknowns[k].has_prior) sum += x[k] * x[k];
     return sum;
 }
-
-}  // namespace
 
 std::vector<double> values_in(const BuiltModel& built, const Standing& standing) {
     std::vector<double> values(built.unknowns.size(), 0.0);
@@ -182,15 +182,18 @@ void score_unseen(const LoopData& data, Standing& standing) {
 }
 
 void settle(const LoopData& data, Standing& standing) {
-    refit(data, standing, {8, 3e-4});
+    refit(data, standing, to_settle);
     standing.noise = noise_of(data, standing.residuals);
     score_unseen(data, standing);
 }
 
 double evidence(const LoopData& data, const Standing& without, const Standing& with) {
+    const auto pull = [](const Standing& standing) {
+        return prior_pull(standing.built.unknowns, standing.fit.at.x);
+    };
     return deviance(data.targets, without.noise, without.residuals) -
-           deviance(data.targets, without.noise, with.residuals) + prior_pull(without) -
-           prior_pull(with);
+           deviance(data.targets, without.noise, with.residuals) + pull(without) -
+           pull(with);
 }
 
 std::vector<double> left_out_of(const LoopData& data, const BuiltModel& built,

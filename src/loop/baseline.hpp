@@ -36,6 +36,13 @@ void refit(const LoopData& data, Standing& standing, std::vector<double> start,
 /// The same from where it stands.
 void refit(const LoopData& data, Standing& standing, const study::FitOptions& options);
 
+/// Of a fit that ends where it is to stay; and without a step: it tells what stands, and
+/// its slopes.
+inline constexpr study::FitOptions to_settle{8, 3e-4}, only_derivatives{0, 0};
+
+/// What the parameters' priors add to -2 log likelihood.
+double prior_pull(std::span<const study::FitUnknown> unknowns, std::span<const double> x);
+
 /// Fills left_out and score, by the standing's own noise.
 void score_unseen(const LoopData& data, Standing& standing);
 

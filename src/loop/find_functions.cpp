@@ -24,8 +24,6 @@ using Series = std::vector<double>;
 
 /// Linear steps about the model, functions, the model with them: until they agree.
 constexpr int n_rounds = 2;
-/// No step of a fit: it tells what stands, and its slopes.
-constexpr study::FitOptions only_derivatives{0, 0};
 
 std::string column_of(const effects::Effect& hook) {
     return "functions at " + hook.name;

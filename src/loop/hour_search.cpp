@@ -18,7 +18,7 @@ using physics::DailyRun;
 using physics::DayKind;
 using physics::WeekHours;
 
-constexpr study::FitOptions short_fit{4, 1e-3}, long_fit{8, 3e-4}, only_slopes{0, 0};
+constexpr study::FitOptions short_fit{4, 1e-3};
 
 /// Four sums beside each other: an addition need not wait for the one before it.
 double product_of(std::span<const double> a, std::span<const double> b) {
@@ -28,13 +28,6 @@ double product_of(std::span<const double> a, std::span<const double> b) {
         for (std::size_t s = 0; s < sums.size(); ++s) sums[s] += a[k + s] * b[k + s];
     for (; k < a.size(); ++k) sums[0] += a[k] * b[k];
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
-}
-
-double pull_of(std::span<const study::FitUnknown> unknowns, std::span<const double> x) {
-    double sum = 0;
-    for (std::size_t k = 0; k < x.size(); ++k)
-        if (unknowns[k].has_prior) sum += x[k] * x[k];
-    return sum;
 }
 
 /// Lets the parameters of a model follow a change of what it predicts, along its
@@ -71,7 +64,7 @@ class Follower {
             squares.push_back(n_[c] > 0 ? std::max(0.0, left) / n_[c] : 0);
         }
         const double cost = deviance_of_squares(targets_, noise_, squares) +
-                            pull_of(standing_.built.unknowns, x);
+                            prior_pull(standing_.built.unknowns, x);
         return {run, cost, std::move(x)};
     }
 
@@ -80,17 +73,13 @@ class Follower {
         return targets_.of(channel, slopes_.row(parameter));
     }
 
-    double weight(std::size_t c) const {
-        return noise_[c].share / (noise_[c].sigma * noise_[c].sigma * noise_[c].kappa);
-    }
-
     void add_channel(std::size_t c) {
         Matrix gram(slopes_.rows, slopes_.rows);
         for (std::size_t p = 0; p < gram.rows; ++p)
             for (std::size_t q = 0; q <= p; ++q)
                 gram(p, q) = gram(q, p) = product_of(slope(p, c), slope(q, c));
         for (std::size_t k = 0; k < gram.values.size(); ++k)
-            matrix_.values[k] += weight(c) * gram.values[k];
+            matrix_.values[k] += noise_[c].weight() * gram.values[k];
         grams_.push_back(std::move(gram));
         n_.push_back(static_cast<double>(
             std::ranges::count_if(targets_.of(c, targets_.measured),
@@ -120,7 +109,7 @@ class Follower {
         std::vector<double> right(x.size(), 0.0);
         for (std::size_t p = 0; p < x.size(); ++p) {
             for (std::size_t c = 0; c < products.rows; ++c)
-                right[p] += weight(c) * products(c, p);
+                right[p] += noise_[c].weight() * products(c, p);
             if (unknowns[p].has_prior) right[p] -= x[p];
         }
         std::vector<double> by =
@@ -164,7 +153,7 @@ std::vector<TriedRun> best_of(std::vector<TriedRun> tried, const DailyRun& so_fa
 double cost_of(const LoopData& data, const std::vector<ChannelNoise>& noise,
                const Standing& standing) {
     return deviance(data.targets, noise, standing.residuals) +
-           pull_of(standing.built.unknowns, standing.fit.at.x);
+           prior_pull(standing.built.unknowns, standing.fit.at.x);
 }
 
 HourSearch::HourSearch(const LoopData& data, const Place& place, const Standing& standing,
@@ -194,9 +183,9 @@ std::vector<TriedRun> HourSearch::improve(std::size_t schedule, DayKind kind,
 }
 
 void HourSearch::settle_noise() {
-    refit(data_, standing_, standing_.fit.at.x, long_fit);
+    refit(data_, standing_, to_settle);
     standing_.noise = noise_of(data_, standing_.residuals);
-    refit(data_, standing_, standing_.fit.at.x, long_fit);
+    refit(data_, standing_, to_settle);
 }
 
 std::vector<TriedRun> HourSearch::tried_from(const Standing& standing,
@@ -225,7 +214,7 @@ std::optional<Standing> HourSearch::at_prior() const {
     std::vector<double> start(fresh.fit.at.x.size(), 0.0);
     for (std::size_t k = fresh.built.first_effect(); k < start.size(); ++k)
         start[k] = fresh.fit.at.x[k];
-    refit(data_, fresh, std::move(start), only_slopes);
+    refit(data_, fresh, std::move(start), only_derivatives);
     return fresh.fit.failed ? std::nullopt : std::optional(std::move(fresh));
 }
 

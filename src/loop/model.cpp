@@ -161,12 +161,6 @@ std::string name_of_numbered(const study::Case& building, std::size_t profile) {
     return "numbered hours of " + building.profiles[profile].name;
 }
 
-bool has_unknown_hours(const study::Case& building, std::size_t profile) {
-    return std::ranges::find(building.unknown_hours, profile,
-                             &study::UnknownHours::profile) !=
-           building.unknown_hours.end();
-}
-
 /// The hours of schedules that have one run a day, in a drive beside the schedules.
 void add_numbered_hours(study::Case& building) {
     const std::size_t n = building.profiles.size();
@@ -382,6 +376,12 @@ LoopData::LoopData(const study::Case& given, const LoopOptions& chosen)
     if (meters.empty())
         throw std::invalid_argument("no meter has a reading in the training period");
     blocks = blocks_of(options.block_days);
+}
+
+bool has_unknown_hours(const study::Case& building, std::size_t profile) {
+    return std::ranges::find(building.unknown_hours, profile,
+                             &study::UnknownHours::profile) !=
+           building.unknown_hours.end();
 }
 
 std::optional<std::size_t> numbered_row_of(const study::Case& building,
@@ -627,9 +627,7 @@ std::vector<double> weights_of(const study::Targets& targets,
     std::vector<double> weights(targets.size(), 0.0);
     for (std::size_t c = 0; c < targets.n_channels(); ++c)
         for (std::size_t k = targets.first[c]; k < targets.first[c + 1]; ++k)
-            if (!std::isnan(targets.measured[k]))
-                weights[k] =
-                    noise[c].share / (noise[c].sigma * noise[c].sigma * noise[c].kappa);
+            if (!std::isnan(targets.measured[k])) weights[k] = noise[c].weight();
     return weights;
 }
 

@@ -21,6 +21,9 @@ struct ChannelNoise {
     double kappa = 1;  ///< variance of sums over a week, per that of independent errors
     double share = 1;  ///< of a meter that matters; less where little energy flows
     double least = 0;  ///< sigma of a model as good as models are [channel's unit]
+
+    /// Of a reading's squared error in -2 log likelihood.
+    double weight() const { return share / (sigma * sigma * kappa); }
 };
 
 /// What does not change while the loop searches.
@@ -48,6 +51,9 @@ struct LoopData {
     /// so that no reading is in two.
     std::vector<int> blocks_of(double days) const;
 };
+
+/// Whether nobody wrote the hours of a schedule down.
+bool has_unknown_hours(const study::Case& building, std::size_t profile);
 
 /// The row of Drive::profiles in which the hours of a schedule are numbered; nothing of
 /// one that has no single run of hours a day.

@@ -50,18 +50,12 @@ bool is_searched(const Standing& standing, std::size_t profile) {
     });
 }
 
-bool was_learned(const study::Case& building, std::size_t profile) {
-    return std::ranges::find(building.unknown_hours, profile,
-                             &study::UnknownHours::profile) !=
-           building.unknown_hours.end();
-}
-
 /// The declared hours of a schedule whose others may be told.
 std::optional<WeekHours> declared_hours(const LoopData& data, const Standing& standing,
                                         std::size_t profile) {
     const physics::Profile& own = data.building.profiles[profile];
     if (own.is_series || !numbered_row_of(data.building, profile) ||
-        was_learned(data.building, profile) || is_searched(standing, profile) ||
+        has_unknown_hours(data.building, profile) || is_searched(standing, profile) ||
         !drives_plant(data.building.building, profile))
         return std::nullopt;
     return physics::hours_of(own.schedule);

@@ -13,14 +13,11 @@
 /// water that evaporates from a coil that is off, a stage's capacity at another flow.
 #include "physics/air_system.hpp"
 
-#include "base/error.hpp"
 #include "physics/moist_air.hpp"
 #include "physics/network.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
 
 namespace bemcal::physics {
 
@@ -497,11 +494,7 @@ struct Back {
     const AirHour& in;
     const Way& way;
     const AirLoads& loads;
-    AirHour to = [] {
-        AirHour zeros;
-        zeros.fan_exponent = 0;
-        return zeros;
-    }();
+    AirHour to;
     double D = 0, eta = 0, asked = 0, E = 0, q = 0, fan = 0, in_air = 0, reheat = 0,
            net = 0, free = 0, x_least = 0, x = 0, sensible = 0, theta_mixed = 0;
 };

@@ -19,7 +19,7 @@ struct AirHour {
     double q_design = 0;              ///< largest flow of supply air [m3/s]
     double least_flow = 0;            ///< of q_design, where the flow varies [-]
     double fan_power = 0;             ///< at q_design [W]
-    double fan_exponent = 1;          ///< of the flow in the fan's power [-]
+    double fan_exponent = 0;          ///< of the flow in the fan's power [-]
     double fan_heat = 0;              ///< share of the fan's power in the air [-]
     double theta_supply = 0;          ///< leaving coil and fan [degC]
     double bypass_factor = 0;         ///< of the cooling coil [-]

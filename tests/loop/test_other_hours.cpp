@@ -73,8 +73,8 @@ TEST(OtherHours, OfALargePlantAreFoundExactly) {
 TEST(OtherHours, AreNotSoughtWhereTheJobExcludesThem) {
     LoopOptions options = quick();
     options.exclude = {"other hours than declared"};
-    for (const std::string& name :
-         find(searched(building_with(later, 3), options), "effect").texts)
+    const auto datasets = searched(building_with(later, 3), options);
+    for (const std::string& name : find(datasets, "effect").texts)
         EXPECT_NE(name, "other hours than declared");
 }
 

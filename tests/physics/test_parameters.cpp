@@ -85,6 +85,7 @@ TEST(Fields, AreCompleteAndOnlyOnce) {
 TEST(Fields, LeadToDifferentNumbers) {
     Building building = two_zones();
     building.constructions[0].layers.resize(1);
+    building.air_systems.resize(1);
     building.zones[0].radiator.emplace();
     std::set<double*> places;
     for (std::size_t k = 0; k < fields().size(); ++k) {
