@@ -69,6 +69,9 @@ void check_linked(const schema::Section& section, const char* key,
 /// the periods.
 void check_building(const Sources& sources, const study::Case& building);
 
+/// [[effect]], into the case, which has all but parameters and meters.
+void read_effects(const Sources& sources, study::Case& building);
+
 /// Parameters and their priors, into the case.
 void read_parameters(const Sources& sources, study::Case& building);
 

@@ -57,6 +57,7 @@ study::Case read_case(const Sources& sources, input::InputFiles& files) {
     building.building.name = building.name;
     read_unknown_hours(sources, building);
     check_building(sources, building);
+    read_effects(sources, building);
     read_parameters(sources, building);
     read_meters(sources, files, building);
     check_meter_steps(sources, building);

@@ -17,7 +17,6 @@ namespace {
 
 using physics::Building;
 using physics::Effect;
-using physics::Field;
 using physics::Parameter;
 using physics::Target;
 
@@ -36,13 +35,14 @@ void read_targets(const schema::Section& section, const Building& building,
                          fmt::format("{} follows from others, by a [[link]] or from "
                                      "layers; expected one of those in its place",
                                      field_of(target).key));
+    const auto unit_at = [&](const Target& target) {
+        return std::string(physics::info_of(building, target).unit);
+    };
     for (const Target& target : parameter.targets)
-        if (std::string_view(field_of(target).unit) !=
-            std::string_view(field_of(parameter.targets[0]).unit))
-            section.fail(
-                "target",
-                fmt::format("links numbers in {} and in {}; expected one unit",
-                            field_of(parameter.targets[0]).unit, field_of(target).unit));
+        if (unit_at(target) != unit_at(parameter.targets[0]))
+            section.fail("target",
+                         fmt::format("links numbers in {} and in {}; expected one unit",
+                                     unit_at(parameter.targets[0]), unit_at(target)));
 }
 
 /// What a number of the building becomes at `value`.
@@ -71,13 +71,13 @@ void read_range(const schema::Section& section, Parameter& parameter) {
 void check_end(const schema::Section& section, const char* key, const Building& building,
                const Parameter& parameter, double end) {
     for (const Target& target : parameter.targets) {
-        const Field& field = field_of(target);
+        const physics::NumberInfo info = physics::info_of(building, target);
         const double value =
             effect_of(parameter, physics::number_at(building, target), end);
-        if (value >= field.least && value <= field.most) continue;
+        if (value >= info.least && value <= info.most) continue;
         section.fail_value(
-            key, fmt::format("makes {} = {:g}: expected {:g} to {:g} {} ({})", field.key,
-                             value, field.least, field.most, field.unit, field.sentence));
+            key, fmt::format("makes {} = {:g}: expected {:g} to {:g} {} ({})", info.name,
+                             value, info.least, info.most, info.unit, info.sentence));
     }
 }
 
@@ -103,9 +103,9 @@ void check_links(const schema::Section& section, const Building& building,
 }
 
 /// A factor has none, and a shift of a temperature is a difference.
-std::string unit_of(const Parameter& parameter) {
+std::string unit_of(const Building& building, const Parameter& parameter) {
     if (parameter.effect == Effect::factor) return "-";
-    const std::string unit = field_of(parameter.targets[0]).unit;
+    const std::string unit = physics::info_of(building, parameter.targets[0]).unit;
     return parameter.effect == Effect::offset && unit == "degC" ? "K" : unit;
 }
 
@@ -116,17 +116,18 @@ double nominal_of(const Building& building, const Parameter& parameter) {
 }
 
 /// Two parameters that write to the same place: the later one would undo the earlier.
-void check_overlap(const schema::Section& section, const std::vector<Parameter>& before,
-                   const Parameter& parameter) {
+void check_overlap(const schema::Section& section, const Building& building,
+                   const std::vector<Parameter>& before, const Parameter& parameter) {
     for (const Parameter& other : before) {
         if (other.name == parameter.name)
             section.fail_value("name", "another parameter has this name");
         for (const Target& a : other.targets)
             for (const Target& b : parameter.targets)
                 if (physics::is_same_number(a, b))
-                    section.fail("target",
-                                 fmt::format("sets the same {} as the parameter {}",
-                                             field_of(b).key, other.name));
+                    section.fail(
+                        "target",
+                        fmt::format("sets the same {} as the parameter {}",
+                                    physics::info_of(building, b).name, other.name));
     }
 }
 
@@ -138,7 +139,7 @@ Parameter read_parameter(const schema::Section& section, const Building& buildin
     read_targets(section, building, parameter);
     check_range(section, building, parameter);
     check_links(section, building, parameter);
-    parameter.unit = unit_of(parameter);
+    parameter.unit = unit_of(building, parameter);
     parameter.nominal = nominal_of(building, parameter);
     return parameter;
 }
@@ -149,7 +150,7 @@ void read_parameters(const Sources& sources, study::Case& building) {
     for (const schema::Section& section :
          sources.with("parameter").tables("parameter", "parameter")) {
         Parameter parameter = read_parameter(section, building.building);
-        check_overlap(section, building.parameters, parameter);
+        check_overlap(section, building.building, building.parameters, parameter);
         building.priors.push_back(read_prior(section, parameter));
         building.parameters.push_back(std::move(parameter));
     }

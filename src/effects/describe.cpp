@@ -3,6 +3,7 @@
 /// Made from the rows of the catalogue, of hooks and of the grammar's groups.
 /// Of many shapes only some are printed.
 #include "effects/catalogue.hpp"
+#include "effects/drivers.hpp"
 #include "effects/grammar.hpp"
 #include "effects/hooks.hpp"
 
@@ -62,6 +63,13 @@ std::string hooks() {
     return text;
 }
 
+std::string drivers() {
+    std::string text;
+    for (const DriverRow& row : driver_rows())
+        text += fmt::format("    {:32} {}\n", row.name, unit_of_values(row.driver));
+    return text;
+}
+
 std::string groups() {
     std::string text;
     for (const GroupRow& row : group_rows) text += fmt::format("    {}\n", row.words);
@@ -80,8 +88,9 @@ std::string describe() {
     text +=
         "Beside them a loop tries what has no name, wherever it makes sense: a grammar\n"
         "of hooks x drivers. Drivers:\n\n";
-    text += groups() + "\nHooks and units of their coefficients:\n\n";
-    return text + hooks();
+    text += groups() + "\nHooks and units of their coefficients:\n\n" + hooks();
+    return text + "\nWhat an [[effect]] may follow, and the unit of its `at`:\n\n" +
+           drivers();
 }
 
 }  // namespace bemcal::effects

@@ -58,7 +58,7 @@ void move_inputs(Placer& placer, const HookRow& row, const Effect& effect,
     for (const Target& target : targets) {
         const auto profile = static_cast<std::size_t>(
             physics::input_at(placer.building(), target)->profile);
-        if (profile >= drive.profiles.rows) continue;
+        if (profile >= placer.first_row()) continue;
         const auto own = drive.profiles.row(profile);
         if (!is_schedule(own, drive)) continue;
         Series moved = effect.driver == Driver::another_day
@@ -66,7 +66,9 @@ void move_inputs(Placer& placer, const HookRow& row, const Effect& effect,
                            : later_by(effect.shape.at, own, drive);
         for (std::size_t k = 0; k < moved.size(); ++k)
             moved[k] = gate[k] * (moved[k] - own[k]);
-        if (std::ranges::all_of(moved, [](double x) { return x == 0; })) continue;
+        if (!placer.keeps_rows() &&
+            std::ranges::all_of(moved, [](double x) { return x == 0; }))
+            continue;
         if (target.part != Part::load) moved = levelled(moved, most_levels);
         placer.change(target, row.kind, placer.profile_row(std::move(moved)));
     }

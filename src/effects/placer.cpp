@@ -13,10 +13,11 @@
 namespace bemcal::effects {
 
 int Placer::profile_row(std::vector<double> series) {
-    const auto found = std::find(rows_.begin(), rows_.end(), series);
+    const auto found =
+        is_declared_ ? rows_.end() : std::find(rows_.begin(), rows_.end(), series);
     const auto row = static_cast<std::size_t>(found - rows_.begin());
     if (found == rows_.end()) rows_.push_back(std::move(series));
-    return static_cast<int>(around_.drive->profiles.rows + row);
+    return static_cast<int>(first_row_ + row);
 }
 
 void Placer::change(physics::Target target, physics::ChangeKind kind, int row) {

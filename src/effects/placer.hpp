@@ -14,7 +14,16 @@ class Placer {
   public:
     /// \param around  must outlive this
     explicit Placer(const Surroundings& around)
-        : around_(around), building_(*around.building) {}
+        : Placer(around, around.drive->profiles.rows) {
+        is_declared_ = false;
+    }
+    /// Of declared effects, whose rows are the same ones in every period: from
+    /// `first_row` on, one for each profile, whatever it is.
+    Placer(const Surroundings& around, std::size_t first_row)
+        : around_(around),
+          building_(*around.building),
+          first_row_(first_row),
+          is_declared_(true) {}
 
     const Surroundings& around() const { return around_; }
     physics::Building& building() { return building_; }
@@ -25,6 +34,12 @@ class Placer {
     }
     /// The row of Drive::profiles with this series, appended where it is new.
     int profile_row(std::vector<double> series);
+    /// Of the rows that are appended.
+    std::size_t first_row() const { return first_row_; }
+    /// Whether rows stay that have no say in this period.
+    bool keeps_rows() const { return is_declared_; }
+    /// Those that were appended.
+    const std::vector<std::vector<double>>& rows() const { return rows_; }
     /// Changes an input by a profile. Throws CannotSimulate where too many do.
     void change(physics::Target target, physics::ChangeKind kind, int row);
     /// A number, or an input's value, that is the coefficient itself.
@@ -50,6 +65,8 @@ class Placer {
     physics::Building building_;
     std::vector<std::vector<double>> rows_;
     std::vector<physics::Parameter> parameters_;
+    std::size_t first_row_ = 0;
+    bool is_declared_ = false;
     bool acts_always_ = false;
 };
 

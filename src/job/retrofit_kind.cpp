@@ -94,14 +94,14 @@ ScenarioChange read_change(const schema::Section& section, const study::Case& bu
                                                        field_of(target).key));
     }
     for (const physics::Target& target : change.targets) {
-        const physics::Field& field = field_of(target);
+        const physics::NumberInfo info = physics::info_of(building.building, target);
         const double number =
             retrofit::changed(physics::number_at(building.building, target), change);
-        if (number < field.least || number > field.most)
+        if (number < info.least || number > info.most)
             section.fail_value(
                 way.key,
-                fmt::format("makes {} = {:g}: expected {:g} to {:g} {} ({})", field.key,
-                            number, field.least, field.most, field.unit, field.sentence));
+                fmt::format("makes {} = {:g}: expected {:g} to {:g} {} ({})", info.name,
+                            number, info.least, info.most, info.unit, info.sentence));
     }
     return change;
 }

@@ -263,6 +263,15 @@ struct Link {
     std::vector<Row> rows;    ///< of a table: the row nearest to the only source holds
 };
 
+/// Of an effect that the building has: coefficient x profile is what its inputs gain. It
+/// stands in all of its targets.
+struct Coefficient {
+    std::string name;  ///< of the effect
+    std::string unit;
+    double least = 0, most = 1;  ///< within which it can be simulated
+    std::vector<Target> targets;
+};
+
 struct Building {
     std::string name;
     std::vector<Construction> constructions;
@@ -272,7 +281,8 @@ struct Building {
     std::vector<AirSystem> air_systems;
     std::vector<Zone> zones;
     Plant plant;
-    std::vector<Link> links;  ///< in the order in which they are followed
+    std::vector<Link> links;           ///< in the order in which they are followed
+    std::vector<Coefficient> effects;  ///< that the description declares
     /// What a meter shows per what flows through it, by Quantity; of the air temperature
     /// it must stay 1.
     std::array<Input, n_quantities> meter_factor = [] {

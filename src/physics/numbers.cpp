@@ -64,6 +64,21 @@ const Field& field_of(const Target& target) {
     return fields()[row_of(target.field)];
 }
 
+const Coefficient* coefficient_at(const Building& building, const Target& target) {
+    for (const Coefficient& effect : building.effects)
+        for (const Target& own : effect.targets)
+            if (is_same_number(own, target)) return &effect;
+    return nullptr;
+}
+
+NumberInfo info_of(const Building& building, const Target& target) {
+    if (const Coefficient* effect = coefficient_at(building, target))
+        return {effect->name.c_str(), effect->unit.c_str(), effect->least, effect->most,
+                "coefficient of the effect"};
+    const Field& field = field_of(target);
+    return {field.key, field.unit, field.least, field.most, field.sentence};
+}
+
 Input* input_at(Building& building, const Target& target) {
     const Field& field = field_of(target);
     if (field.input == nullptr) return nullptr;

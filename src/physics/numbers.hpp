@@ -8,6 +8,18 @@ namespace bemcal::physics {
 
 const Field& field_of(const Target& target);
 
+/// What is said of a number, and its range: by its field, or by the declared effect whose
+/// coefficient it is.
+struct NumberInfo {
+    const char* name;
+    const char* unit;
+    double least, most;
+    const char* sentence;
+};
+NumberInfo info_of(const Building& building, const Target& target);
+/// The effect whose coefficient stands there; nullptr of every other number.
+const Coefficient* coefficient_at(const Building& building, const Target& target);
+
 /// The input that a target lies in; nullptr where it is a constant.
 Input* input_at(Building& building, const Target& target);
 double& number_at(Building& building, const Target& target);

@@ -108,6 +108,13 @@ std::vector<Entry> entries_of(const Building& building) {
     return entries;
 }
 
+/// Declared effects: their coefficient, in all places where it stands.
+void add_effects(const Building& building, std::vector<Entry>& entries) {
+    for (const Coefficient& effect : building.effects)
+        for (const Target& target : effect.targets)
+            entries.push_back({{"effect", effect.name}, target});
+}
+
 Words split(const std::string& path) {
     Words words(1);
     for (char c : path) {
@@ -186,7 +193,8 @@ std::vector<Target> resolve(const Building& building, const std::string& path) {
     Words pattern = split(path);
     const bool low = pattern.size() > 1 && pattern.back() == "low";
     if (low) pattern.pop_back();
-    const std::vector<Entry> entries = entries_of(building);
+    std::vector<Entry> entries = entries_of(building);
+    add_effects(building, entries);
     std::vector<Target> targets;
     for (const Entry& entry : entries) {
         if (!matches(pattern, entry.words)) continue;

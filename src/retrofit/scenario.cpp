@@ -47,7 +47,7 @@ ScenarioNumbers::ScenarioNumbers(const study::Case& building,
 void ScenarioNumbers::add(const Target& target) {
     if (number_of(target) < numbers_.size()) return;
     physics::Parameter number;
-    number.name = physics::field_of(target).key;
+    number.name = physics::info_of(building_, target).name;
     number.targets = {target};
     number.nominal = physics::number_at(building_, target);
     numbers_.push_back(std::move(number));
@@ -81,10 +81,11 @@ std::vector<double> ScenarioNumbers::after(std::vector<double> numbers,
 
 std::string ScenarioNumbers::complaint(std::span<const double> numbers) const {
     for (std::size_t k = 0; k < numbers.size(); ++k) {
-        const auto& field = physics::field_of(numbers_[k].targets[0]);
-        if (numbers[k] >= field.least && numbers[k] <= field.most) continue;
-        return fmt::format("{} would be {:g}; expected {:g} to {:g} {}", field.key,
-                           numbers[k], field.least, field.most, field.unit);
+        const physics::NumberInfo number =
+            physics::info_of(building_, numbers_[k].targets[0]);
+        if (numbers[k] >= number.least && numbers[k] <= number.most) continue;
+        return fmt::format("{} would be {:g}; expected {:g} to {:g} {}", number.name,
+                           numbers[k], number.least, number.most, number.unit);
     }
     return {};
 }

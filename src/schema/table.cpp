@@ -63,6 +63,9 @@ constexpr SectionInfo section_table[] = {
     {"meter", "[[meter]]", "source", "A measured series that the model is held against."},
     {"meter.scale", "[[meter.scale]]", "",
      "A correction of the readings from a date on."},
+    {"effect", "[[effect]]", "",
+     "What the building does beyond its description: a row of `bemcal-batch describe "
+     "effects`, or hook, driver, form and gate. It holds in every study."},
     {"parameter", "[[parameter]]", "", "An uncertain number of the building."},
     {"link", "[[link]]", "",
      "Numbers of the building that follow from others: a polynomial of them, or the row "
@@ -153,6 +156,7 @@ constexpr Key table[] = {
     {"building", "air_system", Type::tables, "", "", 0, 0, "[[air_system]]"},
     {"building", "plant", Type::table, "", "", 0, 0, "[plant]"},
     {"building", "meter", Type::tables, "", "", 0, 0, "[[meter]]"},
+    {"building", "effect", Type::tables, "", "", 0, 0, "[[effect]]"},
     {"building", "parameter", Type::tables, "", "", 0, 0, "[[parameter]]"},
     {"building", "link", Type::tables, "", "", 0, 0, "[[link]]"},
     {"building", "periods", Type::table, "", required, 0, 0, "[periods]"},
@@ -247,6 +251,39 @@ constexpr Key table[] = {
      "last row are left out in any case, and stated."},
     {"source", "gaps", Type::choice, "error|missing", "error", 0, 0,
      "What absent rows are; empty cells are missing readings in any case."},
+    // effects
+    {"effect", "name", Type::text, "", required, 0, 0,
+     "Of a row of the catalogue, whose hook, driver and shape it has; or another, with "
+     "hook and driver. A [[parameter]] varies its coefficient by target = "
+     "\"effect.NAME\"."},
+    {"effect", "coefficient", Type::number, "", required, -1e9, 1e9,
+     "In the hook's unit, per unit of a driver that is not 0 or 1."},
+    {"effect", "hook", Type::text, "", "", 0, 0,
+     "Where it enters: \"infiltration\", \"gains\", \"heating set-point\", ..."},
+    {"effect", "driver", Type::text, "", "constant", 0, 0,
+     "What it follows: \"wind\", \"hour\", \"outdoor temperature\", ..."},
+    {"effect", "form", Type::text, "", "linear", 0, 0,
+     "How it follows it: linear; above, below (what is beyond `at`); over, under (1 "
+     "there); within (1 from `at` to `until`); lagged (by `at` hours)."},
+    {"effect", "at", Type::number, "", "0", -1e6, 1e6, "In the driver's unit."},
+    {"effect", "until", Type::number, "", "0", -1e6, 1e6, "In the driver's unit."},
+    {"effect", "since", Type::text, "", "", 0, 0,
+     "Of an effect that follows the time elapsed: it begins then, \"2021-09-01\"."},
+    {"effect", "gate", Type::text, "", "always", 0, 0,
+     "When it acts: always, occupied, unoccupied, day, night, weekend, weekday, heating "
+     "season, cooling season, on days, EU summer time, US summer time."},
+    {"effect", "days", Type::texts, "", "", 0, 0,
+     "It acts on these days alone: \"12-24/01-02\" every year, \"2021-05-03\" once."},
+    {"effect", "weekday", Type::text, "", "", 0, 0,
+     "It acts on this day of the week alone: \"monday\"."},
+    {"effect", "hours", Type::numbers, "h", "", 0, 24,
+     "It acts from the first to the second hour of a day alone: [22, 6]."},
+    {"effect", "meter", Type::choice, quantities, "", 0, 0,
+     "Of an effect that enters at a meter, as a factor or an addition."},
+    {"effect", "facade", Type::text, "", "", 0, 0,
+     "Of an effect on one facade: \"south\", \"north-east\", \"roof\"; default: all."},
+    {"effect", "series", Type::text, "", "", 0, 0,
+     "Of driver = \"column\": the [[series]] that it follows."},
     // schedules
     {"schedule", "name", Type::text, "", required, 0, 0, ""},
     {"schedule", "holidays", Type::texts, "", "", 0, 0,

@@ -148,6 +148,8 @@ physics::Drive drive_of(const Case& building, const physics::Building& variant,
         building.weather, variant, building.profiles, period.from, period.to,
         building.step_s, start.warm_up_hours, building.sky, building.planes.get());
     drive.theta_start = start.theta;
+    if (building.declared_effects)
+        effects::write_profiles(*building.declared_effects, building.weather, drive);
     return drive;
 }
 

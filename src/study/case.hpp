@@ -2,6 +2,7 @@
 /// periods.
 #pragma once
 
+#include "effects/declared.hpp"
 #include "kernel/batch.hpp"
 #include "physics/week_hours.hpp"
 #include "stats/prior.hpp"
@@ -58,7 +59,9 @@ struct UnknownHours {
 
 struct Case {
     std::string name;
-    physics::Building building;  ///< nominal
+    physics::Building building;  ///< nominal, with its declared effects
+    /// Null without any. Profiles from its first_row on are theirs.
+    std::shared_ptr<const effects::DeclaredEffects> declared_effects;
     std::vector<physics::Parameter> parameters;
     std::vector<ParameterPrior> priors;  ///< [parameters]; empty = uniform in the ranges
     physics::Weather weather;

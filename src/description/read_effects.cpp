@@ -1,0 +1,310 @@
+/// Reads [[effect]]: what a building does beyond its description, by a row of the
+/// catalogue or by hook, driver, shape and gate, with its coefficient. Follows from
+/// `effects`: its tables say which words there are, and whether an effect can enter. A
+/// coefficient is fixed unless a [[parameter]] has the target "effect.NAME". Left out:
+/// other hours than declared (a [[schedule]] says them) and what corrects readings
+/// ([[meter]] does).
+#include "base/joined.hpp"
+#include "description/building_readers.hpp"
+#include "description/read_holidays.hpp"
+#include "effects/catalogue.hpp"
+#include "effects/drivers.hpp"
+#include "effects/hooks.hpp"
+#include "effects/placement.hpp"
+#include "effects/variants.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace bemcal::description {
+
+namespace {
+
+using effects::DeclaredEffects;
+using effects::Each;
+using effects::Effect;
+using effects::Entry;
+using schema::Section;
+
+/// The enumerator of a word, among the first `n`.
+template <class Enum>
+Enum enum_at(const Section& section, const char* key, std::size_t n) {
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < n; ++k)
+        names.emplace_back(effects::name_of(static_cast<Enum>(k)));
+    const std::string word = section.text(key);
+    check_word(section, key, word, names, key);
+    return static_cast<Enum>(std::ranges::find(names, word) - names.begin());
+}
+
+constexpr auto n_forms = static_cast<std::size_t>(effects::Form::lagged) + 1;
+constexpr auto n_gates = static_cast<std::size_t>(effects::Gate::us_summer_time) + 1;
+
+const Entry* row_named(const std::string& name) {
+    const auto rows = effects::catalogue();
+    const auto found = std::ranges::find_if(
+        rows, [&](const Entry& row) { return row.effect.name == name; });
+    return found == rows.end() ? nullptr : &*found;
+}
+
+/// Hook and driver of an effect that the catalogue does not have.
+Effect of_grammar(const Section& section) {
+    constexpr double any = 1e9;  ///< the hook's own limits hold
+    Effect effect;
+    effect.name = section.text("name");
+    if (!section.has("hook"))
+        section.fail_value(
+            "name",
+            "is no row of the catalogue (`bemcal-batch describe effects` prints "
+            "it), and there is no hook; expected a row's name, or hook and driver");
+    effect.hook = enum_at<effects::Hook>(section, "hook", effects::hook_rows().size());
+    effect.driver =
+        enum_at<effects::Driver>(section, "driver", effects::driver_rows().size());
+    if (effect.driver == effects::Driver::heating_load ||
+        effect.driver == effects::Driver::cooling_load)
+        section.fail_value("driver",
+                           "is the model's own load, known only after a simulation; "
+                           "expected \"outdoor temperature\" or another series");
+    effect.least = -any;
+    effect.most = any;
+    return effect;
+}
+
+Effect of_catalogue(const Section& section, const Entry& row) {
+    for (const char* key : {"hook", "driver"})
+        if (section.has(key))
+            section.fail(key,
+                         fmt::format("is that of the catalogue's row \"{}\" already; "
+                                     "leave it out, or choose another name",
+                                     row.effect.name));
+    if (row.each == Each::data)
+        section.fail_value("name",
+                           "corrects readings and is no effect in the building; "
+                           "expected a correction at the [[meter]] or [weather]");
+    if (row.each == Each::found_hours)
+        section.fail_value("name",
+                           "is said by the hours of the [[schedule]] itself; "
+                           "expected those to be changed");
+    Effect effect = row.effect;
+    if (row.each == Each::cooling_meter) effect.meter = physics::Quantity::cooling;
+    return effect;
+}
+
+effects::Days days_of(const physics::DateRange& range) {
+    const auto day = [](int year, int month, int of_month) {
+        constexpr int leap_year = 2020;  ///< has each day of a year
+        const std::chrono::sys_days date =
+            std::chrono::year(year == 0 ? leap_year : year) /
+            std::chrono::month(static_cast<unsigned>(month)) /
+            std::chrono::day(static_cast<unsigned>(of_month));
+        return static_cast<int>(date.time_since_epoch().count());
+    };
+    return {day(range.first_year, range.first_month, range.first_day),
+            day(range.last_year, range.last_month, range.last_day),
+            range.first_year == 0};
+}
+
+void read_shape(const Section& section, physics::Seconds from, Effect& effect) {
+    if (section.has("form"))
+        effect.shape.form = enum_at<effects::Form>(section, "form", n_forms);
+    section.number_if("at", effect.shape.at);
+    section.number_if("until", effect.shape.until);
+    if (!section.has("since")) return;
+    if (effect.driver != effects::Driver::elapsed)
+        section.fail(
+            "since",
+            fmt::format("is the day of a step, but \"{}\" follows {}; expected driver "
+                        "= \"time elapsed\", or no since",
+                        effect.name, name_of(effect.driver)));
+    constexpr double year_s = 365.25 * physics::day_s;
+    const physics::Seconds since = at_key(
+        section, "since", [&] { return physics::parse_time(section.text("since")); });
+    effect.shape.form = effects::Form::over;
+    // A step begins with the hour of that time.
+    effect.shape.at = (static_cast<double>((since - from).count()) - 1) / year_s;
+}
+
+void read_gate(const Section& section, Effect& effect) {
+    constexpr const char* weekdays[] = {"monday", "tuesday",  "wednesday", "thursday",
+                                        "friday", "saturday", "sunday"};
+    if (section.has("gate"))
+        effect.gate = enum_at<effects::Gate>(section, "gate", n_gates);
+    if (section.has("days")) {
+        effect.gate = effects::Gate::on_days;
+        effect.days.clear();
+        for (const physics::DateRange& range : read_dates(section, "days"))
+            effect.days.push_back(days_of(range));
+    }
+    if (effect.gate == effects::Gate::on_days && effect.days.empty())
+        section.fail("days",
+                     "is missing; expected the days on which the effect acts, "
+                     "[\"2021-05-03\", \"12-24/01-02\"]");
+    if (section.has("weekday")) {
+        const std::string day = section.text("weekday");
+        check_word(section, "weekday", day, {std::begin(weekdays), std::end(weekdays)},
+                   "day of the week");
+        effect.weekday =
+            static_cast<int>(std::ranges::find(weekdays, day) - std::begin(weekdays));
+    }
+    if (section.has("hours")) {
+        const std::vector<double> hours = section.numbers("hours");
+        if (hours.size() != 2)
+            section.fail("hours", "expected two numbers, from and until: [22, 6]");
+        effect.hours = {hours[0], hours[1]};
+    }
+}
+
+void read_place(const Section& section, const effects::Surroundings& around,
+                Effect& effect) {
+    if (section.has("meter")) {
+        effect.meter = section.choice_as<physics::Quantity>("meter");
+        effect.place_name = fmt::format("{} meter", name_of(*effect.meter));
+    }
+    if (is_at_a_meter(effect.hook) && !effect.meter)
+        section.fail("meter",
+                     "is missing; expected the meter at which the effect enters");
+    if (!section.has("facade")) return;
+    const std::string facade = section.text("facade");
+    std::vector<std::string> names;
+    for (const Effect& one : effects::variants(effect, Each::facade, around, {})) {
+        if (!one.facade) continue;
+        names.push_back(one.place_name.substr(0, one.place_name.find(" facade")));
+        if (names.back() != facade) continue;
+        effect.facade = one.facade;
+        effect.place_name = one.place_name;
+    }
+    if (names.empty())
+        section.fail("facade",
+                     "the building has windows on one facade only; leave it out");
+    check_word(section, "facade", facade, names, "facade with windows");
+}
+
+void read_column(const Section& section, const study::Case& building, Effect& effect) {
+    if (effect.driver != effects::Driver::column) return;
+    effect.column = section.text("series");
+    check_word(section, "series", effect.column, names_of(building.columns),
+               "[[series]]");
+}
+
+Effect read_effect(const Section& section, const study::Case& building,
+                   const effects::Surroundings& around) {
+    const std::string name = section.text("name");
+    if (name.find('.') != std::string::npos)
+        section.fail_value("name",
+                           "has a dot, which parts the words of a parameter's "
+                           "target; expected a name without");
+    const Entry* row = row_named(name);
+    Effect effect = row != nullptr ? of_catalogue(section, *row) : of_grammar(section);
+    read_shape(section, around.from, effect);
+    read_gate(section, effect);
+    read_place(section, around, effect);
+    read_column(section, building, effect);
+    return effect;
+}
+
+void check_twice(const Section& section, const std::vector<Effect>& before,
+                 const Effect& effect) {
+    for (const Effect& other : before) {
+        if (other.name == effect.name)
+            section.fail_value("name", "another effect has this name");
+        if (are_equal(other, effect))
+            section.fail("name",
+                         fmt::format("enters as \"{}\" does: the same hook, "
+                                     "driver, shape and gate; expected one of them",
+                                     other.name));
+    }
+}
+
+/// It can enter in every period, and has a say in one.
+void check_entering(const Section& section, const Effect& effect,
+                    const std::vector<effects::Surroundings>& periods) {
+    const std::string no_say = "it has no say";
+    std::string why;
+    for (const effects::Surroundings& around : periods) {
+        const auto objection = effects::objection(effect, around);
+        if (!objection) return;
+        why = *objection;
+        if (!why.starts_with(no_say)) break;
+    }
+    section.fail(
+        "name",
+        fmt::format("\"{}\" cannot enter this building: {}", effect.name,
+                    why.starts_with(no_say) ? "it has no say in any period" : why));
+}
+
+DeclaredEffects nothing_declared(const study::Case& building) {
+    DeclaredEffects declared;
+    declared.building = building.building;
+    declared.first_row = building.profiles.size();
+    declared.from = building.periods.at(0).from;
+    for (const study::Column& column : building.columns) {
+        const auto profile =
+            std::ranges::find(building.profiles, column.name, &physics::Profile::name);
+        declared.columns.push_back(
+            {column.name, static_cast<std::size_t>(profile - building.profiles.begin())});
+    }
+    return declared;
+}
+
+/// A row of Drive::profiles that is 0 until an effect's profile is written there.
+physics::Profile empty_row(const study::Case& building) {
+    physics::Profile row;
+    row.name = "of an effect";
+    row.is_series = true;
+    row.axis = building.weather.axis;
+    row.values.assign(static_cast<std::size_t>(row.axis.n_steps), 0.0);
+    return row;
+}
+
+void check_coefficient(const Section& section, const physics::Coefficient& effect,
+                       double value) {
+    if (value >= effect.least && value <= effect.most) return;
+    section.fail_value(
+        "coefficient",
+        fmt::format("expected {:g} to {:g} {}", effect.least, effect.most, effect.unit));
+}
+
+/// Into the case: its building gets them, its profiles their rows.
+void enter(const Section& section, DeclaredEffects declared,
+           const std::vector<physics::Drive>& drives, study::Case& building) {
+    building.building = at_key(section, "name", [&] {
+        return building_with(declared, drives[0], building.weather, declared.n_rows);
+    });
+    building.profiles.insert(building.profiles.end(), declared.n_rows,
+                             empty_row(building));
+    building.declared_effects =
+        std::make_shared<const DeclaredEffects>(std::move(declared));
+    for (const study::Period& period : building.periods)
+        at_key(section, "name", [&] { return drive_of(building, period); });
+}
+
+}  // namespace
+
+void read_effects(const Sources& sources, study::Case& building) {
+    const std::vector<Section> sections =
+        sources.with("effect").tables("effect", "effect");
+    if (sections.empty()) return;
+    DeclaredEffects declared = nothing_declared(building);
+    std::vector<physics::Drive> drives;
+    std::vector<effects::Surroundings> periods;
+    for (const study::Period& period : building.periods)
+        drives.push_back(
+            at_key(sections[0], "name", [&] { return drive_of(building, period); }));
+    for (const physics::Drive& drive : drives)
+        periods.push_back(surroundings_of(declared, drive, building.weather));
+    for (const Section& section : sections) {
+        Effect effect = read_effect(section, building, periods[0]);
+        check_twice(section, declared.effects, effect);
+        check_entering(section, effect, periods);
+        declared.effects.push_back(std::move(effect));
+        declared.coefficients.push_back(section.number("coefficient"));
+    }
+    enter(sections.back(), std::move(declared), drives, building);
+    for (std::size_t k = 0; k < sections.size(); ++k)
+        check_coefficient(sections[k], building.building.effects[k],
+                          building.declared_effects->coefficients[k]);
+}
+
+}  // namespace bemcal::description

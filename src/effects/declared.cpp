@@ -1,0 +1,75 @@
+/// Puts declared effects into their building once, and their profiles into the drive of
+/// every period: rows that the case keeps for them.
+/// Follows from physics::Change. What an effect is rounded to (levels) is found in each
+/// period by itself, as a loop finds it.
+/// Left out: effects that follow the model's own loads, and other hours than declared,
+/// which a schedule can say.
+#include "effects/declared.hpp"
+
+#include "base/error.hpp"
+#include "effects/make_surroundings.hpp"
+#include "effects/placement.hpp"
+#include "effects/placer.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace bemcal::effects {
+namespace {
+
+/// All of them, each input's profile in a row of its own.
+Placer placed_in(const Surroundings& around, const DeclaredEffects& declared) {
+    Placer placer(around, declared.first_row);
+    for (const Effect& effect : declared.effects) put(effect, placer);
+    return placer;
+}
+
+physics::Coefficient coefficient_of(const physics::Parameter& parameter) {
+    return {parameter.name, parameter.unit, parameter.least, parameter.most,
+            parameter.targets};
+}
+
+}  // namespace
+
+Surroundings surroundings_of(const DeclaredEffects& declared, const physics::Drive& drive,
+                             const physics::Weather& weather) {
+    Surroundings around =
+        make_surroundings(declared.building, drive, weather, declared.from);
+    for (const DeclaredEffects::Column& column : declared.columns) {
+        const auto row = drive.profiles.row(column.row);
+        around.columns[column.name].assign(row.begin(), row.end());
+    }
+    return around;
+}
+
+physics::Building building_with(const DeclaredEffects& declared,
+                                const physics::Drive& drive,
+                                const physics::Weather& weather, std::size_t& n_rows) {
+    const Surroundings around = surroundings_of(declared, drive, weather);
+    Placer placer = placed_in(around, declared);
+    physics::Building building = placer.building();
+    const auto& parameters = placer.parameters();
+    for (const physics::Parameter& parameter : parameters)
+        building.effects.push_back(coefficient_of(parameter));
+    const physics::Building at_zero = building;
+    physics::apply(at_zero, parameters, declared.coefficients, building);
+    n_rows = placer.rows().size();
+    return building;
+}
+
+void write_profiles(const DeclaredEffects& declared, const physics::Weather& weather,
+                    physics::Drive& drive) {
+    const Surroundings around = surroundings_of(declared, drive, weather);
+    const Placer placer = placed_in(around, declared);
+    if (placer.rows().size() != declared.n_rows)
+        throw CannotSimulate(fmt::format(
+            "declared effects enter {} inputs in the period from {}, and {} in training",
+            placer.rows().size(), physics::format_time(drive.period().start),
+            declared.n_rows));
+    for (std::size_t k = 0; k < declared.n_rows; ++k)
+        std::ranges::copy(placer.rows()[k],
+                          drive.profiles.row(declared.first_row + k).begin());
+}
+
+}  // namespace bemcal::effects

@@ -1,0 +1,45 @@
+/// Effects that a building has by its description, as it has walls: each is there in
+/// every period, with a coefficient that parameters may write to.
+#pragma once
+
+#include "effects/surroundings.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace bemcal::effects {
+
+struct DeclaredEffects {
+    std::vector<Effect> effects;
+    std::vector<double> coefficients;  ///< [effects]
+    physics::Building building;        ///< before them
+    /// Rows of Drive::profiles: theirs, which stay empty (0) in a drive that is made
+    /// without write_profiles.
+    std::size_t first_row = 0, n_rows = 0;
+    physics::Seconds from{};  ///< where `elapsed` is 0: the first step of training
+    struct Column {
+        std::string name;
+        std::size_t row;  ///< of Drive::profiles
+    };
+    std::vector<Column> columns{};  ///< that they may follow
+};
+
+/// The building with them: Building::effects has a row for each. Throws CannotSimulate
+/// where one cannot enter.
+/// \param drive    of a period; its rows from first_row on have no say
+/// \param n_rows   set to the number of rows that they take, the same in every period
+physics::Building building_with(const DeclaredEffects& declared,
+                                const physics::Drive& drive,
+                                const physics::Weather& weather, std::size_t& n_rows);
+
+/// Writes what they follow into their rows of a period's drive. Throws CannotSimulate
+/// where this period lacks what one follows, or where it enters other inputs than before.
+void write_profiles(const DeclaredEffects& declared, const physics::Weather& weather,
+                    physics::Drive& drive);
+
+/// What they follow in a period.
+Surroundings surroundings_of(const DeclaredEffects& declared, const physics::Drive& drive,
+                             const physics::Weather& weather);
+
+}  // namespace bemcal::effects

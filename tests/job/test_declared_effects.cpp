@@ -1,0 +1,82 @@
+/// [[effect]]: what a job says of effects that its building has, in every study.
+#include "job/small_office.hpp"
+#include "physics/numbers.hpp"
+
+#include <gtest/gtest.h>
+
+namespace bemcal::job {
+namespace {
+
+/// The sample with more of it before its parameters.
+study::Case office_with(const std::string& sections) {
+    const Folder folder;
+    const std::string text =
+        replaced(small_office_text(), "[[parameter]]", sections + "\n[[parameter]]");
+    return read_job(write_small_office(folder, text)).buildings.at(0);
+}
+
+double mean_of_row(const physics::Drive& drive, std::size_t row) {
+    double sum = 0;
+    for (const double value : drive.profiles.row(row)) sum += value;
+    return sum / drive.n_steps();
+}
+
+TEST(DeclaredEffects, AreARowOfTheCatalogue) {
+    const study::Case office = office_with(
+        "[[effect]]\nname = \"wind infiltration\"\ncoefficient = 0.02\n"
+        "[[parameter]]\nname = \"by_wind\"\ntarget = \"effect.wind infiltration\"\n"
+        "min = 0\nmax = 0.1\nprior = {kind = \"normal\", mean = 0.03, sd = 0.01}\n");
+    ASSERT_EQ(office.building.effects.size(), 1U);
+    EXPECT_EQ(office.building.effects[0].unit, "1/h per m/s");
+    EXPECT_EQ(office.parameters[0].name, "by_wind");
+    EXPECT_EQ(office.parameters[0].unit, "1/h per m/s");
+    EXPECT_EQ(office.parameters[0].nominal, 0.02);
+    // What it follows, in each period: 8 km/h on the mean of whole days.
+    ASSERT_NE(office.declared_effects, nullptr);
+    EXPECT_EQ(office.declared_effects->n_rows, 1U);
+    for (const study::Period& period : office.periods)
+        EXPECT_NEAR(mean_of_row(study::drive_of(office, period),
+                                office.declared_effects->first_row),
+                    8 * 0.277778, 0.01);
+}
+
+TEST(DeclaredEffects, AreSaidByHookDriverFormAndGate) {
+    const study::Case office = office_with(
+        "[[effect]]\nname = \"warm nights\"\nhook = \"heating set-point\"\n"
+        "gate = \"night\"\nweekday = \"friday\"\nhours = [19, 23]\n"
+        "coefficient = 2\n"
+        "[[effect]]\nname = \"sauna\"\nhook = \"meter addition\"\n"
+        "meter = \"electricity\"\ndays = [\"2021-01-10/2021-01-12\"]\n"
+        "coefficient = 1\n"
+        "[[effect]]\nname = \"blind\"\nhook = \"aperture\"\nfacade = \"south\"\n"
+        "driver = \"outdoor temperature\"\nform = \"above\"\nat = 18\n"
+        "coefficient = -0.05\n");
+    const auto& effects = office.declared_effects->effects;
+    EXPECT_EQ(sentence_of(effects[0]), "constant, at night, on Fridays, from 19 to 23 h");
+    EXPECT_EQ(sentence_of(effects[1]),
+              "constant, 2021-01-10 to 2021-01-12, electricity meter");
+    EXPECT_EQ(sentence_of(effects[2]), "outdoor temperature above 18 degC, south facade");
+    const physics::Drive drive = study::drive_of(office, office.periods[0]);
+    const auto gate = drive.profiles.row(office.declared_effects->first_row);
+    int n_open = 0;
+    for (const double value : gate) n_open += value == 1 ? 1 : 0;
+    // Two weeks of warm-up, 31 days: every Friday has four such hours.
+    EXPECT_EQ(n_open % 4, 0);
+    EXPECT_GE(n_open, 5 * 4);
+}
+
+TEST(DeclaredEffects, BeginOnTheirDay) {
+    const study::Case office = office_with(
+        "[[effect]]\nname = \"less glass\"\nhook = \"aperture\"\ndriver = \"time elapsed\"\n"
+        "since = \"2021-02-10\"\ncoefficient = -0.4\n");
+    const std::size_t row = office.declared_effects->first_row;
+    EXPECT_EQ(mean_of_row(study::drive_of(office, office.periods[0]), row), 0);
+    const physics::Drive drive = study::drive_of(office, office.periods[1]);
+    for (int step = drive.n_warm_up; step < drive.n_steps(); ++step) {
+        const bool after = drive.axis.begin_of(step) >= physics::parse_time("2021-02-10");
+        EXPECT_EQ(drive.profiles(row, static_cast<std::size_t>(step)), after ? 1 : 0);
+    }
+}
+
+}  // namespace
+}  // namespace bemcal::job
