@@ -14,6 +14,7 @@
 #include "run/find_job.hpp"
 #include "run/last_words.hpp"
 #include "run/output_place.hpp"
+#include "run/program.hpp"
 #include "run/run_job.hpp"
 #include "run/signals.hpp"
 #include "run/threads.hpp"
@@ -44,8 +45,9 @@ struct CommandLine {
     fs::path job, output, file;
     std::vector<fs::path> files;
     fs::path last_night;
-    std::string topic, place, years;
+    std::string topic, place, years, stage;
     bool force = false, resume = false, rerun_failed = false, no_report = false;
+    bool keep_priors = false;
     int n_threads = 0;
     double item_seconds = 0;  ///< 0 = no limit
     double stop_after_s = 0;  ///< 0 = no limit
@@ -124,6 +126,22 @@ void add_describe(CLI::App& app, CommandLine& line) {
     describe->add_option("YEARS", line.years, "of holidays: 2021, or 2020-2022");
 }
 
+void add_adopt(CLI::App& app, CommandLine& line) {
+    CLI::App* adopt = app.add_subcommand(
+        "adopt", "write a job anew with what its loop found: effects, hours, priors");
+    adopt->add_option("RESULT", line.file, "result file of a job with a loop")
+        ->required();
+    adopt->add_option("JOB", line.job, "that job, of one building; it stays as it is")
+        ->required();
+    adopt->add_option("-o,--output", line.output, "the new job, beside the old one")
+        ->required();
+    adopt->add_option("--stage", line.stage,
+                      "BUILDING/STUDY, where the result has several loops");
+    adopt->add_flag("--keep-priors", line.keep_priors,
+                    "keep the job's own priors, for another study of the same readings");
+    adopt->add_flag("--force", line.force, "write over the new job");
+}
+
 void add_others(CLI::App& app, CommandLine& line) {
     CLI::App* check =
         app.add_subcommand("check", "read everything, simulate nothing, print the plan");
@@ -145,6 +163,7 @@ void add_others(CLI::App& app, CommandLine& line) {
     app.add_subcommand("status", "print whether a result is complete, and its hash")
         ->add_option("FILE", line.file, "result file, also of a run that is not complete")
         ->required();
+    add_adopt(app, line);
     app.add_subcommand("report", "print results as tables")
         ->add_option("FILE", line.files,
                      "result files; those of one job with other chains become one")
@@ -155,8 +174,8 @@ void add_others(CLI::App& app, CommandLine& line) {
 std::vector<std::string> arguments(int argc, char** argv) {
     std::vector<std::string> words(argv + 1, argv + argc);
     const auto is_known = [](const std::string& word) {
-        for (const char* known : {"run", "check", "describe", "status", "report", "-h",
-                                  "--help", "--version"})
+        for (const char* known : {"run", "check", "describe", "status", "report", "adopt",
+                                  "-h", "--help", "--version"})
             if (word == known) return true;
         return false;
     };
@@ -318,12 +337,35 @@ ExitCode report_command(const CommandLine& line) {
     return code;
 }
 
+/// By scripts/adopt, whose messages are this program's.
+ExitCode adopt_command(const CommandLine& line) {
+    const auto script =
+        run::find_script("scripts/adopt", {BEMCAL_SOURCE_DIR, BEMCAL_DATA_DIR});
+    if (!script)
+        throw UserError(ExitCode::no_input,
+                        "scripts/adopt was not found beside the program; cmake --install "
+                        "puts it there");
+    std::vector<std::string> words{script->string(), line.file.string(),
+                                   line.job.string(), "-o", line.output.string()};
+    if (!line.stage.empty()) words.insert(words.end(), {"--stage", line.stage});
+    if (line.keep_priors) words.emplace_back("--keep-priors");
+    if (line.force) words.emplace_back("--force");
+    const int code = run::code_of_program(words, run::Said::shown);
+    if (code < 0)
+        throw UserError(ExitCode::os,
+                        script->string() +
+                            ": did not run; it takes Python with h5py and "
+                            "tomlkit (Debian: python3-h5py, python3-tomlkit)");
+    return static_cast<ExitCode>(code);
+}
+
 /// Commands that one rank is enough for; the others have nothing to do.
 ExitCode alone(run::Comm& comm, const CLI::App& app, const CommandLine& line) {
     if (comm.rank() != 0) return ExitCode::ok;
     if (app.got_subcommand("check")) return check_command(line, comm.size());
     if (app.got_subcommand("describe")) return describe_command(line);
     if (app.got_subcommand("status")) return status_command(line);
+    if (app.got_subcommand("adopt")) return adopt_command(line);
     return report_command(line);
 }
 

@@ -50,7 +50,8 @@ def effect_rows(loop):
     return [{"name": effect.name, "hook": effect.hook, "follows": effect.shape,
              "coefficient": words.coefficient(effect), "evidence": words.evidence(loop, effect),
              "adequate": effect.is_adequate, "doubt": effect.doubt,
-             "others": "; ".join(effect.others), "separates": effect.separates}
+             "others": "; ".join(effect.others), "separates": effect.separates,
+             "section": effect.section}
             for effect in loop.effects]
 
 

@@ -7,6 +7,7 @@
 
 #include "base/machine.hpp"
 #include "effects/catalogue.hpp"
+#include "effects/job_section.hpp"
 #include "loop/find_functions.hpp"
 #include "loop/intervals.hpp"
 #include "loop/late_clock.hpp"
@@ -246,6 +247,11 @@ class Writer {
         stored.most = c + half;
         stored.gain = found.gain;
         stored.adequate = found.doubt.empty() ? 1 : 0;
+        const BuiltModel& built = result_.last.built;
+        const auto& unknown = built.unknowns[built.first_effect() + k];
+        stored.section = effects::job_section_of(
+            effect, {c, half / half_of_90, unknown.least, unknown.most},
+            data_.training().from);
     }
 
     void functions_found() {

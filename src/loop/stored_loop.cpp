@@ -62,6 +62,7 @@ void visit_tables(Loop& loop, Table&& table) {
         see("effect_unit", row.unit);
         see("effect_class", row.class_in_words);
         see("effect_separates", row.separates);
+        see("effect_section", row.section);
         see("effect_coefficient", row.coefficient);
         see("effect_least", row.least);
         see("effect_most", row.most);

@@ -51,6 +51,7 @@ struct StoredLoop {
         std::string name, hook, driver, shape, gate, unit;
         std::string class_in_words;  ///< of its class all names, parted by semicolons
         std::string separates, doubt;
+        std::string section;  ///< that declares it in a job (effects/job_section)
         double coefficient = nan, least = nan, most = nan, gain = nan, adequate = nan;
         std::vector<std::string> members{};  ///< of its class, one by one
         bool is_adequate() const { return adequate == 1; }

@@ -58,6 +58,11 @@ std::string building_lines(const job::Job& job) {
             text += fmt::format("  {}: {} to {}\n", period.name,
                                 physics::format_time(period.from),
                                 physics::format_time(period.to));
+        const auto& effects = building.building.effects;
+        for (std::size_t k = 0; k < effects.size(); ++k)
+            text +=
+                fmt::format("  effect: {}, {:.4g} {}\n", effects[k].name,
+                            building.declared_effects->coefficients[k], effects[k].unit);
         for (const study::DataDecision& decision : building.decisions)
             text += fmt::format("  data, {}: {}: {}\n", decision.series, decision.finding,
                                 decision.action);

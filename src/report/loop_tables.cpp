@@ -29,12 +29,15 @@ std::string count_of(const StoredLoop& loop) {
 std::string effect_table(const StoredLoop& loop) {
     TextTable table(
         {"effect found", "coefficient", "90 % interval", "unit", "gain", "adequate"});
-    for (const StoredLoop::Effect& effect : loop.effects)
-        table.add({effect.name, three_digits(effect.coefficient),
-                   fmt::format("{} to {}", three_digits(effect.least),
-                               three_digits(effect.most)),
+    for (const StoredLoop::Effect& effect : loop.effects) {
+        const bool is_choice = effect.least == effect.most;  // hours, by simulation
+        table.add({effect.name, is_choice ? "-" : three_digits(effect.coefficient),
+                   is_choice ? "-"
+                             : fmt::format("{} to {}", three_digits(effect.least),
+                                           three_digits(effect.most)),
                    effect.unit, three_digits(effect.gain),
                    effect.is_adequate() ? "yes" : "NO"});
+    }
     return text_of(table, 36);
 }
 
@@ -63,6 +66,25 @@ std::string effect_lines(const StoredLoop::Effect& effect) {
     if (!effect.separates.empty())
         text += wrapped("  what would tell: " + effect.separates);
     return text;
+}
+
+std::string indented(const std::string& lines) {
+    std::istringstream from(lines);
+    std::string text, line;
+    while (std::getline(from, line)) text += line.empty() ? "\n" : "    " + line + "\n";
+    return text;
+}
+
+/// The effects found as sections of a job.
+std::string sections_of(const StoredLoop& loop) {
+    std::string text;
+    for (const StoredLoop::Effect& effect : loop.effects)
+        if (!effect.section.empty()) text += "\n" + indented(effect.section);
+    return text.empty()
+               ? text
+               : "\n  to carry on what was found, put into the job, so that all its "
+                 "studies have it:\n" +
+                     text;
 }
 
 /// What is left has no name: where it enters and what it follows.
@@ -217,6 +239,7 @@ std::string loop_section(const Group& study) {
     const StoredLoop loop = loop::stored_loop(study.result().datasets, study.path());
     std::string effects = effect_table(loop);
     for (const StoredLoop::Effect& effect : loop.effects) effects += effect_lines(effect);
+    effects += sections_of(loop);
     const std::string building = study.path().substr(0, study.path().rfind('/'));
     const Texts of_data = study.elsewhere(building + "/data").texts("finding");
     std::string text = fmt::format("\n{}: {}\n", study.path(), count_of(loop));

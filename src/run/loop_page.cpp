@@ -1,45 +1,24 @@
 /// Pages with pictures of a result's loops or stock: a Python script in a process of its
 /// own, and a line that says what was written or how to do it.
-/// Plain handling of processes, without a source. No time limit, and the script's
-/// messages are not shown; a missing page is no error, one that cannot be written is.
+/// Plain handling of files, without a source. The script's messages are not shown; a
+/// missing page is no error, one that cannot be written is.
 #include "run/loop_page.hpp"
 
 #include "base/disk.hpp"
 #include "base/error.hpp"
 #include "run/output_names.hpp"
+#include "run/program.hpp"
 
 #include <algorithm>
 #include <fstream>
 #include <iterator>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 
 namespace bemcal::run {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Runs a program to its end, with nothing said. \return its exit code, or -1
-int code_of(std::vector<std::string> words) {
-    std::vector<char*> arguments;
-    arguments.reserve(words.size() + 1);
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    posix_spawn_file_actions_t silent;
-    posix_spawn_file_actions_init(&silent);
-    for (const int stream : {1, 2})
-        posix_spawn_file_actions_addopen(&silent, stream, "/dev/null", O_WRONLY, 0);
-    pid_t child = 0;
-    int status = 0;
-    const bool runs = posix_spawn(&child, arguments[0], &silent, nullptr,
-                                  arguments.data(), environ) == 0;
-    posix_spawn_file_actions_destroy(&silent);
-    const bool ended = runs && waitpid(child, &status, 0) == child && WIFEXITED(status);
-    return ended ? WEXITSTATUS(status) : -1;
-}
 
 /// Whether something stands there that a script of ours did not make. An empty file is
 /// nobody's loss.
@@ -56,7 +35,7 @@ bool is_of_another(const fs::path& page) {
 bool makes(std::vector<std::string> words, const fs::path& page) {
     FreshFile fresh(folder_of(page), page.filename().string());
     std::ranges::replace(words, page.string(), fresh.path().string());
-    const int code = code_of(std::move(words));
+    const int code = code_of_program(std::move(words), Said::hidden);
     if (code == static_cast<int>(ExitCode::io))
         throw UserError(ExitCode::io, page.string() +
                                           ": the page cannot be written; the result is "

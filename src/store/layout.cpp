@@ -476,6 +476,7 @@ constexpr LayoutRow own_rows[] = {
     {"effect_class_member", "class_member", text, "",
      "itself or an effect that these data cannot tell it from"},
     {"effect_separates", "effect", text, "", "the measurement that would"},
+    {"effect_section", "effect", text, "", "the section that declares it in a job"},
     {"candidate_gain", "candidate", number, "1",
      "gain of evidence of each, in the last step's ranking"},
     {"unexplained", "channel", number, "1",

@@ -1,4 +1,7 @@
 /// [[effect]]: what a job says of effects that its building has, in every study.
+#include "effects/catalogue.hpp"
+#include "effects/job_section.hpp"
+#include "effects/make_surroundings.hpp"
 #include "job/small_office.hpp"
 #include "physics/numbers.hpp"
 
@@ -63,6 +66,55 @@ TEST(DeclaredEffects, AreSaidByHookDriverFormAndGate) {
     // Two weeks of warm-up, 31 days: every Friday has four such hours.
     EXPECT_EQ(n_open % 4, 0);
     EXPECT_GE(n_open, 5 * 4);
+}
+
+/// What can enter the sample, of the catalogue and of the grammar.
+std::vector<effects::Effect> candidates() {
+    const study::Case office = office_with("");
+    const physics::Drive drive = study::drive_of(office, office.periods[0]);
+    const effects::Surroundings around = effects::make_surroundings(
+        office.building, drive, office.weather, office.periods[0].from);
+    const std::vector<physics::Quantity> meters = {physics::Quantity::electricity};
+    std::vector<effects::Effect> all = effects::named_candidates(around, meters);
+    const auto others = effects::generic_candidates(around, meters);
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
+}
+
+/// A loop writes them so that the job has the same effect.
+TEST(DeclaredEffects, AreReadAsTheyAreWritten) {
+    constexpr std::size_t every = 3;
+    const physics::Seconds from = physics::parse_time("2021-01-01");
+    const std::vector<effects::Effect> all = candidates();
+    ASSERT_GT(all.size(), 300U);
+    for (std::size_t k = 0; k < all.size(); k += every) {
+        const effects::Effect& effect = all[k];
+        const double typical = std::abs(effect.typical) / 3;
+        const std::string section =
+            effects::job_section_of(effect, {typical, typical / 9, -1e9, 1e9}, from);
+        if (section.empty()) continue;
+        SCOPED_TRACE(section);
+        const study::Case office = office_with(section);
+        const effects::Effect& own = office.declared_effects->effects.at(0);
+        EXPECT_EQ(sentence_of(own), sentence_of(effect));
+        EXPECT_TRUE(own.driver == effects::Driver::elapsed || are_equal(own, effect));
+        EXPECT_EQ(office.declared_effects->coefficients[0], typical);
+        EXPECT_EQ(office.parameters.at(0).targets.size(),
+                  office.building.effects.at(0).targets.size());
+        EXPECT_NEAR(office.parameters[0].nominal, typical, 1e-12);
+    }
+}
+
+TEST(DeclaredEffects, OtherHoursAreLinesOfTheirSchedule) {
+    effects::OtherHours other;
+    other.schedule = "plant";
+    other.low = 0.5;
+    other.declared = {{{6, 18}, {0, 0}, {0, 0}}};
+    other.hours = {{{6, 18}, {7, 9}, {0, 0}}};
+    EXPECT_EQ(effects::job_section_of(effects::with_hours(other), {1, 0, 1, 1}, {}),
+              "# in the [[schedule]] \"plant\", in place of what it has:\n"
+              "saturday = [0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 1, 1, 0.5, 0.5, 0.5, 0.5, "
+              "0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5]\n");
 }
 
 TEST(DeclaredEffects, BeginOnTheirDay) {

@@ -61,6 +61,8 @@ void add_effect(store::ResultFile& result, bool is_adequate) {
     add(texts("effect_class_member", "class_member",
               {"stack infiltration", "wind infiltration", "outdoor shift"}));
     add(texts("effect_separates", "effect", {"calm and windy nights apart"}));
+    add(texts("effect_section", "effect",
+              {"[[effect]]\nname = \"wind infiltration\"\ncoefficient = 0.083\n"}));
     add(numbers("effect_coefficient", "effect", {0.083}));
     add(numbers("effect_least", "effect", {0.079}));
     add(numbers("effect_most", "effect", {0.087}));
@@ -222,6 +224,9 @@ TEST(LoopTables, AnEffectHasItsIntervalItsLikesAndWhatWouldTellThemApart) {
     const std::string text = tables_of(loop_result());
     EXPECT_TRUE(says(text, "wind infiltration 0.083 0.079 to 0.087 1/h per m/s 412 yes"));
     EXPECT_TRUE(says(text, "enters at infiltration, wind above 3 m/s"));
+    EXPECT_NE(text.find("\n    [[effect]]\n    name = \"wind infiltration\"\n    "
+                        "coefficient = 0.083\n"),
+              std::string::npos);
     EXPECT_TRUE(says(text, "cannot tell it from: stack infiltration; outdoor shift"));
     EXPECT_TRUE(says(text, "what would tell: calm and windy nights apart"));
     EXPECT_EQ(text.find("NOT adequate"), std::string::npos);

@@ -114,6 +114,7 @@ def effects(study, found):
     members = [(k, name) for k, row in enumerate(rows) for name in row[11].split("; ")]
     study["effect_class_of"] = np.array([k for k, _ in members], float)
     text(study, "effect_class_member", [name for _, name in members])
+    text(study, "effect_section", ['[[effect]]\nname = "%s"\ncoefficient = %s\n' % (row[0], row[6]) for row in rows])
     for name, column in zip(names, columns):
         if name[7:] in ("coefficient", "least", "most", "gain", "adequate"):
             study[name] = np.array(column, float)

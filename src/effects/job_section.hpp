@@ -1,0 +1,25 @@
+/// An effect as it is declared in a job.
+#pragma once
+
+#include "effects/effect.hpp"
+#include "physics/calendar.hpp"
+
+#include <string>
+
+namespace bemcal::effects {
+
+/// What is believed of a coefficient.
+struct CoefficientBelief {
+    double mean = 0, sd = 0;  ///< sd = 0: it is fixed
+    double least = 0, most = 1;
+};
+
+/// [[effect]] with this coefficient, and its [[parameter]] with a prior unless it is
+/// fixed, in TOML, which a reader makes the same effect of; of other hours than declared
+/// the lines of their [[schedule]]. Empty of an effect that follows the model's own
+/// loads, which no job can declare.
+/// \param from  where `elapsed` is 0: the first step of training
+std::string job_section_of(const Effect& effect, const CoefficientBelief& coefficient,
+                           physics::Seconds from);
+
+}  // namespace bemcal::effects

@@ -1,0 +1,148 @@
+#!/usr/bin/python3
+"""scripts/adopt writes a job anew with what its loop found, and leaves all else as it was."""
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import tomllib
+import unittest
+
+import h5py
+import numpy as np
+
+sys.dont_write_bytecode = True
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "scripts"), str(pathlib.Path(__file__).parent)]
+
+import fake_loop_result  # noqa: E402
+from report import adopted, result  # noqa: E402
+
+JOB = """# A job.
+name = "office"   # of a street
+
+[[schedule]]
+name = "plant"    # by hand
+weekdays = [0, 1]
+saturday = 0
+
+[[parameter]]
+name = "u_wall"   # of walls
+target = "construction.wall.u_value"
+min = 0.2
+max = 1
+prior = {kind = "normal", mean = 0.5, sd = 0.2}   # by age
+
+[[parameter]]
+name = "kept"     # not of the loop
+target = "zone.office.volume"
+min = 1
+max = 2
+
+[[study]]
+kind = "loop"     # the last
+"""
+HOURS = '# in the [[schedule]] "plant", in place of what it has:\nsaturday = [1, 0]\n'
+BY_WIND = '[[effect]]\nname = "wind infiltration"\ncoefficient = 0.083\n\n' \
+          '[[parameter]]\nname = "wind infiltration"\ntarget = "effect.wind infiltration"\nmin = 0\nmax = 0.1\n'
+
+
+def write_result(path, sections):
+    fake_loop_result.write(path, {"gas": "kWh"}, found=len(sections))
+    with h5py.File(path, "a") as file:
+        stage = file["office/loop"]
+        del stage["effect_section"], stage["parameter"]
+        fake_loop_result.text(stage, "effect_section", sections)
+        names = ["u_wall"] + [f"other_{k}" for k in range(5)]
+        fake_loop_result.text(stage, "parameter", names)
+
+
+class Adopt(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.job, self.new, self.result = (self.folder / name for name in ("job.toml", "new.toml", "job.h5"))
+        self.job.write_text(JOB)
+
+    def adopt(self, *options, sections=(BY_WIND,), code=0):
+        if not self.result.exists():
+            write_result(self.result, list(sections))
+        run = subprocess.run([ROOT / "scripts/adopt", self.result, self.job, "-o", self.new, *options],
+                             capture_output=True, text=True)
+        self.assertEqual(run.returncode, code, run.stderr)
+        return run.stdout + run.stderr
+
+    def test_what_is_not_adopted_stays_to_the_letter(self):
+        self.adopt("--keep-priors", sections=())
+        self.assertEqual(self.new.read_text(), JOB)
+        self.assertEqual(self.job.read_text(), JOB)
+
+    def test_an_effect_is_a_section_with_its_parameter_and_what_carried_it(self):
+        self.adopt()
+        text = self.new.read_text()
+        job = tomllib.loads(text)
+        self.assertEqual([row["name"] for row in job["effect"]], ["wind infiltration"])
+        self.assertEqual(job["effect"][0]["coefficient"], 0.083)
+        self.assertEqual([row["name"] for row in job["parameter"]], ["u_wall", "kept", "wind infiltration"])
+        self.assertIn("# found by the loop, evidence 412", text)
+        self.assertIn("calm and windy nights apart", text)
+        for line in JOB.splitlines():
+            if not line.startswith("prior"):
+                self.assertIn(line, text)
+
+    def test_a_posterior_is_a_prior(self):
+        printed = self.adopt()
+        loop = result.read(self.result)
+        prior = tomllib.loads(self.new.read_text())["parameter"][0]["prior"]
+        self.assertEqual(prior["kind"], "normal")
+        self.assertAlmostEqual(prior["mean"], min(loop.value_of(result.AFTER, 0), 1), 3)
+        self.assertAlmostEqual(prior["sd"], loop.sd_of(result.AFTER, 0), 3)
+        self.assertIn("priors of 1 parameters", printed)
+        self.assertNotIn("prior", tomllib.loads(self.new.read_text())["parameter"][1])
+
+    def test_hours_go_into_their_schedule(self):
+        self.adopt("--keep-priors", sections=(HOURS,))
+        job = tomllib.loads(self.new.read_text())
+        self.assertEqual(job["schedule"][0]["saturday"], [1, 0])
+        self.assertNotIn("effect", job)
+        self.assertIn('name = "plant"    # by hand', self.new.read_text())
+
+    def test_what_no_job_can_say_is_told(self):
+        self.assertIn("left out: effect wind infiltration: it follows the model's own loads",
+                      self.adopt(sections=("",)))
+
+    def test_nothing_is_written_over(self):
+        self.new.write_text("mine")
+        self.assertIn("is there already; --force writes over it", self.adopt(code=73))
+        self.assertEqual(self.new.read_text(), "mine")
+        self.adopt("--force")
+        self.new = self.job
+        self.assertIn("is the job itself", self.adopt("--force", code=64))
+        self.new = self.folder / "elsewhere" / "new.toml"
+        self.assertIn("expected a name beside", self.adopt(code=64))
+
+    def test_another_job_is_refused(self):
+        self.job.write_text(JOB.replace("u_wall", "u_roof"))
+        self.assertIn("has none of the parameters of office/loop", self.adopt(code=65))
+        self.job.write_text("name =")
+        self.assertIn("is no TOML", self.adopt(code=78))
+        self.job.unlink()
+        self.assertIn("no such file", self.adopt(code=66))
+        self.assertFalse(self.new.exists())
+
+    def test_twice_is_refused(self):
+        self.job.write_text(JOB + '\n[[effect]]\nname = "wind infiltration"\ncoefficient = 1\n')
+        self.assertIn('has an effect "wind infiltration" already', self.adopt(code=65))
+
+    def test_a_damaged_result_is_refused(self):
+        self.result.write_bytes(b"no HDF5")
+        self.assertIn("damaged", self.adopt(code=65))
+
+
+class Numbers(unittest.TestCase):
+    def test_have_four_digits(self):
+        self.assertEqual([adopted.rounded(x) for x in (0.123456, 489355.2, np.float64(2))], [0.1235, 489400, 2])
+
+
+if __name__ == "__main__":
+    unittest.main()
