@@ -75,7 +75,7 @@ def main():
         adopted = [building for building in names if new[building]]
         again = second_loops(jobs, [new[building] for building in adopted])
         first = {building: effects_in(result, building) for building in names}
-        second = {building: effects_in(again, f"{building}_adopted")[0] for building in adopted}
+        second = {building: effects_in(again, building)[0] for building in adopted}
         for building in adopted:
             print(f"# {building}: {'; '.join(first[building][0]) or 'nothing'}; then "
                   f"{'; '.join(second[building]) or 'nothing more'}")
