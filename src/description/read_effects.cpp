@@ -32,6 +32,7 @@ using schema::Section;
 template <class Enum>
 Enum enum_at(const Section& section, const char* key, std::size_t n) {
     std::vector<std::string> names;
+    names.reserve(n);
     for (std::size_t k = 0; k < n; ++k)
         names.emplace_back(effects::name_of(static_cast<Enum>(k)));
     const std::string word = section.text(key);
@@ -289,6 +290,8 @@ void read_effects(const Sources& sources, study::Case& building) {
     DeclaredEffects declared = nothing_declared(building);
     std::vector<physics::Drive> drives;
     std::vector<effects::Surroundings> periods;
+    drives.reserve(building.periods.size());
+    periods.reserve(building.periods.size());
     for (const study::Period& period : building.periods)
         drives.push_back(
             at_key(sections[0], "name", [&] { return drive_of(building, period); }));

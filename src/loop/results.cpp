@@ -247,11 +247,19 @@ class Writer {
         stored.most = c + half;
         stored.gain = found.gain;
         stored.adequate = found.doubt.empty() ? 1 : 0;
+        stored.section = effects::job_section_of(
+            effect, belief_of(k, {c, half / half_of_90}), data_.training().from);
+    }
+
+    /// An effect of one sign keeps it.
+    effects::CoefficientBelief belief_of(std::size_t k,
+                                         effects::CoefficientBelief belief) const {
+        const effects::Effect& effect = result_.last.model.effects[k];
         const BuiltModel& built = result_.last.built;
         const auto& unknown = built.unknowns[built.first_effect() + k];
-        stored.section = effects::job_section_of(
-            effect, {c, half / half_of_90, unknown.least, unknown.most},
-            data_.training().from);
+        belief.least = effect.least >= 0 ? 0 : unknown.least;
+        belief.most = effect.most <= 0 ? 0 : unknown.most;
+        return belief;
     }
 
     void functions_found() {

@@ -9,16 +9,8 @@
 #include <fmt/format.h>
 
 namespace bemcal::retrofit {
-namespace {
 
 using physics::Target;
-
-bool is_same(const Target& a, const Target& b) {
-    return a.part == b.part && a.index == b.index && a.inner == b.inner &&
-           a.field == b.field && a.slot == b.slot && a.change == b.change;
-}
-
-}  // namespace
 
 double changed(double number, const ScenarioChange& change) {
     switch (change.by) {
@@ -54,8 +46,9 @@ void ScenarioNumbers::add(const Target& target) {
 }
 
 std::size_t ScenarioNumbers::number_of(const Target& target) const {
-    const auto found = std::ranges::find_if(
-        numbers_, [&](const auto& number) { return is_same(number.targets[0], target); });
+    const auto found = std::ranges::find_if(numbers_, [&](const auto& number) {
+        return physics::is_same_number(number.targets[0], target);
+    });
     return static_cast<std::size_t>(found - numbers_.begin());
 }
 
