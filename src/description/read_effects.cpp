@@ -4,7 +4,6 @@
 /// coefficient is fixed unless a [[parameter]] has the target "effect.NAME". Left out:
 /// other hours than declared (a [[schedule]] says them) and what corrects readings
 /// ([[meter]] does).
-#include "base/joined.hpp"
 #include "description/building_readers.hpp"
 #include "description/read_holidays.hpp"
 #include "effects/catalogue.hpp"
@@ -16,7 +15,6 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace bemcal::description {
 
