@@ -7,28 +7,12 @@ the loop chose, which another loop chooses again, and functions.
 import math
 
 import tomlkit
-import tomlkit.exceptions
 
 from . import result, words
-
-AFTER = result.AFTER
 
 
 class Mismatch(Exception):
     """The job is not the one that the result is of."""
-
-
-def parse(text):
-    """Throws ValueError where the text is no TOML."""
-    return tomlkit.parse(text)
-
-
-def text_of(job):
-    return tomlkit.dumps(job)
-
-
-def read(path, stage):
-    return result.read(path, stage)
 
 
 def named(job, section):
@@ -37,9 +21,8 @@ def named(job, section):
 
 
 def check_same(loop, job):
-    """All parameters of the job were calibrated by that loop, as far as it calibrated any."""
-    unknown = [name for name in named(job, "parameter") if name not in loop.parameters]
-    if "parameter" not in job or len(unknown) == len(job["parameter"]):
+    """Some parameter of the job is one of that loop, which may have calibrated some alone."""
+    if not any(name in loop.parameters for name in named(job, "parameter")):
         raise Mismatch(f"has none of the parameters of {loop.stage}; expected the job that the result is of, one "
                        "building with its parameters in this file")
 
@@ -59,7 +42,7 @@ def prior_of(mean, sd, least, most):
 def adopt_parameter(loop, row):
     """Its posterior as its prior. Whether there is one."""
     k = loop.parameters.index(str(row["name"]))
-    mean, sd = loop.value_of(AFTER, k), loop.sd_of(AFTER, k)
+    mean, sd = loop.value_of(result.AFTER, k), loop.sd_of(result.AFTER, k)
     if not (math.isfinite(mean) and sd > 0) or "values" in row:
         return False
     row["prior"] = prior_of(mean, sd, float(row["min"]), float(row["max"]))

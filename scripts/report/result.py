@@ -50,7 +50,8 @@ EFFECT = {"name": text("effect"), "hook": text("effect_hook"), "driver": text("e
           "coefficient": number("effect_coefficient"), "least": number("effect_least"),
           "most": number("effect_most"), "gain": number("effect_gain"),
           "adequate": number("effect_adequate"), "doubt": text("effect_doubt"),
-          "separates": text("effect_separates"), "section": text("effect_section"), "class_in_words": text("effect_class")}
+          "separates": text("effect_separates"), "section": text("effect_section"),
+          "class_in_words": text("effect_class")}
 FUNCTION = {"name": text("function"), "hook": text("function_hook"), "driver": text("function_driver"),
             "driver_unit": text("function_driver_unit"), "size": number("function_size"),
             "unit": text("function_unit"), "evidence": number("function_evidence")}

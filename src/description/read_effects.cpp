@@ -9,7 +9,9 @@
 #include "effects/catalogue.hpp"
 #include "effects/drivers.hpp"
 #include "effects/hooks.hpp"
+#include "effects/job_section.hpp"
 #include "effects/placement.hpp"
+#include "effects/steps.hpp"
 #include "effects/variants.hpp"
 
 #include <algorithm>
@@ -41,13 +43,6 @@ Enum enum_at(const Section& section, const char* key, std::size_t n) {
 constexpr auto n_forms = static_cast<std::size_t>(effects::Form::lagged) + 1;
 constexpr auto n_gates = static_cast<std::size_t>(effects::Gate::us_summer_time) + 1;
 
-const Entry* row_named(const std::string& name) {
-    const auto rows = effects::catalogue();
-    const auto found = std::ranges::find_if(
-        rows, [&](const Entry& row) { return row.effect.name == name; });
-    return found == rows.end() ? nullptr : &*found;
-}
-
 /// Hook and driver of an effect that the catalogue does not have.
 Effect of_grammar(const Section& section) {
     constexpr double any = 1e9;  ///< the hook's own limits hold
@@ -61,8 +56,7 @@ Effect of_grammar(const Section& section) {
     effect.hook = enum_at<effects::Hook>(section, "hook", effects::hook_rows().size());
     effect.driver =
         enum_at<effects::Driver>(section, "driver", effects::driver_rows().size());
-    if (effect.driver == effects::Driver::heating_load ||
-        effect.driver == effects::Driver::cooling_load)
+    if (effects::follows_loads(effect.driver))
         section.fail_value("driver",
                            "is the model's own load, known only after a simulation; "
                            "expected \"outdoor temperature\" or another series");
@@ -117,17 +111,16 @@ void read_shape(const Section& section, physics::Seconds from, Effect& effect) {
             fmt::format("is the day of a step, but \"{}\" follows {}; expected driver "
                         "= \"time elapsed\", or no since",
                         effect.name, name_of(effect.driver)));
-    constexpr double year_s = 365.25 * physics::day_s;
     const physics::Seconds since = at_key(
         section, "since", [&] { return physics::parse_time(section.text("since")); });
     effect.shape.form = effects::Form::over;
     // A step begins with the hour of that time.
-    effect.shape.at = (static_cast<double>((since - from).count()) - 1) / year_s;
+    effect.shape.at =
+        (static_cast<double>((since - from).count()) - 1) / effects::elapsed_year_s;
 }
 
 void read_gate(const Section& section, Effect& effect) {
-    constexpr const char* weekdays[] = {"monday", "tuesday",  "wednesday", "thursday",
-                                        "friday", "saturday", "sunday"};
+    constexpr const auto& weekdays = effects::weekday_keys;
     if (section.has("gate"))
         effect.gate = enum_at<effects::Gate>(section, "gate", n_gates);
     if (section.has("days")) {
@@ -158,8 +151,8 @@ void read_gate(const Section& section, Effect& effect) {
 void read_place(const Section& section, const effects::Surroundings& around,
                 Effect& effect) {
     if (section.has("meter")) {
-        effect.meter = section.choice_as<physics::Quantity>("meter");
-        effect.place_name = fmt::format("{} meter", name_of(*effect.meter));
+        const auto meter = section.choice_as<physics::Quantity>("meter");
+        effect = effects::variants(effect, Each::meter, around, {&meter, 1}).at(0);
     }
     if (is_at_a_meter(effect.hook) && !effect.meter)
         section.fail("meter",
@@ -169,7 +162,7 @@ void read_place(const Section& section, const effects::Surroundings& around,
     std::vector<std::string> names;
     for (const Effect& one : effects::variants(effect, Each::facade, around, {})) {
         if (!one.facade) continue;
-        names.push_back(one.place_name.substr(0, one.place_name.find(" facade")));
+        names.push_back(effects::facade_key(one));
         if (names.back() != facade) continue;
         effect.facade = one.facade;
         effect.place_name = one.place_name;
@@ -194,7 +187,7 @@ Effect read_effect(const Section& section, const study::Case& building,
         section.fail_value("name",
                            "has a dot, which parts the words of a parameter's "
                            "target; expected a name without");
-    const Entry* row = row_named(name);
+    const Entry* row = effects::entry_named(name);
     Effect effect = row != nullptr ? of_catalogue(section, *row) : of_grammar(section);
     read_shape(section, around.from, effect);
     read_gate(section, effect);
@@ -265,18 +258,23 @@ void check_coefficient(const Section& section, const physics::Coefficient& effec
         fmt::format("expected {:g} to {:g} {}", effect.least, effect.most, effect.unit));
 }
 
-/// Into the case: its building gets them, its profiles their rows.
+/// Into the case: its building gets them, its profiles their rows. Each period's drive
+/// must take them.
 void enter(const Section& section, DeclaredEffects declared,
-           const std::vector<physics::Drive>& drives, study::Case& building) {
-    building.building = at_key(section, "name", [&] {
-        return building_with(declared, drives[0], building.weather, declared.n_rows);
+           std::vector<physics::Drive>& drives, study::Case& building) {
+    at_key(section, "name", [&] {
+        building.building =
+            building_with(declared, drives[0], building.weather, declared.n_rows);
+        for (physics::Drive& drive : drives) {
+            drive.profiles.rows += declared.n_rows;
+            drive.profiles.values.resize(drive.profiles.rows * drive.profiles.cols);
+            write_profiles(declared, building.weather, drive);
+        }
     });
     building.profiles.insert(building.profiles.end(), declared.n_rows,
                              empty_row(building));
     building.declared_effects =
         std::make_shared<const DeclaredEffects>(std::move(declared));
-    for (const study::Period& period : building.periods)
-        at_key(section, "name", [&] { return drive_of(building, period); });
 }
 
 }  // namespace

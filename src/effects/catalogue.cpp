@@ -23,14 +23,6 @@ std::vector<Entry> all_rows() {
     return rows;
 }
 
-const Entry* find(const std::string& name) {
-    const auto rows = catalogue();
-    const auto found = std::find_if(rows.begin(), rows.end(), [&](const Entry& entry) {
-        return entry.effect.name == name;
-    });
-    return found == rows.end() ? nullptr : &*found;
-}
-
 }  // namespace
 
 std::span<const Entry> catalogue() {
@@ -38,8 +30,16 @@ std::span<const Entry> catalogue() {
     return rows;
 }
 
+const Entry* entry_named(const std::string& name) {
+    const auto rows = catalogue();
+    const auto found = std::find_if(rows.begin(), rows.end(), [&](const Entry& entry) {
+        return entry.effect.name == name;
+    });
+    return found == rows.end() ? nullptr : &*found;
+}
+
 const Entry* entry_of(const Effect& effect) {
-    return effect.is_named() ? find(effect.name) : nullptr;
+    return effect.is_named() ? entry_named(effect.name) : nullptr;
 }
 
 std::string same_as(const Effect& effect) {
@@ -48,7 +48,7 @@ std::string same_as(const Effect& effect) {
 }
 
 Effect with_days(const std::string& name, std::vector<Days> days) {
-    const Entry* entry = find(name);
+    const Entry* entry = entry_named(name);
     if (entry == nullptr || entry->each != Each::found_days)
         throw std::invalid_argument(
             fmt::format("'{}' is no effect of days that are found", name));

@@ -31,6 +31,8 @@ std::vector<Effect> named_candidates(const Surroundings& surroundings,
 std::vector<Effect> generic_candidates(const Surroundings& surroundings,
                                        std::span<const physics::Quantity> meters);
 
+/// The row of that name; nullptr where the catalogue has none.
+const Entry* entry_named(const std::string& name);
 /// The catalogue's row; nullptr for an effect of the grammar.
 const Entry* entry_of(const Effect& effect);
 

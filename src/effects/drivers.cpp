@@ -21,7 +21,6 @@ using Series = std::vector<double>;
 using Shapes = std::vector<Shape>;
 
 constexpr double base_temperature = 20;
-constexpr double year_s = 365.25 * physics::day_s;
 
 /// Wind over its mean in all of the weather, less 1.
 Series relative_wind(const Weather& weather) {
@@ -87,7 +86,7 @@ Series sun_of(const Effect& effect, const Surroundings& around) {
 Series elapsed_of(const Effect&, const Surroundings& around) {
     return each_step(around, [&](std::size_t k) {
         const auto begin = around.drive->axis.begin_of(static_cast<int>(k));
-        return static_cast<double>((begin - around.from).count()) / year_s;
+        return static_cast<double>((begin - around.from).count()) / elapsed_year_s;
     });
 }
 

@@ -4,6 +4,7 @@
 #include "effects/job_section.hpp"
 
 #include "effects/catalogue.hpp"
+#include "effects/steps.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -30,9 +31,8 @@ std::string line(const char* key, const std::string& text) {
 
 /// The first whole minute after a step's threshold: steps begin there.
 std::string begin_of_step(const Effect& effect, physics::Seconds from) {
-    constexpr double year_s = 365.25 * physics::day_s;
     const auto after = std::chrono::seconds(
-        static_cast<long long>(std::floor(effect.shape.at * year_s)) + 1);
+        static_cast<long long>(std::floor(effect.shape.at * elapsed_year_s)) + 1);
     const auto minutes = std::chrono::ceil<std::chrono::minutes>(after);
     return physics::format_time(from + minutes);
 }
@@ -70,14 +70,13 @@ std::string days_line(const Effect& effect) {
 }
 
 std::string gate_lines(const Effect& effect, const Effect& row) {
-    constexpr const char* weekdays[] = {"monday", "tuesday",  "wednesday", "thursday",
-                                        "friday", "saturday", "sunday"};
     std::string lines;
     if (effect.gate == Gate::on_days)
         lines += days_line(effect);
     else if (effect.gate != row.gate)
         lines += line("gate", name_of(effect.gate));
-    if (effect.weekday >= 0) lines += line("weekday", weekdays[effect.weekday]);
+    if (effect.weekday >= 0)
+        lines += line("weekday", weekday_keys[static_cast<std::size_t>(effect.weekday)]);
     if (effect.hours.from != row.hours.from || effect.hours.until != row.hours.until)
         lines += fmt::format("hours = [{}, {}]\n", effect.hours.from, effect.hours.until);
     return lines;
@@ -86,9 +85,7 @@ std::string gate_lines(const Effect& effect, const Effect& row) {
 std::string place_lines(const Effect& effect) {
     std::string lines;
     if (effect.meter) lines += line("meter", physics::name_of(*effect.meter));
-    if (effect.facade)
-        lines += line("facade",
-                      effect.place_name.substr(0, effect.place_name.find(" facade")));
+    if (effect.facade) lines += line("facade", facade_key(effect));
     if (effect.driver == Driver::column) lines += line("series", effect.column);
     return lines;
 }
@@ -126,10 +123,6 @@ std::string parameter_lines(const std::string& name, const CoefficientBelief& be
                belief.sd);
 }
 
-bool follows_loads(const Effect& effect) {
-    return effect.driver == Driver::heating_load || effect.driver == Driver::cooling_load;
-}
-
 /// The catalogue's row that says hook and driver; none of another effect.
 const Effect* row_of_name(const Effect& effect) {
     const Entry* entry = entry_of(effect);
@@ -147,10 +140,18 @@ std::string name_in_job(const Effect& effect) {
 
 }  // namespace
 
+std::string facade_key(const Effect& effect) {
+    return effect.place_name.substr(0, effect.place_name.find(" facade"));
+}
+
+bool follows_loads(Driver driver) {
+    return driver == Driver::heating_load || driver == Driver::cooling_load;
+}
+
 std::string job_section_of(const Effect& effect, const CoefficientBelief& coefficient,
                            physics::Seconds from) {
     if (effect.other_hours) return schedule_lines(*effect.other_hours);
-    if (follows_loads(effect)) return "";
+    if (follows_loads(effect.driver)) return "";
     const Effect* row = row_of_name(effect);
     const std::string name = name_in_job(effect);
     std::string lines = "[[effect]]\n" + line("name", name);

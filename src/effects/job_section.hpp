@@ -4,9 +4,18 @@
 #include "effects/effect.hpp"
 #include "physics/calendar.hpp"
 
+#include <array>
 #include <string>
 
 namespace bemcal::effects {
+
+/// Keys of the days of the week, Monday first.
+inline constexpr std::array weekday_keys{"monday", "tuesday",  "wednesday", "thursday",
+                                         "friday", "saturday", "sunday"};
+/// "south", "roof": the effect's only facade.
+std::string facade_key(const Effect& effect);
+/// Whether it follows the model's own loads, which no job can declare.
+bool follows_loads(Driver driver);
 
 /// What is believed of a coefficient.
 struct CoefficientBelief {

@@ -66,7 +66,7 @@ physics::Drive Placer::drive() const {
 
 void Placer::write_profiles(physics::Drive& drive) const {
     Matrix& profiles = drive.profiles;
-    const std::size_t n_own = around_.drive->profiles.rows;
+    const std::size_t n_own = first_row_;
     profiles.rows = n_own + rows_.size();
     profiles.cols = static_cast<std::size_t>(drive.n_steps());
     profiles.values.resize(profiles.rows * profiles.cols);

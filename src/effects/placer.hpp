@@ -14,16 +14,11 @@ class Placer {
   public:
     /// \param around  must outlive this
     explicit Placer(const Surroundings& around)
-        : Placer(around, around.drive->profiles.rows) {
-        is_declared_ = false;
-    }
+        : Placer(around, around.drive->profiles.rows, false) {}
     /// Of declared effects, whose rows are the same ones in every period: from
     /// `first_row` on, one for each profile, whatever it is.
     Placer(const Surroundings& around, std::size_t first_row)
-        : around_(around),
-          building_(*around.building),
-          first_row_(first_row),
-          is_declared_(true) {}
+        : Placer(around, first_row, true) {}
 
     const Surroundings& around() const { return around_; }
     physics::Building& building() { return building_; }
@@ -61,12 +56,18 @@ class Placer {
     const std::vector<physics::Parameter>& parameters() const { return parameters_; }
 
   private:
+    Placer(const Surroundings& around, std::size_t first_row, bool is_declared)
+        : around_(around),
+          building_(*around.building),
+          first_row_(first_row),
+          is_declared_(is_declared) {}
+
     const Surroundings& around_;
     physics::Building building_;
     std::vector<std::vector<double>> rows_;
     std::vector<physics::Parameter> parameters_;
-    std::size_t first_row_ = 0;
-    bool is_declared_ = false;
+    std::size_t first_row_;
+    bool is_declared_;
     bool acts_always_ = false;
 };
 

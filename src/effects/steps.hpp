@@ -2,10 +2,14 @@
 #pragma once
 
 #include "effects/surroundings.hpp"
+#include "physics/calendar.hpp"
 
 #include <vector>
 
 namespace bemcal::effects {
+
+/// Of Driver::elapsed and its thresholds.
+inline constexpr double elapsed_year_s = 365.25 * physics::day_s;
 
 /// value(k) at every step k.
 template <class Value>

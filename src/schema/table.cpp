@@ -261,7 +261,7 @@ constexpr Key table[] = {
     {"effect", "hook", Type::text, "", "", 0, 0,
      "Where it enters: \"infiltration\", \"gains\", \"heating set-point\", ..."},
     {"effect", "driver", Type::text, "", "constant", 0, 0,
-     "What it follows: \"wind\", \"hour\", \"outdoor temperature\", ..."},
+     "What it follows: \"wind\", \"hour of the day\", \"outdoor temperature\", ..."},
     {"effect", "form", Type::text, "", "linear", 0, 0,
      "How it follows it: linear; above, below (what is beyond `at`); over, under (1 "
      "there); within (1 from `at` to `until`); lagged (by `at` hours)."},
