@@ -4,6 +4,7 @@
 #include "base/machine.hpp"
 #include "base/terminal.hpp"
 #include "effects/catalogue.hpp"
+#include "effects/refinements.hpp"
 #include "external/process.hpp"
 #include "holidays/holidays.hpp"
 #include "plan/plan.hpp"
@@ -114,11 +115,13 @@ void add_describe(CLI::App& app, CommandLine& line) {
     CLI::App* describe = app.add_subcommand(
         "describe",
         "print every key of a job, dataset of a result, number that a parameter may name, "
-        "effect that a loop may find, or public holiday of a country");
+        "refinement of its structure, effect that a loop may find, or public holiday");
     describe
-        ->add_option("TOPIC", line.topic, "job, results, parameters, effects or holidays")
+        ->add_option("TOPIC", line.topic,
+                     "job, results, parameters, structure, effects or holidays")
         ->required()
-        ->check(CLI::IsMember({"job", "results", "parameters", "effects", "holidays"}));
+        ->check(CLI::IsMember(
+            {"job", "results", "parameters", "structure", "effects", "holidays"}));
     describe->add_option(
         "PLACE", line.place,
         "of holidays: a country and perhaps a state, US or DE-BY; none = "
@@ -283,11 +286,12 @@ ExitCode describe_command(const CommandLine& line) {
                         fmt::format("'{}': expected nothing after {}; only holidays are "
                                     "of a place",
                                     line.place, line.topic));
-    const std::string text = line.topic == "job"        ? job::describe_job()
-                             : line.topic == "results"  ? store::describe_results()
-                             : line.topic == "effects"  ? effects::describe()
-                             : line.topic == "holidays" ? holidays_text(line)
-                                                        : job::describe_parameters();
+    const std::string text = line.topic == "job"         ? job::describe_job()
+                             : line.topic == "results"   ? store::describe_results()
+                             : line.topic == "structure" ? effects::describe_structure()
+                             : line.topic == "effects"   ? effects::describe()
+                             : line.topic == "holidays"  ? holidays_text(line)
+                                                         : job::describe_parameters();
     print(stdout, text);
     return ExitCode::ok;
 }

@@ -58,6 +58,12 @@ std::vector<study::Column> read_columns(const Sources& sources);
 physics::Building read_building(const Sources& sources,
                                 const std::vector<physics::Profile>& profiles);
 
+/// `structure`: what its refinements change of the building as described. Their effects
+/// are read_effects', their numbers the next one's.
+void read_structure(const Sources& sources, study::Case& building);
+/// What the job's own parameters leave of the structure's numbers, as parameters.
+void add_parameters_of_structure(study::Case& building);
+
 /// [[link]], into the building, and all that follows from its numbers.
 void read_links(const Sources& sources, physics::Building& building);
 /// Throws UserError at `key` where a linked number leaves its range.
@@ -69,7 +75,8 @@ void check_linked(const schema::Section& section, const char* key,
 /// the periods.
 void check_building(const Sources& sources, const study::Case& building);
 
-/// [[effect]], into the case, which has all but parameters and meters.
+/// [[effect]], and those of the structure that no section has, into the case, which has
+/// all but parameters and meters.
 void read_effects(const Sources& sources, study::Case& building);
 
 /// Parameters and their priors, into the case.

@@ -56,9 +56,11 @@ study::Case read_case(const Sources& sources, input::InputFiles& files) {
     building.building = read_building(sources, building.profiles);
     building.building.name = building.name;
     read_unknown_hours(sources, building);
+    read_structure(sources, building);
     check_building(sources, building);
     read_effects(sources, building);
     read_parameters(sources, building);
+    add_parameters_of_structure(building);
     read_meters(sources, files, building);
     check_meter_steps(sources, building);
     return building;

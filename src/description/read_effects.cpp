@@ -11,10 +11,13 @@
 #include "effects/hooks.hpp"
 #include "effects/job_section.hpp"
 #include "effects/placement.hpp"
+#include "effects/refinements.hpp"
 #include "effects/steps.hpp"
 #include "effects/variants.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -43,6 +46,58 @@ Enum enum_at(const Section& section, const char* key, std::size_t n) {
 constexpr auto n_forms = static_cast<std::size_t>(effects::Form::lagged) + 1;
 constexpr auto n_gates = static_cast<std::size_t>(effects::Gate::us_summer_time) + 1;
 
+/// What kind of numbers a function's points need: knots, if any, and how many values.
+functions::Points points_of(const Section& section, const std::string& driver,
+                            std::size_t n_values) {
+    functions::Points points{effects::points_of_driver(driver)};
+    points.n_fortnights = n_values;
+    const bool has_knots = points.kind == functions::Points::Kind::knots ||
+                           points.kind == functions::Points::Kind::hours_at_knots;
+    if (!has_knots) {
+        if (section.has("at"))
+            section.fail("at",
+                         fmt::format("has no place in a function of \"{}\"; expected "
+                                     "values alone",
+                                     driver));
+        return points;
+    }
+    points.knots = section.numbers("at");
+    if (points.knots.size() < 2 ||
+        std::ranges::adjacent_find(points.knots, std::greater_equal<>()) !=
+            points.knots.end())
+        section.fail("at", "expected two numbers or more that rise, each once");
+    return points;
+}
+
+effects::DriverFunction read_function(const Section& section) {
+    effects::DriverFunction function;
+    function.driver = section.text("driver");
+    check_word(section, "driver", function.driver, effects::function_driver_names(),
+               "driver of a function");
+    function.values = section.numbers("values");
+    if (function.values.empty()) section.fail("values", "is empty; expected numbers");
+    function.points = points_of(section, function.driver, function.values.size());
+    if (function.values.size() != function.points.size())
+        section.fail(
+            "values",
+            fmt::format("has {} numbers; expected {}, one for each point of \"{}\"",
+                        function.values.size(), function.points.size(), function.driver));
+    return function;
+}
+
+/// An effect that follows the sum of functions, in the unit of its hook.
+Effect of_functions(const Section& section, const Effect& given) {
+    if (section.has("driver"))
+        section.fail("driver",
+                     "has no place beside [[effect.function]], which has its own; "
+                     "expected one of the two");
+    Effect effect = given;
+    effect.driver = effects::Driver::column;
+    effect.column = "functions of " + effect.name;  // no [[series]]
+    effect.is_smooth = true;
+    return effect;
+}
+
 /// Hook and driver of an effect that the catalogue does not have.
 Effect of_grammar(const Section& section) {
     constexpr double any = 1e9;  ///< the hook's own limits hold
@@ -54,19 +109,20 @@ Effect of_grammar(const Section& section) {
             "is no row of the catalogue (`bemcal-batch describe effects` prints "
             "it), and there is no hook; expected a row's name, or hook and driver");
     effect.hook = enum_at<effects::Hook>(section, "hook", effects::hook_rows().size());
+    effect.least = -any;
+    effect.most = any;
+    if (section.has("function")) return of_functions(section, effect);
     effect.driver =
         enum_at<effects::Driver>(section, "driver", effects::driver_rows().size());
     if (effects::follows_loads(effect.driver))
         section.fail_value("driver",
                            "is the model's own load, known only after a simulation; "
                            "expected \"outdoor temperature\" or another series");
-    effect.least = -any;
-    effect.most = any;
     return effect;
 }
 
 Effect of_catalogue(const Section& section, const Entry& row) {
-    for (const char* key : {"hook", "driver"})
+    for (const char* key : {"hook", "driver", "function"})
         if (section.has(key))
             section.fail(key,
                          fmt::format("is that of the catalogue's row \"{}\" already; "
@@ -174,10 +230,20 @@ void read_place(const Section& section, const effects::Surroundings& around,
 }
 
 void read_column(const Section& section, const study::Case& building, Effect& effect) {
-    if (effect.driver != effects::Driver::column) return;
+    if (effect.driver != effects::Driver::column || section.has("function")) return;
     effect.column = section.text("series");
     check_word(section, "series", effect.column, names_of(building.columns),
                "[[series]]");
+}
+
+/// Nothing of an effect without functions.
+std::optional<DeclaredEffects::Functions> read_functions(const Section& section,
+                                                         const Effect& effect) {
+    if (!section.has("function")) return std::nullopt;
+    DeclaredEffects::Functions all{effect.hook, effect.column, {}};
+    for (const Section& each : section.tables("function", "effect.function"))
+        all.functions.push_back(read_function(each));
+    return all;
 }
 
 Effect read_effect(const Section& section, const study::Case& building,
@@ -231,6 +297,7 @@ DeclaredEffects nothing_declared(const study::Case& building) {
     declared.building = building.building;
     declared.first_row = building.profiles.size();
     declared.from = building.periods.at(0).from;
+    declared.clock = effects::wall_clock_of(building.profiles, building.weather.site);
     for (const study::Column& column : building.columns) {
         const auto profile =
             std::ranges::find(building.profiles, column.name, &physics::Profile::name);
@@ -260,9 +327,9 @@ void check_coefficient(const Section& section, const physics::Coefficient& effec
 
 /// Into the case: its building gets them, its profiles their rows. Each period's drive
 /// must take them.
-void enter(const Section& section, DeclaredEffects declared,
+void enter(const Section& section, const char* key, DeclaredEffects declared,
            std::vector<physics::Drive>& drives, study::Case& building) {
-    at_key(section, "name", [&] {
+    at_key(section, key, [&] {
         building.building =
             building_with(declared, drives[0], building.weather, declared.n_rows);
         for (physics::Drive& drive : drives) {
@@ -277,33 +344,69 @@ void enter(const Section& section, DeclaredEffects declared,
         std::make_shared<const DeclaredEffects>(std::move(declared));
 }
 
+/// Effects of the structure that no section has, at the middle of their priors.
+void declare_structure(const std::vector<Section>& sections, const study::Case& building,
+                       DeclaredEffects& declared) {
+    for (const std::size_t index : building.structure)
+        for (const auto& always : effects::refinements()[index].effects) {
+            const auto is_its = [&](const Section& section) {
+                return section.text("name") == always.effect.name;
+            };
+            if (std::ranges::any_of(sections, is_its)) continue;
+            declared.effects.push_back(always.effect);
+            declared.coefficients.push_back(always.mean);
+        }
+}
+
+/// What effects follow in each of the case's periods, of which the drives are the first.
+std::vector<effects::Surroundings> surroundings_in(
+    const DeclaredEffects& declared, const study::Case& building,
+    const std::vector<physics::Drive>& drives) {
+    std::vector<effects::Surroundings> periods;
+    periods.reserve(drives.size());
+    for (const physics::Drive& drive : drives)
+        periods.push_back(surroundings_of(declared, drive, building.weather));
+    return periods;
+}
+
+void declare(const Section& section, const study::Case& building,
+             std::vector<effects::Surroundings>& periods, DeclaredEffects& declared) {
+    Effect effect = read_effect(section, building, periods[0]);
+    check_twice(section, declared.effects, effect);
+    if (const auto functions = read_functions(section, effect)) {
+        at_key(section, "function", [&] {
+            for (effects::Surroundings& around : periods)
+                add_columns({*functions}, around);
+        });
+        declared.functions.push_back(*functions);
+    }
+    check_entering(section, effect, periods);
+    declared.effects.push_back(std::move(effect));
+    declared.coefficients.push_back(section.number("coefficient"));
+}
+
 }  // namespace
 
 void read_effects(const Sources& sources, study::Case& building) {
     const std::vector<Section> sections =
         sources.with("effect").tables("effect", "effect");
-    if (sections.empty()) return;
     DeclaredEffects declared = nothing_declared(building);
+    declare_structure(sections, building, declared);
+    if (sections.empty() && declared.effects.empty()) return;
+    const std::size_t n_of_structure = declared.effects.size();
+    const Section& first = sections.empty() ? sources.with("structure") : sections[0];
+    const char* key = sections.empty() ? "structure" : "name";
     std::vector<physics::Drive> drives;
-    std::vector<effects::Surroundings> periods;
     drives.reserve(building.periods.size());
-    periods.reserve(building.periods.size());
     for (const study::Period& period : building.periods)
-        drives.push_back(
-            at_key(sections[0], "name", [&] { return drive_of(building, period); }));
-    for (const physics::Drive& drive : drives)
-        periods.push_back(surroundings_of(declared, drive, building.weather));
-    for (const Section& section : sections) {
-        Effect effect = read_effect(section, building, periods[0]);
-        check_twice(section, declared.effects, effect);
-        check_entering(section, effect, periods);
-        declared.effects.push_back(std::move(effect));
-        declared.coefficients.push_back(section.number("coefficient"));
-    }
-    enter(sections.back(), std::move(declared), drives, building);
+        drives.push_back(at_key(first, key, [&] { return drive_of(building, period); }));
+    auto periods = surroundings_in(declared, building, drives);
+    for (const Section& section : sections) declare(section, building, periods, declared);
+    enter(sections.empty() ? first : sections.back(), key, std::move(declared), drives,
+          building);
     for (std::size_t k = 0; k < sections.size(); ++k)
-        check_coefficient(sections[k], building.building.effects[k],
-                          building.declared_effects->coefficients[k]);
+        check_coefficient(sections[k], building.building.effects[n_of_structure + k],
+                          building.declared_effects->coefficients[n_of_structure + k]);
 }
 
 }  // namespace bemcal::description

@@ -144,6 +144,20 @@ Parameter read_parameter(const schema::Section& section, const Building& buildin
     return parameter;
 }
 
+/// The building has it from here on, where a study does not vary it.
+void read_value(const schema::Section& section, Parameter& parameter,
+                Building& building) {
+    if (!section.has("value")) return;
+    const double value = section.number("value");
+    if (value < parameter.least || value > parameter.most)
+        section.fail_value("value",
+                           fmt::format("expected {:g} to {:g}, the range of {}",
+                                       parameter.least, parameter.most, parameter.name));
+    const Building described = building;
+    physics::apply(described, {&parameter, 1}, {&value, 1}, building);
+    parameter.nominal = value;
+}
+
 }  // namespace
 
 void read_parameters(const Sources& sources, study::Case& building) {
@@ -151,6 +165,7 @@ void read_parameters(const Sources& sources, study::Case& building) {
          sources.with("parameter").tables("parameter", "parameter")) {
         Parameter parameter = read_parameter(section, building.building);
         check_overlap(section, building.building, building.parameters, parameter);
+        read_value(section, parameter, building.building);
         building.priors.push_back(read_prior(section, parameter));
         building.parameters.push_back(std::move(parameter));
     }

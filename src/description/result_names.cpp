@@ -75,7 +75,7 @@ constexpr const char* of_screening[] = {"parameter",
                                         "monthly_fit",
                                         "n_points"};
 /// Beside the meters of a period.
-constexpr const char* of_period[] = {"hourly", "time", "outdoor_temperature"};
+constexpr const char* of_period[] = {"hourly", "time", "month", "outdoor_temperature"};
 
 bool has(std::span<const char* const> names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();

@@ -32,6 +32,21 @@ physics::Coefficient coefficient_of(const physics::Parameter& parameter) {
 
 }  // namespace
 
+void add_columns(const std::vector<DeclaredEffects::Functions>& functions,
+                 Surroundings& around) {
+    if (functions.empty()) return;
+    const FunctionDrivers drivers = function_drivers(around);
+    for (const DeclaredEffects::Functions& one : functions) {
+        for (const DriverFunction& function : one.functions)
+            if (!drivers.contains(function.driver))
+                throw CannotSimulate(fmt::format(
+                    "the weather of the period from {} lacks what {} follows: {}",
+                    physics::format_time(around.drive->period().start), one.column,
+                    function.driver));
+        around.columns[one.column] = column_of(one.hook, one.functions, drivers);
+    }
+}
+
 Surroundings surroundings_of(const DeclaredEffects& declared, const physics::Drive& drive,
                              const physics::Weather& weather) {
     Surroundings around =
@@ -40,6 +55,8 @@ Surroundings surroundings_of(const DeclaredEffects& declared, const physics::Dri
         const auto row = drive.profiles.row(column.row);
         around.columns[column.name].assign(row.begin(), row.end());
     }
+    around.clock = declared.clock;
+    add_columns(declared.functions, around);
     return around;
 }
 

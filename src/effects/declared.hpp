@@ -2,7 +2,7 @@
 /// every period, with a coefficient that parameters may write to.
 #pragma once
 
-#include "effects/surroundings.hpp"
+#include "effects/driver_functions.hpp"
 
 #include <cstddef>
 #include <string>
@@ -23,6 +23,14 @@ struct DeclaredEffects {
         std::size_t row;  ///< of Drive::profiles
     };
     std::vector<Column> columns{};  ///< that they may follow
+    /// Functions that an effect follows: their sum is the column of its name.
+    struct Functions {
+        Hook hook;
+        std::string column;
+        std::vector<DriverFunction> functions;
+    };
+    std::vector<Functions> functions{};
+    WallClock clock{};  ///< of their hours
 };
 
 /// The building with them: Building::effects has a row for each. Throws CannotSimulate
@@ -37,6 +45,11 @@ physics::Building building_with(const DeclaredEffects& declared,
 /// where this period lacks what one follows, or where it enters other inputs than before.
 void write_profiles(const DeclaredEffects& declared, const physics::Weather& weather,
                     physics::Drive& drive);
+
+/// Gives a period the columns of functions. Throws CannotSimulate where it lacks what one
+/// follows.
+void add_columns(const std::vector<DeclaredEffects::Functions>& functions,
+                 Surroundings& around);
 
 /// What they follow in a period.
 Surroundings surroundings_of(const DeclaredEffects& declared, const physics::Drive& drive,

@@ -132,7 +132,11 @@ void change_windows(Placer& placer, const HookRow& row, const Effect& effect) {
 }
 
 void change_leaks(Placer& placer, const HookRow& row, const Effect& effect) {
-    const Series profile = levelled_for(row, effect, profile_of(effect, placer.around()));
+    const Series exact = profile_of(effect, placer.around());
+    Series profile = levelled_for(row, effect, exact);
+    // Leaks may not turn round. The calmest hours keep their value, which is that of
+    // every year: what one year shows to be possible is so in another.
+    std::ranges::replace(profile, std::ranges::min(profile), std::ranges::min(exact));
     for (const Target& target : sites_of(row, effect, placer.building())) {
         Series leak = profile;
         for (double& value : leak)

@@ -9,8 +9,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <span>
+#include <string>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace bemcal::effects {
 namespace {
@@ -101,26 +104,48 @@ std::string day_line(const char* key, const physics::DailyRun& run,
     return fmt::format("{} = [{}]\n", key, values);
 }
 
+/// Adoption finds the schedule by the name between quotes.
+std::string schedule_head(const std::string& schedule) {
+    return fmt::format("# in the [[schedule]] \"{}\", in place of what it has:\n",
+                       schedule);
+}
+
+constexpr const char* day_kind_keys[] = {"weekdays", "saturday", "sunday"};
+
 std::string schedule_lines(const OtherHours& other) {
-    constexpr const char* keys[] = {"weekdays", "saturday", "sunday"};
-    std::string lines = fmt::format(
-        "# in the [[schedule]] \"{}\", in place of what it has:\n", other.schedule);
+    std::string lines = schedule_head(other.schedule);
     for (std::size_t kind = 0; kind < other.hours.size(); ++kind)
         if (other.hours[kind] != other.declared[kind])
-            lines += day_line(keys[kind], other.hours[kind], other);
+            lines += day_line(day_kind_keys[kind], other.hours[kind], other);
     return lines;
 }
 
-/// Within four standard deviations, where it can be simulated.
+std::string list_of(std::span<const double> numbers) {
+    return fmt::format("[{}]", fmt::join(numbers, ", "));
+}
+
+std::string function_lines(const DriverFunction& function) {
+    std::string lines = "\n[[effect.function]]\n" + line("driver", function.driver);
+    if (!function.points.knots.empty())
+        lines += fmt::format("at = {}\n", list_of(function.points.knots));
+    return lines + fmt::format("values = {}\n", list_of(function.values));
+}
+
+double four_digits(double value) {
+    return std::stod(fmt::format("{:.4g}", value));
+}
+
+/// Within four standard deviations, where it can be simulated; rounding does not take
+/// the coefficient out.
 std::string parameter_lines(const std::string& name, const CoefficientBelief& belief) {
     constexpr double reach = 4;
+    const double least = std::max(belief.least, belief.mean - reach * belief.sd);
+    const double most = std::min(belief.most, belief.mean + reach * belief.sd);
     return "\n[[parameter]]\n" + line("name", name) + line("target", "effect." + name) +
-           fmt::format(
-               "min = {:.4g}\nmax = {:.4g}\n"
-               "prior = {{kind = \"normal\", mean = {:.4g}, sd = {:.4g}}}\n",
-               std::max(belief.least, belief.mean - reach * belief.sd),
-               std::min(belief.most, belief.mean + reach * belief.sd), belief.mean,
-               belief.sd);
+           line("min", std::min(four_digits(least), belief.mean)) +
+           line("max", std::max(four_digits(most), belief.mean)) +
+           fmt::format("prior = {{kind = \"normal\", mean = {:.4g}, sd = {:.4g}}}\n",
+                       belief.mean, belief.sd);
 }
 
 /// The catalogue's row that says hook and driver; none of another effect.
@@ -163,6 +188,35 @@ std::string job_section_of(const Effect& effect, const CoefficientBelief& coeffi
     lines += shape_lines(effect, given, from) + gate_lines(effect, given) +
              place_lines(effect) + line("coefficient", coefficient.mean);
     return coefficient.sd > 0 ? lines + parameter_lines(name, coefficient) : lines;
+}
+
+std::string job_section_of(const Effect& at,
+                           const std::vector<DriverFunction>& functions) {
+    std::string lines;
+    for (const DriverFunction& function : functions)
+        if (!follows_loads(function)) lines += function_lines(function);
+    if (lines.empty()) return lines;
+    return "[[effect]]\n" + line("name", "functions at " + without_dots(at.name)) +
+           line("hook", name_of(at.hook)) + place_lines(at) + "coefficient = 1\n" + lines;
+}
+
+std::string parameter_section_of(const std::string& name,
+                                 const std::vector<std::string>& paths,
+                                 const CoefficientBelief& belief) {
+    return "[[parameter]]\n" + line("name", name) +
+           fmt::format("target = [\"{}\"]\n", fmt::join(paths, "\", \"")) +
+           line("min", belief.least) + line("max", belief.most) +
+           line("value", belief.mean) +
+           fmt::format("prior = {{kind = \"normal\", mean = {}, sd = {:.4g}}}\n",
+                       belief.mean, belief.sd);
+}
+
+std::string schedule_section_of(const std::string& schedule,
+                                const physics::WeekHours& hours) {
+    std::string lines = schedule_head(schedule);
+    for (std::size_t kind = 0; kind < hours.size(); ++kind)
+        lines += day_line(day_kind_keys[kind], hours[kind], {});
+    return lines;
 }
 
 }  // namespace bemcal::effects

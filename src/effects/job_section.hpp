@@ -1,7 +1,7 @@
 /// An effect as it is declared in a job.
 #pragma once
 
-#include "effects/effect.hpp"
+#include "effects/driver_functions.hpp"
 #include "physics/calendar.hpp"
 
 #include <array>
@@ -30,5 +30,19 @@ struct CoefficientBelief {
 /// \param from  where `elapsed` is 0: the first step of training
 std::string job_section_of(const Effect& effect, const CoefficientBelief& coefficient,
                            physics::Seconds from);
+
+/// [[effect]] that brings functions at a hook, with a coefficient of 1. Those that follow
+/// the model's own loads are left out; empty where none is left.
+std::string job_section_of(const Effect& at,
+                           const std::vector<DriverFunction>& functions);
+
+/// [[parameter]] of these numbers, with its value and a prior about it.
+std::string parameter_section_of(const std::string& name,
+                                 const std::vector<std::string>& paths,
+                                 const CoefficientBelief& belief);
+
+/// Lines of a [[schedule]] with these hours.
+std::string schedule_section_of(const std::string& schedule,
+                                const physics::WeekHours& hours);
 
 }  // namespace bemcal::effects

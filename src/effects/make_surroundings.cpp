@@ -61,6 +61,20 @@ std::vector<physics::CalendarStep> calendar_of(const physics::TimeAxis& axis) {
 
 }  // namespace
 
+WallClock wall_clock_of(const std::vector<physics::Profile>& profiles,
+                        const physics::Site& site) {
+    WallClock clock;
+    clock.utc_offset_h = site.utc_offset_h;
+    for (const physics::Profile& profile : profiles) {
+        if (profile.is_series) continue;
+        const physics::Schedule& schedule = profile.schedule;
+        clock.holidays.insert(clock.holidays.end(), schedule.holidays.begin(),
+                              schedule.holidays.end());
+        if (clock.summer_time == "none") clock.summer_time = schedule.summer_time;
+    }
+    return clock;
+}
+
 Surroundings make_surroundings(const physics::Building& building,
                                const physics::Drive& drive,
                                const physics::Weather& weather, physics::Seconds from) {

@@ -16,6 +16,15 @@ struct ModelSeries {
     double most_heating = 0, most_cooling = 0;  ///< in training [W]: one scale for all
 };
 
+/// By which people live: days off and summer time.
+struct WallClock {
+    std::vector<physics::DateRange> holidays{};  ///< of any schedule
+    std::string summer_time = "none";
+    double utc_offset_h = 0;
+};
+WallClock wall_clock_of(const std::vector<physics::Profile>& profiles,
+                        const physics::Site& site);
+
 struct Surroundings {
     const physics::Building* building = nullptr;  ///< before effects
     const physics::Drive* drive = nullptr;        ///< of that building
@@ -25,6 +34,7 @@ struct Surroundings {
     std::map<Driver, std::vector<double>> weather;
     std::map<std::string, std::vector<double>> columns;
     ModelSeries model;
+    WallClock clock;
     physics::Seconds from{};  ///< where `elapsed` is 0: the first step of training
 };
 

@@ -56,14 +56,15 @@ Covariance product(const Covariance& a, const Covariance& b) {
 }
 
 /// [points] how often training is at each.
-Eigen::VectorXd shares_of(const Basis& basis,
-                          const std::vector<std::vector<double>>& drivers, long n) {
-    Eigen::VectorXd shares = Eigen::VectorXd::Zero(n);
+Eigen::VectorXd shares_of(const Points& points,
+                          const std::vector<std::vector<double>>& drivers) {
+    Eigen::VectorXd shares = Eigen::VectorXd::Zero(static_cast<long>(points.size()));
     std::vector<double> at(drivers.size());
     for (std::size_t k = 0; k < drivers[0].size(); ++k) {
         for (std::size_t d = 0; d < at.size(); ++d) at[d] = drivers[d][k];
-        const Basis::Weights w = basis.weights(at);
-        for (int i = 0; i < 4; ++i) shares[static_cast<long>(w.point[i])] += w.weight[i];
+        const Points::Weights w = points.weights(at);
+        for (std::size_t i = 0; i < w.point.size(); ++i)
+            shares[static_cast<long>(w.point[i])] += w.weight[i];
     }
     return shares / shares.sum();
 }
@@ -99,22 +100,6 @@ void fill(Basis& basis, const Covariance& prior, const Eigen::MatrixXd& off,
     }
 }
 
-/// 0, step, 2 step ...
-std::vector<double> evenly(long n, double step) {
-    std::vector<double> all(static_cast<std::size_t>(n));
-    for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<double>(k) * step;
-    return all;
-}
-
-/// Between the knots beside it; the ends are held.
-std::pair<std::size_t, double> between(const std::vector<double>& knots, double x) {
-    if (!(x > knots.front())) return {0, 0};
-    if (x >= knots.back()) return {knots.size() - 2, 1};
-    const auto above = std::upper_bound(knots.begin(), knots.end(), x);
-    const auto at = static_cast<std::size_t>(above - knots.begin()) - 1;
-    return {at, (x - knots[at]) / (knots[at + 1] - knots[at])};
-}
-
 /// Quantiles of the values, those that are equal once.
 std::vector<double> knots_of(std::span<const double> values, long n) {
     std::vector<double> sorted(values.begin(), values.end());
@@ -140,9 +125,9 @@ Matrix columns_of(const Basis& basis, const std::vector<std::vector<double>>& dr
     std::vector<double> at(drivers.size());
     for (std::size_t k = 0; k < n; ++k) {
         for (std::size_t d = 0; d < at.size(); ++d) at[d] = drivers[d][k];
-        const Basis::Weights w = basis.weights(at);
+        const Points::Weights w = basis.points.weights(at);
         const auto row = columns.row(k);
-        for (int i = 0; i < 4; ++i) {
+        for (std::size_t i = 0; i < w.point.size(); ++i) {
             if (w.weight[i] == 0) continue;
             const auto point = basis.at_points.row(w.point[i]);
             for (std::size_t c = 0; c < m; ++c) row[c] += w.weight[i] * point[c];
@@ -152,68 +137,38 @@ Matrix columns_of(const Basis& basis, const std::vector<std::vector<double>>& dr
 }
 
 Basis constant() {
-    Basis basis{"one", Matrix(1, 1, 1.0), {}, {}};
-    basis.weights = [](std::span<const double>) {
-        return Basis::Weights{{0, 0, 0, 0}, {1, 0, 0, 0}};
-    };
-    return basis;
+    return {"one", {}, Matrix(1, 1, 1.0)};
 }
 
 Basis hours_of_week(std::string driver, std::span<const double> training) {
-    Basis basis;
-    basis.driver = std::move(driver);
-    basis.weights = [](std::span<const double> at) {
-        const auto point = static_cast<std::size_t>(at[0]);
-        return Basis::Weights{{point, 0, 0, 0}, {1, 0, 0, 0}};
-    };
+    Basis basis{std::move(driver), {Points::Kind::hours}};
     const Eigen::VectorXd shares =
-        shares_of(basis, {{training.begin(), training.end()}}, 72);
-    basis.points = {evenly(72, 1)};
+        shares_of(basis.points, {{training.begin(), training.end()}});
     fill(basis, covariance_of_hours(3), centring(shares), shares);
     return basis;
 }
 
 Basis smooth_of(std::string driver, std::span<const double> training) {
-    Basis basis;
-    basis.driver = std::move(driver);
-    const std::vector<double> knots = knots_of(training, n_knots);
-    basis.weights = [knots](std::span<const double> at) {
-        const auto [point, share] = between(knots, at[0]);
-        return Basis::Weights{{point, point + 1, 0, 0}, {1 - share, share, 0, 0}};
-    };
-    const auto n = static_cast<long>(knots.size());
-    basis.points = {knots};
+    Basis basis{std::move(driver), {Points::Kind::knots, knots_of(training, n_knots)}};
     const Eigen::VectorXd shares =
-        shares_of(basis, {{training.begin(), training.end()}}, n);
-    fill(basis, covariance_of_knots(n), centring(shares), shares);
+        shares_of(basis.points, {{training.begin(), training.end()}});
+    fill(basis, covariance_of_knots(static_cast<long>(basis.points.size())),
+         centring(shares), shares);
     return basis;
 }
 
 Basis hours_times(std::string driver, std::span<const double> hours,
                   std::span<const double> slow) {
     constexpr long most_knots = 5;
-    Basis basis;
-    basis.driver = std::move(driver);
-    const std::vector<double> knots = knots_of(slow, most_knots);
-    const auto n = static_cast<long>(knots.size());
-    basis.weights = [knots](std::span<const double> at) {
-        const auto hour = static_cast<std::size_t>(at[0]);
-        const auto [knot, share] = between(knots, at[1]);
-        const std::size_t point = hour * knots.size() + knot;
-        return Basis::Weights{{point, point + 1, 0, 0}, {1 - share, share, 0, 0}};
-    };
-    const std::vector<std::vector<double>> drivers{{hours.begin(), hours.end()},
-                                                   {slow.begin(), slow.end()}};
-    basis.points.resize(2);
-    for (long h = 0; h < 48; ++h)
-        for (const double knot : knots) {
-            basis.points[0].push_back(static_cast<double>(h));
-            basis.points[1].push_back(knot);
-        }
-    const Eigen::VectorXd shares = shares_of(basis, drivers, 48 * n);
-    Eigen::VectorXd of_hours = Eigen::VectorXd::Zero(48),
+    constexpr long n_hours = 48;
+    Basis basis{std::move(driver),
+                {Points::Kind::hours_at_knots, knots_of(slow, most_knots)}};
+    const auto n = static_cast<long>(basis.points.knots.size());
+    const Eigen::VectorXd shares = shares_of(
+        basis.points, {{hours.begin(), hours.end()}, {slow.begin(), slow.end()}});
+    Eigen::VectorXd of_hours = Eigen::VectorXd::Zero(n_hours),
                     of_knots = Eigen::VectorXd::Zero(n);
-    for (long h = 0; h < 48; ++h)
+    for (long h = 0; h < n_hours; ++h)
         for (long k = 0; k < n; ++k) {
             of_hours[h] += shares[h * n + k];
             of_knots[k] += shares[h * n + k];
@@ -224,29 +179,17 @@ Basis hours_times(std::string driver, std::span<const double> hours,
 }
 
 Basis wandering(std::string driver, std::span<const double> years) {
-    constexpr double fortnights = 365.25 / 14;
-    Basis basis;
-    basis.driver = std::move(driver);
-    const auto n =
-        static_cast<long>(std::floor(*std::ranges::max_element(years) * fortnights)) + 1;
-    const auto point_at = [n](double year) {
-        return static_cast<std::size_t>(
-            std::clamp(std::floor(year * fortnights), 0.0, static_cast<double>(n - 1)));
-    };
-    const double length = static_cast<double>(n) / fortnights;
-    basis.weights = [=](std::span<const double> at) {
-        const double year_before = at[0] - std::ceil(at[0] - length);
-        if (at[0] < length || length > 2 || year_before < 0)
-            return Basis::Weights{{point_at(at[0]), 0, 0, 0}, {1, 0, 0, 0}};
-        return Basis::Weights{{point_at(at[0]), point_at(year_before), 0, 0},
-                              {0.5, 0.5, 0, 0}};
-    };
-    basis.points = {evenly(n, 1 / fortnights)};
-    for (double& middle : basis.points[0]) middle += 0.5 / fortnights;
+    Basis basis{std::move(driver), {Points::Kind::fortnights}};
+    basis.points.n_fortnights =
+        static_cast<std::size_t>(
+            std::floor(*std::ranges::max_element(years) * fortnights_of_year)) +
+        1;
+    const auto n = static_cast<long>(basis.points.n_fortnights);
     Covariance walk(n, n);
     for (long i = 0; i < n; ++i)
         for (long j = 0; j < n; ++j) walk(i, j) = static_cast<double>(std::min(i, j) + 1);
-    const Eigen::VectorXd shares = shares_of(basis, {{years.begin(), years.end()}}, n);
+    const Eigen::VectorXd shares =
+        shares_of(basis.points, {{years.begin(), years.end()}});
     fill(basis, walk, centring(shares), shares);
     return basis;
 }

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "base/matrix.hpp"
+#include "functions/points.hpp"
 
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,17 +15,9 @@ namespace bemcal::functions {
 /// A function of drivers, learned from one period and laid on the steps of any.
 struct Basis {
     std::string driver;  ///< "hour of the week"
-    /// [points x columns]: values of all columns where the drivers are at each point.
-    Matrix at_points;
-    /// [drivers][points] where that is; between points a function is straight. Empty: the
-    /// constant, which follows nothing.
-    std::vector<std::vector<double>> points;
-    /// Weights of points at a step: at most four points, weights sum to 1.
-    struct Weights {
-        std::size_t point[4] = {0, 0, 0, 0};
-        double weight[4] = {0, 0, 0, 0};
-    };
-    std::function<Weights(std::span<const double>)> weights;  ///< of a step's drivers
+    Points points{};
+    /// [points x columns]: values of all columns at each point.
+    Matrix at_points{};
 
     std::size_t n_columns() const { return at_points.cols; }
 };

@@ -36,8 +36,9 @@ std::vector<Span> plan_stretches(const BatchPlan& batch) {
     return stretches;
 }
 
-double per_value(double nominal, physics::Effect effect) {
-    return effect == physics::Effect::factor ? nominal : 1;
+double per_value(double number, const physics::Parameter& parameter) {
+    const bool is_factor = parameter.effect == physics::Effect::factor;
+    return is_factor ? number / parameter.nominal : 1;
 }
 
 /// Every number that a parameter writes to, once: of two parameters the last one holds.
@@ -48,8 +49,8 @@ std::vector<Written> plan_written(const BatchPlan& batch) {
     for (std::size_t p = 0; p < batch.parameters.size(); ++p)
         for (const physics::Target& target : batch.parameters[p].targets) {
             const double& number = physics::number_at(building, target);
-            const Written entry{
-                p, target, per_value(number, batch.parameters[p].effect) * target.weight};
+            const Written entry{p, target,
+                                per_value(number, batch.parameters[p]) * target.weight};
             const auto [place, is_new] = known.try_emplace(&number, written.size());
             if (is_new)
                 written.push_back(entry);

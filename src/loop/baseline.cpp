@@ -2,7 +2,7 @@
 /// as long as unseen blocks are foretold better. Fits and scores of the loop are here.
 /// Source: Minoux 1978 for the lazy greedy search.
 /// A chosen refinement stays; two that help only together are not found. They are listed
-/// in `refinements`.
+/// in `effects::refinements`.
 #include "loop/baseline.hpp"
 
 #include "base/error.hpp"
@@ -11,7 +11,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <string_view>
 
 namespace bemcal::loop {
 namespace {
@@ -39,7 +38,7 @@ std::vector<double> start_of(const Place& place, const Standing& from) {
     std::vector<std::string> names;
     names.reserve(place.unknowns.size() + place.always.size());
     for (const study::FitUnknown& unknown : place.unknowns) names.push_back(unknown.name);
-    for (const Refinement::Always& always : place.always)
+    for (const effects::Refinement::Always& always : place.always)
         names.push_back(always.effect.name);
     std::vector<double> start(names.size(), 0.0);
     for (std::size_t k = 0; k < names.size(); ++k)
@@ -75,11 +74,6 @@ Standing calibrated(const LoopData& data, Standing standing) {
     return standing;
 }
 
-bool are_of_one_kind(std::size_t one, std::size_t other) {
-    const std::string_view kind = refinements()[one].kind;
-    return !kind.empty() && kind == refinements()[other].kind;
-}
-
 /// The refinement that lowers the score most; none: none does.
 struct Better {
     Standing standing;
@@ -108,11 +102,11 @@ std::optional<Better> best_refinement(const LoopData& data, const Baseline& base
     constexpr double promise_ratio = 2;   ///< of what one brings to what another promised
     std::optional<Better> best;
     double most = least_evidence;
-    const auto& now = baseline.chosen.model.structure;
+    const auto now = whole_structure(data, baseline.chosen.model.structure);
     for (const std::size_t k : in_order_of(promises)) {
         if (best && most > promise_ratio * promises[k]) break;
         if (std::ranges::any_of(now, [&](std::size_t there) {
-                return there == k || are_of_one_kind(there, k);
+                return effects::are_of_one_kind(there, k);
             }))
             continue;
         LoopModel model = baseline.chosen.model;
@@ -123,7 +117,8 @@ std::optional<Better> best_refinement(const LoopData& data, const Baseline& base
                 scored(data, place, model, start_of(place, baseline.chosen),
                        baseline.chosen.noise);
             promises[k] = baseline.chosen.score - standing.score;
-            tried.push_back({name_of(model.structure), baseline.gained - promises[k]});
+            tried.push_back({effects::name_of(whole_structure(data, model.structure)),
+                             baseline.gained - promises[k]});
             if (promises[k] <= most) continue;
             most = promises[k];
             best = Better{std::move(standing), std::move(place)};
@@ -255,8 +250,9 @@ Baseline make_baseline(const LoopData& data) {
     baseline.plain =
         calibrate(data, baseline.place, {}, first_start(data, baseline.place));
     baseline.chosen = baseline.plain;
-    baseline.tried = {{"standard", 0}};
-    Promises promises(refinements().size(), std::numeric_limits<double>::infinity());
+    baseline.tried = {{effects::name_of(data.building.structure), 0}};
+    Promises promises(effects::refinements().size(),
+                      std::numeric_limits<double>::infinity());
     while (data.options.try_structures && !baseline.chosen.fit.failed) {
         auto better = best_refinement(data, baseline, promises, baseline.tried);
         if (!better) break;

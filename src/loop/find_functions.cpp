@@ -6,13 +6,11 @@
 #include "loop/find_functions.hpp"
 
 #include "base/error.hpp"
-#include "effects/hooks.hpp"
 #include "loop/remainder.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <optional>
 
 #include <fmt/format.h>
@@ -29,28 +27,15 @@ std::string column_of(const effects::Effect& hook) {
     return "functions at " + hook.name;
 }
 
-/// The effects that bring the functions, one for each hook, with coefficients of 1.
-std::vector<effects::Effect> effects_of(const std::vector<FoundFunction>& found) {
-    std::vector<effects::Effect> all;
-    for (const FoundFunction& function : found) {
-        effects::Effect effect = function.at;
-        effect.name = effect.column = column_of(function.at);
-        effect.driver = effects::Driver::column;
-        effect.typical = effect.most = 1;
-        effect.is_smooth = true;
-        effect.least = -1;
-        if (std::ranges::none_of(
-                all, [&](const auto& one) { return one.name == effect.name; }))
-            all.push_back(effect);
-    }
-    return all;
-}
-
-/// A share that would take all away, or more, stops before.
-void keep_in_domain(const effects::Effect& hook, Series& column) {
-    constexpr double least_share = -0.9;
-    if (effects::row_of(hook.hook).kind != physics::ChangeKind::factor) return;
-    for (double& value : column) value = std::max(value, least_share);
+/// The effect that brings functions at a hook, with a coefficient of 1.
+effects::Effect effect_of(const effects::Effect& hook) {
+    effects::Effect effect = hook;
+    effect.name = effect.column = column_of(hook);
+    effect.driver = effects::Driver::column;
+    effect.typical = effect.most = 1;
+    effect.is_smooth = true;
+    effect.least = -1;
+    return effect;
 }
 
 /// Simulates the model at x, without derivatives. Whether it can be.
@@ -68,14 +53,15 @@ bool simulate_at(const LoopData& data, const Series& x, Standing& standing) {
 
 /// The model with functions, its parameters moved from x; by less, or not at all, where
 /// the whole way leads to what cannot be simulated. Nothing where no step does.
-std::optional<Standing> joined(const LoopData& data, const FunctionDrivers& drivers,
-                               Place& place, const Standing& without, const Series& x,
+std::optional<Standing> joined(const LoopData& data,
+                               const effects::FunctionDrivers& drivers, Place& place,
+                               const Standing& without, const Series& x,
                                const Series& moves,
                                const std::vector<FoundFunction>& found) {
     add_columns(found, drivers, place);
     Standing with = without;
-    for (const effects::Effect& effect : effects_of(found))
-        with.model.effects.push_back(effect);
+    for (const FunctionsAtHook& one : by_hook(found))
+        with.model.effects.push_back(effect_of(one.at));
     try {
         with.built = build(place, with.model.effects);
     } catch (const CannotSimulate&) {
@@ -114,8 +100,8 @@ std::vector<FoundFunction> apart_from_set_points(std::vector<FoundFunction> foun
 /// Simulates stages of a search.
 class StageSimulator {
   public:
-    StageSimulator(const LoopData& data, const FunctionDrivers& drivers, Place& place,
-                   const Standing& without, const Standing& from,
+    StageSimulator(const LoopData& data, const effects::FunctionDrivers& drivers,
+                   Place& place, const Standing& without, const Standing& from,
                    const Remainder& remainder)
         : data_(data),
           drivers_(drivers),
@@ -165,7 +151,7 @@ class StageSimulator {
     }
 
     const LoopData& data_;
-    const FunctionDrivers& drivers_;
+    const effects::FunctionDrivers& drivers_;
     Place& place_;
     const Standing& without_;
     const Remainder& remainder_;
@@ -186,8 +172,9 @@ bool spares_meters(const LoopData& data, const Standing& without, const Standing
 /// The stage that foretells unseen blocks best, of a search about the best so far, if any
 /// is better than that and spares all meters. Derivatives of the best so far are found.
 std::optional<Simulated> better_stage(const LoopData& data,
-                                      const FunctionDrivers& drivers, Place& place,
-                                      const Standing& without, Simulated& so_far) {
+                                      const effects::FunctionDrivers& drivers,
+                                      Place& place, const Standing& without,
+                                      Simulated& so_far) {
     add_columns(so_far.functions, drivers, place);
     Standing& from = so_far.standing;
     if (!so_far.functions.empty()) refit(data, from, only_derivatives);
@@ -214,7 +201,8 @@ std::optional<Simulated> better_stage(const LoopData& data,
 
 std::vector<FoundFunction> find_functions(const LoopData& data, Place& place,
                                           Standing& standing) {
-    const FunctionDrivers drivers = function_drivers(data, place);
+    const effects::FunctionDrivers drivers =
+        effects::function_drivers(surroundings_of(place));
     Standing without = standing;
     score_unseen(data, without);
     Simulated best{{}, without};
@@ -230,24 +218,11 @@ std::vector<FoundFunction> find_functions(const LoopData& data, Place& place,
     return std::move(best.functions);
 }
 
-void add_columns(const std::vector<FoundFunction>& found, const FunctionDrivers& drivers,
-                 Place& place) {
-    const auto n = static_cast<std::size_t>(place.drive->n_steps());
-    std::map<std::string, Series> columns;
-    for (const FoundFunction& function : found) {
-        Series& column =
-            columns.try_emplace(column_of(function.at), n, 0.0).first->second;
-        const auto series = drivers.find(function.basis.driver);
-        if (series == drivers.end()) continue;
-        const Matrix of_basis = functions::columns_of(function.basis, series->second);
-        for (std::size_t t = 0; t < n; ++t)
-            for (std::size_t c = 0; c < of_basis.cols; ++c)
-                column[t] += function.at.typical * of_basis(t, c) * function.mean[c];
-    }
-    for (const FoundFunction& function : found)
-        keep_in_domain(function.at, columns.at(column_of(function.at)));
-    for (auto& [name, column] : columns)
-        place.surroundings->columns[name] = std::move(column);
+void add_columns(const std::vector<FoundFunction>& found,
+                 const effects::FunctionDrivers& drivers, Place& place) {
+    for (const FunctionsAtHook& one : by_hook(found))
+        place.surroundings->columns[column_of(one.at)] =
+            effects::column_of(one.at.hook, one.functions, drivers);
 }
 
 }  // namespace bemcal::loop

@@ -3,9 +3,9 @@
 /// for it.
 #pragma once
 
+#include "effects/driver_functions.hpp"
 #include "loop/baseline.hpp"
 #include "loop/found_function.hpp"
-#include "loop/function_drivers.hpp"
 
 #include <vector>
 
@@ -19,7 +19,7 @@ std::vector<FoundFunction> find_functions(const LoopData& data, Place& place,
 
 /// Gives a place, of any period, the columns that functions' effects follow.
 /// \param drivers  of that period
-void add_columns(const std::vector<FoundFunction>& found, const FunctionDrivers& drivers,
-                 Place& place);
+void add_columns(const std::vector<FoundFunction>& found,
+                 const effects::FunctionDrivers& drivers, Place& place);
 
 }  // namespace bemcal::loop

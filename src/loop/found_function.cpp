@@ -2,6 +2,8 @@
 /// Follows from its hook and its basis. Its shape is not put into words.
 #include "loop/found_function.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace bemcal::loop {
@@ -11,6 +13,18 @@ std::vector<double> FoundFunction::values() const {
     for (std::size_t p = 0; p < all.size(); ++p)
         for (std::size_t c = 0; c < mean.size(); ++c)
             all[p] += at.typical * basis.at_points(p, c) * mean[c];
+    return all;
+}
+
+std::vector<FunctionsAtHook> by_hook(const std::vector<FoundFunction>& found) {
+    std::vector<FunctionsAtHook> all;
+    for (const FoundFunction& function : found) {
+        auto own = std::ranges::find_if(
+            all, [&](const auto& one) { return one.at.name == function.at.name; });
+        if (own == all.end()) own = all.insert(all.end(), {function.at, {}});
+        own->functions.push_back(
+            {function.basis.driver, function.basis.points, function.values()});
+    }
     return all;
 }
 

@@ -1,7 +1,7 @@
 /// A function that a building's readings speak for.
 #pragma once
 
-#include "effects/effect.hpp"
+#include "effects/driver_functions.hpp"
 #include "functions/basis.hpp"
 
 #include <string>
@@ -24,6 +24,14 @@ struct FoundFunction {
     /// Its value where its drivers are at each of the basis' points. [the hook's unit]
     std::vector<double> values() const;
 };
+
+/// All functions at a hook, which bring their sum.
+struct FunctionsAtHook {
+    effects::Effect at;
+    std::vector<effects::DriverFunction> functions;
+};
+/// In the order in which hooks first come.
+std::vector<FunctionsAtHook> by_hook(const std::vector<FoundFunction>& found);
 
 /// "gains by hour of the week"
 std::string name_of(const FoundFunction& function);

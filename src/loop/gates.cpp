@@ -5,6 +5,7 @@
 /// Evidence comes from `search`. Other periods than training decide nothing.
 #include "loop/gates.hpp"
 
+#include "loop/level_change.hpp"
 #include "loop/moves.hpp"
 #include "stats/distributions.hpp"
 
@@ -49,17 +50,12 @@ double change_of_level(const LoopData& data, const Standing& with) {
 }
 
 /// Whether something that follows time may be no more than what use and operation change
-/// in a year everywhere (standard deviations of 232 buildings' weather-corrected energy,
-/// bench/bench_level_change.py): a meter alone cannot tell the two apart.
+/// in a year everywhere: a meter alone cannot tell the two apart.
 bool is_within_usual_change(const LoopData& data, const Refitted& candidate) {
-    using physics::Measured;
-    constexpr double sd_of_electricity = 0.06, sd_of_fuel = 0.18;  ///< of the level [-]
-    const Measured measured = physics::row_of(data.targets.channels[0].quantity).measured;
+    const double usual = usual_level_change(data.targets.channels[0].quantity);
     if (candidate.effect.driver != effects::Driver::elapsed ||
-        data.targets.n_channels() > 1 || measured == Measured::temperature)
+        data.targets.n_channels() > 1 || usual == 0)
         return false;
-    const double usual =
-        measured == Measured::electricity ? sd_of_electricity : sd_of_fuel;
     return change_of_level(data, candidate.standing) < stats::z_90_two_sided * usual;
 }
 

@@ -23,14 +23,8 @@ double days_of(const study::Period& period) {
     return static_cast<double>((period.to - period.from).count()) / physics::day_s;
 }
 
-}  // namespace
-
-std::vector<double> deviations_of(const LoopData& data, const Standing& standing,
-                                  double misfit) {
-    auto weights = weights_of(data.targets, standing.noise);
-    for (double& weight : weights) weight /= misfit;
-    const auto equations =
-        stats::normal_equations(standing.fit.at.derivatives, standing.residuals, weights);
+/// What priors add to the normal equations.
+std::vector<double> diagonal_of(const Standing& standing) {
     auto diagonal = study::prior_diagonal(standing.built.unknowns);
     for (double& entry : diagonal) entry += 1e-6;
     // A set-point where nothing heats any more could be anything: no more is said than
@@ -43,8 +37,43 @@ std::vector<double> deviations_of(const LoopData& data, const Standing& standing
                          std::max(std::abs(effect.least), std::abs(effect.most)),
                      2);
     }
+    return diagonal;
+}
+
+std::vector<double> weights_by(const LoopData& data, const Standing& standing,
+                               double misfit) {
+    auto weights = weights_of(data.targets, standing.noise);
+    for (double& weight : weights) weight /= misfit;
+    return weights;
+}
+
+/// Of unknowns in their scales.
+Matrix covariance_of(const Standing& standing, const std::vector<double>& weights,
+                     const std::vector<double>& diagonal) {
+    const auto equations =
+        stats::normal_equations(standing.fit.at.derivatives, standing.residuals, weights);
+    return stats::inverse(equations.matrix, diagonal,
+                          std::vector<char>(diagonal.size(), 0));
+}
+
+}  // namespace
+
+Matrix correlations_of(const LoopData& data, const Standing& standing, double misfit) {
+    Matrix all = covariance_of(standing, weights_by(data, standing, misfit),
+                               diagonal_of(standing));
+    std::vector<double> sd(all.rows);
+    for (std::size_t k = 0; k < sd.size(); ++k) sd[k] = std::sqrt(all(k, k));
+    for (std::size_t i = 0; i < all.rows; ++i)
+        for (std::size_t k = 0; k < all.cols; ++k) all(i, k) /= sd[i] * sd[k];
+    return all;
+}
+
+std::vector<double> deviations_of(const LoopData& data, const Standing& standing,
+                                  double misfit) {
+    const auto weights = weights_by(data, standing, misfit);
+    const auto diagonal = diagonal_of(standing);
+    const Matrix covariance = covariance_of(standing, weights, diagonal);
     const std::vector<char> none(diagonal.size(), 0);
-    const Matrix covariance = stats::inverse(equations.matrix, diagonal, none);
     std::vector<double> sd = stats::jackknife_deviations(
         standing.fit.at.derivatives, standing.residuals, weights,
         data.blocks_of(days_of(data.training()) / 12), diagonal, none);

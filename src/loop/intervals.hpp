@@ -1,7 +1,8 @@
 /// How far the unknowns of a model in the loop may be from the truth.
 #pragma once
 
-#include "loop/results.hpp"
+#include "loop/baseline.hpp"
+#include "loop/found.hpp"
 
 #include <vector>
 
@@ -12,6 +13,9 @@ namespace bemcal::loop {
 /// otherwise (delete-a-block jackknife).
 std::vector<double> deviations_of(const LoopData& data, const Standing& standing,
                                   double misfit);
+
+/// How its unknowns go together, by the normal equations. [unknowns x unknowns]
+Matrix correlations_of(const LoopData& data, const Standing& standing, double misfit);
 
 /// The standard deviation of an effect's coefficient, in its unit: of noise, of what was
 /// found about its shape and about what is missing, and of the model itself.

@@ -353,7 +353,7 @@ class Loop : public study::Stage {
     std::string name() const override { return name_; }
     int n_items() const override { return static_cast<int>(buildings_.size()); }
     long long n_simulations() const override { return usual_simulations * n_items(); }
-    std::size_t answer_bytes() const override { return 4'000'000; }
+    std::size_t answer_bytes() const override { return 6'000'000; }
 
     study::ItemAnswer run(int item) const override {
         study::ItemAnswer answer;

@@ -1,7 +1,7 @@
-/// Makes what the loop fits: training readings, refinements of a zone with priors, a
-/// building with structure and effects, noise and deviance of each meter.
-/// Source: ISO 13790's 5R1C; ASHRAE Handbook, Fundamentals, for glass by angle.
-/// Refinements are chosen by `make_baseline`. Errors of different meters count as
+/// Makes what the loop fits: training readings, a building with structure and effects,
+/// noise and deviance of each meter.
+/// Follows from `effects`: its refinements, and how effects are placed.
+/// A structure is chosen by `make_baseline`. Errors of different meters count as
 /// independent.
 #include "loop/model.hpp"
 
@@ -23,6 +23,8 @@
 namespace bemcal::loop {
 namespace {
 
+using effects::Refinement;
+
 constexpr double days_of_noise = 7;  ///< blocks over which errors are counted as one
 
 /// Whether options name it; no names = all.
@@ -40,121 +42,6 @@ int block_at(physics::Seconds time, physics::Seconds from, double days) {
 int month_at(physics::Seconds time) {
     const physics::CalendarStep step = physics::calendar_step(time);
     return 12 * step.year + step.month;
-}
-
-/// The index of the plane with something of it changed.
-template <class Change>
-int plane_with(Change change, int index, physics::Building& building) {
-    physics::Plane plane = building.planes[static_cast<std::size_t>(index)];
-    change(plane);
-    return building.plane_index(plane);
-}
-
-/// Double clear glass: the polynomial in the angle of incidence is within 0.02 of its
-/// solar heat gain coefficients by angle over that at normal incidence (ASHRAE Handbook,
-/// Fundamentals: 0.70, 0.67, 0.64, 0.58, 0.45, 0.23 at 0, 40, 50, 60, 70, 80 degrees;
-/// 0.60 of light from all sides).
-/// A glazing that has a modifier keeps it.
-bool glass_by_angle(physics::Building& building) {
-    const std::vector<double> modifier = {1, 0, 0.0698, 0, -0.2466, 0, 0.0213};
-    const double of_diffuse = 0.60 / 0.70;
-    const auto change = [&](physics::Plane& plane) {
-        plane.modifier = modifier;
-        plane.diffuse_modifier = of_diffuse;
-    };
-    bool changed = false;
-    for (physics::Zone& zone : building.zones)
-        for (physics::Window& window : zone.windows) {
-            auto& glazing = building.glazings[static_cast<std::size_t>(window.glazing)];
-            if (!glazing.angle_modifier.empty() && glazing.angle_modifier != modifier)
-                continue;
-            glazing.angle_modifier = modifier;
-            glazing.incidence_factor = 1;
-            window.plane = plane_with(change, window.plane, building);
-            changed = true;
-        }
-    return changed;
-}
-
-/// The standard lets the sun on walls and roofs heat the room at once.
-bool delay_sun_on_walls(physics::Building& building, double hours) {
-    bool changed = false;
-    for (physics::Zone& zone : building.zones)
-        for (physics::Surface& surface : zone.surfaces) {
-            if (!surface.in_sun || surface.boundary != physics::outdoors) continue;
-            surface.plane = plane_with([&](auto& plane) { plane.lag_hours = hours; },
-                                       surface.plane, building);
-            changed = true;
-        }
-    return changed;
-}
-
-/// Models of where the light of the sky comes from differ by several per cent of what a
-/// facade gets.
-bool sky_of_hay_and_davies(physics::Building& building) {
-    const auto change = [](physics::Plane& plane) {
-        plane.sky = physics::SkyModel::hay_davies;
-    };
-    for (physics::Zone& zone : building.zones) {
-        for (physics::Window& window : zone.windows)
-            window.plane = plane_with(change, window.plane, building);
-        for (physics::Surface& surface : zone.surfaces)
-            if (surface.in_sun)
-                surface.plane = plane_with(change, surface.plane, building);
-    }
-    return true;
-}
-
-/// Air systems that nobody declared, in zones that are cooled and have none.
-template <class Set>
-bool add_air_systems(physics::Building& building, Set set) {
-    bool changed = false;
-    for (physics::Zone& zone : building.zones) {
-        const physics::Thermostat& control = zone.thermostat;
-        if (zone.air_system >= 0 || control.imposed ||
-            !(control.cooling_capacity.value > 0))
-            continue;
-        physics::AirSystem system;
-        system.name = "of " + zone.name;
-        system.available = {0};
-        system.fan_power = {0};
-        set(zone, system);
-        zone.air_system = static_cast<int>(building.air_systems.size());
-        building.air_systems.push_back(system);
-        changed = true;
-    }
-    return changed;
-}
-
-/// The flow from outdoors that a fan brings; -1 = none.
-int flow_of_fan(const physics::Zone& zone) {
-    const auto place = std::ranges::find_if(zone.flows, effects::is_fan);
-    return place == zone.flows.end() ? -1 : static_cast<int>(place - zone.flows.begin());
-}
-
-/// Cooled air leaves its water on the coil. The fan's power and hours stay what they are
-/// described as.
-bool coil_that_dries(physics::Building& building) {
-    return add_air_systems(building, [](physics::Zone& zone, physics::AirSystem& system) {
-        system.variable = false;
-        zone.system_flow = flow_of_fan(zone);
-        for (const physics::Load& load : zone.loads)
-            if (load.carrier == physics::Carrier::none && load.density.profile >= 0)
-                system.people_moisture = {1, 0, load.density.profile};
-    });
-}
-
-/// All planes that any structure asks for, in every one of them: they share one drive.
-void add_planes(physics::Building& building) {
-    std::vector<bool (*)(physics::Building&)> changes;
-    for (const Refinement& refinement : refinements())
-        if (refinement.change != nullptr) changes.push_back(refinement.change);
-    for (std::size_t some = 0; some < std::size_t{1} << changes.size(); ++some) {
-        physics::Building changed = building;
-        for (std::size_t k = 0; k < changes.size(); ++k)
-            if ((some >> k) % 2 == 1) changes[k](changed);
-        building.planes = changed.planes;
-    }
 }
 
 std::string name_of_numbered(const study::Case& building, std::size_t profile) {
@@ -176,68 +63,20 @@ void add_numbered_hours(study::Case& building) {
     }
 }
 
-/// Where a number stands in every zone, but what a parameter of the job calibrates: that
-/// one keeps its prior.
-std::vector<physics::Target> free_targets(const Place& place, const char* path) {
-    std::vector<physics::Target> targets = physics::resolve(place.building, path);
-    std::erase_if(targets, [&](const physics::Target& target) {
-        return std::ranges::any_of(place.parameters, [&](const auto& parameter) {
-            return std::ranges::any_of(parameter.targets, [&](const auto& taken) {
-                return physics::is_same_number(target, taken);
-            });
-        });
-    });
-    return targets;
-}
-
-/// A number of the structure ends where it would be something else: a second mass as slow
-/// as the ground, a sky that stands for a station's offset.
-std::pair<double, double> limits_of(double mean, double sd, double least, double most) {
-    constexpr double reach = 2.5;  ///< standard deviations of the prior
-    return {std::max(least, mean - reach * sd), std::min(most, mean + reach * sd)};
-}
-
-void add_number(const Refinement::Number& number, Place& place) {
-    auto targets = free_targets(place, number.path);
-    if (targets.empty()) return;
-    std::string name = number.name;
-    if (std::ranges::find(place.unknowns, name, &study::FitUnknown::name) !=
-        place.unknowns.end())
-        name += " of the structure";
-    for (const physics::Target& target : targets)
-        physics::number_at(place.building, target) = number.mean;
-    const auto [least, most] =
-        limits_of(number.mean, number.sd, number.least, number.most);
-    place.parameters.push_back({name, "", least, most, physics::Effect::replace,
-                                std::move(targets), number.mean});
-    place.unknowns.push_back({name, "", number.mean, number.sd, least, most, true});
-}
-
 void add_structure(const std::vector<std::size_t>& structure, Place& place) {
     for (const std::size_t index : structure) {
-        const auto& always = refinements()[index].effects;
-        place.always.insert(place.always.end(), always.begin(), always.end());
-        for (const Refinement::Number& number : refinements()[index].numbers)
-            add_number(number, place);
+        const Refinement& refinement = effects::refinements()[index];
+        place.always.insert(place.always.end(), refinement.effects.begin(),
+                            refinement.effects.end());
+        for (const Refinement::Number& number : refinement.numbers) {
+            auto parameter =
+                effects::add_number(number, place.parameters, place.building);
+            if (!parameter) continue;
+            place.unknowns.push_back({parameter->name, "", number.mean, number.sd,
+                                      parameter->least, parameter->most, true});
+            place.parameters.push_back(std::move(*parameter));
+        }
     }
-}
-
-/// The long-wave loss that all hours share.
-Refinement::Number sky_difference(double mean, double sd) {
-    return {"sky_difference", "zone.*.sky_temperature_difference", mean, sd, 0, 28};
-}
-
-/// An effect with its sign and size free, as the hook's name has it.
-effects::Effect following(const char* name, effects::Hook hook, effects::Driver driver,
-                          double typical) {
-    effects::Effect effect;
-    effect.name = name;
-    effect.hook = hook;
-    effect.driver = driver;
-    effect.typical = typical;
-    effect.most = 20 * typical;
-    effect.least = -effect.most;
-    return effect;
 }
 
 void add_parameters(const LoopData& data, Place& place) {
@@ -356,7 +195,7 @@ double kappa_of(const LoopData& data, std::size_t channel,
 LoopData::LoopData(const study::Case& given, const LoopOptions& chosen)
     : building(given), options(chosen), targets{{}, {0}, {}} {
     const study::Period& period = training();
-    add_planes(building.building);
+    effects::add_planes_of_refinements(building.building);
     add_numbered_hours(building);
     drive = drive_over(period);
     const physics::TimeAxis axis = study::axis_of(building, period);
@@ -446,83 +285,21 @@ std::vector<int> LoopData::blocks_of(double days) const {
     return of_readings;
 }
 
-const std::vector<Refinement>& refinements() {
-    static const std::vector<Refinement> table = {
-        {"surfaces",
-         {{"mass_area_ratio", "zone.*.mass_area_ratio", 2.5, 0.8, 1.0, 6},
-          {"surface_area_ratio", "zone.*.surface_area_ratio", 4.5, 1.2, 1.5, 9}}},
-        {"air and thermostat",
-         {{"air_capacity", "zone.*.air_capacity", 15000, 12000, 1000, 90000},
-          {"thermostat_band", "zone.*.proportional_band", 0.8, 0.6, 0.02, 3}}},
-        {"emitter",
-         {{"emitter_lag", "zone.*.emitter_time_constant", 1500, 1200, 60, 10000},
-          {"radiant_share", "zone.*.emitter_radiant_share", 0.4, 0.25, 0, 0.95}}},
-        {"gains to air",
-         {{"gains_air_share", "zone.*.gains_air_share", 0.5, 0.15, 0.05, 0.95},
-          {"sun_air_share", "zone.*.sun_air_share", 0.1, 0.05, 0, 0.5}}},
-        {"second mass",
-         {{"second_mass_conductance", "zone.*.second_mass_conductance", 2, 2, 0.05, 15},
-          {"second_mass_capacity", "zone.*.second_mass_capacity", 200000, 150000, 20000,
-           1.2e6}}},
-        {"glass by angle", {}, {}, glass_by_angle},
-        {"sky of Hay and Davies", {}, {}, sky_of_hay_and_davies},
-        {"sun through walls",
-         {},
-         {},
-         [](physics::Building& building) { return delay_sun_on_walls(building, 8); }},
-        {"sky", {{sky_difference(11, 4)}}, {}, nullptr, "sky"},
-        {"sky by weather",
-         {{sky_difference(4, 4)}},
-         {{following("opaque elements see the sky", effects::Hook::opaque_boundary,
-                     effects::Driver::sky_difference, 0.06),
-           -0.12, 0.12, -1, 1},
-          {following("windows see the sky", effects::Hook::window_boundary,
-                     effects::Driver::sky_difference, 0.06),
-           -0.12, 0.12, -1, 1}},
-         nullptr,
-         "sky"},
-        {"wind in leaks",
-         {},
-         {{following("share of infiltration by wind", effects::Hook::leakage,
-                     effects::Driver::relative_wind, 0.3),
-           0.3, 0.1, 0, 0.45}}},
-        {"coil that dries",
-         {{"coil_temperature", "air_system.*.supply_temperature", 12, 1.5, 6, 18},
-          {"coil_bypass", "air_system.*.bypass_factor", 0.1, 0.05, 0, 0.4},
-          {"moisture_of_people", "air_system.*.people_moisture", 3, 2, 0, 20}},
-         {},
-         coil_that_dries},
-        {"auxiliaries",
-         {{"heating_auxiliary", "plant.heating_auxiliary", 0.02, 0.02, 0, 0.3},
-          {"cooling_auxiliary", "plant.cooling_auxiliary", 0.02, 0.02, 0, 0.3}}},
-        {"COP by weather",
-         {},
-         {{following("COP per outdoor temperature", effects::Hook::cooling_cop,
-                     effects::Driver::theta_e, 0.01),
-           -0.01, 0.01, -0.2, 0.2}}},
-        {"heating by weather",
-         {},
-         {{following("heating efficiency per outdoor temperature",
-                     effects::Hook::heating_efficiency, effects::Driver::theta_e, 0.01),
-           0.005, 0.01, -0.2, 0.2}}}};
-    return table;
-}
-
-std::string name_of(const std::vector<std::size_t>& structure) {
-    std::string name;
-    for (const std::size_t index : structure)
-        name += (name.empty() ? "" : " + ") + std::string(refinements()[index].name);
-    return name.empty() ? "standard" : name;
+std::vector<std::size_t> whole_structure(const LoopData& data,
+                                         const std::vector<std::size_t>& structure) {
+    std::vector<std::size_t> whole = data.building.structure;
+    whole.insert(whole.end(), structure.begin(), structure.end());
+    return whole;
 }
 
 Place make_place(const LoopData& data, const std::vector<std::size_t>& structure,
                  std::shared_ptr<const physics::Drive> drive) {
     auto described = std::make_shared<physics::Building>(data.building.building);
     for (const std::size_t index : structure)
-        if (const auto change = refinements()[index].change)
+        if (const auto change = effects::refinements()[index].change)
             if (!change(*described))
-                throw CannotSimulate(
-                    fmt::format("nothing for '{}' to change", refinements()[index].name));
+                throw CannotSimulate(fmt::format("nothing for '{}' to change",
+                                                 effects::refinements()[index].name));
     Place place;
     place.building = *described;
     place.described = described;
@@ -532,20 +309,21 @@ Place make_place(const LoopData& data, const std::vector<std::size_t>& structure
     place.surroundings =
         std::make_shared<effects::Surroundings>(effects::make_surroundings(
             *described, *place.drive, data.building.weather, data.training().from));
+    place.surroundings->clock =
+        effects::wall_clock_of(data.building.profiles, data.building.weather.site);
     add_columns_of_job(data, *place.drive, *place.surroundings);
     place.channels = data.targets.channels;
     return place;
 }
 
-namespace {
-
-/// What effects see that enter the building of a place.
 effects::Surroundings surroundings_of(const Place& place) {
     effects::Surroundings surroundings = *place.surroundings;
     surroundings.building = &place.building;
     surroundings.drive = place.drive.get();
     return surroundings;
 }
+
+namespace {
 
 /// Those of the structure first.
 std::vector<effects::Effect> all_effects_of(const Place& place,
@@ -588,7 +366,7 @@ BuiltModel place_only(const Place& place, const std::vector<effects::Effect>& ad
             unknown.scale = always.sd;
             unknown.has_prior = true;
             const auto [least, most] =
-                limits_of(always.mean, always.sd, always.least, always.most);
+                effects::limits_of(always.mean, always.sd, always.least, always.most);
             unknown.least = std::max(unknown.least, least);
             unknown.most = std::min(unknown.most, most);
         }

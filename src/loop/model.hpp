@@ -4,6 +4,7 @@
 
 #include "effects/placement.hpp"
 #include "effects/placer.hpp"
+#include "effects/refinements.hpp"
 #include "loop/options.hpp"
 #include "study/case.hpp"
 #include "study/fit_model.hpp"
@@ -65,34 +66,15 @@ std::optional<std::size_t> numbered_row_of(const study::Case& building,
 std::vector<kernel::Readings> training_readings(const study::Case& building,
                                                 const study::Period& period);
 
-/// A refinement of the zone that is chosen before any effect is sought.
-struct Refinement {
-    const char* name;
-    struct Number {
-        const char* name;
-        const char* path;  ///< of physics::resolve
-        double mean, sd, least, most;
-    };
-    std::vector<Number> numbers;
-    /// What every building has in some measure: an effect with a prior.
-    struct Always {
-        effects::Effect effect;
-        double mean, sd, least, most;
-    };
-    std::vector<Always> effects{};
-    /// Changes the building as described; whether there was anything to change.
-    bool (*change)(physics::Building&) = nullptr;
-    const char* kind = "";  ///< of one kind a structure has one
-};
-const std::vector<Refinement>& refinements();
-/// "surfaces + sky"; "standard" without any.
-std::string name_of(const std::vector<std::size_t>& structure);
-
 /// A model: which refinements, which effects.
 struct LoopModel {
-    std::vector<std::size_t> structure;  ///< of refinements()
+    std::vector<std::size_t> structure;  ///< beside what the description has
     std::vector<effects::Effect> effects;
 };
+
+/// A structure with what the description has already, which comes first.
+std::vector<std::size_t> whole_structure(const LoopData& data,
+                                         const std::vector<std::size_t>& structure);
 
 /// A model that has been built: ready to be simulated over a period.
 struct BuiltModel {
@@ -115,7 +97,7 @@ struct Place {
     std::shared_ptr<effects::Surroundings> surroundings;
     std::vector<physics::Parameter> parameters;
     std::vector<study::FitUnknown> unknowns;
-    std::vector<Refinement::Always> always;  ///< of the structure
+    std::vector<effects::Refinement::Always> always;  ///< of the structure
     std::vector<kernel::Channel> channels;
 };
 
@@ -123,6 +105,9 @@ struct Place {
 /// CannotSimulate where a refinement has nothing to refine.
 Place make_place(const LoopData& data, const std::vector<std::size_t>& structure,
                  std::shared_ptr<const physics::Drive> drive);
+
+/// What effects see that enter the building of a place.
+effects::Surroundings surroundings_of(const Place& place);
 
 /// Throws CannotSimulate where an effect cannot enter.
 BuiltModel build(const Place& place, const std::vector<effects::Effect>& effects);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct LoopOptions {
     std::map<std::string, double> start{};
     std::vector<std::string> exclude;  ///< names of effects that are not tried
     bool functions = true;             ///< whether functions are sought in what is left
+    /// Standard deviation of an energy meter's level in another period than training, as
+    /// a share; nothing: usual_level_change.
+    std::optional<double> level_change{};
     bool generic = true;               ///< whether the grammar's effects are tried, too
     std::vector<std::string> columns;  ///< names of the case's columns that may drive one
 };

@@ -89,7 +89,7 @@ void ReadingLayout::sort_into_blocks() {
 }
 
 Remainder::Remainder(const LoopData& data, const Place& place, const Standing& standing,
-                     const FunctionDrivers& drivers,
+                     const effects::FunctionDrivers& drivers,
                      const std::vector<FoundFunction>& there, std::size_t n_unknowns,
                      const std::vector<ChannelNoise>& noise)
     : standing_(standing),

@@ -4,7 +4,7 @@
 
 #include "functions/joint.hpp"
 #include "loop/found_function.hpp"
-#include "loop/function_drivers.hpp"
+#include "loop/function_bases.hpp"
 #include "loop/linear_model.hpp"
 
 #include <optional>
@@ -49,8 +49,9 @@ class Remainder {
     /// \param n_unknowns  of the model without them
     /// \param noise       that weighs the meters
     Remainder(const LoopData& data, const Place& place, const Standing& standing,
-              const FunctionDrivers& drivers, const std::vector<FoundFunction>& there,
-              std::size_t n_unknowns, const std::vector<ChannelNoise>& noise);
+              const effects::FunctionDrivers& drivers,
+              const std::vector<FoundFunction>& there, std::size_t n_unknowns,
+              const std::vector<ChannelNoise>& noise);
 
     functions::Path search() const;
     /// The functions of a fit.

@@ -5,15 +5,22 @@
 /// The page is made by the report's script.
 #include "loop/results.hpp"
 
+#include "base/error.hpp"
 #include "base/machine.hpp"
 #include "effects/catalogue.hpp"
 #include "effects/job_section.hpp"
+#include "loop/effect_values.hpp"
 #include "loop/find_functions.hpp"
 #include "loop/intervals.hpp"
+#include "loop/job_parts.hpp"
 #include "loop/late_clock.hpp"
+#include "loop/level_change.hpp"
 #include "loop/loads.hpp"
+#include "loop/reading_bands.hpp"
 #include "loop/stored_loop.hpp"
 #include "loop/unusual_end.hpp"
+#include "physics/simulate.hpp"
+#include "stats/distributions.hpp"
 #include "stats/metrics.hpp"
 #include "study/bias.hpp"
 
@@ -28,13 +35,17 @@
 namespace bemcal::loop {
 namespace {
 
-constexpr double half_of_90 = 1.645;
-
 /// In the order of the stored models.
 using Standings = std::array<const Standing*, StoredLoop::n_models>;
 
 Standings standings_of(const LoopResult& result) {
     return {&result.baseline.plain, &result.baseline.chosen, &result.last};
+}
+
+/// Throws what the plain simulation says of a point that is impossible.
+void say_why_impossible(const BuiltModel& built, const std::vector<double>& values) {
+    physics::simulate(building_at(built, values), built.placed->drive);
+    throw CannotSimulate("the model cannot be simulated there");
 }
 
 /// A model's predictions of every hour of a period. [channels x hours]
@@ -45,7 +56,8 @@ std::vector<std::vector<double>> hours_of(
     Place place = make_place(data, standing.model.structure, drive);
     if (!standing.model.effects.empty())
         know_loads(place, baseline.chosen, baseline.place.surroundings->model);
-    if (!functions.empty()) add_columns(functions, function_drivers(data, place), place);
+    if (!functions.empty())
+        add_columns(functions, effects::function_drivers(surroundings_of(place)), place);
     for (kernel::Channel& channel : place.channels)
         channel.interval = physics::Interval::hourly;
     const BuiltModel built = build(place, standing.model.effects);
@@ -53,6 +65,7 @@ std::vector<std::vector<double>> hours_of(
     for (std::size_t k = 0; k < point.cols; ++k)
         point(0, k) = built.unknowns[k].within(standing.fit.at.x[k]);
     const Matrix predicted = built.fit_model->predict(point);
+    if (std::isnan(predicted(0, 0))) say_why_impossible(built, point.values);
     std::vector<std::vector<double>> hours;
     const auto& first = built.fit_model->first();
     for (std::size_t c = 0; c + 1 < first.size(); ++c)
@@ -81,6 +94,19 @@ Months months_of(const std::vector<physics::Seconds>& begins,
         const double by = is_mean ? sum[2] : 1;
         months.simulated.push_back(sum[0] / by);
         months.measured.push_back(sum[1] / by);
+    }
+    return months;
+}
+
+/// The first hour of each.
+std::vector<physics::Seconds> begins_of_months(
+    const std::vector<physics::Seconds>& begins) {
+    std::vector<physics::Seconds> months;
+    int last = -1;
+    for (const physics::Seconds begin : begins) {
+        const int month = physics::calendar_step(begin).month;
+        if (month != last) months.push_back(begin);
+        last = month;
     }
     return months;
 }
@@ -137,6 +163,7 @@ class Writer {
         effects_found();
         functions_found();
         hours_learned();
+        job_parts();
         power();
         unusual_ends();
         fits();
@@ -191,7 +218,8 @@ class Writer {
     void structures() {
         for (const TriedStructure& tried : result_.baseline.tried)
             loop_.structures.push_back({tried.name, tried.score});
-        loop_.structure_chosen = name_of(result_.baseline.chosen.model.structure);
+        loop_.structure_chosen = effects::name_of(
+            whole_structure(data_, result_.baseline.chosen.model.structure));
     }
 
     void steps() {
@@ -222,6 +250,26 @@ class Writer {
         const auto sds = deviations_of(data_, last, result_.misfit);
         for (std::size_t k = 0; k < result_.found.size(); ++k)
             effect_found(k, sds[last.built.first_effect() + k]);
+        effect_values(sds);
+    }
+
+    /// \param sds  of what noise leaves to last's unknowns
+    void effect_values(std::vector<double> sds) {
+        const Standing& last = result_.last;
+        for (std::size_t k = 0; k < result_.found.size(); ++k) {
+            double& sd = sds[last.built.first_effect() + k];
+            if (!last.model.effects[k].other_hours)
+                sd = deviation_of(result_.found[k], sd, last.coefficient(k));
+        }
+        const auto accounts = accounts_of(data_);
+        const auto worth =
+            worth_of_effects(data_, result_.baseline.place, last, result_.found.size(),
+                             sds, result_.misfit, accounts);
+        for (std::size_t k = 0; k < worth.size(); ++k)
+            for (std::size_t a = 0; a < accounts.size(); ++a)
+                loop_.effect_values.push_back({static_cast<double>(k), accounts[a].of,
+                                               accounts[a].unit, worth[k][a].mean,
+                                               worth[k][a].least, worth[k][a].most});
     }
 
     void effect_found(std::size_t k, double sd) {
@@ -229,7 +277,7 @@ class Writer {
         const Found& found = result_.found[k];
         const double c = result_.last.coefficient(k);
         const double half =
-            effect.other_hours ? 0 : half_of_90 * deviation_of(found, sd, c);
+            effect.other_hours ? 0 : stats::z_90_two_sided * deviation_of(found, sd, c);
         const effects::Entry* entry = effects::entry_of(effect);
         StoredLoop::Effect& stored = loop_.effects.emplace_back();
         stored.name = effect.name;
@@ -248,7 +296,8 @@ class Writer {
         stored.gain = found.gain;
         stored.adequate = found.doubt.empty() ? 1 : 0;
         stored.section = effects::job_section_of(
-            effect, belief_of(k, {c, half / half_of_90}), data_.training().from);
+            effect, belief_of(k, {c, half / stats::z_90_two_sided}),
+            data_.training().from);
     }
 
     /// An effect of one sign keeps it.
@@ -268,17 +317,18 @@ class Writer {
             loop_.functions.push_back({name_of(function), function.at.name,
                                        function.basis.driver,
                                        effects::unit_of(function.at.hook),
-                                       unit_of_driver(function.basis.driver),
+                                       effects::unit_of_driver(function.basis.driver),
                                        function.size, function.evidence});
         }
     }
 
     void points_of(const FoundFunction& function, double index) {
-        const auto& points = function.basis.points;
+        const auto points = function.basis.points.drivers_at();
         if (points.empty()) return;
         const std::vector<double> values = function.values();
         for (std::size_t p = 0; p < values.size(); ++p) {
-            const double half = half_of_90 * function.at.typical * function.deviations[p];
+            const double half =
+                stats::z_90_two_sided * function.at.typical * function.deviations[p];
             loop_.function_points.push_back(
                 {index, points[0][p], points.size() > 1 ? points[1][p] : nan, values[p],
                  values[p] - half, values[p] + half});
@@ -310,6 +360,12 @@ class Writer {
         stored.until_most = run.most.until;
         stored.probability = run.probability;
         return stored;
+    }
+
+    void job_parts() {
+        const auto sds = deviations_of(data_, result_.last, result_.misfit);
+        loop_.job_parts = job_parts_of(data_, result_.baseline.place, result_.last, sds,
+                                       result_.hours, result_.functions);
     }
 
     void power() {
@@ -368,7 +424,52 @@ class Writer {
         const auto& periods = data_.building.periods;
         loop_.fit.resize({StoredLoop::n_models, periods.size(), StoredLoop::n_resolutions,
                           n_channels(), StoredLoop::n_metrics});
+        loop_.coverage.resize({periods.size(), StoredLoop::n_resolutions, n_channels()});
+        learn_bands();
         for (std::size_t p = 0; p < periods.size(); ++p) fits_of(p);
+    }
+
+    /// Of hourly channels, from what was left out.
+    void learn_bands() {
+        const study::Period& training = data_.training();
+        const physics::TimeAxis axis = study::axis_of(data_.building, training);
+        const auto begins = study::begins_of(axis, physics::Interval::hourly);
+        const auto hours =
+            predicted(StoredLoop::after, training, data_.drive, begins.size());
+        for (std::size_t c = 0; c < n_channels(); ++c) {
+            const study::Targets& targets = data_.targets;
+            const auto measured = targets.of(c, targets.measured);
+            UnseenHours unseen{begins, hours[c], std::vector<double>(begins.size(), nan)};
+            const auto left_out = targets.of(c, result_.last.left_out);
+            for (std::size_t k = 0; k < measured.size(); ++k)
+                if (measured.size() == begins.size() && !std::isnan(measured[k]))
+                    unseen.residuals[k] = left_out[k];
+            bands_.emplace_back(unseen,
+                                physics::is_temperature(targets.channels[c].quantity));
+        }
+    }
+
+    /// By how much a channel's level may differ from what is predicted, as a share.
+    double level_of(const study::Period& period, std::size_t channel) const {
+        const auto quantity = data_.targets.channels[channel].quantity;
+        if (period.from == data_.training().from) return 0;
+        const double usual = usual_level_change(quantity);
+        return usual == 0 ? 0 : data_.options.level_change.value_or(usual);
+    }
+
+    /// Which share of readings lies within after's intervals.
+    template <class BandAt>
+    void set_coverage(std::size_t period, StoredLoop::Resolution resolution,
+                      std::size_t channel, std::span<const double> measured,
+                      BandAt band_at) {
+        double inside = 0, n = 0;
+        for (std::size_t k = 0; k < measured.size(); ++k) {
+            const Band band = band_at(k);
+            if (std::isnan(measured[k]) || std::isnan(band.least)) continue;
+            inside += measured[k] >= band.least && measured[k] <= band.most ? 1 : 0;
+            n += 1;
+        }
+        loop_.coverage.set({period, resolution, channel}, n > 0 ? inside / n : nan);
     }
 
     void fits_of(std::size_t p) {
@@ -386,6 +487,7 @@ class Writer {
         StoredPeriod& stored = periods_.emplace_back();
         stored.name = period.name;
         stored.begins = begins;
+        stored.months = begins_of_months(begins);
         stored.outdoor_temperature =
             by_late_clock_throughout(outdoors_of(*drive), result_.hours_late);
         for (std::size_t c = 0; c < n_channels(); ++c) {
@@ -394,6 +496,7 @@ class Writer {
             const std::vector<double> measured =
                 is_hourly ? meter.values : std::vector<double>(begins.size(), nan);
             const bool is_mean = meter.quantity == physics::Quantity::air_temperature;
+            const double level = level_of(period, c);
             for (std::size_t m = 0; m < hours.size(); ++m) {
                 const auto& own = hours[m][c];
                 const Months months = is_hourly
@@ -402,8 +505,16 @@ class Writer {
                 set_fit({m, p, StoredLoop::hourly, c}, stats::metrics_of(own, measured));
                 set_fit({m, p, StoredLoop::monthly, c},
                         stats::metrics_of(months.simulated, months.measured));
+                if (m != StoredLoop::after) continue;
+                set_coverage(p, StoredLoop::hourly, c, measured, [&](std::size_t k) {
+                    return bands_[c].hour(own[k], begins[k], level);
+                });
+                set_coverage(
+                    p, StoredLoop::monthly, c, months.measured,
+                    [&](std::size_t k) { return bands_[c].month(months.simulated[k]); });
             }
             stored.channels.push_back(channel_of(c, measured, hours));
+            add_bands(c, hours.back()[c], level, is_mean, stored);
         }
     }
 
@@ -422,6 +533,27 @@ class Writer {
             all.insert(all.end(), stamped.begin(), stamped.end());
         }
         return channel;
+    }
+
+    /// To the newest channel of a period: after's intervals of hours, and its months with
+    /// theirs.
+    void add_bands(std::size_t c, const std::vector<double>& after, double level,
+                   bool is_mean, StoredPeriod& period) const {
+        StoredPeriod::Channel& channel = period.channels.back();
+        std::vector<double> least, most;
+        for (std::size_t k = 0; k < after.size(); ++k) {
+            const Band band = bands_[c].hour(after[k], period.begins[k], level);
+            least.push_back(band.least);
+            most.push_back(band.most);
+        }
+        channel.q05 = by_late_clock_throughout(least, result_.hours_late);
+        channel.q95 = by_late_clock_throughout(most, result_.hours_late);
+        channel.month = months_of(period.begins, after, after, is_mean).simulated;
+        for (const double month : channel.month) {
+            const Band band = bands_[c].month(month, level);
+            channel.month_q05.push_back(band.least);
+            channel.month_q95.push_back(band.most);
+        }
     }
 
     struct FitPlace {
@@ -471,7 +603,7 @@ class Writer {
         for (std::size_t k = 0; k < loop_.parameters.size(); ++k) {
             const double value = loop_.parameter_value.at({StoredLoop::after, k});
             const double half =
-                half_of_90 * loop_.parameter_sd.at({StoredLoop::after, k});
+                stats::z_90_two_sided * loop_.parameter_sd.at({StoredLoop::after, k});
             summary.values.push_back(
                 {loop_.parameters[k].name, value, value - half, value + half});
         }
@@ -508,6 +640,7 @@ class Writer {
         decisions_;  ///< of the data, of effects, then of periods
     StoredLoop loop_;
     std::vector<StoredPeriod> periods_;
+    std::vector<ReadingBands> bands_;  ///< [channels] of the last model
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 /// What the loop found, and the datasets and the summary that say so.
 #pragma once
 
+#include "loop/found.hpp"
 #include "loop/found_function.hpp"
 #include "loop/learn_hours.hpp"
 #include "loop/portrait.hpp"
@@ -14,17 +15,6 @@ struct LoggedStep {
     std::string effect, verdict;
     double gain = 0, threshold = 0, score = 0;
     std::vector<double> error;  ///< [channels]
-};
-
-/// An effect that was accepted, with what cannot be told apart from it.
-struct Found {
-    std::vector<std::string> equivalents;  ///< names of its class, its own among them
-    std::string doubt;  ///< why its name may be the nearest one only; "" = adequate
-    double gain = 0;
-    std::vector<effects::Effect> rivals{};  ///< what may stand in its place
-    // What its coefficient owes, as root mean squares in its unit:
-    double of_shape = 0;    ///< to the shape that it has (deviation_over_shapes)
-    double of_missing = 0;  ///< to what may still be missing; 0 after `most_effects`
 };
 
 struct LoopResult {

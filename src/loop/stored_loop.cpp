@@ -70,6 +70,14 @@ void visit_tables(Loop& loop, Table&& table) {
         see("effect_adequate", row.adequate);
         see("effect_doubt", row.doubt);
     });
+    table("effect_value", loop.effect_values, [](auto& row, auto&& see) {
+        see("effect_value_of", row.of);
+        see("effect_value_effect", row.effect);
+        see("effect_value_unit", row.unit);
+        see("effect_value", row.value);
+        see("effect_value_least", row.least);
+        see("effect_value_most", row.most);
+    });
     table("function", loop.functions, [](auto& row, auto&& see) {
         see("function", row.name);
         see("function_hook", row.hook);
@@ -106,6 +114,10 @@ void visit_tables(Loop& loop, Table&& table) {
         see("learned_hours_usual_from", row.usual_from);
         see("learned_hours_usual_until", row.usual_until);
     });
+    table("job_part", loop.job_parts, [](auto& row, auto&& see) {
+        see("job_part", row.of);
+        see("job_part_section", row.section);
+    });
     table("power", loop.seen, [](auto& row, auto&& see) {
         see("power_effect", row.effect);
         see("power_alias", row.alias);
@@ -132,6 +144,7 @@ void visit_arrays(Loop& loop, See&& see) {
     see("localisation", loop.localisation);
     see("localisation_after", loop.localisation_after);
     see("fit", loop.fit);
+    see("coverage", loop.coverage);
 }
 
 template <class Loop, class See>
@@ -209,12 +222,18 @@ void take_words_of_0_1_0(StoredLoop& loop) {
 
 void add_period(const StoredPeriod& period, study::DatasetBuilder& datasets) {
     datasets.times(period.name + "/time", period.begins);
+    datasets.times(period.name + "/month", period.months, "month");
     datasets.vector(period.name + "/outdoor_temperature", "time",
                     period.outdoor_temperature);
     for (const StoredPeriod::Channel& channel : period.channels) {
         const std::string folder = period.name + "/" + channel.name + "/";
         datasets.vector(folder + "measured", "time", channel.measured);
         datasets.array(folder + "simulated", channel.simulated);
+        datasets.vector(folder + "predicted_q05", "time", channel.q05);
+        datasets.vector(folder + "predicted_q95", "time", channel.q95);
+        datasets.vector(folder + "month_predicted", "month", channel.month);
+        datasets.vector(folder + "month_q05", "month", channel.month_q05);
+        datasets.vector(folder + "month_q95", "month", channel.month_q95);
     }
 }
 

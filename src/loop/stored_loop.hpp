@@ -56,6 +56,12 @@ struct StoredLoop {
         std::vector<std::string> members{};  ///< of its class, one by one
         bool is_adequate() const { return adequate == 1; }
     };
+    /// What an effect brings to a meter, to cost or to emissions: see worth_of_effects.
+    struct EffectValue {
+        double effect = 0;  ///< index of the effect
+        std::string of, unit;
+        double value = nan, least = nan, most = nan;
+    };
     /// A function of what the building may follow, at a hook: see FoundFunction.
     struct Function {
         std::string name, hook, driver, unit;
@@ -83,6 +89,11 @@ struct StoredLoop {
         double from_least = nan, from_most = nan, until_least = nan, until_most = nan;
         double probability = nan;
     };
+    /// What else of the model a job can have beside the effects: see job_parts.
+    struct JobPart {
+        std::string of;  ///< "structure", "hours", "functions"
+        std::string section;
+    };
     struct Decision {
         std::string series, finding, action, kind;
         /// Of effects that are one with parameters, not of data.
@@ -96,10 +107,12 @@ struct StoredLoop {
     std::vector<Step> steps;
     std::vector<Candidate> candidates;
     std::vector<Effect> effects;
+    std::vector<EffectValue> effect_values;
     std::vector<Function> functions;
     std::vector<FunctionPoint> function_points;
     std::vector<Schedule> schedules;
     std::vector<DailyHours> hours;
+    std::vector<JobPart> job_parts;
     std::vector<Seen> seen;
     std::vector<Decision> decisions;
 
@@ -109,6 +122,8 @@ struct StoredLoop {
     study::Array localisation{{"hook", "driver"}};
     study::Array localisation_after{{"hook", "driver"}};
     study::Array fit{{"model", "period", "resolution", "channel", "metric"}};
+    /// Share of the readings within after's 90 % intervals.
+    study::Array coverage{{"period", "resolution", "channel"}};
 
     double misfit = nan;
     double least_detectability = limits::least_detectability;
@@ -122,11 +137,15 @@ struct StoredPeriod {
         std::string name;
         std::vector<double> measured;  ///< [hours]; NaN = missing
         study::Array simulated{{"model", "time"}};
+        std::vector<double> q05{}, q95{};  ///< [hours] after's interval; NaN = not known
+        /// [months] of all hours, read or not: sums, or means of a temperature.
+        std::vector<double> month{}, month_q05{}, month_q95{};
     };
     std::string name;
     std::vector<physics::Seconds> begins;     ///< [hours]
     std::vector<double> outdoor_temperature;  ///< [hours]
     std::vector<Channel> channels;
+    std::vector<physics::Seconds> months{};  ///< [months] their first hours here
 };
 
 /// \param group  "BUILDING/STUDY"

@@ -9,12 +9,13 @@ namespace bemcal::physics {
 
 namespace {
 
-double changed(double nominal, Effect effect, double value) {
-    switch (effect) {
+/// \param number  of the nominal building, where the parameter has its nominal value
+double changed(double number, const Parameter& parameter, double value) {
+    switch (parameter.effect) {
         case Effect::factor:
-            return nominal * value;
+            return number * (value / parameter.nominal);
         case Effect::offset:
-            return nominal + value;
+            return number + (value - parameter.nominal);
         default:
             return value;
     }
@@ -27,7 +28,7 @@ void apply(const Building& nominal, std::span<const Parameter> parameters,
     for (std::size_t k = 0; k < parameters.size(); ++k)
         for (const Target& target : parameters[k].targets)
             number_at(building, target) =
-                changed(number_at(nominal, target), parameters[k].effect, point[k]) *
+                changed(number_at(nominal, target), parameters[k], point[k]) *
                 target.weight;
     derive(building);
 }

@@ -21,7 +21,9 @@ struct Parameter {
     double least = 0, most = 1;  ///< range
     Effect effect = Effect::replace;
     std::vector<Target> targets;  ///< several = linked
-    double nominal = 0;           ///< value in the nominal building (1 for a factor)
+    /// Value in the nominal building: of a factor 1 and of an offset 0, if that has the
+    /// numbers as described.
+    double nominal = 0;
 };
 
 /// Places named by a path: "zone.office.flow.infiltration.air_change",
@@ -30,6 +32,10 @@ struct Parameter {
 /// fields belong to their zone. Throws std::invalid_argument that lists what would have
 /// matched.
 std::vector<Target> resolve(const Building& building, const std::string& path);
+
+/// The path of a number that is no change of an input, as `resolve` takes it:
+/// "zone.office.mass_area_ratio".
+std::string path_of(const Building& building, const Target& target);
 
 /// Places of the inputs that follow a row of Drive::profiles.
 std::vector<Target> inputs_that_follow(const Building& building, int profile);

@@ -206,6 +206,17 @@ std::vector<Target> resolve(const Building& building, const std::string& path) {
     return targets;
 }
 
+std::string path_of(const Building& building, const Target& target) {
+    for (const Entry& entry : entries_of(building)) {
+        Target place = entry.target;
+        place.slot = target.slot;
+        if (!is_same_number(place, target)) continue;
+        const char* part = target.slot == Slot::low ? ".low" : "";
+        return fmt::format("{}{}", fmt::join(entry.words, "."), part);
+    }
+    throw std::invalid_argument("a number without a path");
+}
+
 std::vector<Target> inputs_that_follow(const Building& building, int profile) {
     std::vector<Target> targets;
     Building copy = building;  // input_at() takes what may be written to

@@ -3,6 +3,7 @@
 /// others in %.
 /// Made from the stored `fit` alone: errors are not computed again from the series.
 /// Intervals without readings are left out.
+#include "base/nan.hpp"
 #include "report/loop_parts.hpp"
 #include "report/text_table.hpp"
 
@@ -22,12 +23,14 @@ struct Row {
     std::string channel, unit;
     double n = 0;
     std::array<double, StoredLoop::n_models> error{}, bias{};
+    double within = nan;  ///< share of readings in after's 90 % intervals [%]
     bool is_measured() const { return n > 0; }
 };
 
 Row row_of(const StoredLoop& loop, std::size_t period, std::size_t resolution,
            std::size_t channel) {
-    Row row{loop.channels[channel].name, "%", 0, {}, {}};
+    Row row{loop.channels[channel].name, "%"};
+    row.within = 100 * loop.coverage.at({period, resolution, channel});
     const bool is_temperature = loop.channels[channel].unit == "degC";
     if (is_temperature) row.unit = "K";
     for (std::size_t model = 0; model < StoredLoop::n_models; ++model) {
@@ -54,6 +57,7 @@ void add_row(TextTable& table, const std::string& period, const std::string& int
     for (const double error : row.error) cells.push_back(fixed(error, digits));
     for (const double bias : row.bias) cells.push_back(fixed(bias, digits));
     cells.push_back(row.unit);
+    cells.push_back(fixed(row.within, 0));
     table.add(std::move(cells));
 }
 
@@ -98,7 +102,7 @@ std::string loop_headline(const StoredLoop& loop) {
 
 std::string loop_fit_table(const StoredLoop& loop) {
     TextTable table({"error", "", "", "n", "plain", "before", "after", "bias: plain",
-                     "before", "after", ""});
+                     "before", "after", "", "in 90 %"});
     for (std::size_t p = 0; p < loop.periods.size(); ++p)
         for (std::size_t c = 0; c < loop.channels.size(); ++c)
             for (std::size_t r = 0; r < loop.resolutions.size(); ++r) {
@@ -106,7 +110,11 @@ std::string loop_fit_table(const StoredLoop& loop) {
                 if (row.is_measured())
                     add_row(table, loop.periods[p], loop.resolutions[r], row);
             }
-    return text_of(table, 18);
+    const std::string text = text_of(table, 18);
+    return text.empty() ? text
+                        : text +
+                              "  in 90 %: share of the readings within the 90 % "
+                              "intervals of after [%]\n";
 }
 
 }  // namespace bemcal::report

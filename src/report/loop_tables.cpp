@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <sstream>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -38,6 +40,46 @@ std::string effect_table(const StoredLoop& loop) {
                    effect.unit, three_digits(effect.gain),
                    effect.is_adequate() ? "yes" : "NO"});
     }
+    return text_of(table, 36);
+}
+
+/// What an effect brings.
+struct Brings {
+    const StoredLoop::Effect* effect;
+    std::vector<const StoredLoop::EffectValue*> values;
+
+    /// Size of what it costs; where no tariff is known, of its largest energy.
+    double size() const {
+        double largest = 0;
+        for (const StoredLoop::EffectValue* value : values) {
+            if (value->of == "cost") return std::abs(value->value);
+            largest = std::max(largest, std::abs(value->value));
+        }
+        return largest;
+    }
+};
+
+std::vector<Brings> brings_of(const StoredLoop& loop) {
+    std::vector<Brings> all;
+    for (std::size_t k = 0; k < loop.effects.size(); ++k) {
+        Brings& own = all.emplace_back(Brings{&loop.effects[k], {}});
+        for (const StoredLoop::EffectValue& value : loop.effect_values)
+            if (value.effect == static_cast<double>(k)) own.values.push_back(&value);
+    }
+    std::ranges::stable_sort(all, std::greater<>(), &Brings::size);
+    return all;
+}
+
+/// The largest first: what an owner would act on.
+std::string worth_table(const StoredLoop& loop) {
+    TextTable table({"what it brings", "of", "more with it", "90 % interval", "unit"});
+    for (const Brings& own : brings_of(loop))
+        for (const StoredLoop::EffectValue* value : own.values)
+            table.add({value == own.values.front() ? own.effect->name : "", value->of,
+                       three_digits(value->value),
+                       fmt::format("{} to {}", three_digits(value->least),
+                                   three_digits(value->most)),
+                       value->unit});
     return text_of(table, 36);
 }
 
@@ -82,8 +124,8 @@ std::string sections_of(const StoredLoop& loop) {
         if (!effect.section.empty()) text += "\n" + indented(effect.section);
     return text.empty()
                ? text
-               : "\n  to carry on what was found, put into the job, so that all its "
-                 "studies have it:\n" +
+               : "\n  to carry on what was found: bemcal-batch adopt writes the job anew; "
+                 "by hand, put into it\n" +
                      text;
 }
 
@@ -239,6 +281,8 @@ std::string loop_section(const Group& study) {
     const StoredLoop loop = loop::stored_loop(study.result().datasets, study.path());
     std::string effects = effect_table(loop);
     for (const StoredLoop::Effect& effect : loop.effects) effects += effect_lines(effect);
+    if (const std::string worth = worth_table(loop); !worth.empty())
+        effects += "\n" + worth;
     effects += sections_of(loop);
     const std::string building = study.path().substr(0, study.path().rfind('/'));
     const Texts of_data = study.elsewhere(building + "/data").texts("finding");

@@ -63,6 +63,8 @@ constexpr SectionInfo section_table[] = {
     {"meter", "[[meter]]", "source", "A measured series that the model is held against."},
     {"meter.scale", "[[meter.scale]]", "",
      "A correction of the readings from a date on."},
+    {"effect.function", "[[effect.function]]", "",
+     "A function of what the effect follows, by its values."},
     {"effect", "[[effect]]", "",
      "What the building does beyond its description: a row of `bemcal-batch describe "
      "effects`, or hook, driver, form and gate. It holds in every study."},
@@ -156,6 +158,10 @@ constexpr Key table[] = {
     {"building", "air_system", Type::tables, "", "", 0, 0, "[[air_system]]"},
     {"building", "plant", Type::table, "", "", 0, 0, "[plant]"},
     {"building", "meter", Type::tables, "", "", 0, 0, "[[meter]]"},
+    {"building", "structure", Type::texts, "", "", 0, 0,
+     "Refinements of the standard's zone that it has in every study: \"surfaces\", \"air "
+     "and thermostat\", \"second mass\", \"glass by angle\"; `bemcal-batch describe "
+     "structure` prints them. Their numbers are parameters with priors."},
     {"building", "effect", Type::tables, "", "", 0, 0, "[[effect]]"},
     {"building", "parameter", Type::tables, "", "", 0, 0, "[[parameter]]"},
     {"building", "link", Type::tables, "", "", 0, 0, "[[link]]"},
@@ -282,6 +288,19 @@ constexpr Key table[] = {
      "Of an effect that enters at a meter, as a factor or an addition."},
     {"effect", "facade", Type::text, "", "", 0, 0,
      "Of an effect on one facade: \"south\", \"north-east\", \"roof\"; default: all."},
+    {"effect", "function", Type::tables, "", "", 0, 0,
+     "[[effect.function]]: in place of a driver, it follows the sum of these."},
+    {"effect.function", "driver", Type::text, "", required, 0, 0,
+     "\"one\", \"hour of the week\", \"outdoor temperature\" (also \"of three days\", \"of a "
+     "month\"), \"sun\", \"wind\", \"moisture\", \"hour and outdoor temperature of a day\" "
+     "or \"time\"."},
+    {"effect.function", "at", Type::numbers, "", "", -1e6, 1e6,
+     "Where the driver is at each of the values, rising; between them it is straight. Not "
+     "of hours, time and one."},
+    {"effect.function", "values", Type::numbers, "", required, -1e9, 1e9,
+     "In the hook's unit. Of hours: 24 of working days, of Saturdays, of Sundays and "
+     "holidays; of hour and temperature: at each hour of working days, then of other "
+     "days, one for each `at`; of time: one a fortnight from the first day of training."},
     {"effect", "series", Type::text, "", "", 0, 0,
      "Of driver = \"column\": the [[series]] that it follows."},
     // schedules
@@ -418,6 +437,9 @@ constexpr Key table[] = {
      "degF."},
     {"meter", "factor", Type::number, "-", "1", 1e-9, 1e9,
      "On the readings, with the unit's."},
+    {"meter", "tariff", Type::number, "1/kWh", "", -100, 100,
+     "What a kWh costs, in any currency: a loop says what the effects that it finds cost."},
+    {"meter", "co2", Type::number, "kg/kWh", "", 0, 100, "What a kWh emits, likewise."},
     {"meter", "mask", Type::texts, "", "", 0, 0,
      "Times left out: \"2013-04-02/2013-04-05\" (whole days) or "
      "\"2013-04-02 03:00/2013-04-02 09:00\"."},
@@ -459,6 +481,9 @@ constexpr Key table[] = {
     {"parameter", "values", Type::numbers, "", "", -1e9, 1e9,
      "In place of min and max: it takes one of these; a posterior holds them all alike, "
      "other studies take the range."},
+    {"parameter", "value", Type::number, "", "", -1e9, 1e9,
+     "The building has it where a study does not vary the parameter, in place of what is "
+     "described; `bemcal-batch adopt` writes it."},
     {"parameter", "prior", Type::table, "", "", 0, 0,
      "{kind = \"normal\", mean = 0.4, sd = 0.1}; default: uniform from min to max."},
     {"parameter", "mode", Type::choice, "replace|factor|offset", "replace", 0, 0,

@@ -2,6 +2,7 @@
 /// periods.
 #pragma once
 
+#include "base/nan.hpp"
 #include "effects/declared.hpp"
 #include "kernel/batch.hpp"
 #include "physics/week_hours.hpp"
@@ -23,6 +24,8 @@ struct Meter {
     std::vector<double> values;  ///< [axis.n_steps] kWh or degC; NaN = missing or masked
     std::string unit = "kWh";    ///< that its numbers were read in
     int row_s = 3600;            ///< length of the rows that they were read from
+    double tariff = nan;         ///< of a kWh, in any currency; NaN = not said
+    double co2 = nan;            ///< [kg/kWh]
 };
 
 /// What is believed of a parameter beforehand; a discrete one takes one of `values`, all
@@ -59,7 +62,8 @@ struct UnknownHours {
 
 struct Case {
     std::string name;
-    physics::Building building;  ///< nominal, with its declared effects
+    physics::Building building;  ///< nominal, with its structure and declared effects
+    std::vector<std::size_t> structure{};  ///< of effects::refinements(), as declared
     /// Null without any. Profiles from its first_row on are theirs.
     std::shared_ptr<const effects::DeclaredEffects> declared_effects;
     std::vector<physics::Parameter> parameters;

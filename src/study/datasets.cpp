@@ -71,12 +71,12 @@ void DatasetBuilder::parameters(const std::vector<physics::Parameter>& parameter
 }
 
 void DatasetBuilder::times(const std::string& leaf,
-                           const std::vector<physics::Seconds>& begins) {
+                           const std::vector<physics::Seconds>& begins, const char* dim) {
     std::vector<double> seconds;
     seconds.reserve(begins.size());
     for (const auto begin : begins)
         seconds.push_back(static_cast<double>(begin.time_since_epoch().count()));
-    vector(leaf, "time", std::move(seconds));
+    vector(leaf, dim, std::move(seconds));
 }
 
 void DatasetBuilder::failures(const std::vector<Failure>& failures) {

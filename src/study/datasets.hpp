@@ -35,7 +35,8 @@ class DatasetBuilder {
     /// Names, units and ranges.
     void parameters(const std::vector<physics::Parameter>& parameters);
     /// Begins of steps [s since 1970, local standard time].
-    void times(const std::string& leaf, const std::vector<physics::Seconds>& begins);
+    void times(const std::string& leaf, const std::vector<physics::Seconds>& begins,
+               const char* dim = "time");
     /// How many points failed, which and why; an item that failed as a whole counts for
     /// all of its points.
     void failures(const std::vector<Failure>& failures);

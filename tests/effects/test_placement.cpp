@@ -5,6 +5,7 @@
 #include "effects/profiles.hpp"
 #include "office.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -203,6 +204,21 @@ TEST(Placement, WindMovesInfiltrationAboutWhatItIs) {
     Office tight;
     tight.building.zones[0].flows.erase(tight.building.zones[0].flows.begin());
     EXPECT_THROW(placed(leakage, tight), CannotSimulate);
+}
+
+// Levels of two years differ, but for the least.
+TEST(Placement, LeaksAreAsSmallInEveryYear) {
+    const Effect leakage{
+        .name = "by wind", .hook = Hook::leakage, .driver = Driver::relative_wind};
+    const auto least_in = [&](const char* from, const char* to) {
+        const Office office(from, to);
+        const Placed with = placed(leakage, office);
+        const auto row = with.drive.profiles.row(with.drive.profiles.rows - 1);
+        return std::ranges::min(row);
+    };
+    const double declared = office().building.zones[0].flows[0].air_change.value;
+    EXPECT_DOUBLE_EQ(least_in("2021-01-15", "2021-06-30"), -0.6 * declared);
+    EXPECT_DOUBLE_EQ(least_in("2021-07-01", "2021-12-31"), -0.6 * declared);
 }
 
 TEST(Placement, MoreRecoveryLessHeatMoreVentilationMoreHeat) {

@@ -67,8 +67,10 @@ TEST(Basis, InteractionsHaveNoMeanOverHoursOrOverTheOther) {
     for (std::size_t c = 0; c < basis.n_columns(); ++c) {
         std::vector<double> share(n_knots, 0.0);
         for (std::size_t k = 0; k < slow.size(); ++k) {
-            const Basis::Weights w = basis.weights(std::vector{of_day[k], slow[k]});
-            for (int i = 0; i < 4; ++i) share[w.point[i] % n_knots] += w.weight[i];
+            const Points::Weights w =
+                basis.points.weights(std::vector{of_day[k], slow[k]});
+            for (std::size_t i = 0; i < 2; ++i)
+                share[w.point[i] % n_knots] += w.weight[i];
         }
         for (std::size_t hour = 0; hour < 48; ++hour) {
             double sum = 0;
@@ -90,13 +92,13 @@ TEST(Basis, ItsPointsAreWhereItsColumnsAre) {
     for (const Basis& basis :
          {hours_of_week("hours", of_hours), smooth_of("slow", slow),
           hours_times("both", of_day, slow), wandering("time", years)}) {
-        const Matrix columns = columns_of(basis, basis.points);
+        const Matrix columns = columns_of(basis, basis.points.drivers_at());
         ASSERT_EQ(columns.rows, basis.at_points.rows) << basis.driver;
         for (std::size_t p = 0; p < columns.rows; ++p)
             for (std::size_t c = 0; c < columns.cols; ++c)
                 EXPECT_NEAR(columns(p, c), basis.at_points(p, c), 1e-12) << basis.driver;
     }
-    EXPECT_TRUE(constant().points.empty());
+    EXPECT_TRUE(constant().points.drivers_at().empty());
 }
 
 TEST(Basis, BeyondTrainingTheEndsAreHeld) {

@@ -4,6 +4,10 @@
 #include "effects/make_surroundings.hpp"
 #include "job/small_office.hpp"
 #include "physics/numbers.hpp"
+#include "physics/parameters.hpp"
+
+#include <algorithm>
+#include <span>
 
 #include <gtest/gtest.h>
 
@@ -128,6 +132,103 @@ TEST(DeclaredEffects, BeginOnTheirDay) {
         const bool after = drive.axis.begin_of(step) >= physics::parse_time("2021-02-10");
         EXPECT_EQ(drive.profiles(row, static_cast<std::size_t>(step)), after ? 1 : 0);
     }
+}
+
+TEST(DeclaredEffects, FollowFunctionsAsTheyAreWritten) {
+    effects::Effect at;
+    at.name = "gains";
+    at.hook = effects::Hook::gains;
+    using Kind = functions::Points::Kind;
+    const std::vector<effects::DriverFunction> all = {
+        {"one", {}, {1.5}},
+        {"hour of the week", {Kind::hours}, std::vector<double>(72, 0.25)},
+        {"wind", {Kind::knots, {1, 2.5, 9}}, {0, 1.0 / 3, -1}},
+        {"heating load", {Kind::knots, {0, 1}}, {5, 5}},
+        {"time", {Kind::fortnights, {}, 3}, {0, 2, 4}}};
+    const study::Case office = office_with(effects::job_section_of(at, all));
+    const effects::DeclaredEffects& declared = *office.declared_effects;
+    EXPECT_EQ(declared.coefficients, std::vector<double>{1});
+    EXPECT_TRUE(declared.effects[0].is_smooth);
+    const auto& read = declared.functions.at(0).functions;
+    ASSERT_EQ(read.size(), 4U);  // without the load's
+    for (std::size_t k = 0; k < read.size(); ++k) {
+        const effects::DriverFunction& written = all[k < 3 ? k : k + 1];
+        EXPECT_EQ(read[k].driver, written.driver);
+        EXPECT_EQ(read[k].values, written.values);
+        EXPECT_EQ(read[k].points.knots, written.points.knots);
+        EXPECT_EQ(read[k].points.kind, written.points.kind);
+    }
+    // January's second half is the second fortnight: 2 W/m2 of time, 1.5 always.
+    const physics::Drive drive = study::drive_of(office, office.periods[0]);
+    const int step = drive.axis.step_of(physics::parse_time("2021-01-20T12:00"));
+    const auto wind = declared.functions[0].functions[2];
+    const double sum = drive.profiles(declared.first_row, static_cast<std::size_t>(step));
+    const double by_wind = sum - 2 - 1.5 - 0.25;
+    EXPECT_GE(by_wind, -1);
+    EXPECT_LE(by_wind, 1.0 / 3);
+    EXPECT_TRUE(effects::job_section_of(at, {all[3]}).empty());
+}
+
+study::Case office_of(const std::string& structure, const std::string& sections = "") {
+    const Folder folder;
+    std::string text = replaced(small_office_text(), "[site]", structure + "\n[site]");
+    text = replaced(text, "[[parameter]]", sections + "\n[[parameter]]");
+    return read_job(write_small_office(folder, text)).buildings.at(0);
+}
+
+const physics::Parameter& parameter_named(const study::Case& building,
+                                          const std::string& name) {
+    return *std::ranges::find(building.parameters, name, &physics::Parameter::name);
+}
+
+TEST(DeclaredStructure, HasItsNumbersAsParameters) {
+    const study::Case office = office_of("structure = [\"surfaces\", \"wind in leaks\"]");
+    EXPECT_EQ(office.structure.size(), 2U);
+    const physics::Parameter& ratio = parameter_named(office, "mass_area_ratio");
+    EXPECT_EQ(ratio.nominal, 2.5);
+    EXPECT_EQ(physics::number_at(office.building, ratio.targets[0]), 2.5);
+    const physics::Parameter& share =
+        parameter_named(office, "share of infiltration by wind");
+    EXPECT_EQ(share.nominal, 0.3);
+    EXPECT_EQ(share.least, 0.3 - 2.5 * 0.1);
+    ASSERT_EQ(office.building.effects.size(), 1U);
+    ASSERT_EQ(office.priors.size(), office.parameters.size());
+    EXPECT_EQ(office.priors.back().prior.kind, stats::PriorKind::normal);
+    EXPECT_EQ(office.priors.back().prior.a, 0.3);
+}
+
+TEST(DeclaredStructure, LeavesTheJobsOwnParametersAlone) {
+    const study::Case office = office_of(
+        "structure = [\"surfaces\", \"wind in leaks\"]",
+        "[[effect]]\nname = \"share of infiltration by wind\"\nhook = \"leakage\"\n"
+        "driver = \"wind about its mean\"\ncoefficient = 0.2\n"
+        "[[parameter]]\nname = \"mine\"\ntarget = \"zone.*.mass_area_ratio\"\n"
+        "min = 2\nmax = 4\nvalue = 3\n"
+        "[[parameter]]\nname = \"wind\"\n"
+        "target = \"effect.share of infiltration by wind\"\nmin = 0\nmax = 0.4\n");
+    EXPECT_EQ(parameter_named(office, "mine").nominal, 3);
+    EXPECT_EQ(parameter_named(office, "wind").nominal, 0.2);
+    EXPECT_EQ(office.building.effects.size(), 1U);
+    for (const physics::Parameter& parameter : office.parameters) {
+        EXPECT_NE(parameter.name, "mass_area_ratio");
+        EXPECT_NE(parameter.name, "share of infiltration by wind");
+    }
+}
+
+// A study that does not vary it has it, too; a factor is of what was described.
+TEST(DeclaredValue, IsTheBuildingsNumber) {
+    const study::Case
+        described = office_with(""),
+        office = office_with(
+            "[[parameter]]\nname = \"cop\"\ntarget = \"plant.cooling_cop\"\n"
+            "mode = \"factor\"\nmin = 0.5\nmax = 2\nvalue = 1.25\n");
+    const physics::Parameter& cop = parameter_named(office, "cop");
+    EXPECT_EQ(cop.nominal, 1.25);
+    const double before = described.building.plant.cooling_cop.value;
+    EXPECT_DOUBLE_EQ(office.building.plant.cooling_cop.value, 1.25 * before);
+    physics::Building at_one = office.building;
+    physics::apply(office.building, std::span(&cop, 1), std::vector<double>{1}, at_one);
+    EXPECT_DOUBLE_EQ(at_one.plant.cooling_cop.value, before);
 }
 
 }  // namespace

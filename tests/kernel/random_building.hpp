@@ -184,7 +184,13 @@ inline void set_plant(Dice& dice, Plant& plant) {
 
 inline Parameter parameter(const Building& building, const std::string& path,
                            double least, double most, Effect effect) {
-    return {path, "-", least, most, effect, resolve(building, path), 1};
+    return {path,
+            "-",
+            least,
+            most,
+            effect,
+            resolve(building, path),
+            effect == Effect::factor ? 1.0 : 0.0};
 }
 
 inline std::vector<Parameter> random_parameters(const Building& building) {

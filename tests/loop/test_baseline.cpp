@@ -38,16 +38,17 @@ TEST(LoopBaseline, NoRefinementThatIsLeftWouldHelp) {
     const auto& chosen = baseline.chosen.model.structure;
     ASSERT_FALSE(chosen.empty());
     std::size_t n_left = 0;
-    for (std::size_t k = 0; k < refinements().size(); ++k) {
+    for (std::size_t k = 0; k < effects::refinements().size(); ++k) {
         auto more = chosen;
         more.push_back(k);
-        const auto tried =
-            std::ranges::find(baseline.tried, name_of(more), &TriedStructure::name);
+        const auto tried = std::ranges::find(baseline.tried, effects::name_of(more),
+                                             &TriedStructure::name);
         if (tried == baseline.tried.end()) continue;
         EXPECT_GT(tried->score, baseline.gained - 6) << tried->name;
         ++n_left;
     }
-    EXPECT_GE(n_left + chosen.size() + 4, refinements().size());  // some cannot enter
+    EXPECT_GE(n_left + chosen.size() + 4,
+              effects::refinements().size());  // some cannot enter
 }
 
 TEST(LoopBaseline, EachRefinementThatWasChosenLoweredTheScore) {
@@ -56,9 +57,9 @@ TEST(LoopBaseline, EachRefinementThatWasChosenLoweredTheScore) {
     std::vector<std::size_t> structure;
     for (const std::size_t refinement : baseline.chosen.model.structure) {
         structure.push_back(refinement);
-        const auto tried =
-            std::ranges::find(baseline.tried, name_of(structure), &TriedStructure::name);
-        ASSERT_NE(tried, baseline.tried.end()) << name_of(structure);
+        const auto tried = std::ranges::find(baseline.tried, effects::name_of(structure),
+                                             &TriedStructure::name);
+        ASSERT_NE(tried, baseline.tried.end()) << effects::name_of(structure);
         EXPECT_LT(tried->score, before - 6) << tried->name;
         before = tried->score;
     }

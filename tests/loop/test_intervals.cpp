@@ -1,6 +1,7 @@
 #include "loop/intervals.hpp"
 #include "loop/windy_model.hpp"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -49,4 +50,16 @@ TEST(LoopIntervals, AnUncertainCoefficientLeavesUnlessItsEvidenceIsFarAboveNoise
     EXPECT_EQ(fate_of(4, 200, 15), Fate::stays);
     EXPECT_EQ(fate_of(3, 80, 15), Fate::leaves);
     EXPECT_EQ(fate_of(3, 100, 15), Fate::is_doubtful);
+}
+
+TEST(LoopIntervals, UnknownsGoTogetherBetweenMinusOneAndOne) {
+    const test::WindyModel model(the_right_one);
+    const Matrix all = correlations_of(model.data, model.standing, 1);
+    for (std::size_t i = 0; i < all.rows; ++i) {
+        EXPECT_DOUBLE_EQ(all(i, i), 1);
+        for (std::size_t k = 0; k < all.cols; ++k) {
+            EXPECT_NEAR(all(i, k), all(k, i), 1e-12);
+            EXPECT_LE(std::abs(all(i, k)), 1 + 1e-12);
+        }
+    }
 }

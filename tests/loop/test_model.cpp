@@ -17,8 +17,8 @@ using namespace bemcal::study;
 namespace {
 
 std::size_t refinement(const std::string& name) {
-    const auto& all = refinements();
-    const auto found = std::ranges::find(all, name, &Refinement::name);
+    const auto& all = effects::refinements();
+    const auto found = std::ranges::find(all, name, &effects::Refinement::name);
     return static_cast<std::size_t>(found - all.begin());
 }
 
@@ -61,11 +61,11 @@ TEST(LoopModel, RefinementsOfGlassAndWallsKeepToTheirOwn) {
 
 TEST(LoopModel, EveryStructureSharesOneDrive) {
     const LoopData data = windy_data();
-    for (std::size_t k = 0; k < refinements().size(); ++k) {
-        if (refinements()[k].change == nullptr) continue;
+    for (std::size_t k = 0; k < effects::refinements().size(); ++k) {
+        if (effects::refinements()[k].change == nullptr) continue;
         EXPECT_EQ(make_place(data, {k}, data.drive).building.planes.size(),
                   data.drive->irradiance.rows)
-            << refinements()[k].name;
+            << effects::refinements()[k].name;
     }
 }
 

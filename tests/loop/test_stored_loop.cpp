@@ -2,6 +2,9 @@
 #include "study/find.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -86,6 +89,33 @@ TEST(StoredLoop, OfAPeriodHasEveryHourOfEveryModel) {
               (std::vector<double>{3, 4}));
     EXPECT_EQ(test::find(datasets, "training/gas/simulated").shape,
               (std::vector<std::size_t>{3, 2}));
+}
+
+TEST(StoredLoop, OfAPeriodHasItsMonths) {
+    StoredPeriod period{"training", {physics::Seconds{}}, {1}, {}};
+    period.months = {physics::Seconds{}, physics::Seconds{std::chrono::hours(31 * 24)}};
+    period.channels.push_back({"gas", {3}});
+    period.channels[0].month = {10, 20};
+    const auto datasets = datasets_of("a/loop", made(), {period});
+    for (const char* leaf : {"training/month", "training/gas/month_predicted"}) {
+        const study::Dataset& months = test::find(datasets, leaf);
+        EXPECT_EQ(months.dims, std::vector<std::string>{"month"});
+        EXPECT_EQ(months.shape, std::vector<std::size_t>{2});
+    }
+    EXPECT_EQ(test::find(datasets, "training/month").values[1], 31 * 86400.0);
+}
+
+TEST(StoredLoop, KeepsWhatEffectsBringAndPartsOfAJob) {
+    StoredLoop loop = made();
+    loop.effect_values = {{1, "gas", "kWh/a", 5, 4, 6}};
+    loop.job_parts = {{"hours", "weekdays = [0]"}};
+    const StoredLoop back = stored_loop(datasets_of("a/loop", loop, {}), "a/loop");
+    ASSERT_EQ(back.effect_values.size(), 1U);
+    EXPECT_EQ(back.effect_values[0].of, "gas");
+    EXPECT_EQ(back.effect_values[0].effect, 1);
+    EXPECT_EQ(back.effect_values[0].most, 6);
+    ASSERT_EQ(back.job_parts.size(), 1U);
+    EXPECT_EQ(back.job_parts[0].section, "weekdays = [0]");
 }
 
 TEST(StoredLoop, WithoutDatasetsIsEmpty) {

@@ -25,6 +25,7 @@ Parameter parameter(const Building& building, const char* path,
     p.name = path;
     p.effect = effect;
     p.targets = resolve(building, path);
+    p.nominal = effect == Effect::factor ? 1 : 0;
     return p;
 }
 
@@ -175,6 +176,31 @@ TEST(Apply, ReplacesMultipliesAndShifts) {
         EXPECT_EQ(point.plant.cooling_cop.value, 4);
     }
     EXPECT_EQ(point.zones[0].volume, nominal.zones[0].volume);
+}
+
+// A building may be nominal at another value than its description's.
+TEST(Apply, FactorsAndOffsetsAreOfTheDescription) {
+    const Building described = two_zones();
+    std::vector<Parameter> parameters = {
+        parameter(described, "construction.wall.u_value", Effect::factor),
+        parameter(described, "zone.room.heating_set_point", Effect::offset)};
+    Building nominal = described, once = described, twice = described;
+    apply(described, parameters, std::vector<double>{1.5, -1}, nominal);
+    apply(described, parameters, std::vector<double>{0.8, 2}, once);
+    parameters[0].nominal = 1.5;
+    parameters[1].nominal = -1;
+    apply(nominal, parameters, std::vector<double>{0.8, 2}, twice);
+    EXPECT_DOUBLE_EQ(twice.constructions[0].u_value.value,
+                     once.constructions[0].u_value.value);
+    EXPECT_DOUBLE_EQ(twice.zones[0].thermostat.heating_set_point.value, 22);
+}
+
+TEST(Resolve, TakesThePathOfANumber) {
+    const Building building = two_zones();
+    for (const char* path :
+         {"construction.wall.u_value", "zone.hall.volume", "plant.cooling_cop",
+          "boundary.ground.temperature", "zone.room.heating_set_point.low"})
+        EXPECT_EQ(path_of(building, resolve(building, path)[0]), path);
 }
 
 TEST(Apply, ChangesTheLowOfAnInputAlone) {

@@ -63,6 +63,12 @@ void add_effect(store::ResultFile& result, bool is_adequate) {
     add(texts("effect_separates", "effect", {"calm and windy nights apart"}));
     add(texts("effect_section", "effect",
               {"[[effect]]\nname = \"wind infiltration\"\ncoefficient = 0.083\n"}));
+    add(texts("effect_value_of", "effect_value", {"gas", "cost"}));
+    add(numbers("effect_value_effect", "effect_value", {0, 0}));
+    add(texts("effect_value_unit", "effect_value", {"kWh/a", "currency/a"}));
+    add(numbers("effect_value", "effect_value", {1200, 96}));
+    add(numbers("effect_value_least", "effect_value", {900, 72}));
+    add(numbers("effect_value_most", "effect_value", {1500, 120}));
     add(numbers("effect_coefficient", "effect", {0.083}));
     add(numbers("effect_least", "effect", {0.079}));
     add(numbers("effect_most", "effect", {0.087}));
@@ -230,6 +236,12 @@ TEST(LoopTables, AnEffectHasItsIntervalItsLikesAndWhatWouldTellThemApart) {
     EXPECT_TRUE(says(text, "cannot tell it from: stack infiltration; outdoor shift"));
     EXPECT_TRUE(says(text, "what would tell: calm and windy nights apart"));
     EXPECT_EQ(text.find("NOT adequate"), std::string::npos);
+}
+
+TEST(LoopTables, AnEffectHasWhatItBrings) {
+    const std::string text = tables_of(loop_result());
+    EXPECT_TRUE(says(text, "wind infiltration gas 1200 900 to 1500 kWh/a"));
+    EXPECT_TRUE(says(text, "cost 96 72 to 120 currency/a"));
 }
 
 TEST(LoopTables, AnEffectThatIsNotAdequateSaysWhy) {

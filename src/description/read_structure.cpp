@@ -1,0 +1,98 @@
+/// Reads `structure`: refinements of the standard's zone that a building has in every
+/// study. Their numbers are parameters with the priors of the table, unless a
+/// [[parameter]] leads to them; so are the coefficients of what they bring as effects.
+/// Follows from `effects::refinements`, where each says what it changes.
+#include "description/building_readers.hpp"
+#include "effects/refinements.hpp"
+#include "physics/derived.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace bemcal::description {
+
+namespace {
+
+using effects::Refinement;
+using effects::refinements;
+
+std::size_t refinement_named(const schema::Section& section, const std::string& name) {
+    check_word(section, "structure", name, names_of(refinements()), "refinement");
+    const auto row = std::ranges::find(refinements(), name, &Refinement::name);
+    return static_cast<std::size_t>(row - refinements().begin());
+}
+
+void add(const schema::Section& section, std::size_t refinement, study::Case& building) {
+    const char* name = refinements()[refinement].name;
+    for (const std::size_t there : building.structure)
+        if (effects::are_of_one_kind(there, refinement))
+            section.fail("structure",
+                         fmt::format("\"{}\" has no place beside \"{}\"; expected one of "
+                                     "them, once",
+                                     name, refinements()[there].name));
+    building.structure.push_back(refinement);
+    const auto change = refinements()[refinement].change;
+    if (change != nullptr && !change(building.building))
+        section.fail("structure",
+                     fmt::format("\"{}\" finds nothing to change in this building; leave "
+                                 "it out",
+                                 name));
+}
+
+stats::Prior normal_prior(double mean, double sd, const physics::Parameter& parameter) {
+    stats::Prior prior;
+    prior.kind = stats::PriorKind::normal;
+    prior.a = mean;
+    prior.b = sd;
+    prior.least = parameter.least;
+    prior.most = parameter.most;
+    return prior;
+}
+
+void add_parameter(physics::Parameter parameter, double mean, double sd,
+                   study::Case& building) {
+    building.priors.push_back({normal_prior(mean, sd, parameter), {}});
+    building.parameters.push_back(std::move(parameter));
+}
+
+/// Unless a parameter of the job leads to its coefficient.
+void add_coefficient(const Refinement::Always& always, study::Case& building) {
+    const auto& all = building.building.effects;
+    const auto effect =
+        std::ranges::find(all, always.effect.name, &physics::Coefficient::name);
+    const auto writes_to_it = [&](const physics::Parameter& parameter) {
+        return physics::is_same_number(parameter.targets[0], effect->targets[0]);
+    };
+    if (std::ranges::any_of(building.parameters, writes_to_it)) return;
+    auto [least, most] =
+        effects::limits_of(always.mean, always.sd, always.least, always.most);
+    least = std::max(least, effect->least);
+    most = std::min(most, effect->most);
+    add_parameter({effect->name, effect->unit, least, most, physics::Effect::replace,
+                   effect->targets, always.mean},
+                  always.mean, always.sd, building);
+}
+
+}  // namespace
+
+void read_structure(const Sources& sources, study::Case& building) {
+    if (!sources.has("structure")) return;
+    const schema::Section& section = sources.with("structure");
+    for (const std::string& name : section.texts("structure"))
+        add(section, refinement_named(section, name), building);
+}
+
+void add_parameters_of_structure(study::Case& building) {
+    for (const std::size_t index : building.structure) {
+        for (const Refinement::Number& number : refinements()[index].numbers)
+            if (auto parameter =
+                    effects::add_number(number, building.parameters, building.building))
+                add_parameter(std::move(*parameter), number.mean, number.sd, building);
+        for (const Refinement::Always& always : refinements()[index].effects)
+            add_coefficient(always, building);
+    }
+    physics::derive(building.building);
+}
+
+}  // namespace bemcal::description

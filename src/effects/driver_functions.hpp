@@ -1,0 +1,43 @@
+/// Functions of what a building may follow: the series of their drivers in a period, and
+/// what functions at a hook sum to.
+#pragma once
+
+#include "effects/surroundings.hpp"
+#include "functions/points.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace bemcal::effects {
+
+/// A function with its values at points of its driver.
+struct DriverFunction {
+    std::string driver;  ///< "hour of the week": of function_driver_names()
+    functions::Points points{};
+    std::vector<double> values{};  ///< [points.size()] [the hook's unit]
+};
+
+/// By the name of a driver: one series, or two of an interaction, of all steps of a
+/// drive. [drivers][steps]
+using FunctionDrivers = std::map<std::string, std::vector<std::vector<double>>>;
+
+/// Those that the weather and the model know.
+FunctionDrivers function_drivers(const Surroundings& around);
+
+/// Those that a job can declare: without the model's own loads.
+std::vector<std::string> function_driver_names();
+bool follows_loads(const DriverFunction& function);
+
+/// What kind of points a function of it has.
+functions::Points::Kind points_of_driver(const std::string& name);
+
+/// Of what a driver is measured in, of an interaction that of what is not the hour; "" =
+/// none, of the constant.
+std::string unit_of_driver(const std::string& name);
+
+/// What functions at a hook sum to, within what the hook can take. [steps]
+std::vector<double> column_of(Hook hook, const std::vector<DriverFunction>& all,
+                              const FunctionDrivers& drivers);
+
+}  // namespace bemcal::effects

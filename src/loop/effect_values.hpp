@@ -1,0 +1,39 @@
+/// What each effect that was found is worth: the energy that the meters would not have
+/// shown without it.
+#pragma once
+
+#include "base/nan.hpp"
+#include "loop/baseline.hpp"
+
+#include <string>
+#include <vector>
+
+namespace bemcal::loop {
+
+/// What is counted: a meter's energy, or what it costs and emits. Of a training period of
+/// about a year or more it is of a year, else of the period.
+struct Account {
+    std::string of;                   ///< "gas", "cost", "CO2"
+    std::string unit;                 ///< "kWh/a"
+    std::vector<double> per_reading;  ///< [channels] of a channel's sum
+};
+/// Of meters that are read as energy, in their order; cost and CO2 where meters have a
+/// tariff, or emissions.
+std::vector<Account> accounts_of(const LoopData& data);
+
+/// A difference with its 90 % interval.
+struct Worth {
+    double mean = nan, least = nan, most = nan;
+};
+
+/// With the effect less without it, all else as it is. [effects found][accounts]
+/// \param n_found  of last's effects; those that follow are functions
+/// \param deviations  of last's unknowns, in their units
+std::vector<std::vector<Worth>> worth_of_effects(const LoopData& data, const Place& place,
+                                                 const Standing& last,
+                                                 std::size_t n_found,
+                                                 const std::vector<double>& deviations,
+                                                 double misfit,
+                                                 const std::vector<Account>& accounts);
+
+}  // namespace bemcal::loop

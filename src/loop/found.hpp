@@ -1,0 +1,22 @@
+/// An effect that was found, with what is said of it.
+#pragma once
+
+#include "effects/effect.hpp"
+
+#include <string>
+#include <vector>
+
+namespace bemcal::loop {
+
+/// An effect that was accepted, with what cannot be told apart from it.
+struct Found {
+    std::vector<std::string> equivalents;  ///< names of its class, its own among them
+    std::string doubt;  ///< why its name may be the nearest one only; "" = adequate
+    double gain = 0;
+    std::vector<effects::Effect> rivals{};  ///< what may stand in its place
+    // What its coefficient owes, as root mean squares in its unit:
+    double of_shape = 0;    ///< to the shape that it has (deviation_over_shapes)
+    double of_missing = 0;  ///< to what may still be missing; 0 after `most_effects`
+};
+
+}  // namespace bemcal::loop

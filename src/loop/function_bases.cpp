@@ -1,0 +1,44 @@
+/// Makes a basis of each driver, by the kind of its points.
+/// Follows from `functions` and from `effects`, which has the drivers.
+#include "loop/function_bases.hpp"
+
+namespace bemcal::loop {
+namespace {
+
+using functions::Points;
+
+functions::Basis basis_of(const std::string& driver,
+                          const std::vector<std::vector<double>>& series) {
+    switch (effects::points_of_driver(driver)) {
+        case Points::Kind::one:
+            return functions::constant();
+        case Points::Kind::hours:
+            return functions::hours_of_week(driver, series[0]);
+        case Points::Kind::hours_at_knots:
+            return functions::hours_times(driver, series[0], series[1]);
+        case Points::Kind::fortnights:
+            return functions::wandering(driver, series[0]);
+        default:
+            return functions::smooth_of(driver, series[0]);
+    }
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> of_period(std::vector<std::vector<double>> all,
+                                           const physics::Drive& drive) {
+    for (std::vector<double>& series : all)
+        series.erase(series.begin(), series.begin() + drive.n_warm_up);
+    return all;
+}
+
+std::vector<functions::Basis> bases_of(const effects::FunctionDrivers& training,
+                                       const physics::Drive& drive) {
+    std::vector<functions::Basis> bases;
+    bases.reserve(training.size());
+    for (const auto& [driver, series] : training)
+        bases.push_back(basis_of(driver, of_period(series, drive)));
+    return bases;
+}
+
+}  // namespace bemcal::loop

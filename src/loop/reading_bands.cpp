@@ -1,0 +1,124 @@
+/// Takes the 5 and 95 % quantiles of residuals where the prediction is as high, by day
+/// and by night apart; a month's standard deviation from the months of training. Source:
+/// Lei, G'Sell, Rinaldo, Tibshirani and Wasserman 2018 (JASA 113, 1094) for intervals
+/// from residuals of what was left out. A month's variance in proportion to its sum is
+/// judgement. Levels that change from year to year are left out: what training has not
+/// seen, no residual shows.
+#include "loop/reading_bands.hpp"
+
+#include "base/nan.hpp"
+#include "stats/distributions.hpp"
+#include "stats/quantile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace bemcal::loop {
+namespace {
+
+constexpr std::size_t n_levels = 8;
+constexpr std::size_t least_residuals = 50;  ///< of a kind; fewer have those of all kinds
+constexpr double tail = 0.05;
+
+bool is_day(physics::Seconds begin) {
+    const int hour = physics::calendar_step(begin).hour;
+    return hour >= 7 && hour < 19;
+}
+
+std::vector<double> known_of(const UnseenHours& hours) {
+    std::vector<double> known;
+    for (const double residual : hours.residuals)
+        if (!std::isnan(residual)) known.push_back(residual);
+    return known;
+}
+
+Band band_of(std::vector<double> residuals) {
+    std::ranges::sort(residuals);
+    return {stats::quantile_of_sorted(residuals, tail),
+            stats::quantile_of_sorted(residuals, 1 - tail)};
+}
+
+/// Between levels that hold equally many hours; of many that are equal one.
+std::vector<double> edges_of(const UnseenHours& hours) {
+    std::vector<double> sorted;
+    for (std::size_t k = 0; k < hours.predicted.size(); ++k)
+        if (!std::isnan(hours.residuals[k])) sorted.push_back(hours.predicted[k]);
+    std::ranges::sort(sorted);
+    std::vector<double> edges;
+    for (std::size_t level = 1; level < n_levels && !sorted.empty(); ++level) {
+        const double edge = sorted[level * sorted.size() / n_levels];
+        if (edges.empty() || edge > edges.back()) edges.push_back(edge);
+    }
+    return edges;
+}
+
+/// Sums of a month's hours that are read.
+struct Month {
+    double predicted = 0, residual = 0, n = 0;
+};
+
+std::vector<Month> months_of(const UnseenHours& hours) {
+    std::map<std::pair<int, int>, Month> months;
+    for (std::size_t k = 0; k < hours.begins.size(); ++k) {
+        if (std::isnan(hours.residuals[k])) continue;
+        const physics::CalendarStep step = physics::calendar_step(hours.begins[k]);
+        Month& month = months[{step.year, step.month}];
+        month.predicted += hours.predicted[k];
+        month.residual += hours.residuals[k];
+        month.n += 1;
+    }
+    std::vector<Month> all;
+    all.reserve(months.size());
+    for (const auto& [at, month] : months) all.push_back(month);
+    return all;
+}
+
+double month_deviation(const std::vector<Month>& months, bool is_mean) {
+    double squares = 0, per = 0;
+    for (const Month& month : months) {
+        squares += is_mean ? std::pow(month.residual / month.n, 2)
+                           : month.residual * month.residual;
+        per += is_mean ? 1 : std::max(month.predicted, 0.0);
+    }
+    return per > 0 ? std::sqrt(squares / per) : nan;
+}
+
+}  // namespace
+
+ReadingBands::ReadingBands(const UnseenHours& hours, bool is_mean)
+    : edges_(edges_of(hours)),
+      is_mean_(is_mean),
+      month_(month_deviation(months_of(hours), is_mean)) {
+    std::vector<std::vector<double>> of_kind(2 * (edges_.size() + 1));
+    for (std::size_t k = 0; k < hours.residuals.size(); ++k)
+        if (!std::isnan(hours.residuals[k]))
+            of_kind[kind_of(hours.predicted[k], hours.begins[k])].push_back(
+                hours.residuals[k]);
+    const std::vector<double> all = known_of(hours);
+    if (all.size() < least_residuals) return;
+    for (const auto& residuals : of_kind)
+        of_kind_.push_back(band_of(residuals.size() < least_residuals ? all : residuals));
+}
+
+std::size_t ReadingBands::kind_of(double predicted, physics::Seconds begin) const {
+    const auto level = std::ranges::upper_bound(edges_, predicted) - edges_.begin();
+    return 2 * static_cast<std::size_t>(level) + (is_day(begin) ? 1 : 0);
+}
+
+Band ReadingBands::hour(double predicted, physics::Seconds begin, double level) const {
+    if (of_kind_.empty()) return {nan, nan};
+    const Band& own = of_kind_[kind_of(predicted, begin)];
+    const double of_level = stats::z_90_two_sided * level * predicted;
+    return {predicted + std::copysign(std::hypot(own.least, of_level), own.least),
+            predicted + std::copysign(std::hypot(own.most, of_level), own.most)};
+}
+
+Band ReadingBands::month(double predicted, double level) const {
+    const double of_errors =
+        is_mean_ ? month_ : month_ * std::sqrt(std::max(predicted, 0.0));
+    const double half = stats::z_90_two_sided * std::hypot(of_errors, level * predicted);
+    return {predicted - half, predicted + half};
+}
+
+}  // namespace bemcal::loop
