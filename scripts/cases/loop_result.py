@@ -22,12 +22,16 @@ def texts(group, name):
     return list(group[name].asstr()[:])
 
 
+def value_record(value):
+    return {"of": value.of, "unit": value.unit, "value": value.value, "interval": (value.least, value.most)}
+
+
 def effect_record(effect):
     return {"name": effect.name, "hook": effect.hook, "driver": effect.driver, "shape": effect.shape,
             "gate": effect.gate, "coefficient": effect.coefficient,
             "interval": (effect.least, effect.most), "unit": effect.unit, "class": effect.members,
             "adequate": effect.is_adequate, "gain": effect.gain, "separates": effect.separates,
-            "doubt": effect.doubt}
+            "doubt": effect.doubt, "brings": [value_record(value) for value in effect.brings]}
 
 
 def effects(loop):

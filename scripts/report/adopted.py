@@ -1,14 +1,17 @@
 """A job with what its loop found.
 
-Effects become sections [[effect]], each with a [[parameter]] for its coefficient; other hours than declared go
-into their [[schedule]]; what the loop made of a parameter becomes its prior. Left out, and told: the structure that
-the loop chose, which another loop chooses again, and functions.
+Effects become sections [[effect]], each with a [[parameter]] for its coefficient; so do functions, which have values
+in its place. The structure that was chosen stands in `structure`, hours in their [[schedule]]. What the loop made of
+a parameter becomes its value and its prior. Left out, and told: what follows the model's own loads.
 """
 import math
 
 import tomlkit
 
 from . import result, words
+
+
+OWN_LOADS = ("heating load", "cooling load")   # drivers that no job can declare
 
 
 class Mismatch(Exception):
@@ -39,27 +42,41 @@ def prior_of(mean, sd, least, most):
     return prior
 
 
-def adopt_parameter(loop, row):
-    """Its posterior as its prior. Whether there is one."""
+def put_after(before, key, value, table):
+    """tomlkit's own way would put it behind comments of the section that follows."""
+    if key in table:
+        table[key] = value
+    else:
+        table.value._insert_after(before, key, tomlkit.item(value))
+
+
+def adopt_parameter(loop, row, keeps_priors):
+    """Its value where the loop left it, and its posterior as its prior."""
     k = loop.parameters.index(str(row["name"]))
     mean, sd = loop.value_of(result.AFTER, k), loop.sd_of(result.AFTER, k)
-    if not (math.isfinite(mean) and sd > 0) or "values" in row:
-        return False
+    if not math.isfinite(mean):
+        return
+    put_after("values" if "values" in row else "max", "value", mean, row)
+    row["value"].comment("as the loop left it")
+    if keeps_priors or not sd > 0 or "values" in row:
+        return
     row["prior"] = prior_of(mean, sd, float(row["min"]), float(row["max"]))
     row["prior"].comment("as the loop left it")
-    return True
 
 
-def adopt_hours(effect, job):
+def adopt_hours(section, job):
     """Lines of its schedule, whose name stands between quotes in the first of them."""
-    head, *lines = effect.section.splitlines()
-    schedule = named(job, "schedule").get(head.split('"')[1])
+    head, *lines = section.splitlines()
+    name = head.split('"')[1]
+    schedule = named(job, "schedule").get(name)
     if schedule is None:
-        raise Mismatch(f"has no schedule of {effect.name}: {effect.shape}")
+        raise Mismatch(f"has no schedule \"{name}\"")
     for key, values in tomlkit.parse("\n".join(lines)).items():
-        schedule[key] = list(values)
+        put_after("name", key, list(values), schedule)
         schedule[key].comment("found by the loop")
-    return f"hours of the schedule {schedule['name']}: {effect.shape}"
+    for key in ("hours", "use"):
+        schedule.pop(key, None)
+    return f"hours of schedule {name}"
 
 
 def what_is_said(loop, effect):
@@ -68,48 +85,86 @@ def what_is_said(loop, effect):
     return f"found by the loop, evidence {words.number(effect.gain)}{doubt}{refute}"
 
 
-def append(job, section, row):
+def append(job, section, found, comment):
+    """A table of a list at the end of the job."""
     if section not in job:
         job.append(section, tomlkit.aot())
+    row = tomlkit.table()
+    row.add(tomlkit.comment(comment))
+    for key, value in found.items():
+        row.add(key, value)
+    row.add(tomlkit.nl())
     job[section].append(row)
+
+
+def adopt_sections(section, comment, job):
+    """All tables of a section. The names of its effects."""
+    tables = tomlkit.parse(section)
+    for kind in ("effect", "parameter"):
+        for found in tables.get(kind, []):
+            if found["name"] in named(job, kind):
+                raise Mismatch(f"has {'an' if kind == 'effect' else 'a'} {kind} \"{found['name']}\" already")
+            append(job, kind, found, comment)
+    return [str(effect["name"]) for effect in tables.get("effect", [])]
 
 
 def adopt_effect(loop, effect, job):
     if effect.section.startswith("#"):
-        return adopt_hours(effect, job)
-    sections = tomlkit.parse(effect.section)
-    name = str(sections["effect"][0]["name"])
-    if name in named(job, "effect"):
-        raise Mismatch(f"has an effect \"{name}\" already")
-    for section in ("effect", "parameter"):
-        for found in sections.get(section, []):
-            row = tomlkit.table()
-            if section == "effect":
-                row.add(tomlkit.comment(what_is_said(loop, effect)))
-            for key, value in found.items():
-                row.add(key, value)
-            row.add(tomlkit.nl())
-            append(job, section, row)
+        return f"{adopt_hours(effect.section, job)}: {effect.shape}"
+    name, = adopt_sections(effect.section, what_is_said(loop, effect), job)
     return f"effect {name}: {effect.shape}"
 
 
+def believe_as_before(loop, row):
+    """The structure's prior in place of its posterior."""
+    names = [parameter.name for parameter in loop.of_parameters]
+    if str(row["name"]) in names:
+        before = loop.of_parameters[names.index(str(row["name"]))]
+        row["prior"].update({"mean": before.mean, "sd": before.sd})
+
+
+def adopt_structure(loop, job, keeps_priors):
+    """The refinements by name, their numbers as parameters, their effects."""
+    if loop.structure in ("", "standard"):
+        return []
+    own = named(job, "parameter")
+    job["structure"] = loop.structure.split(" + ")
+    job["structure"].comment("chosen by the loop")
+    for part in loop.job_parts:
+        if part.of == "structure":
+            adopt_sections(part.section, "of the structure that the loop chose", job)
+    for row in job["parameter"] if keeps_priors else []:
+        if str(row["name"]) not in own:
+            believe_as_before(loop, row)
+    return [f"structure: {loop.structure}"]
+
+
+def adopt_functions(loop, job):
+    return [f"{name}: without a name, as values at points"
+            for part in loop.job_parts if part.of == "functions"
+            for name in adopt_sections(part.section, "found by the loop: it says where and when, not why", job)]
+
+
 def left_out(loop):
-    lines = [f"effect {effect.name}: it follows the model's own loads" for effect in loop.effects if not effect.section]
-    if loop.structure not in ("", "standard"):
-        lines.append(f"the structure {loop.structure}: another loop chooses it again")
-    if loop.functions:
-        lines.append(f"{len(loop.functions)} functions without a name: another loop finds them again")
-    return [f"left out: {line}" for line in lines]
+    lines = [f"effect {effect.name}" for effect in loop.effects if not effect.section]
+    lines += [f"function {function.name}" for function in loop.functions if function.driver in OWN_LOADS]
+    return [f"left out: {line}: it follows the model's own loads" for line in lines]
 
 
-def adopt_parameters(loop, job):
-    n = sum(adopt_parameter(loop, row) for row in job["parameter"] if str(row["name"]) in loop.parameters)
-    return f"priors of {n} parameters: for new readings, since these are in them"
+def adopt_parameters(loop, job, keeps_priors):
+    rows = [row for row in job["parameter"] if str(row["name"]) in loop.parameters]
+    for row in rows:
+        adopt_parameter(loop, row, keeps_priors)
+    if keeps_priors:
+        return f"values of {len(rows)} parameters"
+    return f"values and priors of {len(rows)} parameters: for new readings, since these are in them"
 
 
 def adopt(loop, job, keeps_priors=False):
     """Changes the job. What was adopted and what was left out, a line each."""
     check_same(loop, job)
-    lines = [] if keeps_priors else [adopt_parameters(loop, job)]
+    lines = [adopt_parameters(loop, job, keeps_priors)]
+    lines += adopt_structure(loop, job, keeps_priors)
+    lines += [adopt_hours(part.section, job) for part in loop.job_parts if part.of == "hours"]
     lines += [adopt_effect(loop, effect, job) for effect in loop.effects if effect.section]
-    return lines + left_out(loop)
+    return lines + adopt_functions(loop, job) + left_out(loop)

@@ -46,13 +46,13 @@ def parameter_rows(loop):
 
 
 def effect_rows(loop):
-    """The effects, each with what is said of it."""
+    """The effects, each with what is said of it; what brings most comes first."""
     return [{"name": effect.name, "hook": effect.hook, "follows": effect.shape,
              "coefficient": words.coefficient(effect), "evidence": words.evidence(loop, effect),
              "adequate": effect.is_adequate, "doubt": effect.doubt,
              "others": "; ".join(effect.others), "separates": effect.separates,
-             "section": effect.section}
-            for effect in loop.effects]
+             "section": effect.section, "brings": [words.brought(value) for value in effect.brings]}
+            for effect in sorted(loop.effects, key=words.size_of_what_it_brings, reverse=True)]
 
 
 def function_rows(loop):

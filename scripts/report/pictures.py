@@ -305,9 +305,12 @@ def week(series, channel, unit, kind, part):
     for model in (BEFORE, AFTER):
         name, colour = MODELS[model]
         axis.plot(hours, series.simulated[model][part], color=colour, label=name, linewidth=1.1)
+    if series.band.size:
+        axis.fill_between(hours, *series.band[:, part], color=MODELS[AFTER][1], alpha=0.18, linewidth=0,
+                          label="90 %")
     axis.set(ylabel=f"{channel} [{unit}]", xlim=(0, 7))
     name_days(axis)
-    axis.legend(loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2, ncols=3)
+    axis.legend(loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2, ncols=4)
     errors = [rmse(series.residual(model)[part]) for model in (BEFORE, AFTER)]
     first = series.time[part][0].astype("datetime64[s]").astype("datetime64[D]")
     return picture(figure, f"A {kind} week",

@@ -4,7 +4,7 @@
 Residuals are simulated - measured. A temperature's errors are in K, the others' in %.
 """
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import SimpleNamespace
 
 import numpy as np
@@ -52,6 +52,9 @@ EFFECT = {"name": text("effect"), "hook": text("effect_hook"), "driver": text("e
           "adequate": number("effect_adequate"), "doubt": text("effect_doubt"),
           "separates": text("effect_separates"), "section": text("effect_section"),
           "class_in_words": text("effect_class")}
+EFFECT_VALUE = {"value": number("effect_value"), "of": text("effect_value_of"),
+                "effect": number("effect_value_effect"), "unit": text("effect_value_unit"),
+                "least": number("effect_value_least"), "most": number("effect_value_most")}
 FUNCTION = {"name": text("function"), "hook": text("function_hook"), "driver": text("function_driver"),
             "driver_unit": text("function_driver_unit"), "size": number("function_size"),
             "unit": text("function_unit"), "evidence": number("function_evidence")}
@@ -67,6 +70,7 @@ HOURS = {"schedule": number("learned_hours_of"), "days": text("learned_hours_day
          "from_least": number("learned_hours_from_least"), "from_most": number("learned_hours_from_most"),
          "until_least": number("learned_hours_until_least"), "until_most": number("learned_hours_until_most"),
          "usual_from": number("learned_hours_usual_from"), "usual_until": number("learned_hours_usual_until")}
+JOB_PART = {"of": text("job_part"), "section": text("job_part_section")}
 MEMBER = {"name": text("effect_class_member"), "effect": number("effect_class_of")}
 POWER = {"effect": text("power_effect"), "detectability": number("power_detectability"),
          "visibility": number("power_visibility"), "alias": text("power_alias"),
@@ -77,7 +81,7 @@ DECISION = {"series": text("decision_series"), "finding": text("decision_finding
 STEP = {"effect": text("step_effect"), "verdict": text("step_verdict"), "gain": number("step_gain"),
         "threshold": number("step_threshold"), "score": number("step_score")}
 CANDIDATE = {"name": text("candidate"), "gain": number("candidate_gain")}
-NUMBERS = ("fit", "step_error", "localisation", "localisation_after", "parameter_value", "parameter_sd")
+NUMBERS = ("fit", "step_error", "localisation", "localisation_after", "parameter_value", "parameter_sd", "coverage")
 TRIED = {"name": text("structure"), "score": number("structure_score")}
 PARAMETER = {"name": text("parameter"), "unit": text("parameter_unit"),
              "mean": number("parameter_prior_mean"), "sd": number("parameter_prior_sd")}
@@ -99,9 +103,10 @@ def rows_in(group, columns):
 
 
 def effects_in(group):
-    """The effects found, each with the members of its class."""
-    effects, members = rows_in(group, EFFECT), rows_in(group, MEMBER)
+    """The effects found, each with the members of its class and what it brings."""
+    effects, members, values = (rows_in(group, columns) for columns in (EFFECT, MEMBER, EFFECT_VALUE))
     for k, effect in enumerate(effects):
+        effect.brings = [value for value in values if value.effect == k and math.isfinite(value.value)]
         effect.members = [member.name for member in members if member.effect == k] \
             or effect.class_in_words.split("; ")
         effect.others = [name for name in effect.members if name not in ("", effect.name)]
@@ -156,6 +161,8 @@ class Series:
     measured: np.ndarray    # NaN = missing or masked
     simulated: np.ndarray   # [model x time]
     outdoor: np.ndarray     # outdoor temperature [degC], or nothing
+    # ends of the 90 % intervals of after [2 x time], or nothing
+    band: np.ndarray = field(default_factory=lambda: np.array([]))
 
     def residual(self, model):
         return self.simulated[model] - self.measured
@@ -179,6 +186,7 @@ class Error:
     error: np.ndarray       # [model] CV(RMSE) [%], or RMSE [K]
     bias: np.ndarray        # [model] NMBE [%], or mean error [K]
     unit: str
+    within: float           # share of readings in the 90 % intervals of after [%]; NaN = not known
 
     @property
     def is_measured(self):
@@ -196,9 +204,10 @@ class Error:
 def series_in(period, channel):
     def values(name):
         return guard.sound(guard.inner(period, name))[()]
-    outdoor = "outdoor_temperature"
+    outdoor, ends = "outdoor_temperature", [f"{channel}/predicted_{q}" for q in ("q05", "q95")]
     return Series(values("time"), values(f"{channel}/measured"), values(f"{channel}/simulated"),
-                  values(outdoor) if guard.has(period, outdoor) else np.array([]))
+                  values(outdoor) if guard.has(period, outdoor) else np.array([]),
+                  np.array([values(end) for end in ends]) if guard.has(period, ends[0]) else np.array([]))
 
 
 class Loop:
@@ -216,7 +225,7 @@ class Loop:
         self.channels = [channel.name for channel in self.of_channels]
         self.parameters = [parameter.name for parameter in self.of_parameters]
         self.effects, self.functions = effects_in(group), functions_in(group)
-        self.schedules = schedules_in(group)
+        self.schedules, self.job_parts = schedules_in(group), rows_in(group, JOB_PART)
         self.periods, self.resolutions, self.metrics, self.hooks, self.drivers = (
             texts_of(group, name)
             for name in ("period", "resolution", "metric", "hook", "driver"))
@@ -271,7 +280,8 @@ class Loop:
         error = metric("rmse") if is_temperature else 100 * metric("cv_rmse")
         bias = metric("nmbe") * (mean if is_temperature else 100)
         return Error(of_channel.name, self.periods[period], self.resolutions[resolution],
-                     metric("n")[PLAIN], error, bias, "K" if is_temperature else "%")
+                     metric("n")[PLAIN], error, bias, "K" if is_temperature else "%",
+                     100 * self.value("coverage", period, resolution, channel))
 
     def errors(self):
         """Of all channels, periods and resolutions that are measured."""

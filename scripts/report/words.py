@@ -93,6 +93,17 @@ def learned(loop):
         if loop.schedules else ""
 
 
+def brought(value):
+    """"gas 1200 kWh/a (900 to 1500)"."""
+    return f"{value.of} {number(value.value, 4)} {value.unit} ({number(value.least, 4)} to {number(value.most, 4)})"
+
+
+def size_of_what_it_brings(effect):
+    """What it costs; where no tariff is known, its largest energy."""
+    costs = [abs(value.value) for value in effect.brings if value.of == "cost"]
+    return costs[0] if costs else max((abs(value.value) for value in effect.brings), default=0)
+
+
 def found(loop):
     """What was found."""
     if not loop.effects:

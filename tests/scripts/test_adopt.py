@@ -47,11 +47,23 @@ BY_WIND = '[[effect]]\nname = "wind infiltration"\ncoefficient = 0.083\n\n' \
           '[[parameter]]\nname = "wind infiltration"\ntarget = "effect.wind infiltration"\nmin = 0\nmax = 0.1\n'
 
 
-def write_result(path, sections):
+OF_STRUCTURE = '[[effect]]\nname = "share by wind"\nhook = "leakage"\ncoefficient = 0.3\n\n' \
+               '[[parameter]]\nname = "other_0"\ntarget = ["zone.office.mass_area_ratio"]\n' \
+               'min = 1\nmax = 4\nvalue = 2.25\nprior = {kind = "normal", mean = 2.25, sd = 0.1}\n'
+FUNCTIONS = '[[effect]]\nname = "functions at gains"\nhook = "gains"\ncoefficient = 1\n\n' \
+            '[[effect.function]]\ndriver = "wind"\nat = [0, 9]\nvalues = [1, 2]\n'
+
+
+def write_result(path, sections, parts=()):
     fake_loop_result.write(path, {"gas": "kWh"}, found=len(sections))
     with h5py.File(path, "a") as file:
         stage = file["office/loop"]
-        del stage["effect_section"], stage["parameter"]
+        del stage["effect_section"], stage["parameter"], stage["structure_chosen"]
+        stage.pop("function", None)
+        stage["structure_chosen"] = "surfaces + wind in leaks" if parts else "standard"
+        fake_loop_result.text(stage, "function", [])
+        fake_loop_result.text(stage, "job_part", [part[0] for part in parts])
+        fake_loop_result.text(stage, "job_part_section", [part[1] for part in parts])
         fake_loop_result.text(stage, "effect_section", sections)
         names = ["u_wall"] + [f"other_{k}" for k in range(5)]
         fake_loop_result.text(stage, "parameter", names)
@@ -74,8 +86,16 @@ class Adopt(unittest.TestCase):
 
     def test_what_is_not_adopted_stays_to_the_letter(self):
         self.adopt("--keep-priors", sections=())
-        self.assertEqual(self.new.read_text(), JOB)
+        lines = self.new.read_text().splitlines(keepends=True)
+        self.assertEqual("".join(line for line in lines if not line.startswith("value = ")), JOB)
         self.assertEqual(self.job.read_text(), JOB)
+
+    def test_a_calibrated_value_is_kept_to_the_digit(self):
+        self.adopt("--keep-priors")
+        wall, kept = tomllib.loads(self.new.read_text())["parameter"][:2]
+        self.assertEqual(wall["value"], result.read(self.result).value_of(result.AFTER, 0))
+        self.assertEqual(wall["prior"], {"kind": "normal", "mean": 0.5, "sd": 0.2})
+        self.assertNotIn("value", kept)
 
     def test_an_effect_is_a_section_with_its_parameter_and_what_carried_it(self):
         self.adopt()
@@ -106,6 +126,31 @@ class Adopt(unittest.TestCase):
         self.assertEqual(job["schedule"][0]["saturday"], [1, 0])
         self.assertNotIn("effect", job)
         self.assertIn('name = "plant"    # by hand', self.new.read_text())
+
+    def test_structure_and_functions_are_sections_with_the_structure_before_what_was_found(self):
+        write_result(self.result, [BY_WIND], parts=[("structure", OF_STRUCTURE), ("functions", FUNCTIONS)])
+        printed = self.adopt("--keep-priors")
+        job = tomllib.loads(self.new.read_text())
+        self.assertEqual(job["structure"], ["surfaces", "wind in leaks"])
+        self.assertLess(self.new.read_text().index("structure = "), self.new.read_text().index("[[schedule]]"))
+        self.assertEqual([row["name"] for row in job["effect"]],
+                         ["share by wind", "wind infiltration", "functions at gains"])
+        self.assertEqual(job["effect"][2]["function"][0]["values"], [1, 2])
+        # Of a parameter of the structure its prior, not what these readings have made of it.
+        other = next(row for row in job["parameter"] if row["name"] == "other_0")
+        loop = result.read(self.result)
+        self.assertEqual(other["prior"], {"kind": "normal", "mean": loop.of_parameters[1].mean,
+                                          "sd": loop.of_parameters[1].sd})
+        self.assertEqual(other["value"], 2.25)
+        self.assertIn("structure: surfaces + wind in leaks", printed)
+        self.assertIn("functions at gains: without a name, as values at points", printed)
+
+    def test_hours_that_were_learned_stand_in_place_of_learn(self):
+        self.job.write_text(JOB.replace("weekdays = [0, 1]\nsaturday = 0\n", 'hours = "learn"\nuse = "office"\n'))
+        write_result(self.result, [], parts=[("hours", HOURS)])
+        self.adopt("--keep-priors")
+        schedule = tomllib.loads(self.new.read_text())["schedule"][0]
+        self.assertEqual(schedule, {"name": "plant", "saturday": [1, 0]})
 
     def test_what_no_job_can_say_is_told(self):
         self.assertIn("left out: effect wind infiltration: it follows the model's own loads",
