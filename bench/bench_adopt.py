@@ -1,9 +1,12 @@
 #!/usr/bin/python3
-"""Jobs that carry on what their loop found: is there nothing more to find?
+"""Jobs that carry on what their loop found: do they predict the same, and is there nothing more to find?
 
 Each case of ../shared/cases/dev is run as a loop; `bemcal-batch adopt --keep-priors` writes its job anew, `check`
 reads it, and a second loop, on the same readings, runs on the new jobs. Prints `name value unit reference ratio`:
-effects of the first loop, those that the new jobs have, effects that the second loop finds beside them.
+effects of the first loop, those that the new jobs have; of every hour of every meter that the new job, without a fit,
+and the loop's last model predict, the largest difference over the meter's largest hour (of one read by the month,
+the sums'); effects that the second loop
+finds beside them.
 BEMCAL_BENCH_CASES names other folders, separated by colons; BEMCAL_BENCH_LOOPS a folder that scripts/run_case has
 written for them already.
 """
@@ -22,6 +25,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "bench"))
 from bench_cases import case_folders  # noqa: E402
 
+SAME = 1e-9     # of the largest hour
 PROGRAM = os.environ.get("BEMCAL_PROGRAM", str(ROOT / "build" / "release" / "bemcal-batch"))
 
 
@@ -51,12 +55,34 @@ def adopt(result, jobs, building):
     return new if done.returncode == 0 else None
 
 
-def second_loops(jobs, new):
-    (jobs / "again.toml").write_text('seed = 1\nbuildings = %s\n\n[[study]]\nkind = "loop"\n' % json.dumps(new))
-    subprocess.run([PROGRAM, "check", jobs / "again.toml"], check=True, stdout=subprocess.DEVNULL)
-    subprocess.run(["mpirun", "-np", "2", PROGRAM, "run", jobs / "again.toml", "-o", jobs / "again.h5", "--no-report"],
+def run_study(jobs, new, study):
+    """The result of a study of the new jobs."""
+    job, result = jobs / f"{study.split()[0]}.toml", jobs / f"{study.split()[0]}.h5"
+    kind, *keys = study.split(" ", 1)
+    job.write_text(f'seed = 1\nbuildings = {json.dumps(new)}\n\n[[study]]\nkind = "{kind}"\n' + "".join(keys) + "\n")
+    subprocess.run([PROGRAM, "check", job], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(["mpirun", "-np", "2", PROGRAM, "run", job, "-o", result, "--no-report"],
                    check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    return jobs / "again.h5"
+    return result
+
+
+def difference(loop, screening):
+    """Between hours of the loop's last model and of the nominal building, over the largest hour."""
+    largest = 0.0
+    for period in loop["period"].asstr():
+        for channel in loop["channel"].asstr():
+            of_loop = loop[period][channel]["simulated"][-1]
+            as_it_stands = screening[period][channel]["simulated"][0]
+            if of_loop.shape != as_it_stands.shape:    # a meter that is read by the month: the sums
+                of_loop, as_it_stands = of_loop.sum(keepdims=True), as_it_stands.sum(keepdims=True)
+            largest = max(largest, abs(of_loop - as_it_stands).max() / abs(of_loop).max())
+    return largest
+
+
+def differences(result, screened, buildings):
+    with h5py.File(result) as loops, h5py.File(screened) as screenings:
+        return {building: difference(loops[building]["loop"], screenings[f"{building}/screening"])
+                for building in buildings}
 
 
 def main():
@@ -73,16 +99,21 @@ def main():
         names = [case.name for case in cases]
         new = {building: adopt(result, jobs, building) for building in names}
         adopted = [building for building in names if new[building]]
-        again = second_loops(jobs, [new[building] for building in adopted])
+        jobs_of_adopted = [new[building] for building in adopted]
+        differs = differences(result, run_study(jobs, jobs_of_adopted, "screening n_points = 1"), adopted)
+        again = run_study(jobs, jobs_of_adopted, "loop")
         first = {building: effects_in(result, building) for building in names}
         second = {building: effects_in(again, building)[0] for building in adopted}
         for building in adopted:
             print(f"# {building}: {'; '.join(first[building][0]) or 'nothing'}; then "
-                  f"{'; '.join(second[building]) or 'nothing more'}")
+                  f"{'; '.join(second[building]) or 'nothing more'}; predictions differ by {differs[building]:.1e}")
         sections = [section for found in first.values() for section in found[1]]
         quiet = sum(not second[building] for building in adopted)
         print(f"adopt_jobs_read {len(adopted)} jobs {len(names)} {len(adopted) / len(names):.2f}")
         print(f"adopt_effects_declared {sum(map(bool, sections))} effects {len(sections)} -")
+        print(f"adopt_predicts_the_same {sum(d <= SAME for d in differs.values())} jobs {len(adopted)} "
+              f"{sum(d <= SAME for d in differs.values()) / len(adopted):.2f}")
+        print(f"adopt_largest_difference {max(differs.values()):.1e} - {SAME} {max(differs.values()) / SAME:.2g}")
         print(f"adopt_nothing_more {quiet} jobs {len(adopted)} {quiet / len(adopted):.2f}")
 
 

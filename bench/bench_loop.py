@@ -227,6 +227,8 @@ def print_errors(scored):
              100 * float(np.median(cut)) if cut else np.nan, "%", 30)
     line("loop_coverage", share(hit for s in of_kind(scored, "single") for hit in s.covered),
          "%", 80)
+    values = [hit for s in of_kind(scored, "single") for hit in s.values_covered]
+    line("loop_value_coverage", share(values), f"%_of_{len(values)}", 85)
 
 
 def print_rung(scored, rung):

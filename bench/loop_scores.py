@@ -27,6 +27,8 @@ DETECTABLE = 5
 AIR = CHANNELS["air"]
 EPW_WIND = 21            # column
 LEAST_EFFECT = {True: 0.2, False: 3.0}   # of an affected channel: K for the air, points of CV(RMSE)
+SMALL = 0.02                             # of a meter's energy in the year
+LOOP_NAMES = {"heating": "heat", "cooling": "cold", "electricity": "electricity", "gas": "gas"}
 LEAST_ENERGY = 5.0                       # of a material meter [kWh/m2 in the year]
 # parameter: the truth's number it is a factor on (or an offset from)
 FACTORS = {"u_wall": "u_wall", "u_roof": "u_roof", "u_window": "u_window",
@@ -50,6 +52,7 @@ class Scored:
     detectability: dict     # planted effect -> d, NaN where the table lacks it
     parameters: dict        # {model: rms error in prior standard deviations}
     covered: list = field(default_factory=list)   # of right names with a coefficient
+    values_covered: list = field(default_factory=list)   # energies that right names bring
     calibrated: dict = field(default_factory=dict)   # parameter: its value in the last model
     details: dict = field(default_factory=dict)   # planted effect: what it drew
     air_handler: str = ""   # its kind
@@ -148,6 +151,20 @@ def coverage(found, planted, truth):
             for effect in found if is_right(effect, name)][:1]
 
 
+def value_coverage(found, planted, truth):
+    """Whether the intervals of what a right name brings hold what the planted effect does: of each meter of which
+    that is over SMALL of its energy."""
+    columns, year = {of: CHANNELS[meter] for meter, of in LOOP_NAMES.items()}, truth.get("of_the_year", {})
+    held = []
+    for name in planted:
+        for effect in [effect for effect in found if is_right(effect, name)][:1]:
+            for value in effect["brings"]:
+                true = year.get("brings_kWh", {}).get(name, {}).get(columns.get(value["of"]))
+                if true is not None and abs(true) > SMALL * year["kWh"][columns[value["of"]]]:
+                    held.append(value["interval"][0] <= true <= value["interval"][1])
+    return held
+
+
 def score(file, case, kind):
     """The record of one case."""
     truth, loop = json.loads((case / "truth.json").read_text()), file[case.name]["loop"]
@@ -158,7 +175,8 @@ def score(file, case, kind):
                   loop_result.decisions(loop, ("series", "finding", "action", "kind")), errors,
                   {step: closed(errors, truth, *step) for step in steps},
                   detectability(loop, truth), parameter_errors(loop, truth, case, found),
-                  coverage(found, planted, truth), calibrated(loop), truth.get("details", {}),
+                  coverage(found, planted, truth), value_coverage(found, planted, truth), calibrated(loop),
+                  truth.get("details", {}),
                   truth.get("structure", {}).get("air_handler", {}).get("kind", ""))
 
 

@@ -168,19 +168,32 @@ def beside_sizes(recipe, built, weather):
         ({"structure": {"air_handler": asdict(air)}} if air else {})
 
 
+def energies_of(true):
+    """Of the training year [kWh]."""
+    return {column: float(series[:YEAR].sum()) for column, series in true.items() if column != COLUMNS["air"]}
+
+
 def truth(recipe, built, weather, measured):
     """Errors of the held-out year: `expected_floor`, the best that any model can do, and those of
-    the truth without the effects, and without each of them alone."""
-    def floor(effects):
-        true = true_channels(recipe, built, weather, AVERAGE_DAYS, effects)
+    the truth without the effects, and without each of them alone. Of the training year the meters'
+    energies, and what each effect brings to them: with it less without it."""
+    def without(names):
+        effects = {name: size for name, size in recipe.effects.items() if name not in names}
+        return true_channels(recipe, built, weather, AVERAGE_DAYS, effects)
+
+    def floor(true):
         return {column: error(column, true[column][YEAR:], series[YEAR:])
                 for column, series in measured.items()}
 
-    floors = {"expected_floor": floor(recipe.effects)}
-    floors["without_effect"] = floor({}) if recipe.effects else floors["expected_floor"]
-    floors["without_one"] = {
-        name: floor(others) if (others := {k: v for k, v in recipe.effects.items() if k != name})
-        else floors["without_effect"] for name in recipe.effects}
+    whole, none = without(()), without(recipe.effects)
+    one = {name: without((name,)) if len(recipe.effects) > 1 else none for name in recipe.effects}
+    energies = energies_of(whole)
+    floors = {"expected_floor": floor(whole), "without_effect": floor(none),
+              "without_one": {name: floor(true) for name, true in one.items()},
+              "of_the_year": {"kWh": energies,
+                              "brings_kWh": {name: {column: energies[column] - less
+                                                    for column, less in energies_of(true).items()}
+                                             for name, true in one.items()}}}
     return {"effects": recipe.effects, "climate": recipe.climate, "seed": recipe.seed,
             "meaning": {name: EFFECTS[name].meaning for name in recipe.effects},
             "design": numbers_of(recipe.design), "built": numbers_of(built), **floors,
