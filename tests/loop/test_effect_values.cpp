@@ -17,9 +17,9 @@ const std::vector<std::string> by_wind = {"wind infiltration"};
 double gas_with(double coefficient) {
     study::Case made = test::windy_case();
     test::measure(made, test::named(by_wind[0]), coefficient, 3);
+    const auto readings = training_readings(made, made.periods[0]);
     double sum = 0;
-    for (const double value : training_readings(made, made.periods[0])[0].values)
-        sum += std::isnan(value) ? 0 : value;
+    for (const double value : readings[0].values) sum += std::isnan(value) ? 0 : value;
     return sum;
 }
 
