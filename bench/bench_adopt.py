@@ -5,8 +5,7 @@ Each case of ../shared/cases/dev is run as a loop; `bemcal-batch adopt --keep-pr
 reads it, and a second loop, on the same readings, runs on the new jobs. Prints `name value unit reference ratio`:
 effects of the first loop, those that the new jobs have; of every hour of every meter that the new job, without a fit,
 and the loop's last model predict, the largest difference over the meter's largest hour (of one read by the month,
-the sums'); effects that the second loop
-finds beside them.
+the sums'); effects that the second loop finds beside them.
 BEMCAL_BENCH_CASES names other folders, separated by colons; BEMCAL_BENCH_LOOPS a folder that scripts/run_case has
 written for them already.
 """
@@ -55,11 +54,10 @@ def adopt(result, jobs, building):
     return new if done.returncode == 0 else None
 
 
-def run_study(jobs, new, study):
+def run_study(jobs, new, kind, keys=""):
     """The result of a study of the new jobs."""
-    job, result = jobs / f"{study.split()[0]}.toml", jobs / f"{study.split()[0]}.h5"
-    kind, *keys = study.split(" ", 1)
-    job.write_text(f'seed = 1\nbuildings = {json.dumps(new)}\n\n[[study]]\nkind = "{kind}"\n' + "".join(keys) + "\n")
+    job, result = jobs / f"{kind}.toml", jobs / f"{kind}.h5"
+    job.write_text(f'seed = 1\nbuildings = {json.dumps(new)}\n\n[[study]]\nkind = "{kind}"\n{keys}\n')
     subprocess.run([PROGRAM, "check", job], check=True, stdout=subprocess.DEVNULL)
     subprocess.run(["mpirun", "-np", "2", PROGRAM, "run", job, "-o", result, "--no-report"],
                    check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -100,7 +98,7 @@ def main():
         new = {building: adopt(result, jobs, building) for building in names}
         adopted = [building for building in names if new[building]]
         jobs_of_adopted = [new[building] for building in adopted]
-        differs = differences(result, run_study(jobs, jobs_of_adopted, "screening n_points = 1"), adopted)
+        differs = differences(result, run_study(jobs, jobs_of_adopted, "screening", "n_points = 1"), adopted)
         again = run_study(jobs, jobs_of_adopted, "loop")
         first = {building: effects_in(result, building) for building in names}
         second = {building: effects_in(again, building)[0] for building in adopted}
@@ -111,8 +109,8 @@ def main():
         quiet = sum(not second[building] for building in adopted)
         print(f"adopt_jobs_read {len(adopted)} jobs {len(names)} {len(adopted) / len(names):.2f}")
         print(f"adopt_effects_declared {sum(map(bool, sections))} effects {len(sections)} -")
-        print(f"adopt_predicts_the_same {sum(d <= SAME for d in differs.values())} jobs {len(adopted)} "
-              f"{sum(d <= SAME for d in differs.values()) / len(adopted):.2f}")
+        same = sum(d <= SAME for d in differs.values())
+        print(f"adopt_predicts_the_same {same} jobs {len(adopted)} {same / len(adopted):.2f}")
         print(f"adopt_largest_difference {max(differs.values()):.1e} - {SAME} {max(differs.values()) / SAME:.2g}")
         print(f"adopt_nothing_more {quiet} jobs {len(adopted)} {quiet / len(adopted):.2f}")
 

@@ -10,7 +10,6 @@ import tomlkit
 
 from . import result, words
 
-
 OWN_LOADS = ("heating load", "cooling load")   # drivers that no job can declare
 
 
@@ -117,9 +116,8 @@ def adopt_effect(loop, effect, job):
 
 def believe_as_before(loop, row):
     """The structure's prior in place of its posterior."""
-    names = [parameter.name for parameter in loop.of_parameters]
-    if str(row["name"]) in names:
-        before = loop.of_parameters[names.index(str(row["name"]))]
+    before = {parameter.name: parameter for parameter in loop.of_parameters}.get(str(row["name"]))
+    if before is not None:
         row["prior"].update({"mean": before.mean, "sd": before.sd})
 
 

@@ -390,6 +390,7 @@ void declare(const Section& section, const study::Case& building,
 void read_effects(const Sources& sources, study::Case& building) {
     const std::vector<Section> sections =
         sources.with("effect").tables("effect", "effect");
+    if (sections.empty() && building.structure.empty()) return;
     DeclaredEffects declared = nothing_declared(building);
     declare_structure(sections, building, declared);
     if (sections.empty() && declared.effects.empty()) return;

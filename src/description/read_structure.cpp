@@ -40,19 +40,10 @@ void add(const schema::Section& section, std::size_t refinement, study::Case& bu
                                  name));
 }
 
-stats::Prior normal_prior(double mean, double sd, const physics::Parameter& parameter) {
-    stats::Prior prior;
-    prior.kind = stats::PriorKind::normal;
-    prior.a = mean;
-    prior.b = sd;
-    prior.least = parameter.least;
-    prior.most = parameter.most;
-    return prior;
-}
-
 void add_parameter(physics::Parameter parameter, double mean, double sd,
                    study::Case& building) {
-    building.priors.push_back({normal_prior(mean, sd, parameter), {}});
+    building.priors.push_back(
+        {{stats::PriorKind::normal, mean, sd, parameter.least, parameter.most}, {}});
     building.parameters.push_back(std::move(parameter));
 }
 

@@ -62,14 +62,6 @@ Matrix totals_of(const LoopData& data, const study::FitModel& model, const Matri
     return totals;
 }
 
-/// How often a year fits into training; 1 where that is not nearly one.
-double per_year(const LoopData& data) {
-    constexpr double days_of_year = 365.25;
-    constexpr double least_days = 300;  ///< that show all seasons
-    const double days = study::hours_of(data.training()) / 24;
-    return days < least_days ? 1 : days_of_year / days;
-}
-
 Account account(const LoopData& data, const char* of, const char* unit) {
     return {of, unit, std::vector<double>(data.targets.n_channels(), 0.0)};
 }
@@ -90,9 +82,17 @@ Worth worth_in(const Matrix& with, const Matrix& less, std::size_t account) {
 
 }  // namespace
 
+std::optional<double> per_year(double days) {
+    constexpr double days_of_year = 365.25;
+    constexpr double least_days = 300;  ///< that show all seasons
+    if (days < least_days) return std::nullopt;
+    return days_of_year / days;
+}
+
 std::vector<Account> accounts_of(const LoopData& data) {
-    const double years = per_year(data);
-    const bool is_year = years != 1;
+    const auto of_year = per_year(study::hours_of(data.training()) / 24);
+    const double years = of_year.value_or(1);
+    const bool is_year = of_year.has_value();
     std::vector<Account> accounts;
     Account cost = account(data, "cost", is_year ? "currency/a" : "currency");
     Account co2 = account(data, "CO2", is_year ? "kg/a" : "kg");

@@ -5,6 +5,7 @@
 #include "base/nan.hpp"
 #include "loop/baseline.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct Account {
     std::string unit;                 ///< "kWh/a"
     std::vector<double> per_reading;  ///< [channels] of a channel's sum
 };
+/// What makes a year's of a sum over so many days; nothing of days that show no year.
+std::optional<double> per_year(double days);
+
 /// Of meters that are read as energy, in their order; cost and CO2 where meters have a
 /// tariff, or emissions.
 std::vector<Account> accounts_of(const LoopData& data);

@@ -7,12 +7,12 @@
 #include "loop/reading_bands.hpp"
 
 #include "base/nan.hpp"
+#include "loop/months.hpp"
 #include "stats/distributions.hpp"
 #include "stats/quantile.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace bemcal::loop {
 namespace {
@@ -53,33 +53,15 @@ std::vector<double> edges_of(const UnseenHours& hours) {
     return edges;
 }
 
-/// Sums of a month's hours that are read.
-struct Month {
-    double predicted = 0, residual = 0, n = 0;
-};
-
-std::vector<Month> months_of(const UnseenHours& hours) {
-    std::map<std::pair<int, int>, Month> months;
-    for (std::size_t k = 0; k < hours.begins.size(); ++k) {
-        if (std::isnan(hours.residuals[k])) continue;
-        const physics::CalendarStep step = physics::calendar_step(hours.begins[k]);
-        Month& month = months[{step.year, step.month}];
-        month.predicted += hours.predicted[k];
-        month.residual += hours.residuals[k];
-        month.n += 1;
-    }
-    std::vector<Month> all;
-    all.reserve(months.size());
-    for (const auto& [at, month] : months) all.push_back(month);
-    return all;
-}
-
-double month_deviation(const std::vector<Month>& months, bool is_mean) {
+/// Of months from what was read as the unseen model has it.
+double month_deviation(const UnseenHours& hours, bool is_mean) {
+    std::vector<double> read = hours.predicted;
+    for (std::size_t k = 0; k < read.size(); ++k) read[k] += hours.residuals[k];
+    const Months months = months_of(hours.begins, hours.predicted, read, is_mean);
     double squares = 0, per = 0;
-    for (const Month& month : months) {
-        squares += is_mean ? std::pow(month.residual / month.n, 2)
-                           : month.residual * month.residual;
-        per += is_mean ? 1 : std::max(month.predicted, 0.0);
+    for (std::size_t m = 0; m < months.measured.size(); ++m) {
+        squares += std::pow(months.measured[m] - months.simulated[m], 2);
+        per += is_mean ? 1 : std::max(months.simulated[m], 0.0);
     }
     return per > 0 ? std::sqrt(squares / per) : nan;
 }
@@ -89,7 +71,7 @@ double month_deviation(const std::vector<Month>& months, bool is_mean) {
 ReadingBands::ReadingBands(const UnseenHours& hours, bool is_mean)
     : edges_(edges_of(hours)),
       is_mean_(is_mean),
-      month_(month_deviation(months_of(hours), is_mean)) {
+      month_(month_deviation(hours, is_mean)) {
     std::vector<std::vector<double>> of_kind(2 * (edges_.size() + 1));
     for (std::size_t k = 0; k < hours.residuals.size(); ++k)
         if (!std::isnan(hours.residuals[k]))
@@ -119,6 +101,34 @@ Band ReadingBands::month(double predicted, double level) const {
         is_mean_ ? month_ : month_ * std::sqrt(std::max(predicted, 0.0));
     const double half = stats::z_90_two_sided * std::hypot(of_errors, level * predicted);
     return {predicted - half, predicted + half};
+}
+
+std::vector<Band> ReadingBands::hours(std::span<const double> predicted,
+                                      std::span<const physics::Seconds> begins,
+                                      double level) const {
+    std::vector<Band> bands;
+    bands.reserve(predicted.size());
+    for (std::size_t k = 0; k < predicted.size(); ++k)
+        bands.push_back(hour(predicted[k], begins[k], level));
+    return bands;
+}
+
+std::vector<Band> ReadingBands::months(std::span<const double> predicted,
+                                       double level) const {
+    std::vector<Band> bands;
+    bands.reserve(predicted.size());
+    for (const double one : predicted) bands.push_back(month(one, level));
+    return bands;
+}
+
+double share_within(std::span<const Band> bands, std::span<const double> measured) {
+    double inside = 0, n = 0;
+    for (std::size_t k = 0; k < measured.size(); ++k) {
+        if (std::isnan(measured[k]) || std::isnan(bands[k].least)) continue;
+        inside += measured[k] >= bands[k].least && measured[k] <= bands[k].most ? 1 : 0;
+        n += 1;
+    }
+    return n > 0 ? inside / n : nan;
 }
 
 }  // namespace bemcal::loop

@@ -34,6 +34,11 @@ class ReadingBands {
     /// The same of a month, or of a part of one. \param predicted  its sum or mean
     Band month(double predicted, double level = 0) const;
 
+    /// Of many. [hours], [months]
+    std::vector<Band> hours(std::span<const double> predicted,
+                            std::span<const physics::Seconds> begins, double level) const;
+    std::vector<Band> months(std::span<const double> predicted, double level) const;
+
   private:
     std::size_t kind_of(double predicted, physics::Seconds begin) const;
 
@@ -43,5 +48,9 @@ class ReadingBands {
     double month_ = 0;  ///< standard deviation of a month's residual: of a mean; of a sum
                         ///< over the square root of what is predicted
 };
+
+/// Which share of the readings lies within their bands, of those that are known; NaN of
+/// none.
+double share_within(std::span<const Band> bands, std::span<const double> measured);
 
 }  // namespace bemcal::loop

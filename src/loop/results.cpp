@@ -16,6 +16,7 @@
 #include "loop/late_clock.hpp"
 #include "loop/level_change.hpp"
 #include "loop/loads.hpp"
+#include "loop/months.hpp"
 #include "loop/reading_bands.hpp"
 #include "loop/stored_loop.hpp"
 #include "loop/unusual_end.hpp"
@@ -74,61 +75,6 @@ std::vector<std::vector<double>> hours_of(
     return hours;
 }
 
-/// Sums (means of a temperature) of the hours by calendar month, of those with a reading.
-struct Months {
-    std::vector<double> simulated, measured;
-};
-
-Months months_of(const std::vector<physics::Seconds>& begins,
-                 std::span<const double> simulated, std::span<const double> measured,
-                 bool is_mean) {
-    std::map<std::pair<int, int>, std::array<double, 3>> sums;
-    for (std::size_t k = 0; k < begins.size(); ++k) {
-        if (std::isnan(measured[k])) continue;
-        const auto step = physics::calendar_step(begins[k]);
-        auto& [s, m, n] = sums[{step.year, step.month}];
-        s += simulated[k], m += measured[k], n += 1;
-    }
-    Months months;
-    for (const auto& [month, sum] : sums) {
-        const double by = is_mean ? sum[2] : 1;
-        months.simulated.push_back(sum[0] / by);
-        months.measured.push_back(sum[1] / by);
-    }
-    return months;
-}
-
-/// The first hour of each.
-std::vector<physics::Seconds> begins_of_months(
-    const std::vector<physics::Seconds>& begins) {
-    std::vector<physics::Seconds> months;
-    int last = -1;
-    for (const physics::Seconds begin : begins) {
-        const int month = physics::calendar_step(begin).month;
-        if (month != last) months.push_back(begin);
-        last = month;
-    }
-    return months;
-}
-
-/// The same of a meter that is not read by the hour: the hours of its intervals, then the
-/// months of these.
-Months read_by_month(const std::vector<physics::Seconds>& begins,
-                     std::span<const double> simulated, const kernel::Readings& readings,
-                     const physics::TimeAxis& axis) {
-    const auto intervals = study::begins_of(axis, readings.interval);
-    std::vector<double> sums(intervals.size(), 0.0), hours(intervals.size(), 0.0);
-    std::size_t at = 0;
-    for (std::size_t k = 0; k < begins.size(); ++k) {
-        while (at + 1 < intervals.size() && intervals[at + 1] <= begins[k]) ++at;
-        sums[at] += simulated[k];
-        hours[at] += 1;
-    }
-    const bool is_mean = physics::is_temperature(readings.quantity);
-    for (std::size_t k = 0; k < sums.size() && is_mean; ++k) sums[k] /= hours[k];
-    return months_of(intervals, sums, readings.values, is_mean);
-}
-
 /// Mean outdoor temperature of each hour of the drive's period.
 std::vector<double> outdoors_of(const physics::Drive& drive) {
     const auto per_hour = static_cast<std::size_t>(3600 / drive.axis.step_s);
@@ -152,6 +98,7 @@ class Writer {
           written_(written),
           data_(data),
           result_(result),
+          deviations_(deviations_of(data, result.last, result.misfit)),
           decisions_(data.building.decisions) {}
 
     study::Conclusion write() {
@@ -204,7 +151,9 @@ class Writer {
         loop_.parameter_sd.resize({StoredLoop::n_models, n});
         const Standings standings = standings_of(result_);
         for (std::size_t m = 0; m < standings.size(); ++m) {
-            const auto sds = deviations_of(data_, *standings[m], result_.misfit);
+            const auto sds = m == StoredLoop::after
+                                 ? deviations_
+                                 : deviations_of(data_, *standings[m], result_.misfit);
             const auto& own = standings[m]->built.unknowns;
             for (std::size_t k = 0; k < standings[m]->built.first_effect(); ++k) {
                 const std::size_t at = index.at(own[k].name);
@@ -247,15 +196,14 @@ class Writer {
 
     void effects_found() {
         const Standing& last = result_.last;
-        const auto sds = deviations_of(data_, last, result_.misfit);
         for (std::size_t k = 0; k < result_.found.size(); ++k)
-            effect_found(k, sds[last.built.first_effect() + k]);
-        effect_values(sds);
+            effect_found(k, deviations_[last.built.first_effect() + k]);
+        effect_values();
     }
 
-    /// \param sds  of what noise leaves to last's unknowns
-    void effect_values(std::vector<double> sds) {
+    void effect_values() {
         const Standing& last = result_.last;
+        std::vector<double> sds = deviations_;
         for (std::size_t k = 0; k < result_.found.size(); ++k) {
             double& sd = sds[last.built.first_effect() + k];
             if (!last.model.effects[k].other_hours)
@@ -363,9 +311,8 @@ class Writer {
     }
 
     void job_parts() {
-        const auto sds = deviations_of(data_, result_.last, result_.misfit);
-        loop_.job_parts = job_parts_of(data_, result_.baseline.place, result_.last, sds,
-                                       result_.hours, result_.functions);
+        loop_.job_parts = job_parts_of(data_, result_.baseline.place, result_.last,
+                                       deviations_, result_.hours, result_.functions);
     }
 
     void power() {
@@ -431,19 +378,21 @@ class Writer {
 
     /// Of hourly channels, from what was left out.
     void learn_bands() {
-        const study::Period& training = data_.training();
-        const physics::TimeAxis axis = study::axis_of(data_.building, training);
+        const study::Targets& targets = data_.targets;
+        const Standing& last = result_.last;
+        const physics::TimeAxis axis = study::axis_of(data_.building, data_.training());
         const auto begins = study::begins_of(axis, physics::Interval::hourly);
-        const auto hours =
-            predicted(StoredLoop::after, training, data_.drive, begins.size());
         for (std::size_t c = 0; c < n_channels(); ++c) {
-            const study::Targets& targets = data_.targets;
-            const auto measured = targets.of(c, targets.measured);
-            UnseenHours unseen{begins, hours[c], std::vector<double>(begins.size(), nan)};
-            const auto left_out = targets.of(c, result_.last.left_out);
-            for (std::size_t k = 0; k < measured.size(); ++k)
-                if (measured.size() == begins.size() && !std::isnan(measured[k]))
-                    unseen.residuals[k] = left_out[k];
+            const auto measured = targets.of(c, targets.measured),
+                       predicted = targets.of(c, last.fit.at.predicted),
+                       left_out = targets.of(c, last.left_out);
+            UnseenHours unseen;
+            if (measured.size() == begins.size())
+                unseen = {begins,
+                          {predicted.begin(), predicted.end()},
+                          {left_out.begin(), left_out.end()}};
+            for (std::size_t k = 0; k < unseen.begins.size(); ++k)
+                if (std::isnan(measured[k])) unseen.residuals[k] = nan;
             bands_.emplace_back(unseen,
                                 physics::is_temperature(targets.channels[c].quantity));
         }
@@ -455,21 +404,6 @@ class Writer {
         if (period.from == data_.training().from) return 0;
         const double usual = usual_level_change(quantity);
         return usual == 0 ? 0 : data_.options.level_change.value_or(usual);
-    }
-
-    /// Which share of readings lies within after's intervals.
-    template <class BandAt>
-    void set_coverage(std::size_t period, StoredLoop::Resolution resolution,
-                      std::size_t channel, std::span<const double> measured,
-                      BandAt band_at) {
-        double inside = 0, n = 0;
-        for (std::size_t k = 0; k < measured.size(); ++k) {
-            const Band band = band_at(k);
-            if (std::isnan(measured[k]) || std::isnan(band.least)) continue;
-            inside += measured[k] >= band.least && measured[k] <= band.most ? 1 : 0;
-            n += 1;
-        }
-        loop_.coverage.set({period, resolution, channel}, n > 0 ? inside / n : nan);
     }
 
     void fits_of(std::size_t p) {
@@ -487,7 +421,7 @@ class Writer {
         StoredPeriod& stored = periods_.emplace_back();
         stored.name = period.name;
         stored.begins = begins;
-        stored.months = begins_of_months(begins);
+        stored.months = study::begins_of(axis, physics::Interval::monthly);
         stored.outdoor_temperature =
             by_late_clock_throughout(outdoors_of(*drive), result_.hours_late);
         for (std::size_t c = 0; c < n_channels(); ++c) {
@@ -505,16 +439,19 @@ class Writer {
                 set_fit({m, p, StoredLoop::hourly, c}, stats::metrics_of(own, measured));
                 set_fit({m, p, StoredLoop::monthly, c},
                         stats::metrics_of(months.simulated, months.measured));
-                if (m != StoredLoop::after) continue;
-                set_coverage(p, StoredLoop::hourly, c, measured, [&](std::size_t k) {
-                    return bands_[c].hour(own[k], begins[k], level);
-                });
-                set_coverage(
-                    p, StoredLoop::monthly, c, months.measured,
-                    [&](std::size_t k) { return bands_[c].month(months.simulated[k]); });
+                if (m == StoredLoop::after)
+                    loop_.coverage.set(
+                        {p, StoredLoop::monthly, c},
+                        share_within(bands_[c].months(months.simulated, level),
+                                     months.measured));
             }
             stored.channels.push_back(channel_of(c, measured, hours));
-            add_bands(c, hours.back()[c], level, is_mean, stored);
+            const auto& after = hours.back()[c];
+            const auto bands = bands_[c].hours(after, begins, level);
+            loop_.coverage.set({p, StoredLoop::hourly, c}, share_within(bands, measured));
+            add_hours(bands, stored.channels.back());
+            const auto whole = months_of(begins, after, after, is_mean).simulated;
+            add_months(whole, bands_[c].months(whole, level), stored.channels.back());
         }
     }
 
@@ -535,22 +472,22 @@ class Writer {
         return channel;
     }
 
-    /// To the newest channel of a period: after's intervals of hours, and its months with
-    /// theirs.
-    void add_bands(std::size_t c, const std::vector<double>& after, double level,
-                   bool is_mean, StoredPeriod& period) const {
-        StoredPeriod::Channel& channel = period.channels.back();
+    /// After's intervals, by the meters' clocks.
+    void add_hours(const std::vector<Band>& bands, StoredPeriod::Channel& channel) const {
         std::vector<double> least, most;
-        for (std::size_t k = 0; k < after.size(); ++k) {
-            const Band band = bands_[c].hour(after[k], period.begins[k], level);
+        for (const Band& band : bands) {
             least.push_back(band.least);
             most.push_back(band.most);
         }
         channel.q05 = by_late_clock_throughout(least, result_.hours_late);
         channel.q95 = by_late_clock_throughout(most, result_.hours_late);
-        channel.month = months_of(period.begins, after, after, is_mean).simulated;
-        for (const double month : channel.month) {
-            const Band band = bands_[c].month(month, level);
+    }
+
+    static void add_months(const std::vector<double>& predicted,
+                           const std::vector<Band>& bands,
+                           StoredPeriod::Channel& channel) {
+        channel.month = predicted;
+        for (const Band& band : bands) {
             channel.month_q05.push_back(band.least);
             channel.month_q95.push_back(band.most);
         }
@@ -636,6 +573,7 @@ class Writer {
     const LoopData& written_;
     const LoopData& data_;
     const LoopResult& result_;
+    std::vector<double> deviations_;  ///< of last's unknowns, of what noise leaves
     std::vector<study::DataDecision>
         decisions_;  ///< of the data, of effects, then of periods
     StoredLoop loop_;

@@ -63,11 +63,11 @@ constexpr SectionInfo section_table[] = {
     {"meter", "[[meter]]", "source", "A measured series that the model is held against."},
     {"meter.scale", "[[meter.scale]]", "",
      "A correction of the readings from a date on."},
-    {"effect.function", "[[effect.function]]", "",
-     "A function of what the effect follows, by its values."},
     {"effect", "[[effect]]", "",
      "What the building does beyond its description: a row of `bemcal-batch describe "
      "effects`, or hook, driver, form and gate. It holds in every study."},
+    {"effect.function", "[[effect.function]]", "",
+     "A function of what the effect follows, by its values."},
     {"parameter", "[[parameter]]", "", "An uncertain number of the building."},
     {"link", "[[link]]", "",
      "Numbers of the building that follow from others: a polynomial of them, or the row "

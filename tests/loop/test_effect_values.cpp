@@ -49,6 +49,15 @@ TEST(EffectValues, AreTheSameAgain) {
     EXPECT_EQ(one.most, two.most);
 }
 
+TEST(EffectValues, AreOfAYearFromThreeHundredDaysOn) {
+    EXPECT_FALSE(per_year(299.9));
+    EXPECT_EQ(per_year(300), 365.25 / 300);
+    EXPECT_EQ(per_year(365.25), 1);
+    EXPECT_EQ(per_year(730.5), 0.5);
+    const test::WindyModel model(by_wind);
+    EXPECT_EQ(accounts_of(model.data)[0].unit, "kWh");  // 103 days
+}
+
 TEST(EffectValues, AreCountedInMoneyWhereATariffIsKnown) {
     study::Case made = test::WindyModel::measured();
     const auto accounts_with = [&](double tariff, double co2) {

@@ -60,6 +60,30 @@ TEST(ReadingBands, AreWiderWhereErrorsAreLarger) {
     EXPECT_NEAR(width(1, night), 0.9, 0.05);
 }
 
+TEST(ReadingBands, DayIsFromSevenToNineteen) {
+    UnseenHours hours = hours_of(1);
+    for (std::size_t k = 0; k < hours.residuals.size(); ++k) {
+        const bool is_day = k % 24 >= 7 && k % 24 < 19;
+        hours.predicted[k] = 5;
+        hours.residuals[k] = (is_day ? 4 : 1) * (k % 2 == 0 ? 1 : -1);
+    }
+    const ReadingBands bands(hours, false);
+    const auto most_at = [&](const char* time) {
+        return bands.hour(5, physics::parse_time(time)).most - 5;
+    };
+    EXPECT_EQ(most_at("2021-06-01T06:00"), 1);
+    EXPECT_EQ(most_at("2021-06-01T07:00"), 4);
+    EXPECT_EQ(most_at("2021-06-01T18:00"), 4);
+    EXPECT_EQ(most_at("2021-06-01T19:00"), 1);
+}
+
+TEST(ReadingBands, ShareWithinCountsWhatIsKnown) {
+    const double unknown = std::nan("");
+    const std::vector<Band> bands = {{0, 2}, {0, 2}, {0, 2}, {unknown, unknown}};
+    EXPECT_EQ(share_within(bands, std::vector<double>{2, 2.1, unknown, 1}), 0.5);
+    EXPECT_TRUE(std::isnan(share_within({}, {})));
+}
+
 // Errors of an hour that are independent: 730 of them have a sum of sqrt(730).
 TEST(ReadingBands, OfMonthsGrowWithTheRootOfTheSum) {
     UnseenHours hours = hours_of(1);
