@@ -17,6 +17,7 @@
 #include "loop/level_change.hpp"
 #include "loop/loads.hpp"
 #include "loop/months.hpp"
+#include "loop/next_measurements.hpp"
 #include "loop/reading_bands.hpp"
 #include "loop/stored_loop.hpp"
 #include "loop/unusual_end.hpp"
@@ -112,6 +113,7 @@ class Writer {
         hours_learned();
         job_parts();
         power();
+        measurements();
         unusual_ends();
         fits();
         decisions();
@@ -322,6 +324,15 @@ class Writer {
                                   row.correlation, row.bias});
             state_class(row);
         }
+    }
+
+    void measurements() {
+        for (const Answer& answer :
+             next_measurements(data_, result_.baseline.place, result_.last, result_.found,
+                               result_.misfit))
+            loop_.measurements.push_back({answer.question, answer.kind, answer.measure,
+                                          answer.from, answer.weeks, answer.now,
+                                          answer.then, answer.is_advised});
     }
 
     void unusual_ends() {

@@ -118,6 +118,16 @@ void visit_tables(Loop& loop, Table&& table) {
         see("job_part", row.of);
         see("job_part_section", row.section);
     });
+    table("measurement", loop.measurements, [](auto& row, auto&& see) {
+        see("measurement", row.measure);
+        see("measurement_question", row.question);
+        see("measurement_kind", row.kind);
+        see("measurement_from", row.from);
+        see("measurement_weeks", row.weeks);
+        see("measurement_now", row.now);
+        see("measurement_then", row.then);
+        see("measurement_advised", row.is_advised);
+    });
     table("power", loop.seen, [](auto& row, auto&& see) {
         see("power_effect", row.effect);
         see("power_alias", row.alias);

@@ -94,6 +94,11 @@ struct StoredLoop {
         std::string of;  ///< "structure", "hours", "functions"
         std::string section;
     };
+    /// What a measurement would answer: see Answer.
+    struct Measurement {
+        std::string question, kind, measure, from;
+        double weeks = nan, now = nan, then = nan, is_advised = nan;
+    };
     struct Decision {
         std::string series, finding, action, kind;
         /// Of effects that are one with parameters, not of data.
@@ -113,6 +118,7 @@ struct StoredLoop {
     std::vector<Schedule> schedules;
     std::vector<DailyHours> hours;
     std::vector<JobPart> job_parts;
+    std::vector<Measurement> measurements;
     std::vector<Seen> seen;
     std::vector<Decision> decisions;
 

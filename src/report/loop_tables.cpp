@@ -83,6 +83,59 @@ std::string worth_table(const StoredLoop& loop) {
     return text_of(table, 36);
 }
 
+/// "4 weeks from 1 January".
+std::string when_of(const StoredLoop::Measurement& measurement) {
+    return fmt::format("{:.0f} week{} from {}", measurement.weeks,
+                       measurement.weeks == 1 ? "" : "s", measurement.from);
+}
+
+std::string percent_of(double share) {
+    return std::isfinite(share) ? fmt::format("{:.0f} %", 100 * share) : "-";
+}
+
+/// The advised one of each question of a kind.
+std::string measurement_table(const StoredLoop& loop, const std::string& kind,
+                              const std::vector<std::string>& head) {
+    TextTable table(head);
+    for (const StoredLoop::Measurement& measurement : loop.measurements)
+        if (measurement.kind == kind && measurement.is_advised == 1)
+            table.add({measurement.question, measurement.measure, when_of(measurement),
+                       percent_of(measurement.now), percent_of(measurement.then)});
+    return text_of(table, 36);
+}
+
+/// Of questions that no measurement answers.
+std::string unanswered_line(const StoredLoop& loop) {
+    std::vector<std::string> asked, answered;
+    for (const StoredLoop::Measurement& measurement : loop.measurements) {
+        auto& list = measurement.is_advised == 1 ? answered : asked;
+        if (std::ranges::find(list, measurement.question) == list.end())
+            list.push_back(measurement.question);
+    }
+    std::erase_if(asked, [&](const std::string& question) {
+        return std::ranges::find(answered, question) != answered.end();
+    });
+    return asked.empty() ? ""
+                         : wrapped(fmt::format(
+                               "no measurement that was tried says much more of: {}",
+                               fmt::join(asked, "; ")));
+}
+
+/// What would answer what the readings leave open.
+std::string next_measurement_tables(const StoredLoop& loop) {
+    const std::string names = measurement_table(
+        loop, "name", {"to tell which it is", "measure", "when", "sure now", "then"});
+    const std::string parameters = measurement_table(
+        loop, "parameter", {"to know better", "measure", "when", "sd now", "then"});
+    std::string text = names;
+    if (!names.empty()) text += "  sure: the chance that the likelier name is right\n";
+    if (!names.empty() && !parameters.empty()) text += "\n";
+    text += parameters;
+    if (!parameters.empty())
+        text += "  sd: standard deviation, as a share of the prior's\n";
+    return text + unanswered_line(loop);
+}
+
 /// The class of an effect without itself.
 std::string others_of(const StoredLoop::Effect& effect) {
     std::vector<std::string> others = effect.members;
@@ -292,7 +345,8 @@ std::string loop_section(const Group& study) {
           loop_structure_table(loop), loop_power_table(loop),
           loop_unexplained_table(loop), loop_localisation_table(loop), hours_table(loop),
           parameter_table(loop), step_table(loop) + end_lines(loop), effects,
-          function_table(loop), loop_headline(loop) + loop_fit_table(loop)})
+          function_table(loop), next_measurement_tables(loop),
+          loop_headline(loop) + loop_fit_table(loop)})
         if (!part.empty()) text += "\n" + part;
     return text;
 }

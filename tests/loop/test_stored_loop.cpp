@@ -105,10 +105,11 @@ TEST(StoredLoop, OfAPeriodHasItsMonths) {
     EXPECT_EQ(test::find(datasets, "training/month").values[1], 31 * 86400.0);
 }
 
-TEST(StoredLoop, KeepsWhatEffectsBringAndPartsOfAJob) {
+TEST(StoredLoop, KeepsWhatEffectsBringPartsOfAJobAndMeasurements) {
     StoredLoop loop = made();
     loop.effect_values = {{1, "gas", "kWh/a", 5, 4, 6}};
     loop.job_parts = {{"hours", "weekdays = [0]"}};
+    loop.measurements = {{"U_wall", "parameter", "gas", "1 May", 2, 0.9, 0.4, 1}};
     const StoredLoop back = stored_loop(datasets_of("a/loop", loop, {}), "a/loop");
     ASSERT_EQ(back.effect_values.size(), 1U);
     EXPECT_EQ(back.effect_values[0].of, "gas");
@@ -116,6 +117,10 @@ TEST(StoredLoop, KeepsWhatEffectsBringAndPartsOfAJob) {
     EXPECT_EQ(back.effect_values[0].most, 6);
     ASSERT_EQ(back.job_parts.size(), 1U);
     EXPECT_EQ(back.job_parts[0].section, "weekdays = [0]");
+    ASSERT_EQ(back.measurements.size(), 1U);
+    EXPECT_EQ(back.measurements[0].question, "U_wall");
+    EXPECT_EQ(back.measurements[0].weeks, 2);
+    EXPECT_EQ(back.measurements[0].then, 0.4);
 }
 
 TEST(StoredLoop, WithoutDatasetsIsEmpty) {

@@ -74,6 +74,14 @@ void add_effect(store::ResultFile& result, bool is_adequate) {
     add(numbers("effect_most", "effect", {0.087}));
     add(numbers("effect_gain", "effect", {412}));
     add(numbers("effect_adequate", "effect", {is_adequate ? 1.0 : 0.0}));
+    add(texts("measurement", "measurement", {"room temperature by the hour", "gas"}));
+    add(texts("measurement_question", "measurement", {"wind, or stack?", "u_wall"}));
+    add(texts("measurement_kind", "measurement", {"name", "parameter"}));
+    add(texts("measurement_from", "measurement", {"1 January", "1 May"}));
+    add(numbers("measurement_weeks", "measurement", {1, 4}));
+    add(numbers("measurement_now", "measurement", {0.6, 0.9}));
+    add(numbers("measurement_then", "measurement", {0.97, 0.88}));
+    add(numbers("measurement_advised", "measurement", {1, 0}));
     add(texts("effect_doubt", "effect", {is_adequate ? "" : "others do nearly as well"}));
 }
 
@@ -242,6 +250,15 @@ TEST(LoopTables, AnEffectHasWhatItBrings) {
     const std::string text = tables_of(loop_result());
     EXPECT_TRUE(says(text, "wind infiltration gas 1200 900 to 1500 kWh/a"));
     EXPECT_TRUE(says(text, "cost 96 72 to 120 currency/a"));
+}
+
+TEST(LoopTables, WhatToMeasureNextStandsWithItsWorth) {
+    const std::string text = tables_of(loop_result());
+    EXPECT_TRUE(says(text,
+                     "wind, or stack? room temperature by the hour 1 week from 1 "
+                     "January 60 % 97 %"));
+    EXPECT_EQ(text.find("4 weeks from 1 May"), std::string::npos);  // hardly more
+    EXPECT_TRUE(says(text, "no measurement that was tried says much more of: u_wall"));
 }
 
 TEST(LoopTables, AnEffectThatIsNotAdequateSaysWhy) {
