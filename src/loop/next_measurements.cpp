@@ -325,15 +325,13 @@ bool is_worth_it(const Answer& answer) {
     return then <= (1 - least_fall) * now;
 }
 
-/// Marks one answer of a question, if any is worth it; they stand in the order of their
-/// cost.
+}  // namespace
+
 void advise(std::vector<Answer>& of_one) {
     auto chosen = std::ranges::find_if(of_one, is_enough);
     if (chosen == of_one.end()) chosen = std::ranges::min_element(of_one, is_better);
     if (chosen != of_one.end() && is_worth_it(*chosen)) chosen->is_advised = 1;
 }
-
-}  // namespace
 
 double chance_to_tell(double so_far, double apart) {
     const double is_first = 1 / (1 + std::exp(-0.5 * so_far));

@@ -32,6 +32,10 @@ std::vector<Answer> next_measurements(const LoopData& data, const Place& place,
                                       const Standing& last,
                                       const std::vector<Found>& found, double misfit);
 
+/// Marks one of a question's answers, which stand in the order of their cost: the first
+/// that is enough, else the best, if it is worth the work.
+void advise(std::vector<Answer>& of_one);
+
 /// The chance that of two models the one that readings speak for is right.
 /// \param so_far  evidence for the first, as a fall of -2 log likelihood
 /// \param apart   what the readings would bring to the one that is right

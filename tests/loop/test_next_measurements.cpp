@@ -51,6 +51,32 @@ TEST(NextMeasurements, TheFurtherModelsAreApartTheSurerTheRightOneIsTold) {
     EXPECT_NEAR(chance_to_tell(0, 4), 0.8413, 1e-4);
 }
 
+/// Index of the one that is advised; -1 = none.
+int advised_of(const std::string& kind, double now, const std::vector<double>& then) {
+    std::vector<Answer> answers;
+    for (const double one : then)
+        answers.push_back({"question", kind, "reading", "1 May", 1, now, one});
+    advise(answers);
+    const auto found = std::ranges::find(answers, 1.0, &Answer::is_advised);
+    return found == answers.end() ? -1 : static_cast<int>(found - answers.begin());
+}
+
+TEST(NextMeasurements, TheCheapestThatIsEnoughIsAdvisedElseTheBest) {
+    EXPECT_EQ(advised_of("name", 0.6, {0.7, 0.951, 0.99}), 1);
+    EXPECT_EQ(advised_of("name", 0.6, {0.7, 0.949, 0.948}), 1);  // the best
+    EXPECT_EQ(advised_of("name", 0.6, {0.7, 0.949, 0.95}), 2);
+    EXPECT_EQ(advised_of("parameter", 0.8, {0.7, 0.4, 0.1}), 1);
+    EXPECT_EQ(advised_of("parameter", 0.8, {0.7, 0.401, 0.3}), 2);
+}
+
+TEST(NextMeasurements, WhatTellsHardlyMoreIsNotAdvised) {
+    EXPECT_EQ(advised_of("name", 0.6, {0.6, 0.639}), -1);  // a tenth of the doubt is 0.04
+    EXPECT_EQ(advised_of("name", 0.6, {0.6, 0.641}), 1);
+    EXPECT_EQ(advised_of("parameter", 0.8, {0.8, 0.721}), -1);
+    EXPECT_EQ(advised_of("parameter", 0.8, {0.8, 0.719}), 1);
+    EXPECT_EQ(advised_of("parameter", 0.8, {}), -1);
+}
+
 TEST(NextMeasurements, ANameThatIsNotTheNearestIsAsked) {
     const test::WindyModel model(by_wind);
     const auto names =

@@ -1,0 +1,153 @@
+#!/usr/bin/python3
+"""Does the measurement that a loop advises tell the name? Cases of the generator with one effect.
+
+    bench_measure.py [--only N] [--seed S] [--ranks R] [--folder DIR]
+
+The first loop sees what a utility sees: hourly electricity, and gas where there is any. Where the planted effect is
+in a class of several names and a measurement is advised for it, the case's own readings of it, in the advised weeks
+alone, join for a second loop; beside that, for a third one, those of another kind or month, drawn at random, for as
+many weeks. A name is told where it is right and alone in its class. Prints `name value unit reference ratio`.
+"""
+import argparse
+import csv
+import pathlib
+import sys
+from types import SimpleNamespace
+
+import h5py
+import numpy as np
+
+sys.dont_write_bytecode = True
+import bench_loop                   # noqa: E402  (also finds the generator and scripts/cases)
+import loop_scores                  # noqa: E402
+from cases.meters import CHANNELS   # noqa: E402
+
+CARRIERS = ("electricity", "gas")
+CHANNEL_OF = {"room temperature by the hour": "air", "heat meter of the rooms' heating": "heat",
+              "heat meter of the rooms' cooling": "cold"}
+MONTHS = ("January", "February", "March", "April", "May", "June", "July", "August", "September", "October",
+          "November", "December")
+
+
+def meters_in(case):
+    """{meter of the job: column of the readings}"""
+    with open(case / "measured.csv", newline="") as file:
+        columns = next(csv.reader(file))
+    return {CHANNELS[column][0]: column for column in columns if column in CHANNELS}
+
+
+def run_loops(cases, meters, folder, ranks):
+    """{case's name: Scored} and the result's path; `meters` are those of all cases."""
+    listed = "[" + ", ".join(f'"{meter}"' for meter in meters) + "]"
+    options = SimpleNamespace(ranks=ranks, score_only=False)
+    bench_loop.LADDER[folder.name] = ({"meters": listed}, None)
+    result, _ = bench_loop.run(cases, folder.parent, options, folder.name)
+    return {scored.name: scored for scored in loop_scores.scores(result, cases)}, result
+
+
+def question_of(result, case, names):
+    """The rows of the first open question about one of these names; [] = none."""
+    with h5py.File(result) as file:
+        loop = file[case]["loop"]
+        if "measurement" not in loop:
+            return []
+        columns = {key: loop[f"measurement_{key}"] for key in ("question", "kind", "from", "weeks", "now", "then",
+                                                               "advised")}
+        texts = {key: column.asstr()[:] if column.dtype.kind == "O" else column[:] for key, column in columns.items()}
+        rows = [dict(zip(texts, values), measure=measure)
+                for measure, *values in zip(loop["measurement"].asstr()[:], *texts.values())]
+    asked = [row["question"] for row in rows
+             if row["kind"] == "name" and any(name in row["question"] for name in names)]
+    return [row for row in rows if asked and row["question"] == asked[0]]
+
+
+def drawn(row, offered, rng):
+    """Another kind or month, for as many weeks."""
+    choices = [(measure, f"1 {month}") for measure in offered for month in MONTHS
+               if (measure, f"1 {month}") != (row["measure"], row["from"])
+               and MONTHS.index(month) * 30 + 7 * row["weeks"] <= 360]
+    measure, begin = choices[rng.integers(len(choices))]
+    return {**row, "measure": measure, "from": begin}
+
+
+def with_readings(case, row, folder):
+    """A copy of the case whose readings of the added meter are those of these weeks alone."""
+    copy = folder / case.name
+    copy.mkdir(parents=True, exist_ok=True)
+    for path in case.iterdir():
+        if path.name != "measured.csv" and not (copy / path.name).exists():
+            (copy / path.name).symlink_to(path.resolve())
+    column = meters_in(case)[CHANNEL_OF[row["measure"]]]
+    month = MONTHS.index(row["from"].split()[1]) + 1
+    with open(case / "measured.csv", newline="") as file:
+        lines = list(csv.reader(file))
+    at, stamps = lines[0].index(column), np.array([line[0] for line in lines[1:]], dtype="datetime64[h]")
+    first = np.datetime64(f"{str(stamps[0])[:4]}-{month:02}-01T00")
+    inside = (stamps > first) & (stamps <= first + np.timedelta64(int(7 * 24 * row["weeks"]), "h"))
+    for line, is_inside in zip(lines[1:], inside):
+        if not is_inside:
+            line[at] = ""
+    with open(copy / "measured.csv", "w", newline="") as file:
+        csv.writer(file, lineterminator="\n").writerows(lines)
+    return copy
+
+
+def is_told(scored, planted):
+    """Right, and no other name beside it."""
+    return any(loop_scores.class_size(effect) == 1
+               and loop_scores.is_right(effect, planted, scored.details.get(planted)) for effect in scored.found)
+
+
+def names_right(planted):
+    return loop_scores.RIGHT[planted].names
+
+
+def tried(open_cases, rows, folder, ranks):
+    """How many names are told with these measurements. {case: row}"""
+    told = []
+    for case, planted in open_cases.items():
+        copy = with_readings(case, rows[case], folder / case.name)
+        meters = [*(m for m in CARRIERS if m in meters_in(case)), CHANNEL_OF[rows[case]["measure"]]]
+        scored, _ = run_loops({copy: "single"}, meters, folder / case.name / "run", ranks)
+        told.append(case.name in scored and is_told(scored[case.name], planted))
+        print(f"# {case.name}, {planted}: {rows[case]['measure']}, {rows[case]['weeks']:.0f} weeks from "
+              f"{rows[case]['from']}: {'told' if told[-1] else 'not told'}", flush=True)
+    return told
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("--only", type=int, default=40, help="cases with one effect; default 40")
+    parser.add_argument("--seed", type=int, default=711)
+    parser.add_argument("--ranks", type=int, default=2)
+    parser.add_argument("--folder", type=pathlib.Path, default=pathlib.Path("build/bench/measure"))
+    options = parser.parse_args()
+    numbers = [k for k, kind in enumerate(bench_loop.kinds(8 * bench_loop.TURNS)) if kind == "single"][:options.only]
+    cases = {}
+    for number in numbers:
+        case = options.folder.resolve() / f"case_{number:03}"
+        bench_loop.make_case(case, options.seed, number, "single", "usual", None)
+        cases[case] = "single"
+    first = {}
+    for carriers in {tuple(m for m in CARRIERS if m in meters_in(case)) for case in cases}:
+        own = {case: kind for case, kind in cases.items()
+               if tuple(m for m in CARRIERS if m in meters_in(case)) == carriers}
+        scored, result = run_loops(own, carriers, options.folder.resolve() / "_".join(carriers), options.ranks)
+        first |= {case: (scored[case.name], result) for case in own if case.name in scored}
+    open_cases, advised, other = {}, {}, {}
+    rng = np.random.default_rng(options.seed)
+    for case, (scored, result) in first.items():
+        planted = next(iter(scored.planted))
+        rows = [row for row in question_of(result, case.name, names_right(planted)) if row["measure"] in CHANNEL_OF]
+        best = [row for row in rows if row["advised"] == 1]
+        if best:
+            open_cases[case], advised[case] = planted, best[0]
+            other[case] = drawn(best[0], sorted({row["measure"] for row in rows}), rng)
+    bench_loop.line("measure_open_questions", len(open_cases), f"of_{len(first)}", 40)
+    for name, rows, reference in (("advised", advised, 75), ("random", other, 0)):
+        told = tried(open_cases, rows, options.folder.resolve() / name, options.ranks)
+        bench_loop.line(f"measure_told_by_the_{name}", bench_loop.share(told), f"%_of_{len(told)}", reference)
+
+
+if __name__ == "__main__":
+    main()
