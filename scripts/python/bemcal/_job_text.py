@@ -1,0 +1,1 @@
+../../report/job_text.py
