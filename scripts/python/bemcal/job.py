@@ -125,7 +125,8 @@ def item_of(value: Any) -> Item:
             tables.append(section_of(each))
         return tables
     try:
-        return tomlkit.item(plain(value))
+        item: Item = tomlkit.item(plain(value))
+        return item
     except (TypeError, ValueError, TOMLKitError):
         raise Error(f"{value!r} is a {type(value).__name__}; expected what TOML knows: texts, numbers, true or false, "
                     "dates, lists and tables", ExitCode.CONFIG) from None
@@ -277,8 +278,9 @@ class Job(MutableMapping[str, Any]):
             parent[section] = tomlkit.aot()
         if not isinstance(parent[section], list):
             raise Error(f"{place} is no list of tables; expected one such as meter, parameter or study", ExitCode.USAGE)
-        append(parent[section], keys)
-        return parent[section][-1]
+        rows: Any = parent[section]
+        append(rows, keys)
+        return rows[-1]
 
     def meter(self, name: str, data: readings.Table, unit: str, quantity: Optional[str] = None, *,
               column: Optional[str] = None, stamp: str = "start", **keys: Any) -> None:

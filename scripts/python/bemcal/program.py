@@ -277,5 +277,5 @@ def run_script(path: pathlib.Path, words: Sequence[str]) -> str:
                           encoding="utf-8", errors="replace", env=environment(), check=False)
     if done.returncode != 0:
         lines = done.stderr.strip().splitlines() or [f"{path} ended with code {done.returncode}"]
-        raise Error(lines[-1], done.returncode, done.stderr)
+        raise Error(lines[-1].removeprefix(f"{path.name}: "), done.returncode, done.stderr)
     return done.stdout

@@ -7,7 +7,7 @@ Leaves out what the program checks of any file: absent rows, clocks, units, zero
 """
 from __future__ import annotations
 
-from typing import Any, Mapping, Optional, Sequence, Union
+from typing import Any, Iterable, Mapping, Optional, Sequence, Union
 
 import numpy as np
 import pandas as pd
@@ -125,7 +125,7 @@ def columns_of(data: pd.DataFrame, columns: Sequence[str], what: str) -> pd.Data
     return data[list(columns)]
 
 
-def names_of(names: Sequence[Any]) -> str:
+def names_of(names: Iterable[Any]) -> str:
     return ", ".join(repr(name) for name in names) or "none"
 
 
@@ -138,4 +138,4 @@ def standard_offset(data: Table, what: str) -> float:
                       + "; expected local standard time minus UTC [h]: utc_offset=1 for Berlin")
     year = index[0].year
     offsets = [pd.Timestamp(year, month, 1).tz_localize(index.tz).utcoffset() for month in range(1, 13)]
-    return min(offset.total_seconds() for offset in offsets) / 3600
+    return min(offset.total_seconds() for offset in offsets if offset is not None) / 3600

@@ -13,8 +13,9 @@ import multiprocessing
 import os
 import pathlib
 import re
+import tempfile
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple, TypeVar, Union
+from typing import Any, Callable, Dict, Iterator, List, Literal, Optional, Tuple, TypeVar, Union
 
 import h5py
 import numpy as np
@@ -28,6 +29,8 @@ LOOP, POSTERIOR, KENNEDY_OHAGAN = "loop", "posterior", "kennedy_ohagan"
 DRAWS = ("posterior", "sample_stats", "prior", "observed_data", "posterior_predictive")     # ArviZ's groups
 NO_VARIABLE = b"This is a netCDF dimension but not a netCDF variable"
 NOT_OF_THE_USER = ("CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "_Netcdf4Dimid", "_Netcdf4Coordinates")
+TIMES: Dict[str, Literal["s", "D"]] = {     # units of times, and what pandas calls them
+    "seconds since 1970-01-01 00:00:00": "s", "days since 1970-01-01": "D"}
 PREDICTIVE = "posterior_predictive"     # so many numbers that a text file of them serves nobody
 FIRST = ("measured", "nominal", "plain", "before", "best", "after")     # columns of a series, others behind
 
@@ -131,12 +134,21 @@ def leaf(path: str) -> str:
     return path.rsplit("/", 1)[-1]
 
 
+def variable_of(part: Stored) -> xarray.Variable:
+    """With names in place of paths; numbers since 1970 become times."""
+    dims, attributes = [leaf(dim) for dim in part.dims], dict(part.attributes)
+    unit = TIMES.get(attributes.get("units", ""))
+    if unit is None:
+        return xarray.Variable(dims, part.values, attributes)
+    del attributes["units"]
+    times = pd.to_datetime(np.asarray(part.values, float).ravel(), unit=unit)
+    return xarray.Variable(dims, times.to_numpy().reshape(np.shape(part.values)), attributes)
+
+
 def dataset_of(parts: List[Stored]) -> xarray.Dataset:
-    """With names in place of paths. Seconds since 1970 become times."""
-    variables = {leaf(part.name): ([leaf(dim) for dim in part.dims], part.values, part.attributes) for part in parts}
-    coordinates = [leaf(part.name) for part in parts if [leaf(dim) for dim in part.dims] == [leaf(part.name)]]
-    whole = xarray.Dataset(variables).set_coords(coordinates)
-    return xarray.decode_cf(whole, decode_timedelta=False)
+    variables = {leaf(part.name): variable_of(part) for part in parts}
+    coordinates = [name for name, variable in variables.items() if variable.dims == (name,)]
+    return xarray.Dataset(variables).set_coords(coordinates)
 
 
 def is_installed(module: str) -> bool:
@@ -266,7 +278,7 @@ class Result:
         for k, member in members:
             if member != table.index[k]:
                 others[k].append(member)
-        table.insert(table.columns.get_loc("separates"), "not_told_from", ["; ".join(each) for each in others])
+        table.insert(list(table).index("separates"), "not_told_from", ["; ".join(each) for each in others])
         for (of, unit), rows in self.effect_values_of(stage).groupby(["of", "unit"], sort=False):
             table[f"brings {of} [{unit}]"] = rows.set_index("effect")["value"].reindex(table.index).to_numpy()
         return table
@@ -328,13 +340,29 @@ class Result:
         return program.asked(["report", os.fspath(self.path)])
 
     def page(self, path: Path, stage: Optional[str] = None, force: bool = False) -> pathlib.Path:
-        """Writes the page with pictures (HTML, one file) and returns its path. It takes matplotlib and jinja2."""
+        """Writes the page with pictures (HTML, one file) and returns its path. It takes matplotlib and jinja2.
+
+        stage  BUILDING/STUDY, where the page is to be of that study alone
+        force  writes over a file that is there
+        """
         file = pathlib.Path(path)
-        if file.exists() and not force:
-            raise Error(f"{file}: is there already; force=True writes over it", ExitCode.CANNOT_CREATE)
+        if file.exists() and (not force or file.samefile(self.path)):
+            raise Error(f"{file}: " + ("is there already; force=True writes over it" if not force else
+                                       "is the result itself"), ExitCode.CANNOT_CREATE)
         words = [os.fspath(self.path), os.fspath(file), *program.options(stage=stage)]
         program.run_script(program.script("result_report", "loop_report"), words)
         return file
+
+    def plot(self, folder: Path, stage: Optional[str] = None) -> List[pathlib.Path]:
+        """Writes the pictures of the page as SVG files into a folder, which is made, and returns these."""
+        place = pathlib.Path(folder)
+        if place.exists():
+            raise Error(f"{place}: is there already; expected the name of a new folder", ExitCode.CANNOT_CREATE)
+        script = program.script("result_report")
+        with tempfile.TemporaryDirectory() as page:
+            program.run_script(script, [os.fspath(self.path), os.path.join(page, "page.html"), "--figures",
+                                        os.fspath(place), *program.options(stage=stage)])
+        return sorted(place.iterdir())
 
     def tables(self, predictive: bool = True) -> Tables:
         """Everything as tables: (path, DataFrame). A path names building, study, groups below it and the dimensions;
