@@ -157,6 +157,16 @@ class Jobs(Folder):
         job.meter("a_b", reals(HOURS), unit="kWh", quantity="gas")
         self.assertRefused(ExitCode.CANNOT_CREATE, "twice", job.save, self.folder / "twice.toml")
 
+    def test_a_file_that_another_section_reads_stays(self):
+        job = bemcal.Job.from_toml(JOB + '[[meter]]\nname = "other"\nfile = "job_gas.csv"\n')
+        (self.folder / "job_gas.csv").write_text("mine")
+        job.meter("gas", reals(HOURS), unit="kWh")
+        self.assertRefused(ExitCode.CANNOT_CREATE, "job_gas.csv: is read by another", job.save,
+                           self.folder / "job.toml", force=True)
+        self.assertEqual((self.folder / "job_gas.csv").read_text(), "mine")
+        del job["meter"]
+        self.assertEqual(os.listdir(job.save(self.folder / "new" / "job.toml").parent), ["job.toml"])
+
     def test_files_are_found_from_another_folder(self):
         job = bemcal.Job.read(QUICKSTART)
         bemcal.check(job.save(self.folder / "moved" / "job.toml"))

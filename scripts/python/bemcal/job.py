@@ -7,20 +7,15 @@ Leaves out the files of single buildings that a job names in `buildings`: each i
 """
 from __future__ import annotations
 
-import datetime
 import os
 import pathlib
 import re
-import tempfile
 from typing import Any, Dict, Iterator, List, Mapping, MutableMapping, Optional, Tuple, Union
 
-import numpy as np
 import pandas as pd
 import tomlkit
-from tomlkit.exceptions import TOMLKitError
-from tomlkit.items import AoT, InlineTable, Item, Table
 
-from . import _job_text, readings
+from . import items, readings
 from .errors import Error, ExitCode
 
 # Where a job names files, which lie beside it unless the name says otherwise.
@@ -36,108 +31,6 @@ WEATHER = ("outdoor_temperature", "global_horizontal", "direct_normal", "diffuse
 
 Path = Union[str, "os.PathLike[str]"]
 Named = Tuple[str, ...]
-
-
-def plain(value: Any) -> Any:
-    """As TOML knows it: numbers of numpy, dates (as texts, which the job's are) and paths."""
-    if isinstance(value, (np.generic, np.ndarray)):
-        return plain(value.tolist())
-    if isinstance(value, datetime.datetime):
-        return value.isoformat(sep=" ")
-    if isinstance(value, datetime.date):
-        return value.isoformat()
-    if isinstance(value, os.PathLike):
-        return os.fspath(value)
-    if isinstance(value, (list, tuple)):
-        return [plain(each) for each in value]
-    return value
-
-
-def is_list_of_tables(value: Any) -> bool:
-    return isinstance(value, (list, tuple)) and len(value) > 0 and all(isinstance(each, Mapping) for each in value)
-
-
-def is_flat(value: Mapping[str, Any]) -> bool:
-    return not any(isinstance(each, Mapping) or is_list_of_tables(each) for each in value.values())
-
-
-def section_of(content: Mapping[str, Any]) -> tomlkit.items.Table:
-    """[a section]; its own keys come before its tables, as TOML has it."""
-    table = tomlkit.table()
-    later = {}
-    for key, value in content.items():
-        if is_list_of_tables(value) or isinstance(value, Mapping) and not is_flat(value):
-            later[key] = value
-        else:
-            table.append(key, in_line(value))
-    for key, value in later.items():
-        table.append(key, item_of(value))
-    return table
-
-
-def in_line(value: Any) -> Item:
-    """A table as {...}, a list of these as [{...}]; all else as it is."""
-    if isinstance(value, Mapping) and not isinstance(value, InlineTable):
-        table = tomlkit.inline_table()
-        for key, each in value.items():
-            table.append(key, in_line(each))
-        return table
-    if is_list_of_tables(value):
-        rows = tomlkit.array()
-        for each in value:
-            rows.append(in_line(each))
-        return rows
-    return item_of(value)
-
-
-def put(section: Any, key: str, value: Any) -> None:
-    """A key of a section, in its place or behind the last one; comments above the next section stay there."""
-    is_in_line = isinstance(section, InlineTable)
-    item = in_line(value) if is_in_line or isinstance(value, Mapping) else item_of(value)
-    last = [each for each, _ in section.value.body if each is not None][-1:]
-    if key in section or is_in_line or not last or isinstance(section[last[0]], (AoT, Table)):
-        section[key] = item
-    else:
-        section.value._insert_after(last[0], key, item)     # tomlkit's own way would be behind the comments
-
-
-def append(rows: Any, keys: Mapping[str, Any]) -> None:
-    """One more table of a list. Comments below the last one are meant for what follows: they stay last."""
-    if not isinstance(rows, AoT):
-        rows.append(in_line(keys))
-        return
-    row = section_of(keys)
-    body = rows[-1].value.body if len(rows) else []
-    while body and body[-1][0] is None:
-        row.value.body.insert(len(keys), body.pop())
-    rows.append(row)
-
-
-def item_of(value: Any) -> Item:
-    """What stands for a value of Python in a job file; one of tomlkit stands for itself."""
-    if isinstance(value, Item):
-        return value
-    if isinstance(value, Mapping):
-        return section_of(value)
-    if is_list_of_tables(value):
-        tables = tomlkit.aot()
-        for each in value:
-            tables.append(section_of(each))
-        return tables
-    try:
-        item: Item = tomlkit.item(plain(value))
-        return item
-    except (TypeError, ValueError, TOMLKitError):
-        raise Error(f"{value!r} is a {type(value).__name__}; expected what TOML knows: texts, numbers, true or false, "
-                    "dates, lists and tables", ExitCode.CONFIG) from None
-
-
-def parsed(text: str, name: str) -> tomlkit.TOMLDocument:
-    try:
-        document: tomlkit.TOMLDocument = _job_text.parse(text)
-        return document
-    except (ValueError, TOMLKitError) as error:
-        raise Error(f"{name}: is no TOML that can be changed: {error}", ExitCode.CONFIG) from None
 
 
 def sections_at(content: Any, names: Named) -> Iterator[MutableMapping[str, Any]]:
@@ -161,17 +54,12 @@ def moved(value: Any, since: pathlib.Path, to: pathlib.Path) -> Any:
 
 def write_fresh(path: pathlib.Path, text: str) -> None:
     """Whole or not at all."""
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+    fresh = path.with_name(f".{path.name}.{os.getpid()}")
     try:
-        with os.fdopen(handle, "w", encoding="utf-8", newline="") as file:
-            file.write(text)
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(name, 0o666 & ~mask)
-        os.replace(name, path)
-    except BaseException:
-        os.unlink(name)
-        raise
+        fresh.write_text(text, encoding="utf-8", newline="")
+        os.replace(fresh, path)
+    finally:
+        fresh.unlink(missing_ok=True)
 
 
 class Job(MutableMapping[str, Any]):
@@ -190,9 +78,9 @@ class Job(MutableMapping[str, Any]):
         self._given = self._as_given = ""   # as read, and as tomlkit has it
         self._files: Dict[str, str] = {}    # name of a meter, "" = the weather: its CSV file as text
         given = content or {}
-        tables = {key for key, value in given.items() if isinstance(value, Mapping) or is_list_of_tables(value)}
+        tables = {key for key, value in given.items() if isinstance(value, Mapping) or items.is_list_of_tables(value)}
         for key in sorted(given, key=lambda key: key in tables):
-            self._document.append(key, item_of(given[key]))
+            self._document.append(key, items.item_of(given[key]))
 
     @classmethod
     def from_toml(cls, text: str) -> "Job":
@@ -233,7 +121,7 @@ class Job(MutableMapping[str, Any]):
         return self._document[key]
 
     def __setitem__(self, key: str, value: Any) -> None:
-        self._document[key] = item_of(value)
+        self._document[key] = items.item_of(value)
 
     def __delitem__(self, key: str) -> None:
         del self._document[key]
@@ -268,7 +156,7 @@ class Job(MutableMapping[str, Any]):
         if not isinstance(section, MutableMapping):
             raise Error(f"{place} is no section; expected the path of one, without its key", ExitCode.USAGE)
         for key, value in keys.items():
-            put(section, key, value)
+            items.put(section, key, value)
 
     def add(self, place: str, **keys: Any) -> Any:
         """One more table of a list: job.add("zone.office.surface", construction="wall", area=300, azimuth=180)."""
@@ -279,7 +167,7 @@ class Job(MutableMapping[str, Any]):
         if not isinstance(parent[section], list):
             raise Error(f"{place} is no list of tables; expected one such as meter, parameter or study", ExitCode.USAGE)
         rows: Any = parent[section]
-        append(rows, keys)
+        items.append(rows, keys)
         return rows[-1]
 
     def meter(self, name: str, data: readings.Table, unit: str, quantity: Optional[str] = None, *,
@@ -307,7 +195,7 @@ class Job(MutableMapping[str, Any]):
             if key not in asked:
                 row.pop(key, None)
         for key, value in asked.items():
-            put(row, key, value)
+            items.put(row, key, value)
         self._saved = ""
 
     def weather(self, data: pd.DataFrame, latitude: float, longitude: float, utc_offset: Optional[float] = None, *,
@@ -334,15 +222,18 @@ class Job(MutableMapping[str, Any]):
                                               "columns={...} says what others are called")
         keys = {"stamp": stamp, **keys}
         text = readings.csv_of(frame, "weather", keys)
-        site = dict(self.get("site", {}))
         if utc_offset is None:
-            utc_offset = site.get("utc_offset")
+            utc_offset = self.get("site", {}).get("utc_offset")
         if utc_offset is None:
             utc_offset = readings.standard_offset(frame, "weather")
         place = {"latitude": latitude, "longitude": longitude, "utc_offset": utc_offset, "elevation": elevation}
-        self["site"] = {**site, **{key: value for key, value in place.items() if value is not None}}
-        section = section_of({"files": [], "format": "csv", **keys})
-        section.append("columns", section_of(names))
+        if "site" not in self:
+            self["site"] = {}
+        for key, value in place.items():
+            if value is not None:
+                items.put(self["site"], key, value)
+        section = items.section_of({"files": [], "format": "csv", **keys})
+        section.append("columns", items.section_of(names))
         self["weather"] = section
         self._files[""], self._saved = text, ""
 
@@ -357,13 +248,14 @@ class Job(MutableMapping[str, Any]):
         if path is None and self.path is None:
             raise Error("the job has no file yet; expected a path: job.save(\"office.toml\")", ExitCode.USAGE)
         file = pathlib.Path(path if path is not None else self.path)  # type: ignore[arg-type]
+        sections = self._sections_of_files()
         tables = {name: file.with_name(f"{file.stem}_{re.sub(r'[^-+.0-9A-Za-z]+', '_', name or 'weather')}.csv")
-                  for name in self._files}
+                  for name in sections}
         self._refuse([file, *tables.values()], force)
+        self._spare_inputs(file, list(tables.values()), list(sections.values()))
         self._move_to(file)
         for name, table in tables.items():
-            section = self["weather"] if not name else self.at("meter")[self._meter_names().index(name)]
-            section["file" if name else "files"] = table.name if name else [table.name]
+            sections[name]["file" if name else "files"] = table.name if name else [table.name]
         text = self.to_toml()
         try:
             file.parent.mkdir(parents=True, exist_ok=True)
@@ -372,7 +264,7 @@ class Job(MutableMapping[str, Any]):
             write_fresh(file, text)
         except OSError as error:
             raise Error(f"{file}: cannot be written: {error.strerror}", ExitCode.IO) from None
-        self.path, self._saved = file, text
+        self._saved = text
         return file
 
     def file(self) -> pathlib.Path:
@@ -384,11 +276,26 @@ class Job(MutableMapping[str, Any]):
         return self.path
 
     def _take(self, text: str, name: str) -> None:
-        self._document = parsed(text, name)
+        self._document = items.parsed(text, name)
         self._given, self._as_given = text, tomlkit.dumps(self._document)
 
-    def _meter_names(self) -> List[str]:
-        return [str(row.get("name")) for row in self.get("meter", [])]
+    def _sections_of_files(self) -> Dict[str, Any]:
+        """Those that are still there, of what was given by `meter` and `weather`."""
+        found = {str(row.get("name")): row for row in self.get("meter", [])}
+        if "weather" in self:
+            found[""] = self["weather"]
+        return {name: found[name] for name in self._files if name in found}
+
+    def _spare_inputs(self, file: pathlib.Path, tables: List[pathlib.Path], own: List[Any]) -> None:
+        """What a section reads that got no table by now is not written over."""
+        folder = (self.path or file).parent
+        for place, keys in FILE_KEYS.items():
+            for section in sections_at(self._document, place):
+                values = [] if any(section is each for each in own) else [section.get(key, []) for key in keys]
+                for name in (name for value in values for name in (value if isinstance(value, list) else [value])):
+                    if os.path.realpath(folder / str(name)) in map(os.path.realpath, tables):
+                        raise Error(f"{folder / str(name)}: is read by another section of the job; expected another "
+                                    "name of the job or of the meter", ExitCode.CANNOT_CREATE)
 
     @staticmethod
     def _refuse(files: List[pathlib.Path], force: bool) -> None:
@@ -401,14 +308,13 @@ class Job(MutableMapping[str, Any]):
             raise Error(f"{there[0]}: is there already; force=True writes over it", ExitCode.CANNOT_CREATE)
 
     def _move_to(self, file: pathlib.Path) -> None:
-        """Files beside the job that was read stay where they are."""
-        if self.path is None:
-            return
-        since, to = self.path.parent.resolve(), file.parent.resolve()
+        """Files beside the job that was read stay where they are, and are called from there."""
+        since, to = (self.path or file).parent.resolve(), file.parent.resolve()
+        self.path, self._saved = file, ""
         if since == to:
             return
         for names, keys in FILE_KEYS.items():
             for section in sections_at(self._document, names):
                 for key in keys:
                     if key in section:
-                        section[key] = moved(plain(section[key]), since, to)
+                        section[key] = moved(items.plain(section[key]), since, to)

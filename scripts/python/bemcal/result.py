@@ -14,6 +14,7 @@ import os
 import pathlib
 import re
 import tempfile
+import warnings
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, Iterator, List, Literal, Optional, Tuple, TypeVar, Union
 
@@ -74,7 +75,9 @@ def read_apart(path: pathlib.Path, read: Callable[[h5py.File], T]) -> T:
             _guard.size_of(path)
             with h5py.File(path, "r") as file:
                 return read(file)
-        found: T = _guard.read_apart(path, read)
+        with warnings.catch_warnings():     # a notebook has threads, of which none is in HDF5
+            warnings.filterwarnings("ignore", ".*fork", DeprecationWarning)
+            found: T = _guard.read_apart(path, read)
         return found
 
 

@@ -1,0 +1,121 @@
+"""Values of Python as the sections and keys of a job file.
+
+A dictionary of plain values inside of a section stands in a line, {value = 21, schedule = "work"}; a list of
+dictionaries becomes tables of a list, [[zone]]. Source: TOML 1.0; tomlkit writes it and keeps comments.
+Leaves out what TOML has no word for: an Error names it.
+"""
+from __future__ import annotations
+
+import datetime
+import os
+from typing import Any, Mapping
+
+import numpy as np
+import tomlkit
+from tomlkit.exceptions import TOMLKitError
+from tomlkit.items import AoT, InlineTable, Item, Table
+
+from . import _job_text
+from .errors import Error, ExitCode
+
+
+def plain(value: Any) -> Any:
+    """As TOML knows it: numbers of numpy, dates (as texts, which the job's are) and paths."""
+    if isinstance(value, (np.generic, np.ndarray)):
+        return plain(value.tolist())
+    if isinstance(value, datetime.datetime):
+        return value.isoformat(sep=" ")
+    if isinstance(value, datetime.date):
+        return value.isoformat()
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    if isinstance(value, (list, tuple)):
+        return [plain(each) for each in value]
+    return value
+
+
+def is_list_of_tables(value: Any) -> bool:
+    return isinstance(value, (list, tuple)) and len(value) > 0 and all(isinstance(each, Mapping) for each in value)
+
+
+def is_flat(value: Mapping[str, Any]) -> bool:
+    return not any(isinstance(each, Mapping) or is_list_of_tables(each) for each in value.values())
+
+
+def section_of(content: Mapping[str, Any]) -> tomlkit.items.Table:
+    """[a section]; its own keys come before its tables, as TOML has it."""
+    table = tomlkit.table()
+    later = {}
+    for key, value in content.items():
+        if is_list_of_tables(value) or isinstance(value, Mapping) and not is_flat(value):
+            later[key] = value
+        else:
+            table.append(key, in_line(value))
+    for key, value in later.items():
+        table.append(key, item_of(value))
+    return table
+
+
+def in_line(value: Any) -> Item:
+    """A table as {...}, a list of these as [{...}]; all else as it is."""
+    if isinstance(value, Mapping) and not isinstance(value, InlineTable):
+        table = tomlkit.inline_table()
+        for key, each in value.items():
+            table.append(key, in_line(each))
+        return table
+    if is_list_of_tables(value):
+        rows = tomlkit.array()
+        for each in value:
+            rows.append(in_line(each))
+        return rows
+    return item_of(value)
+
+
+def put(section: Any, key: str, value: Any) -> None:
+    """A key of a section, in its place or behind the last one; comments above the next section stay there."""
+    is_in_line = isinstance(section, InlineTable)
+    item = in_line(value) if is_in_line or isinstance(value, Mapping) else item_of(value)
+    last = [each for each, _ in section.value.body if each is not None][-1:]
+    if key in section or is_in_line or not last or isinstance(section[last[0]], (AoT, Table)):
+        section[key] = item
+    else:
+        section.value._insert_after(last[0], key, item)     # tomlkit's own way would be behind the comments
+
+
+def append(rows: Any, keys: Mapping[str, Any]) -> None:
+    """One more table of a list. Comments below the last one are meant for what follows: they stay last."""
+    if not isinstance(rows, AoT):
+        rows.append(in_line(keys))
+        return
+    row = section_of(keys)
+    body = rows[-1].value.body if len(rows) else []
+    while body and body[-1][0] is None:
+        row.value.body.insert(len(keys), body.pop())
+    rows.append(row)
+
+
+def item_of(value: Any) -> Item:
+    """What stands for a value of Python in a job file; one of tomlkit stands for itself."""
+    if isinstance(value, Item):
+        return value
+    if isinstance(value, Mapping):
+        return section_of(value)
+    if is_list_of_tables(value):
+        tables = tomlkit.aot()
+        for each in value:
+            tables.append(section_of(each))
+        return tables
+    try:
+        item: Item = tomlkit.item(plain(value))
+        return item
+    except (TypeError, ValueError, TOMLKitError):
+        raise Error(f"{value!r} is a {type(value).__name__}; expected what TOML knows: texts, numbers, true or false, "
+                    "dates, lists and tables", ExitCode.CONFIG) from None
+
+
+def parsed(text: str, name: str) -> tomlkit.TOMLDocument:
+    try:
+        document: tomlkit.TOMLDocument = _job_text.parse(text)
+        return document
+    except (ValueError, TOMLKitError) as error:
+        raise Error(f"{name}: is no TOML that can be changed: {error}", ExitCode.CONFIG) from None
