@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """An office from data frames: a job is made, run, and its result read, in cells of a notebook (# %%).
 
-It takes the readings and the weather of jobs/quickstart and writes into the working folder: office.toml with its CSV
-files, office.h5, office.html. It runs in half a minute. The package must be found: `pip install scripts/python`, or
-PYTHONPATH=scripts/python.
+It takes the readings and the weather of jobs/quickstart. It writes into the working folder: office.toml with its CSV
+files, office.h5, office.html, office_adopted.toml, and a folder office_csv. It runs in half a minute. The package must
+be found: `pip install scripts/python`, or PYTHONPATH=scripts/python.
 """
 # %% What it takes
 import pathlib
@@ -108,6 +108,10 @@ hours = result.hours("cooling", "held_out")
 print(hours.loc["2022-07-04 06:00":"2022-07-04 20:00"].round(1))
 inside = hours["measured"].between(hours["predicted_q05"], hours["predicted_q95"])[hours["measured"].notna()]
 print(f"{inside.mean():.0%} of the readings lie inside")
+
+# %% The job anew with what was found: every kind of study has these effects then, a retrofit too
+adopted = bemcal.adopt(result, path, "office_adopted.toml", keep_priors=True, force=True)
+print([effect["name"] for effect in adopted.get("effect", [])])
 
 # %% The same with pictures, and everything as CSV files
 print(result.page("office.html", force=True))
