@@ -377,6 +377,17 @@ class Runs(Folder):
         self.assertEqual(list(errors.index.names), ["period", "meter", "resolution", "metric"])
         self.assertEqual(len(errors), 2 * 2 * 4)
 
+    def test_errors_of_a_screening_are_those_of_nominal_and_best(self):
+        errors, fit = self.result.errors_of("screening"), self.stored("screening/fit")
+        metric = list(self.stored("screening/metric")).index("cv_rmse")
+        self.assertEqual(list(errors.columns), ["nominal", "best"])
+        self.assertEqual(errors.loc[("held_out", "cooling", "interval", "cv_rmse"), "best"], fit[1, 1, 0, metric])
+        self.assertEqual(errors.loc[("training", "heating", "monthly", "cv_rmse"), "nominal"],
+                         self.stored("screening/monthly_fit")[0, 0, 1, metric])
+        self.assertRefused(ExitCode.USAGE, "kind 'posterior'; expected a loop or a screening", self.result.errors_of,
+                           "posterior")
+        self.assertRefused(ExitCode.USAGE, "kind 'screening'; expected a loop", self.result.effects_of, "screening")
+
     def test_hours_have_readings_models_and_their_interval(self):
         hours = self.result.hours("electricity", "held_out")
         self.assertEqual(list(hours), ["measured", "plain", "before", "after", "predicted_q05", "predicted_q95"])

@@ -202,7 +202,8 @@ def run(job: Union["Job", Path], ranks: int = 1, output: Optional[Path] = None, 
     echo          prints what the program prints, while it runs
 
     A run that misses a target (not converged, say) gives its Result and warns with NotReached; every other
-    ending but 0 is an Error with the program's message and exit code.
+    ending but 0 is an Error with the program's message and exit code. Where only some items failed (DATA), the result
+    was written: bemcal.open gives it.
     """
     from .result import open_result
     words = ["run", job_file(job), *options(

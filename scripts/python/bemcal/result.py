@@ -26,7 +26,7 @@ import xarray
 from . import _guard, program
 from .errors import Error, ExitCode
 
-LOOP, POSTERIOR, KENNEDY_OHAGAN = "loop", "posterior", "kennedy_ohagan"
+LOOP, SCREENING, POSTERIOR, KENNEDY_OHAGAN = "loop", "screening", "posterior", "kennedy_ohagan"
 DRAWS = ("posterior", "sample_stats", "prior", "observed_data", "posterior_predictive")     # ArviZ's groups
 NO_VARIABLE = b"This is a netCDF dimension but not a netCDF variable"
 NOT_OF_THE_USER = ("CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "_Netcdf4Dimid", "_Netcdf4Coordinates")
@@ -269,7 +269,7 @@ class Result:
         separates                  the measurement that would
         brings ... [unit]          what each meter, cost and CO2 has more with it (`effect_values_of`: with intervals)
         """
-        loop = self[self._stage(stage or LOOP)]
+        loop = self._loop(stage)
         names = {"coefficient": "coefficient", "least": "least", "most": "most", "unit": "unit", "hook": "hook",
                  "follows": "shape", "gate": "gate", "gain": "gain", "adequate": "adequate", "doubt": "doubt",
                  "separates": "separates"}
@@ -289,7 +289,7 @@ class Result:
     def effect_values_of(self, stage: Optional[str] = None) -> pd.DataFrame:
         """What each effect brings: effect, of (a meter, cost or CO2), unit, value, least, most (90 % interval). The
         value is with the effect less without it, per year where training is about one."""
-        loop = self[self._stage(stage or LOOP)]
+        loop = self._loop(stage)
         effects = loop["effect"].to_numpy()
         return pd.DataFrame({"effect": effects[loop["effect_value_effect"].to_numpy().astype(int)],
                              "of": loop["effect_value_of"].to_numpy(), "unit": loop["effect_value_unit"].to_numpy(),
@@ -299,13 +299,15 @@ class Result:
     def errors_of(self, stage: Optional[str] = None) -> pd.DataFrame:
         """Errors of a loop's three models. Rows: period, meter, resolution (hourly, monthly), metric (n: readings;
         cv_rmse, nmbe as fractions; rmse in the meter's unit). Columns: plain (the calibrated standard), before (with
-        its structure chosen), after (with the effects found). What is not measured is left out."""
-        fit = self[self._stage(stage or LOOP)]["fit"].rename(channel="meter")
+        its structure chosen), after (with the effects found). What is not measured is left out.
+
+        Of a screening: nominal and best; its first resolution is the meter's own (interval), with more metrics."""
+        fit = self._fit(self._stage(stage or LOOP))
         fit = fit.where(fit.sel(metric="n") > 0)
-        table = fit.transpose("period", "meter", "resolution", "metric", "model").to_series().unstack("model")
-        order = [fit[name].to_numpy() for name in ("period", "meter", "resolution", "metric")]
-        table = table.reindex(pd.MultiIndex.from_product(order, names=["period", "meter", "resolution", "metric"]))
-        return table[list(fit["model"].to_numpy())].dropna(how="all")
+        places = ["period", "meter", "resolution", "metric"]
+        table = fit.transpose(*places, "model").to_series().unstack("model")
+        order = pd.MultiIndex.from_product([fit[name].to_numpy() for name in places], names=places)
+        return table.reindex(order)[list(fit["model"].to_numpy())].dropna(how="all")
 
     def hours(self, meter: str, period: str, stage: Optional[str] = None) -> pd.DataFrame:
         """A meter in a period, over the begins of its steps (DatetimeIndex, local standard time), in its unit.
@@ -419,6 +421,25 @@ class Result:
         what = f"several studies {name!r}: {', '.join(found)}" if found else \
             f"no study or group {name!r}; its studies are {', '.join(self.stages) or 'none'}"
         raise Error(f"{self.path} has {what}", ExitCode.USAGE)
+
+    def _loop(self, stage: Optional[str]) -> xarray.Dataset:
+        """That loop, or the only one."""
+        path = self._stage(stage or LOOP)
+        if self.stages[path] != LOOP:
+            raise Error(f"{path} is a study of kind {self.stages[path]!r}; expected a loop", ExitCode.USAGE)
+        return self[path]
+
+    def _fit(self, path: str) -> xarray.DataArray:
+        """Errors by model, period, meter, resolution and metric."""
+        study, kind = self[path], self.stages[path]
+        if kind == LOOP:
+            return study["fit"].rename(channel="meter")
+        if kind == SCREENING:
+            both = [study[name].expand_dims(resolution=[resolution])
+                    for resolution, name in (("interval", "fit"), ("monthly", "monthly_fit"))]
+            return xarray.concat(both, "resolution").rename(candidate="model")
+        raise Error(f"{path} is a study of kind {kind!r}; expected a loop or a screening; result[{path!r}] has what it "
+                    "stores", ExitCode.USAGE)
 
     def _columns(self, names: Tuple[str, ...], table: pd.DataFrame, file: str) -> pd.DataFrame:
         """Rows of columns.csv."""
