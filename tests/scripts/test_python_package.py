@@ -214,8 +214,10 @@ class Frames(Folder):
         self.assertEqual(len(self.meter(data.drop(HOURS[5:9]))), 1 + 44)
         self.assertEqual(len(self.meter(data.set_axis(HOURS.map(lambda t: t + pd.Timedelta("4min"))))), 1 + 48)
         moved = HOURS.to_numpy().copy()
-        moved[7] += np.timedelta64(20, "m")
-        self.refuse(r"2021-01-01 07:20:00 comes .*01:20:00 after .*resample\('[Hh]'\)",
+        moved[7] += np.timedelta64(5, "m")          # a twelfth of the step, which the program moves
+        self.assertEqual(len(self.meter(data.set_axis(moved))), 1 + 48)
+        moved[7] += np.timedelta64(1, "m")
+        self.refuse(r"2021-01-01 07:06:00 comes .*01:06:00 after .*resample\('[Hh]'\)",
                     data.set_axis(moved))
 
     def test_what_a_file_would_hide_is_refused(self):
@@ -522,6 +524,15 @@ class Failures(Folder):
         if shutil.which("mpirun"):
             first = bemcal.status(done).hash
             self.assertEqual(bemcal.status(self.run_(job, force=True, ranks=2)).hash, first)
+
+    def test_a_run_whose_items_fail_is_an_error_though_its_result_is_there(self):
+        job = bemcal.Job({"seed": 1, "study": [{"kind": "sensitivity", "n_base": 8}], "simulator": {
+            "command": ["false", "@u@"], "parameter": [{"name": "u", "min": 1, "max": 2}], "keep": "none",
+            "output": [{"name": "heat", "pattern": "([0-9]+)"}]}})
+        job = job.save(self.folder / "job.toml")
+        error = self.assertRefused(ExitCode.DATA, "simulations failed", self.run_, job)
+        self.assertNotIn("wrote", str(error))
+        self.assertEqual(bemcal.open(self.folder / "job.h5").stages, {"sensitivity": "sensitivity"})
 
     def test_arguments_that_cannot_be_are_refused(self):
         self.assertRefused(ExitCode.USAGE, "ranks=0", bemcal.run, "job.toml", ranks=0)

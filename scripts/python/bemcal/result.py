@@ -1,8 +1,9 @@
 """A result file: its studies as xarray, its tables as pandas, its page with pictures.
 
-A study is called by its path, BUILDING/STUDY. Datasets, units and meanings are those of `bemcal-batch describe
-results`. Times are begins of steps in local standard time. A file is read in a process of its own, because HDF5
-crashes on some that are damaged; that its numbers are those that were written is checked by bemcal.status.
+A study is called by its path, BUILDING/STUDY, or STUDY where it is of all buildings. Datasets, units and meanings are
+those of `bemcal-batch describe results`. Times are begins of steps in local standard time. A file is read in a process
+of its own, because HDF5 crashes on some that are damaged; whether its numbers are those that were written is checked by
+bemcal.status.
 Leaves out results of version 0.1.0, whose studies do not say their kind.
 """
 from __future__ import annotations
