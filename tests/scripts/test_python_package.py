@@ -578,6 +578,17 @@ class Package(Folder):
         self.assertEqual(program.asked(["--version"]).split()[-1], bemcal.__version__)
         self.assertIn("best_parameters", bemcal.describe("results"))
 
+    def test_a_message_is_the_verdict_without_news_and_without_what_mpirun_adds(self):
+        said = "bemcal-batch: a: 1 stage; writing a.h5\na: 1 of 2 items\n" \
+               f"bemcal-batch: wrote a.h5, result hash {'0' * 32}; its tables\n" \
+               "bemcal-batch: a/posterior: not\n  converged\nbemcal-batch: wrote a.html, the same\n" \
+               "-----\nmpirun detected\n-----\n"
+        answer = program.Answer(1, "", said)
+        self.assertEqual(answer.message, "a/posterior: not\n  converged")
+        self.assertEqual(program.written(answer), "a.h5")
+        self.assertEqual(program.Answer(78, "", "bemcal-batch: a.toml:1: no\n").message, "a.toml:1: no")
+        self.assertIn("ended with code -9", program.Answer(-9, "", "").message)
+
     def test_names_of_weather_and_files_are_those_of_the_job(self):
         text = bemcal.describe("job")
         for name in (*bemcal.job.WEATHER, *bemcal.job.SOURCE_KEYS, *sum(bemcal.job.FILE_KEYS.values(), ())):
