@@ -1,101 +1,149 @@
-"""One self-contained HTML page of a loop: its numbers in page.html, no script, no request."""
+"""One self-contained HTML page of a result's studies: no script, no request.
+
+What a kind has is the table in kinds; of a loop it is loop.html. A part that cannot be drawn is a sentence.
+"""
 import pathlib
+import re
+from dataclasses import dataclass, field
 
 import jinja2
+from markupsafe import Markup
 
-from report import beside, pictures, theme, words
-from report.result import AFTER, BEFORE, OF_CLASS, OF_ENDS, PLAIN
+from report import guard, loop, theme
+from report.kinds import KINDS
+from report.picture import Picture, Table
+from report.words import listed, number
 
-MOST_POWER_ROWS = 15
-
-
-def error_rows(loop, regressions):
-    """By period, that of judging first; each with the error of the regression beside it."""
-    rows = loop.errors()
-    for row in rows:
-        row.regression = regressions.get((row.channel, row.period, row.resolution), float("nan"))
-    periods = sorted(loop.periods, key=lambda period: period != loop.judged)
-    return [(period, [row for row in rows if row.period == period]) for period in periods
-            if any(row.period == period for row in rows)]
+SAID_OF_RESULT = ("program", "version", "seed", "result_hash")
 
 
-def power_rows(loop):
-    """Of the effects that the data can show, the most clearly seen first."""
-    seen = [effect for effect in loop.power if words.can_be_seen(loop, effect)]
-    return sorted(seen, key=lambda effect: -effect.detectability)
+@dataclass
+class Part:
+    heading: str
+    pictures: list = field(default_factory=list)
+    tables: list = field(default_factory=list)
+    sentences: list = field(default_factory=list)
+
+    def add(self, one):
+        place = {Picture: self.pictures, Table: self.tables}.get(type(one), self.sentences)
+        place.append(one)
+
+    def __bool__(self):
+        return bool(self.pictures or self.tables or self.sentences)
 
 
-def decision_rows(loop):
-    """Of the data: classes of effects and parameters stand with the power table, ends with the parameters."""
-    return [(decision.series, decision.finding, decision.action) for decision in loop.decisions
-            if decision.kind not in (OF_CLASS, OF_ENDS)]
+@dataclass
+class Section:
+    """A study on the page."""
+    name: str
+    question: str
+    remarks: list
+    parts: list
+    loop: Markup = Markup("")
+    loop_pictures: list = field(default_factory=list)
+
+    @property
+    def id(self):
+        return slug(self.name)
+
+    @property
+    def pictures(self):
+        return self.loop_pictures + [picture for part in self.parts for picture in part.pictures]
 
 
-def parameter_rows(loop):
-    def shown(p, model):
-        return words.plus_minus(loop.value_of(model, p), loop.sd_of(model, p))
-    rows = []
-    for p, parameter in enumerate(loop.of_parameters):
-        moved = loop.value_of(AFTER, p) - loop.value_of(BEFORE, p)
-        sd = parameter.sd
-        rows.append({"name": parameter.name, "unit": parameter.unit,
-                     "prior": words.plus_minus(parameter.mean, sd),
-                     "values": [shown(p, model) for model in (PLAIN, BEFORE, AFTER)],
-                     "moved": words.signed(moved / sd if sd > 0 else float("nan"), 2)})
-    return rows
+def slug(text):
+    return re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-") or "study"
 
 
-def effect_rows(loop):
-    """The effects, each with what is said of it; what brings most comes first."""
-    return [{"name": effect.name, "hook": effect.hook, "follows": effect.shape,
-             "coefficient": words.coefficient(effect), "evidence": words.evidence(loop, effect),
-             "adequate": effect.is_adequate, "doubt": effect.doubt,
-             "others": "; ".join(effect.others), "separates": effect.separates,
-             "section": effect.section, "brings": [words.brought(value) for value in effect.brings]}
-            for effect in sorted(loop.effects, key=words.size_of_what_it_brings, reverse=True)]
+def remarks_of(study):
+    """What went wrong in it."""
+    lines = []
+    if study.damage:
+        lines.append(f"This study cannot be read: {study.damage}")
+    if study.text("shortfall"):
+        lines.append(f"Falls short: {study.text('shortfall')}.")
+    reasons = study.texts("failed_item_reason") or study.texts("failed_reason")
+    n_failed = study.number("n_failed")
+    if n_failed > 0 or study.texts("failed_item_reason"):
+        why = f": {listed(list(dict.fromkeys(reasons))[:3])}" if reasons else ""
+        lines.append(f"{number(n_failed if n_failed > 0 else len(reasons), 6)} simulations failed{why}.")
+    return lines
 
 
-def function_rows(loop):
-    return [{"name": function.name, "size": words.number(function.size), "unit": function.unit,
-             "evidence": words.number(function.evidence)} for function in loop.functions]
+def parts_of(study):
+    """By heading, in the table's order."""
+    parts = {}
+    for row in KINDS[study.kind].parts if study.kind in KINDS else ():
+        part = parts.setdefault(row.heading, Part(row.heading))
+        if not study.has(*row.needs):
+            continue
+        try:
+            with guard.reading(study.path):
+                for one in row.make(study):
+                    part.add(one)
+        except guard.Refused as refused:
+            part.add(f"A part is not shown, since its numbers do not fit together: {refused}.")
+    return [part for part in parts.values() if part]
 
 
-def step_rows(loop):
-    return [{"effect": step.effect, "gain": words.number(step.gain),
-             "needed": words.number(step.threshold), "score": words.number(step.score),
-             "errors": [words.signed(100 * loop.error_of_step(k, c), 1)
-                        for c in range(len(loop.channels))],
-             "verdict": step.verdict} for k, step in enumerate(loop.steps)]
+def environment():
+    return jinja2.Environment(loader=jinja2.FileSystemLoader(pathlib.Path(__file__).parent), autoescape=True,
+                              trim_blocks=True, lstrip_blocks=True, undefined=jinja2.StrictUndefined)
 
 
-def contents(loop):
-    """Everything that page.html names."""
-    power, regressions = power_rows(loop), beside.regression_errors(loop)
-    structures = [(tried.name, words.number(tried.score), tried.name == loop.structure)
-                  for tried in loop.structures]
-    ranking = [(candidate.name, words.number(candidate.gain)) for candidate in loop.candidates[:10]]
-    left = [(channel.name, words.percent(channel.unexplained, 1), channel.where)
-            for channel in loop.of_channels]
-    channels = [(channel, pictures.of_channel(loop, c)) for c, channel in enumerate(loop.channels)]
-    return dict(
-        study=loop, words=words, structure_words=words.structure(loop),
-        lead=" ".join([words.found(loop), words.judged(loop), words.unexplained(loop)]),
-        learned=words.learned(loop), regression=words.regression(loop, regressions), errors=error_rows(loop, regressions), error_picture=pictures.errors(loop), effects=effect_rows(loop),
-        functions=function_rows(loop), function_pictures=pictures.functions(loop),
-        channels=channels, parameters=parameter_rows(loop),
-        unusual_ends=words.unusual_ends(loop), parameter_picture=pictures.parameters(loop), pattern_picture=pictures.patterns(loop),
-        steps=step_rows(loop), ranking=ranking, power=power[:MOST_POWER_ROWS],
-        more_power=power[MOST_POWER_ROWS:], unseen=words.unseen(loop), aliases=words.aliases(loop),
-        followed=words.followed(loop),
-        structures=structures, left=left, models=range(3),
-        decisions=decision_rows(loop),
+def section_of(study, name):
+    kind = KINDS.get(study.kind)
+    question = kind.question if kind else "a kind that has no pictures"
+    said = question if study.name == study.kind else f"{study.kind.replace('_', ' ')}: {question}"
+    section = Section(name, said, remarks_of(study), [])
+    if study.damage:
+        return section
+    if study.loop:
+        numbers = loop.contents(study.loop)
+        section.loop = Markup(environment().get_template("loop.html").render(numbers))
+        section.loop_pictures = loop.pictures_in(numbers)
+    else:
+        section.parts = parts_of(study)
+    if not section.parts and not section.loop and not section.remarks:
+        section.remarks.append("It stores nothing that can be drawn.")
+    return section
+
+
+def findings_table(result):
+    several = len(result.findings) > 1
+    rows = [([building] if several else []) + [finding.series, finding.finding, finding.action]
+            for building, findings in result.findings.items() for finding in findings]
+    head = ([("building", False)] if several else []) + [("series", False), ("finding", False),
+                                                         ("done about it", False)]
+    return Table("Findings", head, rows) if rows else None
+
+
+def title_of(result):
+    """The building, or the job where there are several or none."""
+    buildings = [building for building in result.findings if building]
+    return buildings[0] if len(buildings) == 1 else result.title or "Result"
+
+
+def sections_of(result):
+    several = len(result.findings) > 1
+    return [section_of(study, study.path if several else study.name) for study in result.studies]
+
+
+def html_of(result, sections=None):
+    """The page as text."""
+    return environment().get_template("page.html").render(
+        title=title_of(result), sections=sections or sections_of(result), findings=findings_table(result),
+        said_of_result=[f"{name.replace('_', ' ')} {result.attributes[name]}" for name in SAID_OF_RESULT
+                        if name in result.attributes],
         colours={name: (light, dark) for name, light, dark in theme.COLOURS.values()})
 
 
-def html_of(loop):
-    """The page as text."""
-    folder = pathlib.Path(__file__).parent
-    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(folder), autoescape=True,
-                                     trim_blocks=True, lstrip_blocks=True,
-                                     undefined=jinja2.StrictUndefined)
-    return environment.get_template("page.html").render(contents(loop))
+def figures_of(sections):
+    """(file name, SVG that stands alone) of every picture, in the page's order."""
+    taken = {}
+    for section in sections:
+        for picture in section.pictures:
+            name = f"{section.id}-{slug(picture.title)}"
+            taken[name] = taken.get(name, 0) + 1
+            suffix = f"-{taken[name]}" if taken[name] > 1 else ""
+            yield f"{name}{suffix}.svg", theme.by_itself(picture.svg, picture.alt)

@@ -1,9 +1,8 @@
 """The pictures of a loop: each gives its SVG, what it shows in words, and its caption."""
-from dataclasses import dataclass
-
 import numpy as np
 
 from report import theme
+from report.picture import picture
 from report.regression import HOURS_OF_WEEK, hour_of_week
 from report.result import AFTER, BEFORE, HOURLY, PLAIN
 from report.words import fixed, number, percent
@@ -16,18 +15,6 @@ YEAR = 365.25 * 86400          # [s]
 MODELS = {PLAIN: ("plain", theme.PLAIN), BEFORE: ("before", theme.BEFORE),
           AFTER: ("after", theme.AFTER)}
 MONTHS = "JFMAMJJASOND"
-
-
-@dataclass
-class Picture:
-    uri: str
-    alt: str
-    caption: str
-    title: str
-
-
-def picture(figure, title, alt, caption):
-    return Picture(theme.data_uri(figure), alt, caption, title)
 
 
 def means_of(values, groups, n):

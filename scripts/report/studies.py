@@ -4,7 +4,10 @@ import h5py
 from report import guard
 
 # What one kind alone stored in version 0.1.0, whose studies do not say their kind.
-MARKS_OF_0_1_0 = {"structure_chosen": "loop", "guideline_14_count": "screening", "objective": "optimisation"}
+MARKS_OF_0_1_0 = {"structure_chosen": "loop", "guideline_14_count": "screening", "objective": "optimisation",
+                  "series_total_order": "hourly_sensitivity", "total_order": "sensitivity", "unknown": "posterior",
+                  "stage_points": "grid", "saving_quantile": "retrofit", "calibration_stage": "stages"}
+STOCK = "stock"                # no study, but many buildings
 
 
 def groups(file):
@@ -25,9 +28,15 @@ def kind_of_0_1_0(group):
     return next((kind for mark, kind in MARKS_OF_0_1_0.items() if mark in group), None)
 
 
-def of_kind(file, *kinds):
-    """Paths of the studies of these kinds in an open HDF5 file."""
+def kinds_in(file):
+    """{path: kind} of the studies in an open HDF5 file."""
     paths = groups(file)
     says = any(kind_of(file[path]) for path in paths)
     kind = kind_of if says else kind_of_0_1_0
-    return [path for path in paths if kind(file[path]) in kinds]
+    found = {path: kind(file[path]) for path in paths}
+    return {path: word for path, word in found.items() if word and word != STOCK}
+
+
+def of_kind(file, *kinds):
+    """Paths of the studies of these kinds."""
+    return [path for path, kind in kinds_in(file).items() if kind in kinds]

@@ -4,15 +4,20 @@ Matplotlib writes a few marker colours; they become variables of the SVG's own s
 hues are Okabe and Ito's, told apart by colour-blind readers too.
 """
 import base64
+import html
 import io
 
 import matplotlib
+import numpy as np
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.colors import LinearSegmentedColormap, to_rgba
 from matplotlib.figure import Figure
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
 
 INK, SOFT, GRID = "#123451", "#123452", "#123453"
 PLAIN, BEFORE, AFTER, STRONG = "#123454", "#123455", "#123456", "#c51b7d"
+GREEN, PURPLE = "#123457", "#123458"
 COLOURS = {  # marker: variable, light, dark
     INK: ("ink", "#1c2430", "#e6e9ee"),
     SOFT: ("soft", "#5a6472", "#a3adba"),
@@ -20,7 +25,10 @@ COLOURS = {  # marker: variable, light, dark
     PLAIN: ("plain", "#8b93a0", "#7d8794"),
     BEFORE: ("before", "#c75000", "#ff9d4d"),
     AFTER: ("after", "#0068ad", "#56b4f9"),
+    GREEN: ("green", "#00805c", "#33c99b"),
+    PURPLE: ("purple", "#a0457e", "#e493c0"),
 }
+SERIES = (AFTER, BEFORE, GREEN, PURPLE, PLAIN)         # of things that have no colour of their own
 STYLE = {
     "svg.fonttype": "none", "svg.hashsalt": "bemcal", "font.family": "sans-serif", "font.size": 8,
     "axes.edgecolor": GRID, "axes.labelcolor": SOFT, "axes.titlecolor": INK, "axes.titlesize": 8.5,
@@ -54,22 +62,80 @@ def figure(height, **grid):
     return drawn, drawn.subplots(**grid)
 
 
+def panels(n, columns, row_height, **more):
+    """Figure and n axes in rows; what is left of the last row is empty."""
+    rows = -(-n // columns)
+    drawn, axes = figure(row_height * rows, nrows=rows, ncols=columns, squeeze=False, **more)
+    for axis in axes.flat[n:]:
+        axis.set_visible(False)
+    return drawn, list(axes.flat[:n])
+
+
+def dots(axis, x, y, colour, size=2.5, alpha=0.7, label=None):
+    """Points as one path of lines without length, a tenth of the bytes that markers take. NaN is left out."""
+    places = np.column_stack([np.asarray(x, float), np.asarray(y, float)])
+    places = places[np.isfinite(places).all(axis=1)]
+    if not len(places):
+        return
+    path = Path(np.repeat(places, 2, axis=0), np.tile([Path.MOVETO, Path.LINETO], len(places)))
+    path.should_simplify = False
+    axis.add_patch(PathPatch(path, fill=False, edgecolor=colour, linewidth=size, capstyle="round", alpha=alpha))
+    axis.update_datalim(places)
+    axis.autoscale_view()
+    if label:                  # a marker that stands nowhere
+        axis.plot([], [], "o", color=colour, markersize=4, label=label)
+
+
+def legend_above(axis, columns=4, **more):
+    """Above the axes, where nothing is drawn."""
+    axis.legend(loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2, ncols=columns, columnspacing=0.9,
+                handlelength=1.2, handletextpad=0.5, **more)
+
+
 def variables(column):
     return "".join(f"--{row[0]}:{row[column]};" for row in COLOURS.values())
 
 
-def data_uri(drawn):
-    """The SVG of a figure. `savefig` would draw it once more, for nothing but its layout."""
+def svg_of(drawn):
+    """The SVG of a figure, with marker colours. `savefig` would draw it once more, for nothing but its layout."""
     out, canvas = io.StringIO(), FigureCanvasSVG(drawn)
     drawn.get_layout_engine().execute(drawn)
     drawn.set_layout_engine("none")
     drawn.set_dpi(DPI)         # which asking for the text's size has changed
     canvas.print_svg(out, metadata={"Date": None, "Creator": None})
     svg = out.getvalue()
-    for marker, (name, *_) in COLOURS.items():
-        svg = svg.replace(marker, f"var(--{name})")
+    return svg[svg.index("<svg"):]
+
+
+def coloured(svg, colour_of):
+    for marker, row in COLOURS.items():
+        svg = svg.replace(marker, colour_of(*row))
+    return svg
+
+
+def with_head(svg, inside):
+    """Something more at the begin of an SVG."""
+    head = svg.index(">") + 1
+    return svg[:head] + inside + svg[head:]
+
+
+def of_the_page(svg):
+    """It follows the reader's light or dark."""
     style = f"<style>svg{{{variables(1)}font-family:sans-serif}}" \
             f"@media(prefers-color-scheme:dark){{svg{{{variables(2)}}}}}</style>"
-    head = svg.index(">", svg.index("<svg")) + 1
-    svg = svg[svg.index("<svg"):head] + style + svg[head:]
-    return "data:image/svg+xml;base64," + base64.b64encode(svg.encode()).decode()
+    return with_head(coloured(svg, lambda name, *_: f"var(--{name})"), style)
+
+
+def by_itself(svg, alt):
+    """Light, on white, with its words: for a file that any program may show."""
+    words = f"<title>{html.escape(alt)}</title><style>svg{{font-family:sans-serif}}</style>" \
+            '<rect width="100%" height="100%" fill="#ffffff"/>'
+    return '<?xml version="1.0" encoding="utf-8"?>\n' + with_head(coloured(svg, lambda _, light, __: light), words)
+
+
+def data_uri(drawn):
+    return uri_of(svg_of(drawn))
+
+
+def uri_of(svg):
+    return "data:image/svg+xml;base64," + base64.b64encode(of_the_page(svg).encode()).decode()

@@ -1,0 +1,257 @@
+"""Pictures of a posterior: densities beside priors, pairs, chains, ranks of the readings.
+
+Sources: rank histograms and R-hat of Vehtari et al. 2021, Bayesian Analysis 16; densities are Gaussian kernels of
+Scott's width. The log density is no unknown.
+"""
+import numpy as np
+from scipy.stats import gaussian_kde, rankdata
+
+from report import theme
+from report.picture import Table, and_more, picture, short, unit_words
+from report.stored import join
+from report.words import fixed, listed, number, percent
+
+LOG_DENSITY = "log_density"
+MOST_DENSITIES, MOST_PAIRS, MOST_TRACES = 12, 5, 6
+MOST_DRAWS, TRACE, PLACES = 2000, 80, 60       # of a density; of a chain in a trace; of a curve
+PAIR_DOTS, BINS = 200, 20
+MOST_METERS = 6
+
+
+def names_of(study):
+    """Unknowns with draws, in the result's order."""
+    return [name for name in study.texts("unknown") if name != LOG_DENSITY and draws_of(study, name).size]
+
+
+def draws_of(study, name, group="posterior"):
+    """[chain x draw]"""
+    draws = study.numbers(f"{group}/{name}")
+    return draws if draws.ndim == 2 and np.isfinite(draws).all() else np.empty((0, 0))
+
+
+def of_unknowns(study, name):
+    """{unknown: value}"""
+    return dict(zip(study.texts("unknown"), study.numbers(name).ravel()))
+
+
+def units_of(study):
+    return dict(zip(study.texts("unknown"), study.texts("unknown_unit")))
+
+
+def some(values, most=MOST_DRAWS):
+    flat = values.ravel()
+    return flat[np.linspace(0, flat.size - 1, min(most, flat.size)).astype(int)]
+
+
+def density(values, places):
+    """None where all are the same."""
+    return gaussian_kde(values)(places) if np.ptp(values) > 0 and values.size > 2 else None
+
+
+def draw_density(axis, posterior, prior):
+    """Both, over where the posterior lies and most of the prior's middle."""
+    everything = [values for values in (posterior, prior) if values.size]
+    low, high = (float(f([np.quantile(values, q) for values in everything])) for f, q in ((np.min, 0.005),
+                                                                                        (np.max, 0.995)))
+    if posterior.size and prior.size:      # a wide prior would make the posterior a needle
+        reach = 4 * max(np.ptp(np.quantile(posterior, [0.005, 0.995])), 1e-300)
+        middle = np.median(posterior)
+        low, high = max(low, middle - reach), min(high, middle + reach)
+    places = np.linspace(low, high, PLACES) if high > low else np.array([low - 0.5, low + 0.5])
+    for values, colour, alpha in ((prior, theme.PLAIN, 0.3), (posterior, theme.AFTER, 0.35)):
+        curve = density(values, places) if values.size else None
+        if curve is not None:
+            axis.fill_between(places, curve, color=colour, alpha=alpha, linewidth=0)
+            axis.plot(places, curve, color=colour, linewidth=1)
+    axis.set(yticks=[], xlim=(places[0], places[-1]))
+    axis.set_ylim(bottom=0)
+    axis.grid(False)
+    axis.locator_params(axis="x", nbins=3)
+
+
+def densities(study):
+    """Posterior beside prior, those that the data narrow most first."""
+    names, units = names_of(study), units_of(study)
+    contraction = of_unknowns(study, "contraction")
+    shown = sorted(names, key=lambda name: -np.nan_to_num(contraction.get(name, 0)))[:MOST_DENSITIES]
+    if not shown:
+        return
+    figure, axes = theme.panels(len(shown), 3, 1.05)
+    for axis, name in zip(axes, shown):
+        draw_density(axis, some(draws_of(study, name)), some(draws_of(study, name, "prior")))
+        axis.set_title(short(name), fontsize=7.5)
+        axis.set_xlabel(unit_words(units.get(name, "")).strip(), fontsize=7)
+    handles = [axes[0].plot([], [], color=colour)[0] for colour in (theme.AFTER, theme.PLAIN)]
+    figure.legend(handles, ["posterior", "prior"], loc="outside upper left", ncols=2)
+    said = "; ".join(f"{name} {number(np.mean(draws_of(study, name)))} ± {number(np.std(draws_of(study, name)), 2)}"
+                     for name in shown)
+    yield picture(figure, "Before and after the data",
+                  f"Densities of prior and posterior; posterior means with standard deviations: {said}.",
+                  "Ordered by how much the data tell. Where both are alike, they tell nothing."
+                  + and_more(len(names), len(shown), "unknowns"))
+
+
+def pairs(study):
+    """Joint draws of the unknowns that are correlated most."""
+    names = names_of(study)
+    if len(names) < 2:
+        return
+    draws = np.array([draws_of(study, name).ravel() for name in names])
+    if len({row.size for row in draws}) > 1:
+        return
+    with np.errstate(invalid="ignore", divide="ignore"):
+        correlation = np.nan_to_num(np.corrcoef(draws))
+    np.fill_diagonal(correlation, 0)
+    order = np.argsort(-np.abs(correlation).max(axis=0), kind="stable")[:MOST_PAIRS]
+    shown = np.sort(order)
+    n = len(shown)
+    figure, axes = theme.figure(0.3 + 0.85 * n, nrows=n, ncols=n, squeeze=False, sharex="col")
+    for (row, column), axis in np.ndenumerate(axes):
+        axis.grid(False)
+        axis.tick_params(labelleft=False, left=False, labelsize=6)
+        axis.locator_params(axis="x", nbins=2)
+        if row < column:
+            axis.text(0.5, 0.5, fixed(correlation[shown[row], shown[column]], 2), ha="center", va="center",
+                      transform=axis.transAxes, color=theme.SOFT)
+            axis.axis("off")
+        elif row == column:
+            values = some(draws[shown[row]])
+            places = np.linspace(values.min(), values.max(), PLACES)
+            curve = density(values, places)
+            if curve is not None:
+                axis.fill_between(places, curve, color=theme.AFTER, alpha=0.35, linewidth=0)
+        else:
+            theme.dots(axis, some(draws[shown[column]], PAIR_DOTS), some(draws[shown[row]], PAIR_DOTS), theme.AFTER,
+                       size=1.8, alpha=0.5)
+        if row == column:
+            axis.set_title(short(names[shown[row]]), fontsize=7)
+    pair = np.unravel_index(np.abs(correlation).argmax(), correlation.shape)
+    yield picture(figure, "Pairs", f"Pairs of {listed(names[k] for k in shown)}. The strongest correlation is "
+                  f"{fixed(correlation[pair], 2)}, of {names[pair[0]]} and {names[pair[1]]}.",
+                  "Joint draws of the unknowns with the strongest correlations, which stand above the diagonal: the "
+                  "data tell such numbers only together." + and_more(len(names), n, "unknowns"))
+
+
+def worst(study):
+    """Unknowns that converge worst, by R-hat."""
+    rhat = of_unknowns(study, "rhat_rank")
+    return sorted(names_of(study), key=lambda name: -np.nan_to_num(rhat.get(name, 0)))[:MOST_TRACES]
+
+
+def colour_of(chain):
+    return theme.SERIES[chain % len(theme.SERIES)]
+
+
+def traces(study):
+    """Draws of each chain in their order."""
+    shown, rhat = worst(study), of_unknowns(study, "rhat_rank")
+    if not shown:
+        return
+    figure, axes = theme.panels(len(shown), 2, 1.2, sharex=True)
+    for axis, name in zip(axes, shown):
+        draws = draws_of(study, name)
+        places = np.linspace(0, draws.shape[1] - 1, min(TRACE, draws.shape[1])).astype(int)
+        for chain, values in enumerate(draws):
+            axis.plot(places + 1, values[places], color=colour_of(chain), linewidth=0.6, alpha=0.8)
+        axis.set_title(f"{short(name)}, R-hat {fixed(rhat.get(name, np.nan), 3)}", fontsize=7.5)
+        axis.locator_params(nbins=3)
+    for axis in axes[-2:]:
+        axis.set_xlabel("draw")
+    said = listed(f"{name} {fixed(rhat.get(name, np.nan), 3)}" for name in shown)
+    yield picture(figure, "Traces", f"Traces of {len(draws_of(study, shown[0]))} chains; R-hat: {said}.",
+                  "Chains that have converged mix and lie in one band."
+                  + and_more(len(names_of(study)), len(shown), "unknowns") + " Those that converge worst are shown.")
+
+
+def ranks(study):
+    """How often each chain has the small, middling and large draws of all."""
+    shown = worst(study)
+    if not shown or len(draws_of(study, shown[0])) < 2:
+        return
+    figure, axes = theme.panels(len(shown), 2, 1.2, sharex=True, sharey=True)
+    most = {}
+    for axis, name in zip(axes, shown):
+        draws = draws_of(study, name)
+        places = rankdata(draws.ravel()).reshape(draws.shape) / draws.size
+        counts = np.array([np.histogram(row, BINS, (0, 1))[0] for row in places]) * BINS / draws.shape[1]
+        for chain, row in enumerate(counts):
+            axis.stairs(row, np.linspace(0, 1, BINS + 1), color=colour_of(chain), linewidth=0.8)
+        axis.axhline(1, color=theme.SOFT, linewidth=0.8, linestyle=":")
+        axis.set_title(short(name), fontsize=7.5)
+        most[name] = counts.max()
+    axes[0].set_ylim(0, min(max(most.values()) * 1.05, BINS))
+    for axis in axes[-2:]:
+        axis.set_xlabel("rank among all draws")
+        axis.set_xticks([0, 0.5, 1], ["least", "", "most"])
+    said = listed(f"{name} {fixed(value, 1)}" for name, value in most.items())
+    yield picture(figure, "Rank histograms",
+                  f"Rank histograms of the chains, 1 = as often as expected; the highest bar: {said}.",
+                  "Chains that have converged lie about the dotted line. A chain that leans to one side has seen "
+                  "another part.")
+
+
+def table(study):
+    """Every unknown: what is known of it, and whether the chains agree."""
+    columns = [of_unknowns(study, name) for name in ("posterior_mean", "posterior_sd", "posterior_q05",
+                                                      "posterior_q95", "rhat_rank", "ess_bulk", "ess_tail")]
+    units, words = units_of(study), dict(zip(study.texts("unknown"), study.texts("data_words")))
+    rows = []
+    for name in study.texts("unknown"):
+        mean, sd, low, high, rhat, bulk, tail = (column.get(name, np.nan) for column in columns)
+        unit = units.get(name, "")
+        rows.append([name, number(mean), number(sd, 2), f"{number(low)} to {number(high)}",
+                     "" if unit == "-" else unit, fixed(rhat, 3), number(bulk), number(tail), words.get(name, "")])
+    yield Table("Unknowns", [("unknown", False), ("mean", True), ("sd", True), ("90 % interval", True),
+                             ("unit", False), ("R-hat", True), ("ESS bulk", True), ("ESS tail", True),
+                             ("what the data tell", False)], rows)
+    if np.isfinite(study.number("target_rhat")):
+        yield f"Aim: R-hat of at most {number(study.number('target_rhat'))} and at least " \
+              f"{number(study.number('target_ess'))} effective draws (ESS)."
+
+
+def fit_table(study):
+    """Errors of every meter and period, as described and with the posterior's mean."""
+    rows = []
+    for group in study.groups_with("validation_fit", "metric"):
+        fit, metrics = study.numbers(join(group, "validation_fit")), study.texts(join(group, "metric"))
+        if fit.ndim != 3 or "cv_rmse" not in metrics or fit.shape[0] != 2:
+            continue
+        inside = study.numbers(join(group, "coverage")).ravel()
+        errors = fit[:, :, metrics.index("cv_rmse")]
+        finest = next((k for k in range(errors.shape[1]) if np.isfinite(errors[:, k]).all()), None)
+        months = errors[:, -1]
+        if finest is None:
+            continue
+        *where, meter = group.split("/")
+        rows.append([meter, " ".join(where), percent(errors[0, finest], 1), percent(errors[1, finest], 1),
+                     percent(months[0], 1), percent(months[1], 1), percent(inside[1]) if inside.size > 1 else ""])
+    if rows:
+        yield Table("Errors: CV(RMSE)", [("meter", False), ("period", False), ("as described", True),
+                                         ("posterior", True), ("months: as described", True), ("posterior", True),
+                                         ("in 90 %", True)], rows)
+
+
+def reading_ranks(study):
+    """Readings by their rank among the draws: are the intervals as wide as they should be?"""
+    groups = [group for group in study.groups_with("pit") if study.numbers(join(group, "pit")).sum() > 0]
+    groups = groups[:MOST_METERS]
+    if not groups:
+        return
+    figure, axes = theme.panels(len(groups), 2, 1.2, sharex=True)
+    said = []
+    for axis, group in zip(axes, groups):
+        counts = study.numbers(join(group, "pit"))
+        *where, meter = group.split("/")
+        name = f"{meter}, {' '.join(where)}" if where else meter
+        axis.stairs(counts * counts.size / counts.sum(), np.linspace(0, 1, counts.size + 1), fill=True,
+                    color=theme.AFTER, alpha=0.5)
+        axis.axhline(1, color=theme.SOFT, linewidth=0.8, linestyle=":")
+        axis.set_title(short(name), fontsize=7.5)
+        said.append(f"{name} {fixed(study.number(join(group, 'pit_distance')), 2)}")
+    for axis in axes[-2:]:
+        axis.set_xticks([0, 0.5, 1], ["below", "middle", "above"])
+    yield picture(figure, "Readings among the draws",
+                  f"Histograms of the readings' ranks among the posterior's draws; distance from uniform: "
+                  f"{listed(said)}.",
+                  "Level: intervals as wide as they should be. A hill: too wide; a valley: too narrow; a slope: "
+                  "predictions too high or too low.")

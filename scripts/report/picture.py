@@ -1,0 +1,45 @@
+"""What stands on a page: a picture with its words, a table, or a sentence."""
+from dataclasses import dataclass
+
+from report import theme
+
+LONGEST_NAME = 24              # of a label [characters]
+
+
+@dataclass
+class Picture:
+    svg: str                   # with marker colours
+    alt: str
+    caption: str
+    title: str
+
+    @property
+    def uri(self):
+        return theme.uri_of(self.svg)
+
+
+@dataclass
+class Table:
+    title: str
+    head: list                 # (words, whether its cells are numbers)
+    rows: list                 # lists of texts
+
+
+def picture(figure, title, alt, caption):
+    return Picture(theme.svg_of(figure), alt, caption, title)
+
+
+def short(name):
+    """With an ellipsis in the middle where it is too long for a label; its end tells names apart."""
+    half = LONGEST_NAME // 2
+    return name if len(name) <= LONGEST_NAME else f"{name[:half]}…{name[-half + 1:]}"
+
+
+def unit_words(unit):
+    """" [°C]"; nothing of a number without a unit."""
+    return f" [{unit.replace('degC', '°C')}]" if unit not in ("", "-", "1") else ""
+
+
+def and_more(n, shown, of):
+    """" 5 more parameters are not drawn.": where not all are shown."""
+    return f" {n - shown} more {of} are not drawn." if n > shown else ""

@@ -1,0 +1,106 @@
+"""Pictures of a retrofit: what each scenario saves, with intervals, and what it does to comfort."""
+import numpy as np
+
+from report import theme
+from report.picture import Table, picture, short, unit_words
+from report.words import fixed, listed, number, percent
+
+HOURS = "h"                    # unit of what is counted for comfort
+SMALL = 1e-9
+
+
+def outputs(study, is_comfort):
+    units = study.texts("output_unit")
+    before = study.numbers("before_quantile")
+    after = study.numbers("after_quantile")
+    there = [k for k, unit in enumerate(units) if (unit == HOURS) == is_comfort]
+    return [k for k in there if max(np.nanmax(np.abs(before[:, k])), np.nanmax(np.abs(after[..., k]))) > SMALL]
+
+
+def ends_and_middle(study, name):
+    """The lowest, the middle and the highest quantile stored [3 x ...]."""
+    values = np.moveaxis(study.numbers(name), 1 if study.numbers(name).ndim == 3 else 0, 0)
+    return values[[0, len(values) // 2, -1]]
+
+
+def intervals_words(study):
+    levels = study.numbers("quantile").ravel()
+    return f"{fixed(100 * levels[0], 0)} to {fixed(100 * levels[-1], 0)} % quantile" if levels.size else "interval"
+
+
+def savings(study):
+    """Absolute savings of each output, by scenario."""
+    scenarios, names, units = (study.texts(name) for name in ("scenario", "output", "output_unit"))
+    low, middle, high = ends_and_middle(study, "saving_quantile")
+    share = ends_and_middle(study, "saving_share_quantile") if study.has("saving_share_quantile") else None
+    shown = [k for k in outputs(study, False) if np.nanmax(np.abs(middle[:, k])) > SMALL]
+    if not shown:
+        return
+    figure, axes = theme.panels(len(shown), 1, 0.62 + 0.24 * len(scenarios))
+    place = np.arange(len(scenarios))
+    for axis, k in zip(axes, shown):
+        axis.barh(place, middle[:, k], height=0.55, color=theme.AFTER, alpha=0.35)
+        axis.hlines(place, low[:, k], high[:, k], color=theme.AFTER, linewidth=1.6)
+        axis.plot(middle[:, k], place, "o", color=theme.AFTER, markersize=4)
+        axis.axvline(0, color=theme.SOFT, linewidth=0.8)
+        axis.set_yticks(place, [short(name) for name in scenarios])
+        axis.set_title(f"{names[k]}{unit_words(units[k])}")
+        axis.set_ylim(len(scenarios) - 0.5, -0.5)
+        axis.grid(False, axis="y")
+        axis.locator_params(axis="x", nbins=5)
+    said = "; ".join(f"{scenario}: " + listed(
+        f"{names[k]} {number(middle[s, k])} ({number(low[s, k])} to {number(high[s, k])}) {units[k]}"
+        + (f", {percent(share[1][s, k])}" if share is not None else "") for k in shown)
+        for s, scenario in enumerate(scenarios))
+    yield picture(figure, "Savings", f"Savings of each scenario: {said}.",
+                  f"Before less after, point by point of the study {study.text('points_of')}. Bars: middle; lines: "
+                  f"{intervals_words(study)}. Below 0: more than before.")
+
+
+def before_and_after(study):
+    """Energies before, and after each scenario."""
+    yield from beside(study, outputs(study, False), "Energy before and after", "energy")
+
+
+def comfort(study):
+    """Hours too cold and too warm."""
+    limits = study.numbers("comfort_limit").ravel()
+    said = f" Too cold: below {number(limits[0])} °C; too warm: above {number(limits[1])} °C." \
+        if limits.size == 2 else ""
+    yield from beside(study, outputs(study, True), "Comfort", "hours", said)
+
+
+def beside(study, shown, title, what, more=""):
+    if not shown:
+        return
+    scenarios, names, units = (study.texts(name) for name in ("scenario", "output", "output_unit"))
+    before, after = (ends_and_middle(study, f"{name}_quantile") for name in ("before", "after"))
+    figure, axes = theme.panels(len(shown), 1, 0.62 + 0.22 * (len(scenarios) + 1))
+    labels = ["before", *scenarios]
+    for axis, k in zip(axes, shown):
+        rows = np.vstack([before[:, k][None], after[:, :, k].T])       # [label x low, middle, high]
+        colours = [theme.BEFORE] + [theme.AFTER] * len(scenarios)
+        for y, ((low, middle, high), colour) in enumerate(zip(rows, colours)):
+            axis.plot([low, high], [y, y], color=colour, linewidth=1.6)
+            axis.plot(middle, y, "o", color=colour, markersize=4.5)
+        axis.set_yticks(range(len(labels)), [short(label) for label in labels])
+        axis.set(title=f"{names[k]}{unit_words(units[k])}", ylim=(len(labels) - 0.5, -0.5))
+        axis.set_xlim(left=0)
+        axis.grid(False, axis="y")
+        axis.locator_params(axis="x", nbins=5)
+    said = "; ".join(f"{names[k]} {number(before[1, k])} before, " + listed(
+        f"{number(after[1, s, k])} with {scenario}" for s, scenario in enumerate(scenarios)) for k in shown)
+    yield picture(figure, title, f"{what[:1].upper() + what[1:]} before and after: {said}.",
+                  f"Dots: middle; lines: {intervals_words(study)}.{more}")
+
+
+def table(study):
+    scenarios, names, units = (study.texts(name) for name in ("scenario", "output", "output_unit"))
+    low, middle, high = ends_and_middle(study, "saving_quantile")
+    share = ends_and_middle(study, "saving_share_quantile")[1]
+    rows = [[scenario, names[k], number(middle[s, k], 4), f"{number(low[s, k], 4)} to {number(high[s, k], 4)}",
+             units[k], percent(share[s, k], 1)]
+            for s, scenario in enumerate(scenarios) for k in outputs(study, False) + outputs(study, True)]
+    yield Table("What each scenario saves", [("scenario", False), ("of", False), ("saving", True),
+                                             (intervals_words(study), True), ("unit", False), ("of before", True)],
+                rows)

@@ -1,0 +1,142 @@
+"""Pictures of a calibration in stages: values with their standard deviations stage by stage, errors before and after."""
+import numpy as np
+
+from report import theme
+from report.picture import Table, and_more, picture, short, unit_words
+from report.stored import join
+from report.words import fixed, listed, number
+
+Z_90 = 1.645                   # half of a 90 % interval, in standard deviations
+MOST_PANELS, MOST_CURVES = 24, 8
+RMSE = "rmse"
+
+
+def is_calibrated(study):
+    """[stage x parameter]"""
+    return np.isfinite(study.numbers("calibration_least"))
+
+
+def values(study):
+    """Each parameter's value after the stages that calibrate it, side by side."""
+    found, sd = study.numbers("calibration_value"), study.numbers("calibration_sd")
+    stages, names, units = (study.texts(name) for name in ("calibration_stage", "parameter", "parameter_unit"))
+    calibrated = is_calibrated(study)
+    if found.shape != (len(stages), len(names)) or calibrated.shape != found.shape:
+        return
+    all_shown = [p for p in range(len(names)) if calibrated[:, p].any()]
+    shown = all_shown[:MOST_PANELS]
+    least, most = study.numbers("calibration_least"), study.numbers("calibration_most")
+    figure, axes = theme.panels(len(shown), 3, 0.75 + 0.11 * len(stages), sharey=True)
+    for axis, p in zip(axes, shown):
+        for s in np.flatnonzero(calibrated[:, p]):
+            axis.plot([least[s, p], most[s, p]], [s, s], color=theme.GRID, linewidth=3, zorder=1)
+            half = Z_90 * sd[s, p] if sd.shape == found.shape and np.isfinite(sd[s, p]) else 0
+            low, high = (np.clip(found[s, p] + side * half, least[s, p], most[s, p]) for side in (-1, 1))
+            axis.plot([low, high], [s, s], color=theme.AFTER, linewidth=1.4)
+            axis.plot(found[s, p], s, "o", color=theme.AFTER, markersize=4)
+        axis.set_title(short(names[p]), fontsize=7)
+        axis.set_xlabel(unit_words(units[p]).strip(), fontsize=6.5)
+        axis.tick_params(labelsize=6.5)
+        axis.locator_params(axis="x", nbins=3)
+        axis.grid(False, axis="y")
+    axes[0].set(yticks=range(len(stages)), yticklabels=[short(stage) for stage in stages],
+                ylim=(len(stages) - 0.5, -0.5))
+    said = "; ".join(f"{names[p]} {number(found[s, p])}" for p in shown
+                     for s in np.flatnonzero(calibrated[:, p])[-1:])
+    yield picture(figure, "Values by stage", f"Calibrated values in the last stage that has each parameter: {said}.",
+                  "Dots: values; lines: 90 % intervals (1.645 standard deviations), cut at the range; grey: the range."
+                  + and_more(len(all_shown), len(shown), "parameters"))
+
+
+def table(study):
+    """Every stage and parameter: from, range, value, standard deviation."""
+    stages, names, units = (study.texts(name) for name in ("calibration_stage", "parameter", "parameter_unit"))
+    start, found, sd, least, most, bound = (study.numbers(f"calibration_{name}") for name in
+                                            ("start", "value", "sd", "least", "most", "at_bound"))
+    rows = []
+    for s, p in np.argwhere(is_calibrated(study)):
+        remark = {-1: "lower end", 1: "upper end"}.get(int(bound[s, p]), "") if bound.shape == found.shape else ""
+        rows.append([stages[s], names[p], number(start[s, p], 4), number(found[s, p], 4), number(sd[s, p], 2),
+                     f"{number(least[s, p])} to {number(most[s, p])}", "" if units[p] == "-" else units[p], remark])
+    yield Table("Values", [("stage", False), ("parameter", False), ("from", True), ("value", True), ("sd", True),
+                           ("range", True), ("unit", False), ("remark", False)], rows)
+
+
+def comparisons(study):
+    """(name, group) of stages and validations with their errors."""
+    groups = study.groups_with("version_fit", "version", "metric")
+    return [(group.rpartition("/")[2], group) for group in groups if RMSE in study.texts(join(group, "metric"))]
+
+
+def errors(study):
+    """RMSE before and after each stage, and on the periods of validation."""
+    rows = []
+    for name, group in comparisons(study):
+        fit, metrics = study.numbers(join(group, "version_fit")), study.texts(join(group, "metric"))
+        for m, meter in enumerate(study.texts(join(group, "meter"))):
+            if fit.ndim == 3 and m < fit.shape[1]:
+                rows.append((f"{name}, {meter}", fit[[0, -1], m, metrics.index(RMSE)],
+                             study.texts(join(group, "version")), study.texts(join(group, "meter_unit"))[m]))
+    if not rows:
+        return
+    figure, axis = theme.figure(0.85 + 0.28 * len(rows))
+    for y, (_, both, _, _) in enumerate(rows):
+        axis.plot(both, [y, y], color=theme.GRID, linewidth=3, zorder=1)
+        for value, colour, label in zip(both, (theme.BEFORE, theme.AFTER), ("before", "after")):
+            axis.scatter(value, y, s=36, color=colour, label=label if y == 0 else None)
+    axis.set_yticks(range(len(rows)), [short(name) for name, *_ in rows])
+    units = {unit for *_, unit in rows}
+    axis.set(xlabel="RMSE" + (unit_words(units.pop().replace("degC", "K")) if len(units) == 1 else ""),
+             ylim=(len(rows) - 0.5, -0.5))
+    axis.set_xlim(left=0)
+    axis.grid(False, axis="y")
+    theme.legend_above(axis)
+    said = "; ".join(f"{name} from {number(both[0])} ({versions[0]}) to {number(both[1])} ({versions[-1]})"
+                     for name, both, versions, _ in rows)
+    yield picture(figure, "Errors before and after", f"Root mean square errors: {said}.",
+                  "Of stages before and after them, of periods of validation with the building as it was and as "
+                  "calibrated.")
+
+
+def distributions(study):
+    """Share of the readings whose error is at most so large, on the periods of validation, else of the stages."""
+    found = [(name, group) for name, group in comparisons(study) if group.startswith("validation")] \
+        or comparisons(study)
+    found = [(name, group) for name, group in found if study.has(join(group, "error_share"))][:MOST_CURVES]
+    if not found:
+        return
+    figure, axes = theme.panels(len(found), 2, 1.5, sharey=True)
+    said = []
+    for axis, (name, group) in zip(axes, found):
+        shares, level = study.numbers(join(group, "error_share")), study.numbers(join(group, "error_level"))
+        for version, colour in ((0, theme.BEFORE), (-1, theme.AFTER)):
+            axis.plot(level, 100 * shares[version, 0], color=colour)
+        axis.set_title(short(name), fontsize=7.5)
+        accuracy = study.number("accuracy")
+        if np.isfinite(accuracy):
+            axis.axvline(accuracy, color=theme.SOFT, linewidth=0.8, linestyle=":")
+        k = int(np.argmax(shares[-1, 0] >= 0.5)) if (shares[-1, 0] >= 0.5).any() else shares.shape[2] - 1
+        said.append(f"{name} half below {number(level[k])}")
+        unit = (study.texts(join(group, "meter_unit")) or [""])[0].replace("degC", "K")
+        axis.set(ylim=(0, 100), xlabel=f"absolute error{unit_words(unit)}")
+    for axis in axes[::2]:
+        axis.set_ylabel("readings [%]")
+    handles = [axes[0].plot([], [], color=colour)[0] for colour in (theme.BEFORE, theme.AFTER)]
+    figure.legend(handles, ["before", "after"], loc="outside upper left", ncols=2)
+    yield picture(figure, "How large the errors are", f"Cumulative distributions of absolute errors, after: {listed(said)}.",
+                  "Share of the readings whose error is at most that; of the first meter."
+                  + (" Dotted: the sensor's accuracy." if np.isfinite(study.number("accuracy")) else ""))
+
+
+def share_table(study):
+    rows = []
+    for name, group in comparisons(study):
+        half, own = (study.numbers(join(group, f"share_within_{leaf}")) for leaf in ("half", "accuracy"))
+        for m, meter in enumerate(study.texts(join(group, "meter"))):
+            if half.ndim == own.ndim == 2 and m < half.shape[1]:
+                rows.append([name, meter, fixed(100 * half[0, m], 0), fixed(100 * half[-1, m], 0),
+                             fixed(100 * own[0, m], 0), fixed(100 * own[-1, m], 0)])
+    if rows:
+        yield Table("Readings within [%]", [("stage or validation", False), ("meter", False),
+                                            ("0.5: before", True), ("after", True),
+                                            ("the accuracy: before", True), ("after", True)], rows)
