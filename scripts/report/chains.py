@@ -7,11 +7,11 @@ import numpy as np
 from scipy.stats import gaussian_kde, rankdata
 
 from report import theme
-from report.picture import Table, and_more, picture, short, unit_words
+from report.picture import LONGEST_OF_THREE, Table, and_more, picture, short, unit_words
 from report.stored import join
 from report.words import fixed, listed, number, percent
 
-LOG_DENSITY = "log_density"
+LOG_DENSITY, ALL = "log_density", "all"
 MOST_DENSITIES, MOST_PAIRS, MOST_TRACES = 12, 5, 6
 MOST_DRAWS, TRACE, PLACES = 2000, 80, 60       # of a density; of a chain in a trace; of a curve
 PAIR_DOTS, BINS = 200, 20
@@ -67,6 +67,7 @@ def draw_density(axis, posterior, prior):
     axis.set_ylim(bottom=0)
     axis.grid(False)
     axis.locator_params(axis="x", nbins=3)
+    theme.compact(axis)
 
 
 def densities(study):
@@ -79,10 +80,9 @@ def densities(study):
     figure, axes = theme.panels(len(shown), 3, 1.05)
     for axis, name in zip(axes, shown):
         draw_density(axis, some(draws_of(study, name)), some(draws_of(study, name, "prior")))
-        axis.set_title(short(name), fontsize=7.5)
+        axis.set_title(short(name, LONGEST_OF_THREE), fontsize=7.5)
         axis.set_xlabel(unit_words(units.get(name, "")).strip(), fontsize=7)
-    handles = [axes[0].plot([], [], color=colour)[0] for colour in (theme.AFTER, theme.PLAIN)]
-    figure.legend(handles, ["posterior", "prior"], loc="outside upper left", ncols=2)
+    theme.legend_on_top(figure, (("posterior", theme.AFTER), ("prior", theme.PLAIN)))
     said = "; ".join(f"{name} {number(np.mean(draws_of(study, name)))} ± {number(np.std(draws_of(study, name)), 2)}"
                      for name in shown)
     yield picture(figure, "Before and after the data",
@@ -110,6 +110,7 @@ def pairs(study):
         axis.grid(False)
         axis.tick_params(labelleft=False, left=False, labelsize=6)
         axis.locator_params(axis="x", nbins=2)
+        theme.compact(axis)
         if row < column:
             axis.text(0.5, 0.5, fixed(correlation[shown[row], shown[column]], 2), ha="center", va="center",
                       transform=axis.transAxes, color=theme.SOFT)
@@ -123,8 +124,8 @@ def pairs(study):
         else:
             theme.dots(axis, some(draws[shown[column]], PAIR_DOTS), some(draws[shown[row]], PAIR_DOTS), theme.AFTER,
                        size=1.8, alpha=0.5)
-        if row == column:
-            axis.set_title(short(names[shown[row]]), fontsize=7)
+        if row == column:      # the last one's words go to the left, where there is room
+            axis.set_title(short(names[shown[row]], LONGEST_OF_THREE), fontsize=7, loc="right" if row == n - 1 else "left")
     pair = np.unravel_index(np.abs(correlation).argmax(), correlation.shape)
     yield picture(figure, "Pairs", f"Pairs of {listed(names[k] for k in shown)}. The strongest correlation is "
                   f"{fixed(correlation[pair], 2)}, of {names[pair[0]]} and {names[pair[1]]}.",
@@ -153,13 +154,13 @@ def traces(study):
         places = np.linspace(0, draws.shape[1] - 1, min(TRACE, draws.shape[1])).astype(int)
         for chain, values in enumerate(draws):
             axis.plot(places + 1, values[places], color=colour_of(chain), linewidth=0.6, alpha=0.8)
-        axis.set_title(f"{short(name)}, R-hat {fixed(rhat.get(name, np.nan), 3)}", fontsize=7.5)
+        axis.set_title(f"{short(name)} {fixed(rhat.get(name, np.nan), 3)}", fontsize=7.5)
         axis.locator_params(nbins=3)
     for axis in axes[-2:]:
         axis.set_xlabel("draw")
     said = listed(f"{name} {fixed(rhat.get(name, np.nan), 3)}" for name in shown)
     yield picture(figure, "Traces", f"Traces of {len(draws_of(study, shown[0]))} chains; R-hat: {said}.",
-                  "Chains that have converged mix and lie in one band."
+                  "Names with R-hat. Chains that have converged mix and lie in one band."
                   + and_more(len(names_of(study)), len(shown), "unknowns") + " Those that converge worst are shown.")
 
 
@@ -200,13 +201,19 @@ def table(study):
         mean, sd, low, high, rhat, bulk, tail = (column.get(name, np.nan) for column in columns)
         unit = units.get(name, "")
         rows.append([name, number(mean), number(sd, 2), f"{number(low)} to {number(high)}",
-                     "" if unit == "-" else unit, fixed(rhat, 3), number(bulk), number(tail), words.get(name, "")])
+                     "" if unit in ("-", "1") else unit.replace("degC", "°C"), fixed(rhat, 3), number(bulk), number(tail), words.get(name, "")])
     yield Table("Unknowns", [("unknown", False), ("mean", True), ("sd", True), ("90 % interval", True),
                              ("unit", False), ("R-hat", True), ("ESS bulk", True), ("ESS tail", True),
                              ("what the data tell", False)], rows)
     if np.isfinite(study.number("target_rhat")):
         yield f"Aim: R-hat of at most {number(study.number('target_rhat'))} and at least " \
               f"{number(study.number('target_ess'))} effective draws (ESS)."
+
+
+def judged(group):
+    """"gas, held_out": the meter and period, .../PERIOD/METER/PART; of single hours that were held out their part."""
+    *where, meter, part = ("", *group.split("/"))
+    return meter, " ".join([name for name in where if name] + ([] if part == ALL else [part]))
 
 
 def fit_table(study):
@@ -222,8 +229,7 @@ def fit_table(study):
         months = errors[:, -1]
         if finest is None:
             continue
-        *where, meter = group.split("/")
-        rows.append([meter, " ".join(where), percent(errors[0, finest], 1), percent(errors[1, finest], 1),
+        rows.append([*judged(group), percent(errors[0, finest], 1), percent(errors[1, finest], 1),
                      percent(months[0], 1), percent(months[1], 1), percent(inside[1]) if inside.size > 1 else ""])
     if rows:
         yield Table("Errors: CV(RMSE)", [("meter", False), ("period", False), ("as described", True),
@@ -241,8 +247,7 @@ def reading_ranks(study):
     said = []
     for axis, group in zip(axes, groups):
         counts = study.numbers(join(group, "pit"))
-        *where, meter = group.split("/")
-        name = f"{meter}, {' '.join(where)}" if where else meter
+        name = ", ".join(judged(group))
         axis.stairs(counts * counts.size / counts.sum(), np.linspace(0, 1, counts.size + 1), fill=True,
                     color=theme.AFTER, alpha=0.5)
         axis.axhline(1, color=theme.SOFT, linewidth=0.8, linestyle=":")

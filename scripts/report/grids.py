@@ -90,6 +90,7 @@ def values(study):
         axis.set_xlabel(f"{short(name)}{unit_words(units[p] if p < len(units) else '')}")
         axis.grid(False, axis="y")
         axis.locator_params(axis="x", nbins=5)
+        theme.compact(axis)
     axes[0].set(yticks=range(1, len(groups) + 1), ylim=(len(groups) + 0.5, 0.5))
     for axis in axes[::2]:
         axis.set_ylabel("stage")

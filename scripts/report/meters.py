@@ -21,8 +21,9 @@ MOST_METERS = 6
 CURVE = 200                    # points of a curve
 BIN = 2                        # [K] of outdoor temperature
 LEAST_SHARE = 0.9              # of a week that is read
+LEAST_OF_WEEK = 28             # steps: one in six hours
 BAND = ("predicted_q05", "predicted_q95")
-TRAINING = "training"
+TRAINING, JUDGED = "training", "validation"
 
 
 @dataclass
@@ -120,32 +121,40 @@ def unit_of(study, group, name):
     return "" if said == "of the meter" else said
 
 
+def place_of(group):
+    """(what it is of: a building or a comparison, or ""; period; meter): .../PERIOD/METER."""
+    *owner, period, name = ("", *group.split("/"))[-4:] if group.count("/") < 3 else group.split("/")
+    return "/".join(part for part in owner if part not in ("", "periods")), period, name
+
+
 def meter_in(study, group):
-    period, _, name = group.rpartition("/")
-    period = period.rpartition("/")[2] or period
+    owner, period, name = place_of(group)
+    last = owner.rpartition("/")[2]
+    shown = name if last in ("", period) else f"{name}, {last}"
     time, measured = study.numbers(join(group, "time")), study.numbers(join(group, "measured"))
     models = {label: values for label, values in models_of(study, group).items() if values.shape == time.shape}
     band = [study.numbers(join(group, leaf)) for leaf in BAND]
     has_band = all(end.shape == time.shape for end in band)
     if measured.shape != time.shape or not models or np.isfinite(measured).sum() == 0:
         return None
-    meter = Meter(name, period, unit_of(study, group, name), time, measured, models, np.array([]),
+    meter = Meter(shown, period, unit_of(study, group, name), time, measured, models, np.array([]),
                   np.array(band) if has_band else np.array([]))
     meter.outdoor = at_steps(study.outdoor.get(period), time, meter.step)
     return meter
 
 
 def meters_of(study):
-    """One period of each meter: the first after training that has readings, by the study's order of periods."""
-    order = study.texts("period")
+    """One period of each meter: the first after training that has readings. Validations come before stages."""
+    order = study.periods
     found = {}
-    for group in study.groups_with("time", "measured"):
+    for group in sorted(study.groups_with("time", "measured"), key=lambda group: not group.startswith(JUDGED)):
         meter = meter_in(study, group)
         if meter is not None:
-            place = order.index(meter.period) if meter.period in order else len(order)
-            is_training = meter.period == (order[0] if order else TRAINING)
-            found.setdefault(meter.name, []).append((is_training, place, meter))
-    return [min(periods, key=lambda row: row[:2])[2] for periods in found.values()][:MOST_METERS]
+            owner, period, name = place_of(group)
+            place = order.index(period) if period in order else len(order)
+            is_training = period == (order[0] if order else TRAINING)
+            found.setdefault((owner, name), []).append((is_training, place, meter))
+    return [min(periods, key=lambda row: row[:2])[2] for periods in found.values()]
 
 
 def of_loop(loop):
@@ -228,11 +237,13 @@ def duration(meter):
 def typical_week(meter):
     """The week whose error is in the middle of all that are read nearly whole, with the 90 % band where stored."""
     steps = int(round(WEEK / meter.step))
+    if steps < LEAST_OF_WEEK:
+        return None
     monday = ((meter.time // DAY + 3) % 7 == 0) & (meter.time % DAY == 0)
     weeks = [slice(k, k + steps) for k in np.flatnonzero(monday) if k + steps <= meter.time.size and
              np.isfinite(meter.measured[k:k + steps]).mean() >= LEAST_SHARE and
              meter.time[k + steps - 1] - meter.time[k] < WEEK]
-    if steps < 28 or not weeks:
+    if not weeks:
         return None
     errors = [np.sqrt(np.nanmean((meter.last[part] - meter.measured[part]) ** 2)) for part in weeks]
     part = weeks[int(np.argsort(errors)[len(weeks) // 2])]
@@ -295,5 +306,8 @@ def drawn(meter):
 
 def series(study):
     """All pictures of all meters of a study."""
-    for meter in meters_of(study):
+    found = meters_of(study)
+    for meter in found[:MOST_METERS]:
         yield from drawn(meter)
+    if len(found) > MOST_METERS:
+        yield f"{len(found) - MOST_METERS} more meters are not drawn."

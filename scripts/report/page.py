@@ -56,17 +56,17 @@ def slug(text):
 
 
 def remarks_of(study):
-    """What went wrong in it."""
+    """(head, sentence) of what went wrong in it."""
     lines = []
     if study.damage:
-        lines.append(f"This study cannot be read: {study.damage}")
+        lines.append(("Damaged:", f"this study cannot be read: {study.damage}"))
     if study.text("shortfall"):
-        lines.append(f"Falls short: {study.text('shortfall')}.")
+        lines.append(("Falls short:", f"{study.text('shortfall')}."))
     reasons = study.texts("failed_item_reason") or study.texts("failed_reason")
     n_failed = study.number("n_failed")
     if n_failed > 0 or study.texts("failed_item_reason"):
         why = f": {listed(list(dict.fromkeys(reasons))[:3])}" if reasons else ""
-        lines.append(f"{number(n_failed if n_failed > 0 else len(reasons), 6)} simulations failed{why}.")
+        lines.append(("Failed:", f"{number(n_failed if n_failed > 0 else len(reasons), 6)} simulations{why}."))
     return lines
 
 
@@ -105,7 +105,7 @@ def section_of(study, name):
     else:
         section.parts = parts_of(study)
     if not section.parts and not section.loop and not section.remarks:
-        section.remarks.append("It stores nothing that can be drawn.")
+        section.remarks.append(("No pictures:", "it stores nothing that can be drawn."))
     return section
 
 
@@ -124,9 +124,16 @@ def title_of(result):
     return buildings[0] if len(buildings) == 1 else result.title or "Result"
 
 
+def place_of(study):
+    """In the order of the table of kinds, which is that of a job."""
+    kinds = list(KINDS)
+    return kinds.index(study.kind) if study.kind in kinds else len(kinds)
+
+
 def sections_of(result):
     several = len(result.findings) > 1
-    return [section_of(study, study.path if several else study.name) for study in result.studies]
+    studies = sorted(result.studies, key=lambda study: (study.building, place_of(study)))
+    return [section_of(study, study.path if several else study.name) for study in studies]
 
 
 def html_of(result, sections=None):

@@ -3,7 +3,7 @@ from dataclasses import dataclass
 
 from report import theme
 
-LONGEST_NAME = 24              # of a label [characters]
+LONGEST_NAME, LONGEST_OF_THREE = 24, 17       # of a label; of the title of one of three panels [characters]
 
 
 @dataclass
@@ -29,10 +29,10 @@ def picture(figure, title, alt, caption):
     return Picture(theme.svg_of(figure), alt, caption, title)
 
 
-def short(name):
+def short(name, longest=LONGEST_NAME):
     """With an ellipsis in the middle where it is too long for a label; its end tells names apart."""
-    half = LONGEST_NAME // 2
-    return name if len(name) <= LONGEST_NAME else f"{name[:half]}…{name[-half + 1:]}"
+    half = longest // 2
+    return name if len(name) <= longest else f"{name[:half]}…{name[-half + 1:]}"
 
 
 def unit_words(unit):

@@ -48,11 +48,12 @@ def savings(study):
         axis.set_ylim(len(scenarios) - 0.5, -0.5)
         axis.grid(False, axis="y")
         axis.locator_params(axis="x", nbins=5)
+        theme.compact(axis)
     said = "; ".join(f"{scenario}: " + listed(
         f"{names[k]} {number(middle[s, k])} ({number(low[s, k])} to {number(high[s, k])}) {units[k]}"
         + (f", {percent(share[1][s, k])}" if share is not None else "") for k in shown)
         for s, scenario in enumerate(scenarios))
-    yield picture(figure, "Savings", f"Savings of each scenario: {said}.",
+    yield picture(figure, "Energy saved", f"Savings of each scenario: {said}.",
                   f"Before less after, point by point of the study {study.text('points_of')}. Bars: middle; lines: "
                   f"{intervals_words(study)}. Below 0: more than before.")
 
@@ -88,6 +89,7 @@ def beside(study, shown, title, what, more=""):
         axis.set_xlim(left=0)
         axis.grid(False, axis="y")
         axis.locator_params(axis="x", nbins=5)
+        theme.compact(axis)
     said = "; ".join(f"{names[k]} {number(before[1, k])} before, " + listed(
         f"{number(after[1, s, k])} with {scenario}" for s, scenario in enumerate(scenarios)) for k in shown)
     yield picture(figure, title, f"{what[:1].upper() + what[1:]} before and after: {said}.",

@@ -71,11 +71,11 @@ def parameters(study):
             some = spread(which & there & (error <= top))
             theme.dots(axis, points[some, p], error[some], colour)
         axis.set_xlabel(f"{short(names[p])}{unit_words(units.get(names[p], ''))}")
+        axis.locator_params(axis="x", nbins=4)
+        theme.compact(axis)
     for axis in axes[::2]:
         axis.set_ylabel("error [%]")
-    handles = [axes[0].plot([], [], "o", color=colour, markersize=4)[0] for _, colour, _ in groups]
-    figure.legend(handles, [words for words, *_ in groups], loc="outside upper left", ncols=3, handletextpad=0.2,
-                  columnspacing=0.9)
+    theme.legend_on_top(figure, [(words, colour) for words, colour, _ in groups], "o")
     counts = ", ".join(f"{words} {int(which.sum())}" for words, _, which in groups)
     yield picture(figure, "Parameters against the error",
                   f"Error of the points over each of {len(shown)} parameters. Points {counts}. The error follows "
@@ -181,5 +181,6 @@ def over_ranges(study, shares, names, values, what, title, first="best point"):
     said = listed(f"{names[p]} ({number(np.nanmin(values[:, p]))} to {number(np.nanmax(values[:, p]))})"
                   for p in narrow)
     return picture(figure, title, f"Values of {what} in the ranges of the parameters; they agree most on {said}.",
-                   f"Each line is a parameter's range, each dot one of {what}. Where dots lie all over a line, the "
-                   "readings do not tell that parameter.")
+                   f"Each line is a parameter's range" + (
+                       f", each dot one of {what}. Where dots lie all over a line, the readings do not tell that "
+                       "parameter." if len(shares) > 1 else "."))

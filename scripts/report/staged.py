@@ -2,12 +2,13 @@
 import numpy as np
 
 from report import theme
-from report.picture import Table, and_more, picture, short, unit_words
+from report.picture import LONGEST_OF_THREE, Table, and_more, picture, short, unit_words
 from report.stored import join
 from report.words import fixed, listed, number
 
 Z_90 = 1.645                   # half of a 90 % interval, in standard deviations
 MOST_PANELS, MOST_CURVES = 24, 8
+NEARLY_ALL = 0.99              # of the readings: larger errors are not drawn
 RMSE = "rmse"
 
 
@@ -34,10 +35,11 @@ def values(study):
             low, high = (np.clip(found[s, p] + side * half, least[s, p], most[s, p]) for side in (-1, 1))
             axis.plot([low, high], [s, s], color=theme.AFTER, linewidth=1.4)
             axis.plot(found[s, p], s, "o", color=theme.AFTER, markersize=4)
-        axis.set_title(short(names[p]), fontsize=7)
+        axis.set_title(short(names[p], LONGEST_OF_THREE), fontsize=7)
         axis.set_xlabel(unit_words(units[p]).strip(), fontsize=6.5)
         axis.tick_params(labelsize=6.5)
         axis.locator_params(axis="x", nbins=3)
+        theme.compact(axis)
         axis.grid(False, axis="y")
     axes[0].set(yticks=range(len(stages)), yticklabels=[short(stage) for stage in stages],
                 ylim=(len(stages) - 0.5, -0.5))
@@ -118,11 +120,12 @@ def distributions(study):
         k = int(np.argmax(shares[-1, 0] >= 0.5)) if (shares[-1, 0] >= 0.5).any() else shares.shape[2] - 1
         said.append(f"{name} half below {number(level[k])}")
         unit = (study.texts(join(group, "meter_unit")) or [""])[0].replace("degC", "K")
-        axis.set(ylim=(0, 100), xlabel=f"absolute error{unit_words(unit)}")
+        reached = np.flatnonzero((shares[:, 0] >= NEARLY_ALL).all(axis=0))
+        axis.set(ylim=(0, 100), xlim=(0, level[reached[0]] if reached.size else level[-1]),
+                 xlabel=f"absolute error{unit_words(unit)}")
     for axis in axes[::2]:
         axis.set_ylabel("readings [%]")
-    handles = [axes[0].plot([], [], color=colour)[0] for colour in (theme.BEFORE, theme.AFTER)]
-    figure.legend(handles, ["before", "after"], loc="outside upper left", ncols=2)
+    theme.legend_on_top(figure, (("before", theme.BEFORE), ("after", theme.AFTER)))
     yield picture(figure, "How large the errors are", f"Cumulative distributions of absolute errors, after: {listed(said)}.",
                   "Share of the readings whose error is at most that; of the first meter."
                   + (" Dotted: the sensor's accuracy." if np.isfinite(study.number("accuracy")) else ""))

@@ -34,6 +34,7 @@ class Study:
     damage: str = ""
     loop: Loop = None
     outdoor: dict = field(default_factory=dict)    # of the building: period -> (time [s], temperature [degC])
+    periods: list = field(default_factory=list)    # of the building, the first for training; [] = not known
 
     @property
     def building(self):
@@ -154,19 +155,21 @@ def outdoor_in(study):
     return found
 
 
-def share_outdoor(all_studies):
-    """What one study stores of the weather holds for all of its building."""
-    of_building = {}
+def share(all_studies):
+    """What one study stores of weather and periods holds for all of its building."""
+    outdoor, periods = {}, {}
     for study in all_studies:
-        of_building.setdefault(study.building, {}).update(outdoor_in(study))
+        outdoor.setdefault(study.building, {}).update(outdoor_in(study))
+        said = study.loop.periods if study.loop else study.texts("period")
+        periods[study.building] = periods.get(study.building) or said
     for study in all_studies:
-        study.outdoor = of_building[study.building]
+        study.outdoor, study.periods = outdoor[study.building], periods[study.building]
 
 
 def findings_in(file, building):
-    group = file.get(f"{building}/{DATA}" if building else DATA)
-    if not isinstance(group, h5py.Group):
+    if not building or not guard.has(file, f"{building}/{DATA}"):
         return []
+    group = file[building][DATA]
     columns = [guard.texts(group, name) for name in ("series", "finding", "action")]
     return [Finding(*row) for row in zip(*columns)]
 
@@ -188,8 +191,10 @@ def result_in(file, stages):
     found = [study_in(file, path, kinds[path]) for path in chosen]
     if all(study.damage for study in found):
         raise ValueError(found[0].damage)
-    share_outdoor(found)
+    share(found)
     buildings = dict.fromkeys(study.building for study in found)
+    if "" in buildings:        # a study of several, or of none
+        buildings.update(dict.fromkeys(name for name in file if guard.has(file, f"{name}/{DATA}/series")))
     return Result(str(file.attrs.get("title", "")), {name: str(value) for name, value in file.attrs.items()
                                                      if name != "job"}, found,
                   {building: findings_in(file, building) for building in buildings})

@@ -12,6 +12,7 @@ import numpy as np
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.colors import LinearSegmentedColormap, to_rgba
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
@@ -86,10 +87,28 @@ def dots(axis, x, y, colour, size=2.5, alpha=0.7, label=None):
         axis.plot([], [], "o", color=colour, markersize=4, label=label)
 
 
+def thousands(value, _=None):
+    """"260k" of a large number, so that those of an axis do not touch."""
+    return f"{value / 1000:g}k" if abs(value) >= 10000 else f"{value:g}".replace("-", "−")
+
+
+def compact(axis):
+    axis.xaxis.set_major_formatter(thousands)
+
+
 def legend_above(axis, columns=4, **more):
     """Above the axes, where nothing is drawn."""
     axis.legend(loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2, ncols=columns, columnspacing=0.9,
                 handlelength=1.2, handletextpad=0.5, **more)
+
+
+def legend_on_top(drawn, rows, marker=None):
+    """One legend for all panels, in a line of its own. rows: (words, colour)."""
+    drawn.suptitle(" ", fontsize=9)            # keeps the line free
+    style = {"marker": marker, "linestyle": "", "markersize": 4} if marker else {}
+    drawn.legend([Line2D([], [], color=colour, **style) for _, colour in rows], [words for words, _ in rows],
+                 loc="upper left", bbox_to_anchor=(0, 1), ncols=len(rows), borderaxespad=0.1, columnspacing=0.9,
+                 handlelength=1.2, handletextpad=0.4)
 
 
 def variables(column):
