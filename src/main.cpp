@@ -108,7 +108,7 @@ void add_run(CLI::App& app, CommandLine& line) {
         ->type_name("FILE")
         ->check(CLI::ExistingFile);
     run->add_flag("--no-report", line.no_report,
-                  "write no page with pictures beside the result of a loop");
+                  "write no page with pictures beside the result");
 }
 
 void add_describe(CLI::App& app, CommandLine& line) {
@@ -248,7 +248,7 @@ ExitCode run_command(run::Comm& comm, const CommandLine& line) {
     options.on_stage = print_tables;
     if (!line.no_report)
         options.pages = run::PageWriter{run::find_script(
-            "scripts/loop_report", {BEMCAL_SOURCE_DIR, BEMCAL_DATA_DIR})};
+            "scripts/result_report", {BEMCAL_SOURCE_DIR, BEMCAL_DATA_DIR})};
     run::together(comm, [&] {
         options.job = line.job.empty()
                           ? run::find_quickstart({BEMCAL_SOURCE_DIR, BEMCAL_DATA_DIR})

@@ -4,7 +4,6 @@ Sources: rank histograms and R-hat of Vehtari et al. 2021, Bayesian Analysis 16;
 Scott's width. The log density is no unknown.
 """
 import numpy as np
-from scipy.stats import gaussian_kde, rankdata
 
 from report import theme
 from report.picture import LONGEST_OF_THREE, Table, and_more, picture, short, unit_words
@@ -44,8 +43,11 @@ def some(values, most=MOST_DRAWS):
 
 
 def density(values, places):
-    """None where all are the same."""
-    return gaussian_kde(values)(places) if np.ptp(values) > 0 and values.size > 2 else None
+    """Of Gaussian kernels; None where all are the same."""
+    width = np.std(values) * values.size ** -0.2       # Scott's
+    if not width > 0:
+        return None
+    return np.exp(-((places[:, None] - values) / width) ** 2 / 2).mean(axis=1) / (width * np.sqrt(2 * np.pi))
 
 
 def draw_density(axis, posterior, prior):
@@ -173,7 +175,7 @@ def ranks(study):
     most = {}
     for axis, name in zip(axes, shown):
         draws = draws_of(study, name)
-        places = rankdata(draws.ravel()).reshape(draws.shape) / draws.size
+        places = (np.argsort(np.argsort(draws, axis=None, kind="stable")) + 0.5).reshape(draws.shape) / draws.size
         counts = np.array([np.histogram(row, BINS, (0, 1))[0] for row in places]) * BINS / draws.shape[1]
         for chain, row in enumerate(counts):
             axis.stairs(row, np.linspace(0, 1, BINS + 1), color=colour_of(chain), linewidth=0.8)

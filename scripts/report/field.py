@@ -31,7 +31,7 @@ def predictions(study):
     ends = [min(np.nanmin(measured), np.nanmin(mean)), max(np.nanmax(measured), np.nanmax(mean))]
     axis.plot(ends, ends, color=theme.SOFT, linewidth=0.8, linestyle=":")
     axis.set(xlabel=f"measured{unit_words(unit(study))}", ylabel=f"predicted{unit_words(unit(study))}")
-    theme.legend_above(axis, columns=3)
+    theme.legend_above(axis)
     inside = study.numbers("measurement_coverage").ravel()
     held = f"; {percent(inside[1])} of the measurements lie in their 90 % intervals" if inside.size > 1 else ""
     yield picture(figure, "Predictions at the field points",

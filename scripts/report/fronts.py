@@ -51,7 +51,7 @@ def fronts(study):
         axis.set(xlabel=objective_label(study, a), ylabel=objective_label(study, b))
         theme.legend_above(axis)
         yield picture(figure, f"Front: {names[a]} and {names[b]}",
-                      f"Front of {len(front)} points that none is better than in both: {names[a]} from "
+                      f"Front of {len(front)} points, no other of which is better in all: {names[a]} from "
                       f"{number(low[0])} to {number(high[0])}, {names[b]} from {number(low[1])} to {number(high[1])}.",
                       "Along the front one objective falls only as the other rises. Grey: points near it.")
 

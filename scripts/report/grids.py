@@ -66,7 +66,7 @@ def errors(study):
     axis.axhline(0, color=theme.SOFT, linewidth=0.8)
     axis.axvline(0, color=theme.SOFT, linewidth=0.8)
     axis.set(xlabel=f"error of {short(targets[0])} [%]", ylabel=f"of {short(targets[1])} [%]")
-    theme.legend_above(axis, columns=3)
+    theme.legend_above(axis)
     best = kept[-1][0] if len(kept[-1]) else np.full(2, np.nan)
     yield picture(figure, "Errors of the points",
                   f"Errors of {targets[0]} and {targets[1]} of the points near the measured values; the nearest of "

@@ -57,7 +57,7 @@ class Meter:
 
     @property
     def where(self):
-        return f"{self.name} in {self.period}"
+        return self.name if self.name.endswith(f", {self.period}") else f"{self.name} in {self.period}"
 
 
 COLOURS = (theme.BEFORE, theme.AFTER)
@@ -130,7 +130,7 @@ def place_of(group):
 def meter_in(study, group):
     owner, period, name = place_of(group)
     last = owner.rpartition("/")[2]
-    shown = name if last in ("", period) else f"{name}, {last}"
+    shown = f"{name}, {last}" if last else name
     time, measured = study.numbers(join(group, "time")), study.numbers(join(group, "measured"))
     models = {label: values for label, values in models_of(study, group).items() if values.shape == time.shape}
     band = [study.numbers(join(group, leaf)) for leaf in BAND]

@@ -105,7 +105,7 @@ def held_out(study):
         best = int(np.nanargmin(np.where(there, study.numbers("score"), np.nan)))
         axis.plot(first[best], second[best], "D", color=theme.BEFORE, markersize=5, label="best point")
         axis.set(xlabel=f"CV(RMSE) in {periods[0]} [%]", ylabel=f"in {periods[1]} [%]")
-        theme.legend_above(axis, columns=2)
+        theme.legend_above(axis)
         yield picture(figure, f"{meter}: {periods[0]} and {periods[1]}",
                       f"CV(RMSE) of each point for {meter} in {periods[0]} against {periods[1]}: correlation "
                       f"{fixed(np.corrcoef(first[inside], second[inside])[0, 1], 2)}; the best point has "

@@ -15,6 +15,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
+from matplotlib.transforms import blended_transform_factory
 
 INK, SOFT, GRID = "#123451", "#123452", "#123453"
 PLAIN, BEFORE, AFTER, STRONG = "#123454", "#123455", "#123456", "#c51b7d"
@@ -41,6 +42,7 @@ STYLE = {
     "figure.facecolor": "none", "axes.facecolor": "none", "savefig.facecolor": "none",
 }
 WIDTH = 4.1                    # [in] as a phone shows it
+LINE, SIGN = 60, 4             # characters in a line of a legend; that a sign beside its words takes
 DPI = 144                      # of what is drawn as an image
 
 matplotlib.rcParams.update(STYLE)
@@ -96,10 +98,13 @@ def compact(axis):
     axis.xaxis.set_major_formatter(thousands)
 
 
-def legend_above(axis, columns=4, **more):
-    """Above the axes, where nothing is drawn."""
-    axis.legend(loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2, ncols=columns, columnspacing=0.9,
-                handlelength=1.2, handletextpad=0.5, **more)
+def legend_above(axis):
+    """Above the axes, where nothing is drawn, from the picture's left edge on; in two lines where one is too short."""
+    _, words = axis.get_legend_handles_labels()
+    is_long = sum(map(len, words)) + SIGN * len(words) > LINE
+    axis.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=-(-len(words) // 2) if is_long else len(words),
+                bbox_transform=blended_transform_factory(axis.figure.transFigure, axis.transAxes), borderaxespad=0.2,
+                columnspacing=0.9, handlelength=1.2, handletextpad=0.5)
 
 
 def legend_on_top(drawn, rows, marker=None):

@@ -547,7 +547,6 @@ class Writer {
     study::Summary summary() const {
         study::Summary summary;
         summary.study = stage_;
-        summary.has_page = true;
         for (std::size_t k = 0; k < loop_.parameters.size(); ++k) {
             const double value = loop_.parameter_value.at({StoredLoop::after, k});
             const double half =

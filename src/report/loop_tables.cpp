@@ -1,7 +1,7 @@
 /// What a loop found and how: effects with their evidence and doubts, the steps of the
 /// search, what became of the parameters; what is read first stands last.
 /// Made from stored datasets alone; other tables of a loop are in loop_fit_tables and
-/// loop_data_tables, pictures in scripts/loop_report.
+/// loop_data_tables, pictures in scripts/result_report.
 #include "base/nan.hpp"
 #include "report/loop_parts.hpp"
 #include "report/sections.hpp"

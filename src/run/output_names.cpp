@@ -175,16 +175,10 @@ fs::path beside(const fs::path& result, const std::string& first,
     return path;
 }
 
-std::string building_of(const std::string& loop) {
-    return loop.substr(0, loop.find('/'));
-}
-
-/// What the page of a loop adds to the result's name.
-std::string suffix_of(const std::string& loop, const std::vector<std::string>& loops) {
-    if (loops.size() < 2) return "";
-    const std::string building = building_of(loop);
-    const auto n = std::ranges::count(loops, building, building_of);
-    return "-" + (n > 1 ? building + "-" + loop.substr(building.size() + 1) : building);
+/// Of "BUILDING/STUDY"; "" of a study that is of no single building.
+std::string building_of(const std::string& stage) {
+    const std::size_t end = stage.find('/');
+    return end == std::string::npos ? "" : stage.substr(0, end);
 }
 
 }  // namespace
@@ -193,12 +187,21 @@ fs::path page_of(const fs::path& result, const std::string& suffix) {
     return fs::path(result).replace_filename(result.stem().string() + suffix + ".html");
 }
 
-std::vector<fs::path> pages_of(const fs::path& result,
-                               const std::vector<std::string>& loops) {
-    std::vector<fs::path> pages;
-    pages.reserve(loops.size());
-    for (const std::string& loop : loops)
-        pages.push_back(page_of(result, suffix_of(loop, loops)));
+std::vector<Page> pages_of(const fs::path& result,
+                           const std::vector<std::string>& stages) {
+    std::vector<Page> pages;
+    Page of_none{page_of(result), {}};
+    for (const std::string& stage : stages) {
+        const std::string building = building_of(stage);
+        const Page page{page_of(result, "-" + building), {building}};
+        if (building.empty())
+            of_none.stages.push_back(stage);
+        else if (std::ranges::find(pages, page.file, &Page::file) == pages.end())
+            pages.push_back(page);
+    }
+    if (stages.empty()) return {};
+    if (pages.size() < 2) return {{of_none.file, {}}};
+    if (!of_none.stages.empty()) pages.insert(pages.begin(), of_none);
     return pages;
 }
 

@@ -10,10 +10,16 @@
 
 namespace bemcal::run {
 
-/// Where the pages of these loops would lie: RESULT.html of one; of several
-/// RESULT-BUILDING.html, or RESULT-BUILDING-STUDY.html where a building has several.
-std::vector<std::filesystem::path> pages_of(const std::filesystem::path& result,
-                                            const std::vector<std::string>& loops);
+/// A page with pictures.
+struct Page {
+    std::filesystem::path file;
+    std::vector<std::string> stages;  ///< BUILDING, or studies of none; empty = all
+};
+
+/// The pages of a result with stages of these names: RESULT.html of one building; of
+/// several RESULT-BUILDING.html, and RESULT.html of studies that are of no single one.
+std::vector<Page> pages_of(const std::filesystem::path& result,
+                           const std::vector<std::string>& stages);
 
 struct OutputWish {
     std::filesystem::path named;  ///< -o; empty = the job's, else its name with .h5

@@ -104,11 +104,20 @@ Work work_of(const job::Job& job, const JobOptions& options) {
     return work;
 }
 
+std::vector<std::string> names_of(
+    const std::vector<std::unique_ptr<study::Stage>>& stages) {
+    std::vector<std::string> names;
+    names.reserve(stages.size());
+    for (const auto& stage : stages) names.push_back(stage->name());
+    return names;
+}
+
 /// Of a result that was written now, by rank 0.
 void write_pages(const JobOptions& options, const fs::path& output,
-                 const std::vector<std::string>& loops) {
+                 const std::vector<std::string>& stages) {
     if (!options.pages) return;
-    for (const std::string& line : options.pages->write(output, loops)) options.say(line);
+    for (const std::string& line : options.pages->write(output, stages))
+        options.say(line);
 }
 
 /// The last night's records, and a line of identity for them.
@@ -210,13 +219,12 @@ Outcome run_job(Comm& comm, const JobOptions& options) {
     work.frame.run["seconds_read"] = fmt::format("{:.3f}", seconds_read);
     work.frame.run["seconds_plan"] = fmt::format("{:.3f}", seconds_plan);
     const OutputNames names = agreed_output(comm, job, options);
+    const std::vector<std::string> stages = names_of(work.stages);
     Outcome outcome =
         execute(comm, std::move(work),
                 {names.result, options.existing, options.n_threads, options.item_seconds,
                  options.stop_at, options.say, options.on_stage});
-    if (!outcome.hash.empty()) {
-        write_pages(options, names.result, loops_in(outcome.found));
-    }
+    if (!outcome.hash.empty() && !job.stock) write_pages(options, names.result, stages);
     const bool is_there = !outcome.hash.empty() || outcome.is_complete_already;
     if (is_there && job.stock && comm.rank() == 0) outcome.stock = names;
     return outcome;

@@ -3,7 +3,7 @@
 
 #include "job/job.hpp"
 #include "run/execute.hpp"
-#include "run/loop_page.hpp"
+#include "run/result_page.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -26,7 +26,7 @@ struct JobOptions {
     std::string version;
     std::function<void(const std::string&)> say;             ///< rank 0
     std::function<void(const store::ResultFile&)> on_stage;  ///< rank 0
-    std::optional<PageWriter> pages;                         ///< of loops; none: no pages
+    std::optional<PageWriter> pages;                         ///< none: no pages
 };
 
 /// All ranks call it together; a UserError is thrown on all of them.

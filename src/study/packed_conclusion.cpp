@@ -57,7 +57,6 @@ void visit(is_a<Summary> auto& summary, auto&& see) {
     see(summary.score);
     see(summary.failure);
     see(summary.shortfall);
-    see(summary.has_page);
 }
 void visit(is_a<Conclusion> auto& conclusion, auto&& see) {
     see(conclusion.datasets);

@@ -49,7 +49,6 @@ struct Summary {
     double score = std::numeric_limits<double>::infinity();
     std::string failure;    ///< why nothing was found; empty = something was
     std::string shortfall;  ///< how what was found falls short of a target; empty = none
-    bool has_page = false;  ///< whether scripts/loop_report draws it
 };
 
 /// The summary of that study, the building's own where there is one; nullptr where

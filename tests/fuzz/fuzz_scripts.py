@@ -3,7 +3,7 @@
 
     fuzz_scripts.py [--seconds 60] [--attempts N] [--seed 1] [--only case_to_job]
 
-Cases (building.json and its files) for case_to_job; results for loop_report, stock_report and still_holds, with
+Cases (building.json and its files) for case_to_job; results for result_report, stock_report and still_holds, with
 bytes changed, or datasets taken away, cut, of other types or no numbers. The first fault ends it with code 1; what
 broke a script stays in build/fuzz/found.
 """
@@ -28,6 +28,7 @@ sys.dont_write_bytecode = True
 sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests" / "scripts")]
 
 import fake_loop_result  # noqa: E402
+import fake_results  # noqa: E402
 import test_case_to_job  # noqa: E402
 
 LIMIT = 60                     # seconds of one attempt
@@ -239,7 +240,8 @@ def targets(folder):
     return {"case_to_job": lambda: Cases(folder),
             "still_holds": lambda: Results(folder, "still_holds", posterior),
             "stock_report": lambda: Results(folder, "stock_report", stock),
-            "loop_report": lambda: Results(folder, "loop_report", fake_loop_result.write)}
+            "result_report": lambda: Results(folder, "result_report", fake_results.write),
+            "result_report_loop": lambda: Results(folder, "result_report", fake_loop_result.write)}
 
 
 def fault(name, number, what, ended):

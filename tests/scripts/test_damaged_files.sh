@@ -4,6 +4,6 @@
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 /usr/bin/python3 -c 'import h5py, jinja2, matplotlib' 2>/dev/null || exit 77
-for script in case_to_job:60 still_holds:40 stock_report:30 loop_report:10; do
+for script in case_to_job:60 still_holds:40 stock_report:30 result_report:10 result_report_loop:6; do
   "$root/tests/fuzz/fuzz_scripts.py" --seconds 300 --attempts "${script#*:}" --only "${script%:*}"
 done

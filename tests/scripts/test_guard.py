@@ -66,7 +66,7 @@ class Scripts(unittest.TestCase):
         (self.folder / "sitecustomize.py").write_text(ENDLESS)
         environment = {**os.environ, "PYTHONPATH": str(self.folder), "BEMCAL_PROGRAM": str(self.folder / "program")}
         commands = (["stock_report", self.result, self.folder / "page.html"],
-                    ["loop_report", self.result, self.folder / "page.html"],
+                    ["result_report", self.result, self.folder / "page.html"],
                     ["still_holds", self.result, self.result], ["change_point_baseline", self.result],
                     self.run_case_words())
         runs = [subprocess.Popen([ROOT / "scripts" / words[0], *words[1:]], env=environment, text=True,

@@ -16,10 +16,10 @@ done
 for script in build check dev environment install-packages quickstart test; do
   [[ ! -e $prefix/share/bemcal/scripts/$script ]] || fail "scripts/$script works on a checkout only"
 done
-"$prefix/share/bemcal/scripts/loop_report" --help >/dev/null || fail "the installed loop_report does not start"
 env -u BEMCAL_PROGRAM PATH=/usr/bin:/bin PYTHONPATH="$prefix/share/bemcal/scripts/python" /usr/bin/python3 -B -c \
   'import bemcal, sys; sys.exit(bemcal.program.find() != sys.argv[1])' "$prefix/bin/bemcal-batch" ||
   fail "the installed Python package does not find the program beside it"
+"$prefix/share/bemcal/scripts/result_report" --help >/dev/null || fail "the installed result_report does not start"
 shopt -s nullglob
 for job in "$prefix"/share/bemcal/jobs/*/quickstart*.toml "$prefix"/share/bemcal/jobs/quickstart*.toml; do
   "$prefix/bin/bemcal-batch" check "$job" >/dev/null || fail "check of the installed $job failed"

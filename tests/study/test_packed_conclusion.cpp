@@ -39,11 +39,9 @@ TEST(PackedConclusion, HasItsSummariesAsTheyWere) {
     given.score = 3.5;
     given.failure = "why";
     given.shortfall = "biased";
-    given.has_page = true;
     const auto all = unpack_conclusion(pack({{}, {Summary{}, given}})).summaries;
     ASSERT_EQ(all.size(), 2U);
     EXPECT_EQ(all[0].score, std::numeric_limits<double>::infinity());
-    EXPECT_FALSE(all[0].has_page);
     const Summary& back = all[1];
     EXPECT_EQ(back.study, given.study);
     EXPECT_EQ(back.building, given.building);
@@ -69,5 +67,4 @@ TEST(PackedConclusion, HasItsSummariesAsTheyWere) {
     EXPECT_EQ(back.score, 3.5);
     EXPECT_EQ(back.failure, "why");
     EXPECT_EQ(back.shortfall, "biased");
-    EXPECT_TRUE(back.has_page);
 }

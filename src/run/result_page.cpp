@@ -1,17 +1,16 @@
-/// Pages with pictures of a result's loops or stock: a Python script in a process of its
+/// Pages with pictures of a result or a stock: a Python script in a process of its
 /// own, and a line that says what was written or how to do it.
 /// Plain handling of files, without a source. The script's messages are not shown; a
 /// missing page is no error, one that cannot be written is.
-#include "run/loop_page.hpp"
+#include "run/result_page.hpp"
 
 #include "base/disk.hpp"
 #include "base/error.hpp"
-#include "run/output_names.hpp"
 #include "run/program.hpp"
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -44,6 +43,9 @@ bool makes(std::vector<std::string> words, const fs::path& page) {
     return code == 0;
 }
 
+/// A page takes some seconds, and nobody looks at hundreds.
+constexpr std::size_t most_pages = 12;
+
 constexpr const char* needs = "which takes Python with h5py, matplotlib and jinja2";
 
 /// Why there is no page.
@@ -55,10 +57,32 @@ std::string reason(const fs::path& page) {
 
 }  // namespace
 
+std::string PageWriter::command_of(const fs::path& result, const Page& page) const {
+    return fmt::format("{}", fmt::join(words_of(result, page), " "));
+}
+
+std::vector<std::string> PageWriter::words_of(const fs::path& result,
+                                              const Page& page) const {
+    std::vector<std::string> words{script.value_or("scripts/result_report").string(),
+                                   result.string(), page.file.string()};
+    for (const std::string& stage : page.stages)
+        words.insert(words.end(), {"--stage", stage});
+    return words;
+}
+
+std::string PageWriter::write_page(const fs::path& result, const Page& page) const {
+    std::vector<std::string> words = words_of(result, page);
+    words.insert(words.begin(), python.string());
+    if (script && !is_of_another(page.file) && makes(std::move(words), page.file))
+        return fmt::format("wrote {}, the same with pictures", page.file.string());
+    return fmt::format("no page with pictures, {}; to make it: {}", reason(page.file),
+                       command_of(result, page));
+}
+
 std::string PageWriter::write_stock(const fs::path& result,
                                     const fs::path& history) const {
     const fs::path page = page_of(result);
-    fs::path program = script.value_or("scripts/loop_report");
+    fs::path program = script.value_or("scripts/result_report");
     program.replace_filename("stock_report");
     const std::vector<std::string> words{python.string(), program.string(),
                                          result.string(), page.string(),
@@ -69,31 +93,16 @@ std::string PageWriter::write_stock(const fs::path& result,
                        fmt::join(std::vector(words.begin() + 1, words.end()), " "));
 }
 
-std::vector<std::string> loops_in(const std::vector<study::Summary>& found) {
-    std::vector<std::string> loops;
-    for (const study::Summary& summary : found)
-        if (summary.has_page) loops.push_back(summary.study);
-    return loops;
-}
-
 std::vector<std::string> PageWriter::write(const fs::path& result,
-                                           const std::vector<std::string>& loops) const {
+                                           const std::vector<std::string>& stages) const {
     std::vector<std::string> lines;
-    lines.reserve(loops.size());
-    const std::vector<fs::path> pages = pages_of(result, loops);
-    for (std::size_t k = 0; k < loops.size(); ++k) {
-        const fs::path& page = pages[k];
-        std::vector<std::string> words{script.value_or("scripts/loop_report").string(),
-                                       result.string(), page.string()};
-        if (loops.size() > 1) words.insert(words.end(), {"--stage", loops[k]});
-        const std::string command = fmt::format("{}", fmt::join(words, " "));
-        words.insert(words.begin(), python.string());
-        lines.push_back(
-            script && !is_of_another(page) && makes(words, page)
-                ? fmt::format("wrote {}, the same with pictures", page.string())
-                : fmt::format("no page with pictures, {}; to make it: {}", reason(page),
-                              command));
-    }
+    const std::vector<Page> pages = pages_of(result, stages);
+    for (const Page& page : std::span(pages).first(std::min(pages.size(), most_pages)))
+        lines.push_back(write_page(result, page));
+    if (pages.size() > most_pages)
+        lines.push_back(fmt::format("no pages of the other {} buildings; to make one: {}",
+                                    pages.size() - most_pages,
+                                    command_of(result, pages[most_pages])));
     return lines;
 }
 

@@ -1,5 +1,5 @@
 #include "base/error.hpp"
-#include "run/loop_page.hpp"
+#include "run/result_page.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <fstream>
@@ -11,11 +11,11 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// A shell script stands for the writer of pages: it gets RESULT PAGE [--stage STAGE].
-class LoopPage : public ::testing::Test {
+/// A shell script stands for the writer of pages: it gets RESULT PAGE [--stage STAGE]...
+class ResultPage : public ::testing::Test {
   protected:
     PageWriter writer(const std::string& script) const {
-        const auto path = folder_ / "loop_report";
+        const auto path = folder_ / "result_report";
         std::ofstream(path) << script << "\n";
         return {path, "/bin/sh"};
     }
@@ -29,23 +29,42 @@ class LoopPage : public ::testing::Test {
     test::TemporaryFolder folder_;
 };
 
-TEST_F(LoopPage, IsWrittenBesideTheResult) {
+TEST_F(ResultPage, IsWrittenBesideTheResult) {
     const auto lines =
         writer("echo talk; echo talk >&2; echo $1 $3 >$2").write(result(), {"a/loop"});
     EXPECT_EQ(lines, Lines{"wrote " + place("a.html") + ", the same with pictures"});
     EXPECT_EQ(text_of("a.html"), result() + "\n");
 }
 
-TEST_F(LoopPage, OfSeveralHasTheBuildingAndWhereNeededTheStudyInItsName) {
+TEST_F(ResultPage, OfOneBuildingHasAllOfItsStudies) {
     const auto lines =
-        writer("echo $4 >$2").write(result(), {"shop/loop", "inn/loop", "inn/again"});
-    EXPECT_EQ(lines.size(), 3U);
-    EXPECT_EQ(text_of("a-shop.html"), "shop/loop\n");
-    EXPECT_EQ(text_of("a-inn-loop.html"), "inn/loop\n");
-    EXPECT_EQ(text_of("a-inn-again.html"), "inn/again\n");
+        writer("echo $# $4 >$2").write(result(), {"a/screening", "a/loop", "pooled"});
+    EXPECT_EQ(lines.size(), 1U);
+    EXPECT_EQ(text_of("a.html"), "2\n");
 }
 
-TEST_F(LoopPage, ThatCannotBeMadeIsALineThatSaysHowToMakeIt) {
+TEST_F(ResultPage, OfSeveralBuildingsIsOneForEachAndOneForWhatIsOfNone) {
+    const auto lines =
+        writer("echo $4 $6 >$2")
+            .write(result(), {"shop/loop", "inn/loop", "inn/again", "pooled", "sobol"});
+    EXPECT_EQ(lines.size(), 3U);
+    EXPECT_EQ(text_of("a-shop.html"), "shop\n");
+    EXPECT_EQ(text_of("a-inn.html"), "inn\n");
+    EXPECT_EQ(text_of("a.html"), "pooled sobol\n");
+}
+
+TEST_F(ResultPage, OfVeryManyBuildingsIsWrittenForTheFirst) {
+    std::vector<std::string> stages;
+    for (int k = 0; k < 100; ++k) stages.push_back("b" + std::to_string(k) + "/grid");
+    const auto lines = writer("echo $4 >$2").write(result(), stages);
+    ASSERT_EQ(lines.size(), 13U);
+    EXPECT_EQ(text_of("a-b11.html"), "b11\n");
+    EXPECT_TRUE(lines[12].starts_with("no pages of the other 88 buildings; to make one"))
+        << lines[12];
+    EXPECT_TRUE(lines[12].ends_with("a-b12.html --stage b12")) << lines[12];
+}
+
+TEST_F(ResultPage, ThatCannotBeMadeIsALineThatSaysHowToMakeIt) {
     const PageWriter failing = writer("exit 3");
     const std::string how = "to make it: " + failing.script->string() + " " + result() +
                             " " + place("a.html");
@@ -57,10 +76,10 @@ TEST_F(LoopPage, ThatCannotBeMadeIsALineThatSaysHowToMakeIt) {
     EXPECT_EQ(without_python.write(result(), {"a/loop"}), lines);
     const PageWriter without_script{std::nullopt, "/bin/sh"};
     EXPECT_TRUE(without_script.write(result(), {"a/loop"})[0].ends_with(
-        "to make it: scripts/loop_report " + result() + " " + place("a.html")));
+        "to make it: scripts/result_report " + result() + " " + place("a.html")));
 }
 
-TEST_F(LoopPage, ThatIsOfAnotherHandOrALinkIsKept) {
+TEST_F(ResultPage, ThatIsOfAnotherHandOrALinkIsKept) {
     std::ofstream(folder_ / "a.html") << "<p>my own page</p>";
     std::filesystem::create_symlink("a.html", folder_ / "b.html");
     const PageWriter writer_of_pages = writer("echo page >$2");
@@ -71,28 +90,20 @@ TEST_F(LoopPage, ThatIsOfAnotherHandOrALinkIsKept) {
     EXPECT_EQ(text_of("a.html"), "<p>my own page</p>");
 }
 
-TEST_F(LoopPage, MadeBeforeIsMadeAnew) {
+TEST_F(ResultPage, MadeBeforeIsMadeAnew) {
     const PageWriter twice = writer("echo '<meta content=\"bemcal-batch\">' $3 >$2");
     twice.write(result(), {"a/loop"});
     EXPECT_TRUE(twice.write(result(), {"a/loop"})[0].starts_with("wrote"));
 }
 
-TEST_F(LoopPage, ThatCannotBeWrittenIsAnErrorAndLeavesNothing) {
+TEST_F(ResultPage, ThatCannotBeWrittenIsAnErrorAndLeavesNothing) {
     EXPECT_THROW(writer("exit 74").write(result(), {"a/loop"}), UserError);
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()),
                             std::filesystem::directory_iterator()),
               1);
 }
 
-TEST_F(LoopPage, IsOfEveryLoopThatIsInTheResult) {
-    study::Summary loop, another;
-    loop.study = "a/loop";
-    loop.has_page = true;
-    another.study = "a/screening";
-    EXPECT_EQ(loops_in({another, loop}), Lines{"a/loop"});
-}
-
-TEST_F(LoopPage, OfNoLoopIsNone) {
+TEST_F(ResultPage, OfNoStudyIsNone) {
     EXPECT_TRUE(writer("exit 0").write(result(), {}).empty());
 }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""scripts/loop_report makes one page that needs nothing else, and says what the numbers say."""
+"""The page of a loop needs nothing else, and says what the numbers say."""
 import html.parser
 import pathlib
 import re
@@ -17,12 +17,16 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "scripts"), str(pathlib.Path(__file__).parent)]
 
 import fake_loop_result  # noqa: E402
-from report import beside, page, pictures, regression, result, studies, words  # noqa: E402
+from report import beside, loop as loop_page, page, pictures, regression, result, stored, studies, words  # noqa: E402
 
 THREE = {"air": "degC", "electricity": "kWh", "gas": "kWh"}
 ONE = {"gas": "kWh"}
 VOID = {"meta", "img", "br", "link"}
 MAY_STAY_OPEN = {"td", "th", "dt", "dd"}
+
+
+def html_of(file):
+    return page.html_of(stored.read(file))
 
 
 class Page(html.parser.HTMLParser):
@@ -63,12 +67,11 @@ class LoopReport(unittest.TestCase):
         cls.folder = pathlib.Path(folder.name)
         cls.file = fake_loop_result.write(cls.folder / "office.h5", channels=THREE)
         cls.loop = result.read(cls.file)
-        cls.html = page.html_of(cls.loop)
+        cls.html = html_of(cls.file)
         cls.page = Page(cls.html)
 
     def small(self, name, **options):
-        file = fake_loop_result.write(self.folder / name, channels=ONE, **options)
-        return result.read(file)
+        return fake_loop_result.write(self.folder / name, channels=ONE, **options)
 
     def test_the_page_needs_nothing_else(self):
         self.assertEqual(self.page.open, [])
@@ -155,14 +158,14 @@ class LoopReport(unittest.TestCase):
             self.assertIn(f"{channel} {errors[channel, 'held_out', 'hourly']:.1f} % (after: ", self.page.text)
 
     def test_without_held_out_readings_it_says_so(self):
-        loop = self.small("training.h5", held_out=False)
-        self.assertEqual(loop.judged, "training")
-        text = Page(page.html_of(loop)).text
+        file = self.small("training.h5", held_out=False)
+        self.assertEqual(result.read(file).judged, "training")
+        text = Page(html_of(file)).text
         self.assertIn("No readings were held out", text)
         self.assertIn("No held-out readings.", text)
 
     def test_finding_nothing_is_a_result(self):
-        text = Page(page.html_of(self.small("none.h5", found=0))).text
+        text = Page(html_of(self.small("none.h5", found=0))).text
         self.assertIn("No effect was found that the description of office lacks", text)
         self.assertIn("None that passes.", text)
 
@@ -175,7 +178,7 @@ class LoopReport(unittest.TestCase):
         loop = result.read(file)
         self.assertEqual([row.resolution for row in loop.judged_errors()], ["monthly"])
         self.assertEqual(pictures.of_channel(loop, 0), [])
-        self.assertIn("Not read by the hour in this period", page.html_of(loop))
+        self.assertIn("Not read by the hour in this period", html_of(file))
 
     def test_what_parameters_do_nearly_as_well_stands_together(self):
         self.assertIn("do nearly the same as (told apart only where large): effect 38.", self.page.text)
@@ -193,10 +196,10 @@ class LoopReport(unittest.TestCase):
             study["least_detectability"][()], study["same_signature"][()] = 1e9, 0.5
             study["decision_kind"][:] = ["class", "data", "parameter"]
         loop = result.read(file)
-        self.assertEqual(page.power_rows(loop), [])
+        self.assertEqual(loop_page.power_rows(loop), [])
         self.assertEqual(words.followed(loop), [])
-        self.assertEqual([row[1] for row in page.decision_rows(loop)], ["one class with u_floor"])
-        text = Page(page.html_of(loop)).text
+        self.assertEqual([row[1] for row in loop_page.decision_rows(loop)], ["one class with u_floor"])
+        text = Page(html_of(file)).text
         self.assertIn("detectability below 1e+09", text)
         self.assertIn("correlation of 0.5 or more", text)
 
@@ -204,18 +207,18 @@ class LoopReport(unittest.TestCase):
         file = fake_loop_result.write(self.folder / "older.h5", channels=ONE)
         with h5py.File(file, "a") as stored:        # which says nothing of ends of parameters
             stored["office/loop/decision_kind"][2] = "data"
-        now = page.html_of(result.read(file))
+        now = html_of(file)
         with h5py.File(file, "a") as stored:
             for name in ("effect_class_of", "effect_class_member", "decision_kind",
                          "power_alias_kind", "least_detectability", "same_signature"):
                 del stored["office/loop"][name]
-        self.assertEqual(page.html_of(result.read(file)), now)
+        self.assertEqual(html_of(file), now)
 
     def test_a_doubt_that_is_not_stored_is_not_made_up(self):
         file = fake_loop_result.write(self.folder / "doubt.h5", channels=ONE)
         with h5py.File(file, "a") as stored:
             del stored["office/loop/effect_doubt"]
-        text = Page(page.html_of(result.read(file))).text
+        text = Page(html_of(file)).text
         self.assertIn("the nearest one: blind control.", text)
 
     def test_what_a_result_lacks_is_left_out(self):
@@ -227,13 +230,13 @@ class LoopReport(unittest.TestCase):
                     del stored["office/loop"][name]
             for period in fake_loop_result.BEGIN:
                 del stored[f"office/loop/{period}/outdoor_temperature"]
-        text = page.html_of(result.read(file))
+        text = html_of(file)
         self.assertNotIn("Against outdoor temperature", text)
         self.assertNotIn("What these data can show", text)
 
     def test_names_of_a_job_are_text_and_not_markup(self):
-        loop = self.small("markup.h5", stage="a <b> & c/loop")
-        self.assertIn("a &lt;b&gt; &amp; c: what", page.html_of(loop))
+        file = self.small("markup.h5", stage="a <b> & c/loop")
+        self.assertIn("<h1>a &lt;b&gt; &amp; c</h1>", html_of(file))
 
     def test_a_study_is_known_by_its_kind_and_in_version_0_1_0_by_what_it_stores(self):
         with h5py.File(self.folder / "kinds.h5", "w") as file:
@@ -247,20 +250,6 @@ class LoopReport(unittest.TestCase):
                 del file[path]["kind"]
             del file["b/posterior/posterior/kind"]
             self.assertEqual(studies.of_kind(file, "loop"), ["a/second"])
-
-    def test_the_command_writes_the_page_and_says_which_loops_there_are(self):
-        def run(*arguments):
-            program = ROOT / "scripts" / "loop_report"
-            return subprocess.run([program, *arguments], capture_output=True, text=True)
-        file = fake_loop_result.write(self.folder / "small.h5", channels=ONE)
-        out = self.folder / "page.html"
-        done = run(file, out, "--stage", "shop/loop")
-        self.assertNotEqual(done.returncode, 0)
-        self.assertIn("office/loop", done.stderr)
-        done = run(file, out)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(out.read_text(encoding="utf-8"),
-                         page.html_of(result.read(file)))
 
 
 class Numbers(unittest.TestCase):

@@ -1,0 +1,279 @@
+#!/usr/bin/python3
+"""scripts/result_report makes a page of every kind of study: each picture says in words what it shows, the same file
+gives the same bytes, and what a result lacks or has damaged is left out or told."""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import unittest.mock
+
+import h5py
+import numpy as np
+
+sys.dont_write_bytecode = True
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "scripts"), str(pathlib.Path(__file__).parent)]
+
+import fake_loop_result  # noqa: E402
+import fake_results  # noqa: E402
+from report import kinds, meters, page, picture, sobol, stored, theme  # noqa: E402
+from test_loop_page import Page  # noqa: E402
+
+DAMAGE = "do not fit together"
+PROGRAM = os.environ.get("BEMCAL_PROGRAM", str(ROOT / "build" / "release" / "bemcal-batch"))
+# What each study of fake_results must have, by a word of the titles of its pictures and tables.
+PICTURES = {
+    "sensitivity": ("heating", "electricity", "Total order of all outputs"),
+    "office_hour_sensitivity": ("Q_HC",),
+    "hourly_sensitivity": ("whole series", "by hour of the day", "by hour and month"),
+    "screening": ("Errors at the meter", "Errors by the month", "Parameters against the error",
+                  "Where the best points lie", "gas: training and held_out", "A typical week: gas",
+                  "Energy signature: gas", "Load-duration curve: gas", "Bills: bills"),
+    "grid": ("Nearest point of each stage", "Errors of the points", "Values tried and kept", "What matters",
+             "what became of the parameters"),
+    "optimisation": ("Front: electricity and gas", "Where they lie in their ranges", "Targets"),
+    "one_objective": ("The best point so far", "Where the best point lies", "Energy signature: gas"),
+    "stages": ("Values by stage", "Errors before and after", "How large the errors are", "A typical week: air, may",
+               "Duration curve: air, may", "Readings within", "Values"),
+    "posterior": ("Before and after the data", "Pairs", "Traces", "Rank histograms", "Unknowns", "Errors: CV(RMSE)",
+                  "Readings among the draws", "A typical week: gas", "Energy signature: gas", "Bills: bills"),
+    "kennedy_ohagan": ("Predictions at the field points", "Over the known inputs", "What the simulator lacks",
+                       "Before and after the data", "Pairs", "Traces", "Unknowns"),
+    "retrofit": ("Energy saved", "What each scenario saves", "Energy before and after", "Comfort"),
+}
+
+
+def titles(section):
+    return [one.title for part in section.parts for one in part.pictures + part.tables]
+
+
+def run(*words):
+    return subprocess.run([ROOT / "scripts" / "result_report", *words], capture_output=True, text=True)
+
+
+class EveryKind(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.file = fake_results.write(cls.folder / "made.h5")
+        cls.result = stored.read(cls.file)
+        cls.sections = page.sections_of(cls.result)
+        cls.html = page.html_of(cls.result, cls.sections)
+        cls.page = Page(cls.html)
+
+    def of(self, name):
+        return next(section for section in self.sections if section.name == name)
+
+    def test_each_kind_of_a_job_has_a_row_in_the_table(self):
+        kinds_made = {study.kind for study in self.result.studies}
+        self.assertEqual(kinds_made | {"loop"}, set(kinds.KINDS))
+        if os.access(PROGRAM, os.X_OK):
+            said = subprocess.run([PROGRAM, "describe", "job"], capture_output=True, text=True, check=True).stdout
+            for kind in kinds.KINDS:
+                self.assertRegex(said, rf"\b{kind}\b")
+
+    def test_what_the_table_asks_for_is_in_the_layout(self):
+        if not os.access(PROGRAM, os.X_OK):
+            self.skipTest("no program")
+        said = subprocess.run([PROGRAM, "describe", "results"], capture_output=True, text=True, check=True).stdout
+        known = {line.split()[0] for line in said.splitlines() if line}
+        asked = {name for kind in kinds.KINDS.values() for part in kind.parts for name in part.needs}
+        self.assertEqual(asked - known, set())
+        with h5py.File(self.file) as file:
+            leaves = set()
+            file.visititems(lambda name, item: leaves.add(name) if isinstance(item, h5py.Dataset) else None)
+        made = {name.rpartition("/")[2] for name in leaves if "/posterior/posterior/" not in name
+                and not re.search(r"/(posterior|prior)/[^/]*$", name)}
+        self.assertEqual(made - known, set())
+
+    def test_every_study_has_its_pictures_and_tables(self):
+        for name, words in PICTURES.items():
+            there = titles(self.of(name))
+            for word in words:
+                self.assertTrue(any(word in title for title in there), f"{name}: {word} is not among {there}")
+
+    def test_nothing_sound_is_told_as_damaged(self):
+        self.assertNotIn(DAMAGE, self.html)
+        self.assertNotIn("Damaged", self.html)
+
+    def test_every_picture_says_in_words_what_it_shows(self):
+        pictures = [one for section in self.sections for one in section.pictures]
+        self.assertEqual(len(self.page.images), len(pictures))
+        for section in self.sections:
+            alts = [one.alt for one in section.pictures]
+            self.assertEqual(len(set(alts)), len(alts), section.name)
+        for one in pictures:
+            self.assertGreater(len(one.alt), 40, one.alt)
+            self.assertNotRegex(one.alt, r"(?i)\b(nan|inf|none)\b")
+        self.assertNotRegex(self.page.text, r"(?i)\b(nan|inf)\b")
+
+    def test_the_page_needs_nothing_else_and_is_small(self):
+        self.assertEqual(self.page.open, [])
+        for reference in self.page.references:
+            self.assertRegex(reference, "^(data:|#)")
+        bare = re.sub(r"data:[^\"]*", "", self.html)
+        for request in ("http:", "https:", "@import", "url(", "<script", "<link"):
+            self.assertNotIn(request, bare)
+        self.assertLess(len(self.html), 3e6)
+
+    def test_no_words_lie_beyond_their_picture(self):
+        """Text begins inside, and ends there if a letter is no wider than 0.62 of its size."""
+        for section in self.sections:
+            for one in section.pictures:
+                width, height = (float(number) for number in re.search(r'viewBox="0 0 (\S+) (\S+)"', one.svg).groups())
+                for x, y, end_of in words_in(one.svg):
+                    where = f"{section.name}: {one.title}"
+                    self.assertGreaterEqual(x, -1, where)
+                    self.assertLessEqual(end_of, width + 4, where)
+                    self.assertTrue(0 <= y <= height + 1, where)
+
+    def test_the_same_file_gives_the_same_bytes(self):
+        self.assertEqual(page.html_of(stored.read(self.file)), self.html)
+
+    def test_figures_are_files_that_stand_alone(self):
+        out, figures = self.folder / "a.html", self.folder / "figures"
+        done = run(self.file, out, "--stage", "office/grid", "--stage", "office/screening", "--figures", figures)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr, "")
+        names = sorted(path.name for path in figures.iterdir())
+        self.assertEqual(len(names), len(Page(out.read_text(encoding="utf-8")).images))
+        self.assertIn("grid-values-tried-and-kept.svg", names)
+        for path in figures.iterdir():
+            svg = path.read_text(encoding="utf-8")
+            self.assertTrue(svg.startswith("<?xml"))
+            self.assertNotIn("var(--", svg)
+            self.assertIn("<title>", svg)
+            for marker in theme.COLOURS:
+                self.assertNotIn(marker, svg)
+
+    def test_a_stage_or_a_building_can_be_chosen(self):
+        self.assertEqual([study.name for study in stored.read(self.file, ["office/grid"]).studies], ["grid"])
+        self.assertEqual(len(stored.read(self.file, ["office"]).studies), len(fake_results.STUDIES))
+        done = run(self.file, self.folder / "b.html", "--stage", "shop/grid")
+        self.assertEqual(done.returncode, 65)
+        self.assertIn("has no study shop/grid; those that it has: office/", done.stderr)
+        self.assertFalse((self.folder / "b.html").exists())
+
+    def test_the_result_is_never_written_over(self):
+        before = self.file.read_bytes()
+        done = run(self.file, self.file)
+        self.assertEqual(done.returncode, 64)
+        self.assertIn("is the result itself", done.stderr)
+        self.assertEqual(self.file.read_bytes(), before)
+
+    def test_what_a_study_lacks_is_left_out(self):
+        """Half of the datasets away, in as many ways as tell all of them apart: nothing ends."""
+        for study in self.result.studies:
+            for bit in range(len(study.values).bit_length()):
+                for side in (0, 1):
+                    half = {path: values for k, (path, values) in enumerate(sorted(study.values.items()))
+                            if (k >> bit) & 1 == side}
+                    lean = stored.Study(study.path, study.kind, half, study.units, outdoor=study.outdoor,
+                                        periods=study.periods)
+                    with unittest.mock.patch.object(theme, "svg_of", lambda drawn: "<svg>"):
+                        section = page.section_of(lean, study.name)
+                    self.assertTrue(section.parts or section.remarks, study.name)
+
+    def test_damage_in_one_study_is_a_sentence_and_the_others_stay(self):
+        file = fake_results.write(self.folder / "damaged.h5", ("grid", "sensitivity"))
+        with h5py.File(file, "a") as stored_file:
+            del stored_file["office/grid/stage_points"]
+            stored_file.create_dataset("office/grid/stage_points", (1 << 40,), "f8", chunks=(1024,))
+        out = self.folder / "damaged.html"
+        done = run(file, out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        text = Page(out.read_text(encoding="utf-8")).text
+        self.assertIn("Damaged: this study cannot be read", text)
+        self.assertIn("more than the file can hold", text)
+        self.assertIn("Total order of all outputs", text)
+
+    def test_numbers_that_do_not_fit_are_a_sentence(self):
+        file = fake_results.write(self.folder / "unfit.h5", ("sensitivity",))
+        with h5py.File(file, "a") as stored_file:
+            del stored_file["office/sensitivity/total_order"]
+            stored_file["office/sensitivity/total_order"] = [1.0, 2.0]
+        done = run(file, self.folder / "unfit.html")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(DAMAGE, (self.folder / "unfit.html").read_text(encoding="utf-8"))
+        self.assertNotIn("Traceback", done.stderr)
+
+    def test_a_file_without_a_study_is_refused(self):
+        with h5py.File(self.folder / "empty.h5", "w") as file:
+            fake_loop_result.text(file.create_group("stock"), "kind", "stock")
+        done = run(self.folder / "empty.h5", self.folder / "empty.html")
+        self.assertEqual(done.returncode, 65)
+        self.assertIn("has no study with pictures", done.stderr)
+
+    def test_what_fell_short_or_failed_is_told_first(self):
+        text = self.page.text
+        self.assertIn("Falls short: not converged: rank R-hat is up to 1.9.", text)
+        self.assertIn("Failed: 2 simulations.", text)
+
+    def test_a_loop_stands_among_the_others(self):
+        file = fake_results.write(self.folder / "with_loop.h5", ("sensitivity",))
+        fake_loop_result.write(self.folder / "loop.h5", channels={"gas": "kWh"})
+        with h5py.File(file, "a") as both, h5py.File(self.folder / "loop.h5") as loop:
+            loop.copy("office/loop", both["office"])
+        sections = page.sections_of(stored.read(file))
+        self.assertEqual([section.name for section in sections], ["sensitivity", "loop"])
+        names = [name for name, _ in page.figures_of(sections)]
+        self.assertIn("loop-gas-autocorrelation.svg", names)
+        self.assertIn("loop-energy-signature-gas.svg", names)
+        self.assertEqual(len(names), len(set(names)))
+
+
+def words_in(svg):
+    """(x, y, where it ends) of every text that is not turned."""
+    for style, transform, words in re.findall(r'<text style="([^"]*)"([^>]*)>([^<]*)</text>', svg):
+        place = re.search(r"translate\((\S+) (\S+)\)", transform)
+        turned = re.search(r"rotate\((-?[\d.]+)", transform)
+        x, y = (float(number) for number in place.groups()) if place else \
+            (float(number) for number in re.search(r'x="(\S+)" y="(\S+)"', transform).groups())
+        if turned and float(turned.group(1)) % 360:
+            yield max(x, 0), y, x
+            continue
+        size = float(re.search(r"([\d.]+)px", style).group(1))
+        anchor = re.search(r"text-anchor: (\w+)", style)
+        long = 0.62 * size * len(words)
+        begin = x - {"middle": long / 2, "end": long}.get(anchor.group(1) if anchor else "", 0)
+        yield max(begin, -1) if anchor else begin, y, begin + long if not anchor else x
+
+
+class Numbers(unittest.TestCase):
+    def test_indices_of_hours_are_weighted_by_their_variance(self):
+        cells = sobol.weighted(np.array([[0.2], [0.8], [np.nan]]), np.array([1.0, 3.0, 5.0]), np.array([0, 0, 1]), 3)
+        np.testing.assert_allclose(cells[0], [0.65])
+        self.assertTrue(np.isnan(cells[1:]).all())
+
+    def test_days_of_the_signature_are_whole_and_sums(self):
+        time = 3600 * np.arange(48.0)
+        measured = np.ones(48)
+        measured[30:] = np.nan
+        meter = meters.Meter("gas", "p", "kWh", time, measured, {"best": np.ones(48)}, np.arange(48.0), np.array([]))
+        energy, outdoor = meters.daily(meter, measured)
+        np.testing.assert_allclose([*energy, *outdoor], [24, 11.5])
+
+    def test_outdoor_temperature_is_the_mean_of_the_step(self):
+        hours = (3600 * np.arange(48.0), np.arange(48.0))
+        np.testing.assert_allclose(meters.at_steps(hours, np.array([0.0, 86400.0]), 86400), [11.5, 35.5])
+        np.testing.assert_allclose(meters.at_steps(hours, np.array([0.0, 1800.0, 3600.0]), 1800), [0, 0, 1])
+
+    def test_the_place_of_a_meter_is_read_from_its_path(self):
+        self.assertEqual(meters.place_of("training/gas"), ("", "training", "gas"))
+        self.assertEqual(meters.place_of("gd_01/judged/heat"), ("gd_01", "judged", "heat"))
+        self.assertEqual(meters.place_of("validation/may/periods/may/air"), ("validation/may", "may", "air"))
+
+    def test_a_long_name_keeps_its_begin_and_end(self):
+        self.assertEqual(picture.short("a" * 24), "a" * 24)
+        said = picture.short("second_mass_conductance_of_the_floor")
+        self.assertLessEqual(len(said), 24)
+        self.assertTrue(said.startswith("second_mass") and said.endswith("the_floor"))
+
+
+if __name__ == "__main__":
+    unittest.main()
