@@ -71,7 +71,7 @@ class Trials:
 
     def command(self, result, *options, ranks=RANKS):
         return ["mpirun", "-np", str(ranks), "--oversubscribe", "--bind-to", "none",
-                large_job.PROGRAM, "run", self.job, "-o", result, "--threads", "1", *options]
+                large_job.PROGRAM, "run", self.job, "--no-report", "-o", result, "--threads", "1", *options]
 
     def start(self, result, *options):
         return subprocess.Popen(self.command(result, *options), stdout=subprocess.DEVNULL,
@@ -90,7 +90,7 @@ class Trials:
         self.seconds = time.perf_counter() - begin
         self.hash = self.hash_of(result)
         alone = self.folder / "alone.h5"
-        run = subprocess.Popen([large_job.PROGRAM, "run", self.job, "-o", alone, "--threads", "2"],
+        run = subprocess.Popen([large_job.PROGRAM, "run", self.job, "--no-report", "-o", alone, "--threads", "2"],
                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         kept = self.folder / "kept"
         kept.mkdir()

@@ -56,7 +56,7 @@ def job_without(office, folder, changes):
 
 def run(job):
     result = job.with_suffix(".h5")
-    done = subprocess.run([large_job.PROGRAM, "run", job, "-o", result, "--threads", "1"],
+    done = subprocess.run([large_job.PROGRAM, "run", job, "--no-report", "-o", result, "--threads", "1"],
                           stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     if done.returncode not in (0, NOT_CONVERGED):
         sys.exit(f"bench_offices: {job}: exit code {done.returncode}\n{done.stderr}")

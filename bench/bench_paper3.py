@@ -61,7 +61,7 @@ def with_bill(text, bill):
 
 
 def run_job(job, result):
-    done = subprocess.run([large_job.PROGRAM, "run", job, "-o", result, "--force"],
+    done = subprocess.run([large_job.PROGRAM, "run", job, "--no-report", "-o", result, "--force"],
                           stdout=subprocess.DEVNULL, check=False)
     if done.returncode not in (0, 1):    # 1: written, but the target error was missed
         sys.exit(f"bench_paper3: {job} ended with code {done.returncode}")

@@ -52,8 +52,8 @@ def measure_posterior(folder):
     head, *studies = re.split(r"(?m)^(?=\[\[study\]\])", job.read_text())
     job.write_text(head + next(study for study in studies if 'kind = "posterior"' in study))
     begin = time.perf_counter()
-    subprocess.run(["mpirun", "-np", "2", "--oversubscribe", large_job.PROGRAM, "run", job, "-o", result],
-                   check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    subprocess.run(["mpirun", "-np", "2", "--oversubscribe", large_job.PROGRAM, "run", job, "--no-report",
+                    "-o", result], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     seconds = time.perf_counter() - begin
     with h5py.File(result) as file:
         least = file["quickstart/posterior/ess_bulk"][:].min()

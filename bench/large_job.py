@@ -36,7 +36,7 @@ def run(job, ranks, threads):
     """Runs the job; {phase: seconds} of /run, and the whole run's as "wall"."""
     import h5py
     result = job.parent / "result.h5"
-    command = [PROGRAM, "run", job, "-o", result, "--force", "--threads", str(threads)]
+    command = [PROGRAM, "run", job, "--no-report", "-o", result, "--force", "--threads", str(threads)]
     if ranks > 1:
         command = ["mpirun", "-np", str(ranks), "--oversubscribe", *command]
     begin = time.perf_counter()

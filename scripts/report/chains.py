@@ -127,7 +127,8 @@ def pairs(study):
             theme.dots(axis, some(draws[shown[column]], PAIR_DOTS), some(draws[shown[row]], PAIR_DOTS), theme.AFTER,
                        size=1.8, alpha=0.5)
         if row == column:      # the last one's words go to the left, where there is room
-            axis.set_title(short(names[shown[row]], LONGEST_OF_THREE), fontsize=7, loc="right" if row == n - 1 else "left")
+            axis.set_title(short(names[shown[row]], LONGEST_OF_THREE), fontsize=7,
+                           loc="right" if row == n - 1 else "left")
     pair = np.unravel_index(np.abs(correlation).argmax(), correlation.shape)
     yield picture(figure, "Pairs", f"Pairs of {listed(names[k] for k in shown)}. The strongest correlation is "
                   f"{fixed(correlation[pair], 2)}, of {names[pair[0]]} and {names[pair[1]]}.",
@@ -203,7 +204,7 @@ def table(study):
         mean, sd, low, high, rhat, bulk, tail = (column.get(name, np.nan) for column in columns)
         unit = units.get(name, "")
         rows.append([name, number(mean), number(sd, 2), f"{number(low)} to {number(high)}",
-                     "" if unit in ("-", "1") else unit.replace("degC", "°C"), fixed(rhat, 3), number(bulk), number(tail), words.get(name, "")])
+                     unit_words(unit).strip(" []"), fixed(rhat, 3), number(bulk), number(tail), words.get(name, "")])
     yield Table("Unknowns", [("unknown", False), ("mean", True), ("sd", True), ("90 % interval", True),
                              ("unit", False), ("R-hat", True), ("ESS bulk", True), ("ESS tail", True),
                              ("what the data tell", False)], rows)

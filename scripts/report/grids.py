@@ -40,8 +40,8 @@ def progress(study):
              xlim=(0.5, max(distance.size, 1) + 0.5))
     axis.set_ylim(0, 1.2 * max(np.nanmax(distance), wanted if wanted > 0 else 0, 1e-12))
     aim = " Dotted: the error at which it ends." if wanted > 0 else ""
-    yield picture(figure, "Nearest point of each stage",
-                  f"Distance of the nearest point: {listed(f'{fixed(d, 3)} in stage {s}' for s, d in zip(stage, distance))}.",
+    said = listed(f"{fixed(value, 3)} in stage {s}" for s, value in zip(stage, distance))
+    yield picture(figure, "Nearest point of each stage", f"Distance of the nearest point: {said}.",
                   f"Ended: {study.text('ended_by')}.{aim}")
 
 
@@ -107,7 +107,7 @@ def roles(study):
     columns = [study.texts(join(group, "parameter_role")) for group in groups]
     names, units = study.texts("parameter"), study.texts("parameter_unit")
     nearest = study.numbers("nearest_parameters")
-    rows = [[name, number(nearest[p], 4) if p < nearest.size else "", "" if units[p] == "-" else units[p],
+    rows = [[name, number(nearest[p], 4) if p < nearest.size else "", unit_words(units[p]).strip(" []"),
              *(column[p] if p < len(column) else "" for column in columns)] for p, name in enumerate(names)]
     yield Table("Nearest point, and what became of the parameters",
                 [("parameter", False), ("nearest point", True), ("unit", False),

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from report import theme
-from report.picture import picture
+from report.picture import and_more, picture
 from report.pictures import DAYS, name_days
 from report.stored import join
 from report.words import fixed, number
@@ -261,7 +261,9 @@ def typical_week(meter):
     return picture(figure, f"A typical week: {meter.name}",
                    f"{meter.where} in the week from {first}, {DAYS[0]} to {DAYS[-1]}, measured and modelled; RMSE "
                    f"{number(sorted(errors)[len(weeks) // 2])} {meter.shown_unit}{within}.",
-                   f"{meter.period}, from {first}: among {len(weeks)} weeks the one with the middle error.")
+                   f"{meter.period}, from {first}: " + (
+                       f"among {len(weeks)} weeks the one with the middle error." if len(weeks) > 1 else
+                       "the only week that is read whole."))
 
 
 def share_within(meter, part):
@@ -293,7 +295,8 @@ def bills(meter):
     theme.legend_above(axis)
     said = "; ".join(f"{label} {number(np.nansum(np.where(there, values, np.nan)), 4)} {meter.shown_unit}"
                      for label, values, _ in coloured(meter))
-    return picture(figure, f"Bills: {meter.name}", f"{meter.where} bill by bill, measured and modelled; in all: {said}.",
+    return picture(figure, f"Bills: {meter.name}",
+                   f"{meter.where} bill by bill, measured and modelled; in all: {said}.",
                    f"{meter.period}. Each step is a bill or a month.")
 
 
@@ -310,4 +313,4 @@ def series(study):
     for meter in found[:MOST_METERS]:
         yield from drawn(meter)
     if len(found) > MOST_METERS:
-        yield f"{len(found) - MOST_METERS} more meters are not drawn."
+        yield and_more(len(found), MOST_METERS, "meters").strip()

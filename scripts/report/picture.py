@@ -40,6 +40,8 @@ def unit_words(unit):
     return f" [{unit.replace('degC', '°C')}]" if unit not in ("", "-", "1") else ""
 
 
-def and_more(n, shown, of):
+def and_more(n, shown, things):
     """" 5 more parameters are not drawn.": where not all are shown."""
-    return f" {n - shown} more {of} are not drawn." if n > shown else ""
+    left = n - shown
+    return "" if left <= 0 else f" {left} more {things} are not drawn." if left > 1 else \
+        f" 1 more {things.removesuffix('s')} is not drawn."

@@ -1,4 +1,4 @@
-"""Pictures of a calibration in stages: values with their standard deviations stage by stage, errors before and after."""
+"""Pictures of a calibration in stages: values with standard deviations stage by stage, errors before and after."""
 import numpy as np
 
 from report import theme
@@ -59,7 +59,7 @@ def table(study):
     for s, p in np.argwhere(is_calibrated(study)):
         remark = {-1: "lower end", 1: "upper end"}.get(int(bound[s, p]), "") if bound.shape == found.shape else ""
         rows.append([stages[s], names[p], number(start[s, p], 4), number(found[s, p], 4), number(sd[s, p], 2),
-                     f"{number(least[s, p])} to {number(most[s, p])}", "" if units[p] == "-" else units[p], remark])
+                     f"{number(least[s, p])} to {number(most[s, p])}", unit_words(units[p]).strip(" []"), remark])
     yield Table("Values", [("stage", False), ("parameter", False), ("from", True), ("value", True), ("sd", True),
                            ("range", True), ("unit", False), ("remark", False)], rows)
 
@@ -126,7 +126,8 @@ def distributions(study):
     for axis in axes[::2]:
         axis.set_ylabel("readings [%]")
     theme.legend_on_top(figure, (("before", theme.BEFORE), ("after", theme.AFTER)))
-    yield picture(figure, "How large the errors are", f"Cumulative distributions of absolute errors, after: {listed(said)}.",
+    yield picture(figure, "How large the errors are",
+                  f"Cumulative distributions of absolute errors, after: {listed(said)}.",
                   "Share of the readings whose error is at most that; of the first meter."
                   + (" Dotted: the sensor's accuracy." if np.isfinite(study.number("accuracy")) else ""))
 

@@ -12,7 +12,7 @@ def number(value, digits=3):
     """With so many digits; a dash for what is not known."""
     if not math.isfinite(value):
         return DASH
-    if 1000 <= abs(value) < 1e6:
+    if min(1000, 10**digits) <= abs(value) < 1e6:
         return f"{value:.0f}".replace("-", "−")
     return f"{value:.{digits}g}".replace("-", "−")
 

@@ -23,6 +23,7 @@ from report import kinds, meters, page, picture, sobol, stored, theme  # noqa: E
 from test_loop_page import Page  # noqa: E402
 
 DAMAGE = "do not fit together"
+LETTER = 0.5                   # width of a letter, of its size
 PROGRAM = os.environ.get("BEMCAL_PROGRAM", str(ROOT / "build" / "release" / "bemcal-batch"))
 # What each study of fake_results must have, by a word of the titles of its pictures and tables.
 PICTURES = {
@@ -74,8 +75,8 @@ class EveryKind(unittest.TestCase):
         self.assertEqual(kinds_made | {"loop"}, set(kinds.KINDS))
         if os.access(PROGRAM, os.X_OK):
             said = subprocess.run([PROGRAM, "describe", "job"], capture_output=True, text=True, check=True).stdout
-            for kind in kinds.KINDS:
-                self.assertRegex(said, rf"\b{kind}\b")
+            words = re.search(r"\n  kind +required +one of (sensitivity, [a-z_, ]+)", said).group(1)
+            self.assertEqual(set(words.split(", ")), set(kinds.KINDS))
 
     def test_what_the_table_asks_for_is_in_the_layout(self):
         if not os.access(PROGRAM, os.X_OK):
@@ -122,15 +123,18 @@ class EveryKind(unittest.TestCase):
         self.assertLess(len(self.html), 3e6)
 
     def test_no_words_lie_beyond_their_picture(self):
-        """Text begins inside, and ends there if a letter is no wider than 0.62 of its size."""
+        """As far as it can be told without a font."""
+        n = 0
         for section in self.sections:
             for one in section.pictures:
                 width, height = (float(number) for number in re.search(r'viewBox="0 0 (\S+) (\S+)"', one.svg).groups())
-                for x, y, end_of in words_in(one.svg):
-                    where = f"{section.name}: {one.title}"
-                    self.assertGreaterEqual(x, -1, where)
-                    self.assertLessEqual(end_of, width + 4, where)
-                    self.assertTrue(0 <= y <= height + 1, where)
+                for begin, line, end_of in words_in(one.svg):
+                    where = f"{section.name}: {one.title}: {begin:.0f} to {end_of:.0f} of {width:.0f}"
+                    self.assertGreaterEqual(begin, -2, where)
+                    self.assertLessEqual(end_of, width + 2, where)
+                    self.assertTrue(0 <= line <= height + 1, where)
+                    n += 1
+        self.assertGreater(n, 500)
 
     def test_the_same_file_gives_the_same_bytes(self):
         self.assertEqual(page.html_of(stored.read(self.file)), self.html)
@@ -228,20 +232,18 @@ class EveryKind(unittest.TestCase):
 
 
 def words_in(svg):
-    """(x, y, where it ends) of every text that is not turned."""
-    for style, transform, words in re.findall(r'<text style="([^"]*)"([^>]*)>([^<]*)</text>', svg):
-        place = re.search(r"translate\((\S+) (\S+)\)", transform)
-        turned = re.search(r"rotate\((-?[\d.]+)", transform)
-        x, y = (float(number) for number in place.groups()) if place else \
-            (float(number) for number in re.search(r'x="(\S+)" y="(\S+)"', transform).groups())
+    """(where it begins, its line, where it ends) of every text that lies level."""
+    before = {"start": 0, "middle": 0.5, "end": 1}
+    for style, place, words in re.findall(r'<text style="([^"]*)"([^>]*)>([^<]*)</text>', svg):
+        turned = re.search(r"rotate\((-?[\d.]+)", place)
         if turned and float(turned.group(1)) % 360:
-            yield max(x, 0), y, x
             continue
-        size = float(re.search(r"([\d.]+)px", style).group(1))
+        at = re.search(r"translate\((\S+) (\S+)\)", place) or re.search(r'x="(\S+)" y="(\S+)"', place)
+        x, y = (float(number) for number in at.groups())
+        long = LETTER * float(re.search(r"([\d.]+)px", style).group(1)) * len(words)
         anchor = re.search(r"text-anchor: (\w+)", style)
-        long = 0.62 * size * len(words)
-        begin = x - {"middle": long / 2, "end": long}.get(anchor.group(1) if anchor else "", 0)
-        yield max(begin, -1) if anchor else begin, y, begin + long if not anchor else x
+        begin = x - before[anchor.group(1) if anchor else "start"] * long
+        yield begin, y, begin + long
 
 
 class Numbers(unittest.TestCase):

@@ -7,7 +7,7 @@ job=$jobs/quickstart/quickstart.toml
 drop_posterior
 run() {  # run NAME COMMAND...: its hash
   local result=$folder/$1.h5
-  "${@:2}" run "$job" -o "$result" >"$folder/log" 2>&1 || { cat "$folder/log" >&2; fail "failed: ${*:2}"; }
+  "${@:2}" run "$job" --no-report -o "$result" >"$folder/log" 2>&1 || { cat "$folder/log" >&2; fail "failed: ${*:2}"; }
   hash_of "$result"
 }
 same() {  # same NAME COMMAND...

@@ -7,7 +7,7 @@ job=$jobs/quickstart/quickstart.toml
 drop_posterior
 "$root/scripts/build" clang bemcal-batch
 hash_by() {  # hash_by PROGRAM KERNEL
-  BEMCAL_KERNEL=$2 "$1" run "$job" -o "$folder/result.h5" --force >"$folder/log" 2>&1 || {
+  BEMCAL_KERNEL=$2 "$1" run "$job" --no-report -o "$folder/result.h5" --force >"$folder/log" 2>&1 || {
     cat "$folder/log" >&2; fail "failed: $1 with the kernel $2"; }
   hash_of "$folder/result.h5"
 }

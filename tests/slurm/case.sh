@@ -27,7 +27,7 @@ job=$jobs/quickstart/quickstart.toml
 # size N [ITEM]: points of the screening, and of each of its items
 size() { sed -i -E "s/^( *n_points *=).*/\1 $1/; s/^( *points_per_item *=).*/\1 ${2:-64}/" "$job"; }
 whole() {  # the hash of an undisturbed run
-  "$BEMCAL_PROGRAM" run "$job" -o whole.h5 --force >log 2>&1 || { cat log >&2; fail "failed: the undisturbed run"; }
+  "$BEMCAL_PROGRAM" run "$job" --no-report -o whole.h5 --force >log 2>&1 || { cat log >&2; fail "failed: the undisturbed run"; }
   hash_of whole.h5
 }
 field() {  # field ID NAME: of the job's record; these clusters keep no accounts
