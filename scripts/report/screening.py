@@ -81,7 +81,20 @@ def parameters(study):
                   f"Error of the points over each of {len(shown)} parameters. Points {counts}. The error follows "
                   f"{listed(f'{names[p]} ({percent(shares[p])} of its variance)' for p in shown[:3])} most.",
                   f"Error: root mean square of the meters' CV(RMSE) in training. At most {MOST_DOTS} points of each "
-                  f"colour; the worst tenth is left out." + and_more(len(names), len(shown), "parameters"))
+                  f"colour; the worst tenth is left out." + sample_words(study)
+                  + and_more(len(names), len(shown), "parameters"))
+
+
+def best_errors(study, m):
+    """Of the best point in the first two periods [%]; it need not be in a sample of very many points."""
+    best = study.numbers("best_cv_rmse")
+    return 100 * best[0, :2, m] if best.ndim == 3 and best.shape[1] > 1 and len(best) else np.full(2, np.nan)
+
+
+def sample_words(study):
+    """Where not all points were read."""
+    n, shown = study.number("n_points"), len(study.numbers("points"))
+    return f" Of {number(n, 7)} points {shown} were read, evenly." if n > shown > 0 else ""
 
 
 def held_out(study):
@@ -102,14 +115,14 @@ def held_out(study):
             theme.dots(axis, first[some], second[some], colour, label=words)
         ends = [min(first[inside].min(), second[inside].min()), max(top)]
         axis.plot(ends, ends, color=theme.SOFT, linewidth=0.8, linestyle=":")
-        best = int(np.nanargmin(np.where(there, study.numbers("score"), np.nan)))
-        axis.plot(first[best], second[best], "D", color=theme.BEFORE, markersize=5, label="best point")
+        best = best_errors(study, m)
+        axis.plot(*best, "D", color=theme.BEFORE, markersize=5, label="best point")
         axis.set(xlabel=f"CV(RMSE) in {periods[0]} [%]", ylabel=f"in {periods[1]} [%]")
         theme.legend_above(axis)
         yield picture(figure, f"{meter}: {periods[0]} and {periods[1]}",
                       f"CV(RMSE) of each point for {meter} in {periods[0]} against {periods[1]}: correlation "
                       f"{fixed(np.corrcoef(first[inside], second[inside])[0, 1], 2)}; the best point has "
-                      f"{fixed(first[best], 1)} and {fixed(second[best], 1)} %.",
+                      f"{fixed(best[0], 1)} and {fixed(best[1], 1)} %.",
                       "Dotted: the same error in both. The worst tenths are left out.")
 
 

@@ -7,7 +7,8 @@
 /// A new kind is five files: its stage's header and source, whose `conclude` stores the
 /// word (`DatasetBuilder::kind`), its WORD_kind.cpp, its line in kinds.cpp, and the rows
 /// of its datasets in store/layout.cpp. `report` shows it as it is stored; tables of its
-/// own are a source in report/, named in sections.hpp and tables.cpp.
+/// own are a source in report/, named in sections.hpp and tables.cpp; its pictures are a
+/// row in scripts/report/kinds.py.
 #pragma once
 
 #include "input/input_files.hpp"

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <fstream>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
 

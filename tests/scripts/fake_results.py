@@ -112,6 +112,7 @@ def screening(study, random, n=400):
     study["meets_guideline_14"] = (errors.max(axis=2)[:, :, None] < [0.3, 0.15]).astype(float)
     best = np.argsort(score)[:20]
     study["best_point"], study["best_score"], study["best_parameters"] = best.astype(float), score[best], points[best]
+    study["best_cv_rmse"], study["n_points"] = errors[best], float(n)
     series(study, random)
 
 

@@ -19,7 +19,7 @@ sys.path[:0] = [str(ROOT / "scripts"), str(pathlib.Path(__file__).parent)]
 
 import fake_loop_result  # noqa: E402
 import fake_results  # noqa: E402
-from report import kinds, meters, page, picture, sobol, stored, theme  # noqa: E402
+from report import kinds, meters, page, picture, screening, sobol, stored, theme  # noqa: E402
 from test_loop_page import Page  # noqa: E402
 
 DAMAGE = "do not fit together"
@@ -247,6 +247,17 @@ def words_in(svg):
 
 
 class Numbers(unittest.TestCase):
+    def test_of_very_many_points_a_sample_is_read_and_the_best_one_stays(self):
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch.object(stored, "MOST_POINTS", 150):
+            study = stored.read(fake_results.write(pathlib.Path(folder) / "many.h5", ("screening",))).studies[0]
+        self.assertEqual({len(study.numbers(name)) for name in ("points", "score", "cv_rmse")}, {134})
+        self.assertEqual(len(study.numbers("training/gas/measured")), 8760)
+        drawn = list(screening.parameters(study))
+        self.assertIn("Of 400 points 134 were read", drawn[0].caption)
+        best = 100 * study.numbers("best_cv_rmse")[0, :, 0]
+        said = next(one for one in screening.held_out(study) if one.title.startswith("gas")).alt
+        self.assertIn(f"the best point has {best[0]:.1f} and {best[1]:.1f} %", said)
+
     def test_indices_of_hours_are_weighted_by_their_variance(self):
         cells = sobol.weighted(np.array([[0.2], [0.8], [np.nan]]), np.array([1.0, 3.0, 5.0]), np.array([0, 0, 1]), 3)
         np.testing.assert_allclose(cells[0], [0.65])
