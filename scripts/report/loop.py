@@ -57,6 +57,22 @@ def function_rows(loop):
              "evidence": words.number(function.evidence)} for function in loop.functions]
 
 
+def measurement_rows(loop):
+    """What is advised: of names first, then of parameters."""
+    return [{"question": row.question, "measure": row.measure,
+             "when": f"{row.weeks:.0f} week{'' if row.weeks == 1 else 's'} from {row.begin}",
+             "kind": row.kind, "now": words.percent(row.now), "then": words.percent(row.then)}
+            for kind in ("name", "parameter") for row in loop.measurements
+            if row.kind == kind and row.advised == 1]
+
+
+def unanswered(loop):
+    """Questions of which no measurement that was tried tells much more."""
+    answered = {row.question for row in loop.measurements if row.advised == 1}
+    return [question for question in dict.fromkeys(row.question for row in loop.measurements)
+            if question not in answered]
+
+
 def step_rows(loop):
     return [{"effect": step.effect, "gain": words.number(step.gain),
              "needed": words.number(step.threshold), "score": words.number(step.score),
@@ -81,6 +97,7 @@ def contents(loop):
         lead=" ".join([words.found(loop), words.judged(loop), words.unexplained(loop)]),
         learned=words.learned(loop), regression=words.regression(loop, regressions),
         errors=error_rows(loop, regressions), error_picture=pictures.errors(loop), effects=effect_rows(loop),
+        measurements=measurement_rows(loop), unanswered=unanswered(loop),
         functions=function_rows(loop), function_pictures=pictures.functions(loop),
         channels=channels, parameters=parameter_rows(loop),
         unusual_ends=words.unusual_ends(loop), parameter_picture=pictures.parameters(loop),

@@ -71,6 +71,10 @@ HOURS = {"schedule": number("learned_hours_of"), "days": text("learned_hours_day
          "until_least": number("learned_hours_until_least"), "until_most": number("learned_hours_until_most"),
          "usual_from": number("learned_hours_usual_from"), "usual_until": number("learned_hours_usual_until")}
 JOB_PART = {"of": text("job_part"), "section": text("job_part_section")}
+MEASUREMENT = {"measure": text("measurement"), "question": text("measurement_question"),
+               "kind": text("measurement_kind"), "begin": text("measurement_from"),
+               "weeks": number("measurement_weeks"), "now": number("measurement_now"),
+               "then": number("measurement_then"), "advised": number("measurement_advised")}
 MEMBER = {"name": text("effect_class_member"), "effect": number("effect_class_of")}
 POWER = {"effect": text("power_effect"), "detectability": number("power_detectability"),
          "visibility": number("power_visibility"), "alias": text("power_alias"),
@@ -226,6 +230,7 @@ class Loop:
         self.parameters = [parameter.name for parameter in self.of_parameters]
         self.effects, self.functions = effects_in(group), functions_in(group)
         self.schedules, self.job_parts = schedules_in(group), rows_in(group, JOB_PART)
+        self.measurements = rows_in(group, MEASUREMENT)
         self.periods, self.resolutions, self.metrics, self.hooks, self.drivers = (
             texts_of(group, name)
             for name in ("period", "resolution", "metric", "hook", "driver"))
