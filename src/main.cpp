@@ -27,6 +27,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -49,6 +50,7 @@ struct CommandLine {
     std::string topic, place, years, stage;
     bool force = false, resume = false, rerun_failed = false, no_report = false;
     bool keep_priors = false;
+    std::map<std::string, std::vector<std::string>> words_of;  ///< of `new`, by option
     int n_threads = 0;
     double item_seconds = 0;  ///< 0 = no limit
     double stop_after_s = 0;  ///< 0 = no limit
@@ -145,6 +147,39 @@ void add_adopt(CLI::App& app, CommandLine& line) {
     adopt->add_flag("--force", line.force, "write over the new job");
 }
 
+/// Options of `new` with a value; scripts/new says what is wrong with one.
+struct NewOption {
+    const char *name, *type, *says;
+    bool is_required = false;
+};
+constexpr NewOption new_options[] = {
+    {"--weather", "FILE",
+     "EPW of a measured year, or a CSV file with outdoor temperature; once for each file",
+     true},
+    {"--meter", "FILE[:COLUMN[:QUANTITY[:UNIT]]]",
+     "readings as CSV, a table of bills, an export of ENERGY STAR Portfolio Manager, or "
+     "Green Button XML; once for each file or column",
+     true},
+    {"--area", "M2", "heated or cooled floor area", true},
+    {"--use", "USE", "office, school, house, apartments, retail, hotel, ...", true},
+    {"--built", "YEAR", "when it was built, or its envelope renewed", true},
+    {"--place", "COUNTRY", "two letters, perhaps with a state: GB, DE-BY, US-NY", true},
+    {"--site", "LAT,LON", "where it stands; left out: as the EPW file says"},
+    {"--storeys", "N", "left out: by use and area"},
+    {"--height", "M", "of a storey; left out: by use"}};
+
+void add_new(CLI::App& app, CommandLine& line) {
+    CLI::App* first = app.add_subcommand(
+        "new", "write a first job from weather, meters, area, use, age and place");
+    first->add_option("JOB", line.job, "the job to be written, with .toml")->required();
+    for (const NewOption& option : new_options)
+        first->add_option(option.name, line.words_of[option.name], option.says)
+            ->type_name(option.type)
+            ->allow_extra_args(false)
+            ->required(option.is_required);
+    first->add_flag("--force", line.force, "write over the job");
+}
+
 void add_others(CLI::App& app, CommandLine& line) {
     CLI::App* check =
         app.add_subcommand("check", "read everything, simulate nothing, print the plan");
@@ -166,6 +201,7 @@ void add_others(CLI::App& app, CommandLine& line) {
     app.add_subcommand("status", "print whether a result is complete, and its hash")
         ->add_option("FILE", line.file, "result file, also of a run that is not complete")
         ->required();
+    add_new(app, line);
     add_adopt(app, line);
     app.add_subcommand("report", "print results as tables")
         ->add_option("FILE", line.files,
@@ -178,7 +214,7 @@ std::vector<std::string> arguments(int argc, char** argv) {
     std::vector<std::string> words(argv + 1, argv + argc);
     const auto is_known = [](const std::string& word) {
         for (const char* known : {"run", "check", "describe", "status", "report", "adopt",
-                                  "-h", "--help", "--version"})
+                                  "new", "-h", "--help", "--version"})
             if (word == known) return true;
         return false;
     };
@@ -341,26 +377,44 @@ ExitCode report_command(const CommandLine& line) {
     return code;
 }
 
-/// By scripts/adopt, whose messages are this program's.
-ExitCode adopt_command(const CommandLine& line) {
+/// By scripts/NAME, whose messages and codes are this program's.
+/// \param takes  what it needs of Python, told where it does not run
+ExitCode script_command(const std::string& name, std::vector<std::string> words,
+                        const char* takes) {
     const auto script =
-        run::find_script("scripts/adopt", {BEMCAL_SOURCE_DIR, BEMCAL_DATA_DIR});
+        run::find_script("scripts/" + name, {BEMCAL_SOURCE_DIR, BEMCAL_DATA_DIR});
     if (!script)
         throw UserError(ExitCode::no_input,
-                        "scripts/adopt was not found beside the program; cmake --install "
-                        "puts it there");
-    std::vector<std::string> words{script->string(), line.file.string(),
-                                   line.job.string(), "-o", line.output.string()};
+                        fmt::format("scripts/{} was not found beside the program; cmake "
+                                    "--install puts it there",
+                                    name));
+    words.insert(words.begin(), script->string());
+    const int code = run::code_of_program(std::move(words), run::Said::shown);
+    if (code < 0)
+        throw UserError(ExitCode::os, fmt::format("{}: did not run; it takes {}",
+                                                  script->string(), takes));
+    return static_cast<ExitCode>(code);
+}
+
+ExitCode adopt_command(const CommandLine& line) {
+    std::vector<std::string> words{line.file.string(), line.job.string(), "-o",
+                                   line.output.string()};
     if (!line.stage.empty()) words.insert(words.end(), {"--stage", line.stage});
     if (line.keep_priors) words.emplace_back("--keep-priors");
     if (line.force) words.emplace_back("--force");
-    const int code = run::code_of_program(words, run::Said::shown);
-    if (code < 0)
-        throw UserError(ExitCode::os,
-                        script->string() +
-                            ": did not run; it takes Python with h5py and "
-                            "tomlkit (Debian: python3-h5py, python3-tomlkit)");
-    return static_cast<ExitCode>(code);
+    return script_command(
+        "adopt", std::move(words),
+        "Python with h5py and tomlkit (Debian: python3-h5py, python3-tomlkit)");
+}
+
+/// Values go behind `=`, for one may begin with a minus.
+ExitCode new_command(const CommandLine& line) {
+    std::vector<std::string> words{line.job.string()};
+    for (const auto& [option, values] : line.words_of)
+        for (const std::string& value : values)
+            words.push_back(fmt::format("{}={}", option, value));
+    if (line.force) words.emplace_back("--force");
+    return script_command("new", std::move(words), "Python 3.11 or newer");
 }
 
 /// Commands that one rank is enough for; the others have nothing to do.
@@ -370,6 +424,7 @@ ExitCode alone(run::Comm& comm, const CLI::App& app, const CommandLine& line) {
     if (app.got_subcommand("describe")) return describe_command(line);
     if (app.got_subcommand("status")) return status_command(line);
     if (app.got_subcommand("adopt")) return adopt_command(line);
+    if (app.got_subcommand("new")) return new_command(line);
     return report_command(line);
 }
 

@@ -1,0 +1,175 @@
+"""Exports that are no table of readings, as CSV files beside the job: ENERGY STAR Portfolio Manager's meter entries (one
+row a bill) and Green Button XML (ESPI).
+
+Source: Portfolio Manager's columns (Start Date, End Date, Usage/Quantity, Usage Units, Estimation, Meter Type, Meter
+Name); NAESB REQ.21 ESPI (ReadingType: uom, powerOfTenMultiplier, commodity, flowDirection; IntervalReading: start in
+seconds since 1970 UTC, duration). Leaves out demand, costs, and of Green Button what is fed in.
+"""
+import csv
+import datetime as dt
+import os
+import re
+import xml.etree.ElementTree as ElementTree
+from dataclasses import dataclass
+
+from new_job import tables, times
+from new_job.refused import EXISTS, IO, Refused
+from new_job.words import quantity_of, says, spaced, unit_of
+
+DAY = 86400
+COMMODITIES = {"0": "electricity", "1": "electricity", "2": "electricity", "7": "gas", "10": "district"}
+# uom of ESPI: the job's unit, factor.
+UOMS = {"72": ("Wh", 1), "38": ("W", 1), "169": ("therm", 1), "119": ("ft3", 1), "42": ("m3", 1), "132": ("kBtu", 1e-3),
+        "31": ("J", 1)}
+FED_IN = "19"                  # flowDirection: reverse
+
+
+@dataclass
+class Converted:
+    """One meter of an export, written as a CSV file."""
+    file: str
+    column: str
+    quantity: str
+    unit: str
+    factor: float
+    says: str                  # what it was
+
+
+def is_green_button(path):
+    return tables.bytes_of(path).lstrip(b"\xef\xbb\xbf \r\n\t")[:1] == b"<"
+
+
+def is_portfolio_manager(table):
+    return column_of(table, r"start date|start") is not None and column_of(table, r"end date|end") is not None and \
+        column_of(table, r"usage units?|units?|unit of measure|uom") is not None and usage_of(table) is not None
+
+
+def column_of(table, pattern, but=r"\0"):
+    return next((name for name in table.names if re.fullmatch(rf"(?:meter )?(?:{pattern})", spaced(name)) and
+                 not re.search(but, spaced(name))), None)
+
+
+def usage_of(table):
+    return column_of(table, r"usage quantity|usage|quantity|consumption|meter consumption|use|amount")
+
+
+def write_rows(path, names, rows, inputs, force):
+    """Never over an input; over another file with --force only."""
+    if os.path.exists(path):
+        if any(os.path.samefile(path, other) for other in inputs if os.path.exists(other)):
+            raise Refused(f"{path}: is an input, over which the converted readings would be written; give the job another "
+                          "name", EXISTS)
+        if not force:
+            raise Refused(f"{path}: is there already, and the converted readings go there; --force writes over it", EXISTS)
+    try:
+        with open(path, "w", newline="", encoding="utf-8") as file:
+            csv.writer(file, lineterminator="\n").writerows([names, *rows])
+    except OSError as error:
+        raise Refused(f"{path}: {error.strerror}; the converted readings go there", IO) from None
+
+
+def place_of(job, *words):
+    name = "_".join(re.sub(r"[^a-z0-9]+", "_", word.lower()).strip("_") for word in words if word)
+    return f"{os.path.splitext(job)[0]}_{name}.csv"
+
+
+def of_portfolio_manager(table, job, inputs, force, country):
+    """Its bills, one file for each meter."""
+    kind = column_of(table, r"type|meter type|energy type|fuel type|fuel")
+    name = column_of(table, r"name|meter name|meter id|portfolio manager meter id|id")
+    start, end = column_of(table, r"start date|start"), column_of(table, r"end date|end")
+    units, usage = column_of(table, r"usage units?|units?|unit of measure|uom"), usage_of(table)
+    estimated = column_of(table, r"estimation|estimated|estimate|is estimated")
+    read = {column: table.column(column) for column in (kind, name, start, end, units, usage, estimated) if column}
+    groups = {}
+    for k, cell in enumerate(read[usage]):
+        if cell:
+            key = (read[kind][k] if kind else "", read[name][k] if name else "", read[units][k])
+            groups.setdefault(key, []).append(k)
+    decimals = tables.numbers_in(table, usage)
+    begins, ends = (times.read_times(read[column], country) for column in (start, end))
+    if decimals is None or not begins or not ends or len(begins[1]) != len(table.rows) != len(ends[1]):
+        raise Refused(f"{table.path}: has rows whose dates or usage cannot be read; expected one row for each bill with "
+                      f"{start}, {end}, {usage}, {units}")
+    found = []
+    for (of_kind, of_name, of_units), rows in groups.items():
+        text = f"{of_kind} {of_name} {os.path.basename(table.path)}"
+        quantity, unit = quantity_of(of_kind) or quantity_of(of_name) or quantity_of(text), unit_of(of_units)
+        if not unit:
+            raise Refused(f"{table.path}: column {units}: {of_units!r} is no unit that is known; expected kWh, therms, "
+                          "ccf, kBtu, ...")
+        rows = sorted(rows, key=lambda k: begins[1][k])
+        path = place_of(job, quantity or of_kind or "bills", of_name if len(groups) > 1 else "")
+        lines = [[f"{begins[1][k]:%Y-%m-%d}", f"{ends[1][k]:%Y-%m-%d}", decimals.values[k],
+                  int(bool(estimated) and says("yes|true|1|e|estimated", read[estimated][k]))] for k in rows]
+        write_rows(path, ["start", "end", "usage", "estimated"], lines, inputs, force)
+        found.append(Converted(path, "usage", quantity, *unit, f"{len(rows)} bills of {table.path} "
+                                                               f"({' '.join(filter(None, (of_kind, of_name)))}, {of_units})"))
+    return found
+
+
+def local(element):
+    """A tag without its namespace."""
+    return element.tag.rsplit("}", 1)[-1]
+
+
+def child(element, *path):
+    """Text of a descendant, tag by tag; None where it is not there."""
+    for tag in path:
+        element = next((each for each in element if local(each) == tag), None)
+        if element is None:
+            return None
+    return element.text.strip() if element.text else ""
+
+
+def of_green_button(path, job, inputs, force):
+    """Its interval blocks. Each reading type has its unit; a file of one feed has one mostly."""
+    try:
+        root = ElementTree.fromstring(tables.bytes_of(path))
+    except ElementTree.ParseError as error:
+        raise Refused(f"{path}: is no XML that can be read: {error}; expected Green Button (ESPI)") from None
+    groups, kind = {}, None
+    for element in root.iter():
+        if local(element) == "ReadingType":
+            kind = (child(element, "commodity") or "1", child(element, "uom") or "72",
+                    int(child(element, "powerOfTenMultiplier") or 0), child(element, "flowDirection") or "1")
+        if local(element) == "IntervalBlock":
+            groups.setdefault(kind, []).extend(readings_of(element))
+    late = kind if len({key for key in groups if key}) <= 1 else None
+    found = []
+    for key, readings in groups.items():
+        commodity, uom, power, direction = key or late or ("1", "72", 0, "1")
+        if direction == FED_IN or uom not in UOMS or not readings:
+            continue
+        found.append(written(path, job, COMMODITIES.get(commodity), uom, power, readings, inputs, force))
+    if not found:
+        raise Refused(f"{path}: has no readings of energy in IntervalBlock; expected Green Button (ESPI)")
+    return found
+
+
+def readings_of(block):
+    for reading in block:
+        if local(reading) != "IntervalReading":
+            continue
+        begin, duration, value = (child(reading, *tag) for tag in (("timePeriod", "start"), ("timePeriod", "duration"),
+                                                                  ("value",)))
+        if begin and value:
+            yield int(begin), int(duration or 3600), float(value)
+
+
+def written(path, job, quantity, uom, power, readings, inputs, force):
+    unit, factor = UOMS[uom]
+    quantity = quantity or quantity_of(os.path.basename(path)) or "electricity"
+    readings = sorted(dict((begin, (duration, value)) for begin, duration, value in readings).items())
+    durations = [duration for _, (duration, _) in readings]
+    at = place_of(job, quantity)
+
+    def time(seconds):
+        return dt.datetime(1970, 1, 1) + dt.timedelta(seconds=seconds)
+    if sorted(durations)[len(durations) // 2] > DAY:
+        lines = [[f"{time(b):%Y-%m-%d}", f"{time(b + d):%Y-%m-%d}", f"{v * 10 ** power:g}", 0] for b, (d, v) in readings]
+        write_rows(at, ["start", "end", "usage", "estimated"], lines, inputs, force)
+    else:
+        lines = [[f"{time(b):%Y-%m-%dT%H:%M:%SZ}", f"{v * 10 ** power:.10g}"] for b, (_, v) in readings]
+        write_rows(at, ["time", "usage"], lines, inputs, force)
+    return Converted(at, "usage", quantity, unit, factor, f"{len(readings)} readings of Green Button {path}")

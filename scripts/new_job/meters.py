@@ -1,0 +1,315 @@
+"""Which columns of the files are meters: quantity, unit, interval, and the keys that a job needs to read them.
+
+The program looks at stamps, gaps and codes by itself (jobs/README.md); here it is chosen what it cannot know. Quantity
+and unit follow from the names of column, file and unit; a unit that nothing says is the one in which the use of a year is
+most like a building's. What was guessed is told. FILE:COLUMN:QUANTITY:UNIT overrules all of it.
+"""
+import datetime as dt
+import math
+import os
+from dataclasses import dataclass, field
+
+from new_job import exports, tables, times
+from new_job.refused import NO_INPUT, USAGE, Refused
+from new_job.weather import keys_of
+from new_job.words import (OF_GAS, POWERS, QUANTITY_NAMES, TEMPERATURES, UNIT_NAMES, is_other, kwh_per_unit, quantity_of,
+                           says, unit_of)
+
+DAY, YEAR = 86400, 365.25 * 86400
+USUAL = {"gas": 150, "electricity": 100, "district": 120, "cooling": 80, "heating": 120}  # kWh/(m2 a), middling
+ABSURD = 6                     # times more or less than that, and it is asked about
+CANDIDATES = {"gas": ("kWh", "m3", "MWh"), "electricity": ("kWh", "MWh", "Wh"),
+              "district": ("kWh", "MWh", "GJ", "kBtu"), "cooling": ("kWh", "MWh", "kBtu"), "heating": ("kWh", "MWh")}
+OF_COUNTRY = {"US": ("therm", "100 ft3"), "GB": ("100 ft3",)}  # more of gas
+LEAST_FACTOR = 3               # a unit but kWh is guessed only where kWh is so far off
+NAMES = {"district": "heat", "air_temperature": "room"}  # of a meter, where the quantity's own says less
+
+
+@dataclass
+class Meter:
+    """`series`: (begin, reading in the job's unit or None), by the file's clock, in the order of time."""
+    name: str
+    quantity: str
+    file: str
+    column: str
+    unit: str
+    factor: float
+    interval: str
+    step: float                # s
+    series: list
+    keys: dict = field(default_factory=dict)
+    comments: list = field(default_factory=list)
+
+    ends: list = field(default_factory=list)  # of bills
+
+    @property
+    def is_energy(self):
+        return self.quantity != "air_temperature"
+
+    @property
+    def is_hourly(self):
+        return self.step <= 3600
+
+    def read(self):
+        return [(begin, value) for begin, value in self.series if value is not None]
+
+    @property
+    def first(self):
+        return self.read()[0][0]
+
+    @property
+    def last(self):
+        """End of the last interval that was read; of months by the calendar."""
+        last = self.read()[-1][0]
+        if self.ends:
+            return self.ends[-1]
+        if self.interval == "monthly" and all(begin.day == 1 for begin, _ in self.series):
+            return (last.replace(day=1) + dt.timedelta(days=32)).replace(day=1)
+        return last + dt.timedelta(seconds=self.step)
+
+    def kwh(self):
+        """[(begin, kWh)] of an energy."""
+        one = self.factor * kwh_per_unit(self.unit, self.step / 3600)
+        return [(begin, value * one) for begin, value in self.read()]
+
+
+@dataclass(frozen=True)
+class Request:
+    """--meter FILE[:COLUMN[:QUANTITY[:UNIT]]]"""
+    file: str
+    column: str = ""
+    quantity: str = ""
+    unit: str = ""
+
+
+def read_request(text):
+    """The file is the longest part before a colon that exists."""
+    parts = text.split(":")
+    for n in range(len(parts), 0, -1):
+        path = ":".join(parts[:n])
+        if os.path.isfile(path) and len(parts) - n <= 3:
+            request = Request(path, *parts[n:])
+            check_request(text, request)
+            return request
+    raise Refused(f"--meter {text}: {parts[0]}: no such file; expected FILE or FILE:COLUMN:QUANTITY:UNIT", NO_INPUT)
+
+
+def check_request(text, request):
+    if request.quantity and request.quantity not in QUANTITY_NAMES:
+        raise Refused(f"--meter {text}: {request.quantity} is no quantity; expected one of {', '.join(QUANTITY_NAMES)}",
+                      USAGE)
+    if request.unit and request.unit not in UNIT_NAMES:
+        raise Refused(f"--meter {text}: {request.unit} is no unit; expected one of {', '.join(UNIT_NAMES)}", USAGE)
+
+
+def is_candidate(table, name):
+    return not is_other(name) and tables.numbers_in(table, name) is not None
+
+
+def chosen_columns(table, request):
+    """[(column, quantity)] that are meters."""
+    if request.column:
+        if request.column not in table.names:
+            raise Refused(f"{table.path}: has no column {request.column}; it has {', '.join(table.values)}")
+        if tables.numbers_in(table, request.column) is None:
+            raise Refused(f"{table.path}: column {request.column}: has cells that are no numbers")
+        words = f"{request.column} {os.path.basename(table.path)}"
+        return [(request.column, request.quantity or quantity_of(request.column) or quantity_of(words))]
+    if table.per_day:
+        return [(table.values[0], request.quantity or quantity_of(os.path.basename(table.path)))]
+    there = [name for name in table.values if is_candidate(table, name)]
+    named = [(name, quantity_of(name)) for name in there if quantity_of(name)]
+    if request.quantity:
+        named = [row for row in named if row[1] == request.quantity] or [(name, request.quantity) for name in there[:1]]
+    if named:
+        return named
+    if len(there) == 1:
+        return [(there[0], quantity_of(os.path.basename(table.path)) or of_unit(there[0]))]
+    columns = ", ".join(table.values[:20]) + (", ..." if len(table.values) > 20 else "")
+    raise Refused(f"{table.path}: has no column whose name says what it is, such as gas_kwh, among {columns}; write "
+                  f"--meter {table.path}:COLUMN:QUANTITY:UNIT")
+
+
+def of_unit(name):
+    """The quantity that a unit alone says."""
+    found = unit_of(name)
+    return "gas" if found and found[0] in OF_GAS else None
+
+
+def interval_of(step):
+    """(interval of the job, how it is said)"""
+    if step <= 3600:
+        return "hourly", f"{step / 60:g} min" if step < 3600 else "hours"
+    if step <= DAY:
+        return "daily", "days" if step == DAY else f"{step / 3600:g} h"
+    return ("monthly", f"bills of {step / DAY:.0f} days") if step < 300 * DAY else ("annual", "years")
+
+
+def bill_columns(table):
+    """(from, to) of a table of bills, by the names of its columns of dates."""
+    dates = [name for name in table.names if says("start|from|begin|end|to|until|von|bis|date|read", name) and
+             times.read_times(table.column(name))]
+    begin = next((name for name in dates if says("start|from|begin|von", name)), None)
+    end = next((name for name in dates if name != begin and says("end|to|until|bis", name)), None)
+    return (begin, end) if begin and end and table.step > DAY else None
+
+
+def year_use(meter, area):
+    """[kWh/(m2 a)] of an energy."""
+    read = meter.kwh()
+    if not read:
+        return 0
+    if meter.ends:
+        seconds = sum((end - begin).total_seconds() for (begin, _), end in zip(meter.read(), meter.ends))
+    else:
+        seconds = len(read) * meter.step
+    return sum(value for _, value in read) / area * YEAR / max(seconds, 1)
+
+
+def ends_of_bills(begins, ends):
+    """Where most bills begin on the day after the end of the one before, an end is the last day."""
+    one = dt.timedelta(days=1)
+    follow = [begin - end for begin, end in zip(sorted(begins)[1:], sorted(ends))]
+    return [end + one for end in ends] if sum(gap == one for gap in follow) * 2 > len(follow) else ends
+
+
+def are_last_days(stamps):
+    return all((time + dt.timedelta(days=1)).day == 1 for time in stamps)
+
+
+def begins_of_months(begins):
+    """Of stamps that are the last days of months."""
+    return [begin.replace(day=1) for begin in begins]
+
+
+def guess_unit(meter, options, told):
+    """Where nothing says it: kWh, unless another of its candidates is far more like a building's use."""
+    def distance(unit):
+        meter.unit = unit
+        use = year_use(meter, options.area)
+        return abs(math.log(use / USUAL[meter.quantity])) if use > 0 else math.inf
+    more = OF_COUNTRY.get(options.country, ()) if meter.quantity == "gas" else ()
+    best = min(CANDIDATES[meter.quantity] + more, key=distance)
+    meter.unit = best if distance("kWh") > math.log(LEAST_FACTOR) else "kWh"
+    line = f"{meter.file}: {meter.column}: nothing says its unit; {meter.unit} was taken, which is " \
+           f"{year_use(meter, options.area):.0f} kWh/(m2 a)"
+    told.check(line)
+    meter.comments.append("check this: nothing says the unit; taken by the use of a year per m2")
+
+
+def check_use(meter, area, told):
+    use = year_use(meter, area)
+    if use and not 1 / ABSURD <= use / USUAL[meter.quantity] <= ABSURD:
+        told.check(f"{meter.file}: {meter.column}: {use:.0f} kWh/(m2 a) of {meter.quantity} is far from usual "
+                   f"({USUAL[meter.quantity]}): unit or floor area may be another")
+
+
+def make_meter(table, column, quantity, unit, options, told):
+    """`unit`: (unit, factor), or None where the names say it."""
+    numbers = tables.numbers_in(table, column)
+    begins = table.times
+    keys = keys_of_meter(table, numbers, told)
+    if table.step > DAY and keys.get("stamp") == "end" and are_last_days(begins):
+        begins = begins_of_months(begins)
+    if table.per_day:
+        part = dt.timedelta(seconds=table.step)
+        begins = [day + k * part for k in range(table.per_day) for day in table.times]
+    if quantity is None:
+        if not (found := unit_of(column)) or found[0] in TEMPERATURES:
+            raise Refused(f"{table.path}: column {column}: neither it nor the file's name says what it measures; write "
+                          f"--meter {table.path}:{column}:QUANTITY (one of {', '.join(QUANTITY_NAMES)})")
+        quantity = "electricity"
+        told.check(f"{table.path}: {column}: nothing says what it measures; electricity was taken for its unit {found[0]}")
+    unit = unit or unit_of(column, quantity) or unit_of(os.path.basename(table.path), quantity)
+    interval, _ = interval_of(table.step)
+    meter = Meter(NAMES.get(quantity, quantity), quantity, table.path, column, *(unit or ("", 1)), interval, table.step,
+                  sorted(zip(begins, numbers.values), key=lambda row: row[0]), keys=keys)
+    bills = bill_columns(table)
+    if bills:
+        ends = ends_of_bills(begins, times.read_times(table.column(bills[1]))[1])
+        meter.keys |= {"from": bills[0], "to": bills[1]}
+        meter.keys.pop("time", None)
+        meter.keys.pop("stamp", None)
+        meter.ends = [end for end, value in sorted(zip(ends, numbers.values)) if value is not None]
+    if not meter.read():
+        raise Refused(f"{table.path}: column {column}: has no readings")
+    finish_unit(meter, options, told)
+    told.say(f"{table.path}: {column}: {quantity} [{meter.unit}{'' if meter.factor == 1 else f' x {meter.factor:g}'}], "
+             f"{interval_of(table.step)[1]}, {meter.first:%Y-%m-%d} to {meter.last:%Y-%m-%d}" +
+             (f", {year_use(meter, options.area):.0f} kWh/(m2 a)" if meter.is_energy else ""))
+    return meter
+
+
+def finish_unit(meter, options, told):
+    if not meter.is_energy:
+        meter.unit = meter.unit or "degC"
+        return
+    if meter.unit in POWERS and meter.interval in ("monthly", "annual"):
+        raise Refused(f"{meter.file}: column {meter.column}: {meter.unit} is a power, but its rows are {meter.interval} "
+                      "bills; write the unit of the energy, --meter FILE:COLUMN:QUANTITY:kWh", USAGE)
+    if not meter.unit:
+        guess_unit(meter, options, told)
+    check_use(meter, options.area, told)
+
+
+def keys_of_meter(table, numbers, told):
+    keys = keys_of(table)
+    if numbers.decimal != ".":
+        keys["decimal"] = numbers.decimal
+    if numbers.thousands:
+        keys["thousands"] = numbers.thousands
+    if numbers.is_guess:
+        told.check(f"{table.path}: numbers such as 1,234 were read as "
+                   f"{'thousands' if numbers.thousands else 'decimal commas'}")
+    if table.is_guess:
+        told.check(f"{table.path}: its dates were read as {table.form}, but day and month cannot be told apart")
+    if table.step <= DAY:
+        keys["gaps"] = "missing"
+    elif "stamp" not in keys and are_last_days(table.times):
+        keys["stamp"] = "end"                        # last days of months
+    return keys
+
+
+def of_converted(made, options, told):
+    """The meter of an export's CSV file."""
+    table = tables.read_table(made.file, options.country)
+    if not made.quantity:
+        raise Refused(f"{made.says}: nothing says what it measures; write --meter {made.file}:usage:QUANTITY:UNIT")
+    meter = make_meter(table, made.column, made.quantity, (made.unit, made.factor), options, told)
+    meter.comments.append(f"from {made.says}")
+    if "from" in meter.keys:
+        meter.keys["estimated"] = "estimated"
+    return meter
+
+
+def meters_in(request, options, told):
+    """All of one --meter."""
+    if exports.is_green_button(request.file):
+        made = exports.of_green_button(request.file, options.job, options.inputs, options.force)
+        return [of_converted(each, options, told) for each in made]
+    table = tables.read_table(request.file, options.country)
+    if exports.is_portfolio_manager(table) and not request.column:
+        made = exports.of_portfolio_manager(table, options.job, options.inputs, options.force, options.country)
+        return [of_converted(each, options, told) for each in made]
+    unit = (request.unit, 1) if request.unit else None
+    return [make_meter(table, column, quantity, unit, options, told)
+            for column, quantity in chosen_columns(table, request)]
+
+
+def one_of_each(meters, told):
+    """Of an energy one meter, the largest: each is held against all that the building takes of it."""
+    kept = []
+    for meter in meters:
+        if not meter.is_energy:
+            kept.append(meter)
+            continue
+        like = [other for other in meters if other.quantity == meter.quantity]
+        largest = max(like, key=lambda other: year_use(other, 1))
+        if meter is largest:
+            kept.append(meter)
+        else:
+            told.check(f"{meter.file}: {meter.column}: left out, for {largest.column} shows more of {meter.quantity}; add "
+                       "the columns up if both are the building's")
+    for k, meter in enumerate(room for room in kept if not room.is_energy):
+        meter.name = f"room_{k + 1}" if k else "room"
+    return kept

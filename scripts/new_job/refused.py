@@ -1,0 +1,26 @@
+"""What ends `bemcal-batch new`, with the README's exit codes; and what it has to say beside the job."""
+
+USAGE, DATA, NO_INPUT, EXISTS, IO = 64, 65, 66, 73, 74
+
+
+class Refused(Exception):
+    """A message for the user, and the exit code."""
+
+    def __init__(self, message, code=DATA):
+        super().__init__(message)
+        self.code = code
+
+
+class Told:
+    """Lines for the terminal; those to be checked also go into the job."""
+
+    def __init__(self):
+        self.found, self.checks = [], []
+
+    def say(self, line):
+        self.found.append(line)
+
+    def check(self, line):
+        """Something that was guessed."""
+        if line not in self.checks:
+            self.checks.append(line)

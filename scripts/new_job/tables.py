@@ -1,0 +1,250 @@
+"""What stands in a CSV file: separator, line of names, time columns and their form, decimal mark.
+
+It looks as the program does (src/input/csv.hpp), so that a job has to say only what a file does not show. A file is
+read as a whole, gzipped or not.
+"""
+import csv
+import datetime as dt
+import gzip
+import io
+import os
+import re
+from dataclasses import dataclass, field
+
+from new_job import times
+from new_job.refused import NO_INPUT, Refused
+from new_job.words import END, START, UNITS, says, spaced
+
+LOOKED_AT = 60                 # lines before the table
+DAY_COLUMNS = (24, 48, 96)     # a day a line
+MISSING = {"", "na", "n/a", "nan", "null", "none", "-", "missing", "#n/a", "#value!", "#div/0!", "#ref!"}
+PARTS = (("year", "yyyy", "yr"), ("month", "mo", "mon"), ("day", "dd", "dy"), ("hour", "hr", "hh"), ("minute", "mn", "min"))
+UNIT_CELLS = ("yyyy mm dd hh mm", "h", "time", "date")
+CLOCK_CELL = re.compile(r"\d{1,2}:\d\d(:\d\d)?$")
+
+
+def bytes_of(path):
+    try:
+        with open(path, "rb") as file:
+            data = file.read()
+    except FileNotFoundError:
+        raise Refused(f"{path}: no such file; expected the name of one", NO_INPUT) from None
+    except OSError as error:
+        raise Refused(f"{path}: {error.strerror}; expected a file that can be read", NO_INPUT) from None
+    if data[:2] == b"\x1f\x8b":
+        try:
+            data = gzip.decompress(data)
+        except (OSError, EOFError) as error:
+            raise Refused(f"{path}: is a damaged gzip file ({error}); pack it again") from None
+    return data
+
+
+def text_of(path):
+    data = bytes_of(path)
+    if data[:2] == b"PK":
+        raise Refused(f"{path}: is a workbook or a zip; save its sheet as CSV, or unpack it")
+    if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        raise Refused(f"{path}: is UTF-16; save it as CSV in UTF-8")
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return data.decode("cp1252", errors="replace")
+
+
+def lines_of(path):
+    """Lines with something in them, and the separator."""
+    text = text_of(path).replace("\r\n", "\n").replace("\r", "\n")
+    if text.lstrip()[:1] == "<":
+        raise Refused(f"{path}: is a web page or XML, no CSV; of XML, Green Button is read")
+    said = re.match(r"sep=(.)\n", text)
+    if said:
+        text = text[said.end():]
+    lines = [line for line in text.split("\n") if line.strip(" ,;\t") and not line.startswith("#")]
+    if not lines:
+        raise Refused(f"{path}: is empty; expected a line of names and rows of readings")
+    if said:
+        return lines, said.group(1)
+    middle = lines[len(lines) // 2]
+    return lines, max(",;\t|", key=lambda mark: (middle.count(mark), -",;\t|".index(mark)))
+
+
+@dataclass
+class Table:
+    """Of one file."""
+    path: str
+    names: list
+    rows: list                 # of cells
+    separator: str
+    time: list = field(default_factory=list)  # names of the time's columns
+    form: str = ""             # of strptime; "" = as the program reads it
+    times: list = None         # [row] of the stamps' own clock
+    is_guess: bool = False     # day and month
+    has_offset: bool = False   # stamps say theirs; times are then UTC
+    per_day: int = 0           # readings of a line that is a day
+
+    def column(self, name):
+        k = self.names.index(name)
+        return [row[k].strip() if k < len(row) else "" for row in self.rows]
+
+    @property
+    def values(self):
+        """Names of the columns that are no time."""
+        return [name for name in self.names if name and name not in self.time]
+
+    @property
+    def step(self):
+        return times.step_of(self.times) if not self.per_day else 86400 / self.per_day
+
+
+def cells_of(lines, separator):
+    return list(csv.reader(io.StringIO("\n".join(lines)), delimiter=separator, skipinitialspace=True))
+
+
+def part_columns(names):
+    """Indices of year, month, day and perhaps hour and minute; None without the first three."""
+    found = [next((k for k, name in enumerate(names) if name.strip().lower() in part), None) for part in PARTS]
+    return [k for k in found if k is not None] if None not in found[:3] else None
+
+
+def of_parts(rows, columns):
+    def time(row):
+        numbers = [int(float(row[k])) for k in columns]
+        return dt.datetime(*numbers[:3]) + dt.timedelta(hours=numbers[3] if len(numbers) > 3 else 0,
+                                                        minutes=numbers[4] if len(numbers) > 4 else 0)
+    try:
+        return [time(row) for row in rows]
+    except (ValueError, IndexError):
+        return None
+
+
+def is_time(cell):
+    cell = cell.strip()
+    reads = (times.read_iso, *map(times.read_form, (*times.YEAR_FIRST, *times.OTHER_FORMS)))
+    return any(times.all_read(read, [cell]) for read in reads) if re.search(r"\d", cell) else False
+
+
+def header_at(path, cells):
+    """(index of the names, of the first row): the first row is the first line with a time or the parts of one."""
+    for k, row in enumerate(cells[:LOOKED_AT]):
+        if part_columns(row) and len(cells) > k + 1:
+            return k, k + 1
+        if any(is_time(cell) for cell in row[:4]) and len(row) > 1:
+            names = next((j for j in range(k - 1, -1, -1) if sum(bool(re.search(r"[^\W\d]", cell)) for cell in cells[j]) > 1
+                          and not is_line_of_units(cells[j])), None)
+            if names is not None:
+                return names, k
+            raise Refused(f"{path}:1: has no line with the names of its columns above the first reading; write one, "
+                          "time,gas_kwh")
+    raise Refused(f"{path}: has no time column; expected one like 2021-03-05 14:00, or date and clock in two columns")
+
+
+def is_line_of_units(row):
+    """-, kWh, [degC]: nothing but units and dashes."""
+    words = [spaced(cell) for cell in row]
+    return any(words) and all(not word or word in UNIT_CELLS or any(re.fullmatch(pattern, word)
+                                                                    for pattern, _, _ in UNITS) for word in words)
+
+
+def set_time(table, country):
+    """Finds the time's columns; Refused where no column is a time in all rows."""
+    parts = part_columns(table.names)
+    if parts and (read := of_parts(table.rows, parts)):
+        table.time, table.times = [table.names[k] for k in parts], read
+        return
+    for name in table.names[:6]:
+        cells = table.column(name)
+        read = times.read_times(cells, country)
+        if not read or len(read[1]) < len([cell for cell in cells if cell]):
+            continue
+        table.time, (table.form, table.times, table.is_guess) = [name], read
+        table.has_offset = times.has_offset(cells[0])
+        add_clock(table)
+        return
+    raise Refused(f"{table.path}: has no time column: in none of {', '.join(table.names[:6])} is every cell a time; "
+                  "expected times like 2021-03-05 14:00; a note or a total between the rows is taken out by hand")
+
+
+def add_clock(table):
+    """A column of the clock beside that of dates."""
+    if any(time.hour or time.minute for time in table.times[:LOOKED_AT]):
+        return
+    for name in table.names:
+        cells = table.column(name) if name not in table.time else []
+        if cells and all(CLOCK_CELL.match(cell) for cell in cells[:LOOKED_AT]):
+            table.time.append(name)
+            clocks = [cell.split(":") for cell in cells]
+            table.times = [day + dt.timedelta(hours=int(c[0]), minutes=int(c[1])) for day, c in zip(table.times, clocks)]
+            table.form = table.form and f"{table.form} %H:%M" + (":%S" if len(clocks[0]) == 3 else "")
+            return
+
+
+def read_table(path, country=""):
+    """Refused where it is none."""
+    lines, separator = lines_of(path)
+    cells = cells_of(lines, separator)
+    names_at, first = header_at(path, cells)
+    names = [name.strip().lstrip("#").strip() for name in cells[names_at]]
+    rows = [row for row in cells[first:] if len(row) > 1]
+    while len(rows) > 2 and not rows_begin_with_time(rows[-1]):
+        rows.pop()                                    # a total, a note
+    table = Table(os.fspath(path), names, rows, separator)
+    set_time(table, country)
+    n_values = len(table.values)
+    if n_values in DAY_COLUMNS and table.step == 86400:
+        table.per_day = n_values
+    return table
+
+
+def rows_begin_with_time(row):
+    return any(is_time(cell) for cell in row[:4]) or all(cell.strip().isdigit() for cell in row[:3])
+
+
+@dataclass
+class Numbers:
+    """A column as numbers, and how they are written."""
+    values: list               # None where nothing is read
+    decimal: str = "."
+    thousands: str = ""        # "" where there are none
+    is_guess: bool = False
+
+
+def form_of(cells, separator):
+    """(decimal, thousands, whether it was guessed)"""
+    both = [cell for cell in cells if "," in cell and "." in cell]
+    if both:
+        return (",", ".", False) if both[0].rfind(",") > both[0].rfind(".") else (".", ",", False)
+    with_comma = [cell for cell in cells if "," in cell]
+    if not with_comma:
+        return ".", "", False
+    groups = all(re.match(r"-?[1-9]\d{0,2}(,\d{3})+$", cell) for cell in with_comma)
+    if not groups:
+        return ",", "", False
+    return (".", ",", True) if separator == "," or any(cell.count(",") > 1 for cell in with_comma) else (",", "", True)
+
+
+def numbers_in(table, name):
+    """None where the column has other texts than missing ones."""
+    columns = [name] if not table.per_day else table.values
+    cells = [row for column in columns for row in table.column(column)]
+    there = [cell.strip("'\"") for cell in cells if cell.lower() not in MISSING]
+    decimal, thousands, is_guess = form_of(there, table.separator)
+    values = []
+    for cell in cells:
+        if cell.lower() in MISSING:
+            values.append(None)
+            continue
+        plain = cell.replace(" ", "").replace("\u00a0", "")
+        plain = plain.replace(thousands, "") if thousands else plain
+        try:
+            values.append(float(plain.replace(decimal, ".")))
+        except ValueError:
+            return None
+    return Numbers(values, decimal, thousands, is_guess)
+
+
+def stamp_of(table):
+    """"start" or "end" where the names of the time's columns say so; else None, and the program looks."""
+    name = " ".join(table.time)
+    if says(END, name, whole=True):
+        return "end"
+    return "start" if says(START, name, whole=True) else None

@@ -1,0 +1,217 @@
+"""Weather files: their days, where they stand, temperatures by month, and what of a CSV file is which column.
+
+An EPW file of a typical year is refused: its days are none on which a meter was read. EPW: rows of year, month, day,
+hour, minute, flags, dry bulb; the place by the last five numbers of the first line, for a name may hold a comma.
+"""
+import datetime as dt
+import os
+from dataclasses import dataclass, field
+
+from new_job import tables, times
+from new_job.refused import USAGE, Refused
+from new_job.words import says, spaced, unit_of
+
+HEADER = 8                     # lines of an EPW file
+# What a column is, by the words of its name, the best first.
+COLUMNS = (
+    ("outdoor_temperature", r"t out|outdoor temp|outdoor air temp|dry ?bulb|air temp|temperature|temp|t air|oat|tdry|t2m|ta|t"),
+    ("global_horizontal", r"ghi|global|swdown|solar|irradiance|radiation|g h"),
+    ("direct_normal", r"dni|direct normal|beam"),
+    ("diffuse_horizontal", r"dhi|diffuse"),
+    ("wind_speed", r"wind ?sp|wind ms|wind kmh|wind mph|wind|ws"),
+    ("relative_humidity", r"rh|relative hum|humidity"),
+    ("cloud_cover", r"cloud"),
+)
+NOT_THESE = r"dew|wet|dir|direction|gust|soil|ground|pressure"
+SPEEDS = {"kmh": "km/h", "mph": "mph", "knots": "knots", "kts": "knots"}
+MOST_FILLED = 48               # h, of `fill_gaps`
+USUAL_FILL = 6                 # h
+TYPICAL = "the weather of the readings' own years is needed: an EPW of measured years (often named AMY), or a CSV " \
+          "file with outdoor temperature and irradiance from a station or a reanalysis (ERA5, NSRDB, a weather service)"
+
+
+@dataclass
+class Weather:
+    """Times are the files' own; a step is an hour in them."""
+    files: list
+    first: dt.datetime
+    last: dt.datetime          # end of the last hour
+    months: dict               # {month: mean outdoor temperature [degC]}
+    latitude: float = None
+    longitude: float = None
+    offset: float = None
+    is_epw: bool = True
+    columns: list = field(default_factory=list)  # (key, column, unit or None)
+    keys: dict = field(default_factory=dict)     # of [weather]
+    holes: list = field(default_factory=list)    # (first, last) that are too long to be filled
+    has_sun: bool = True
+    degree_days: tuple = (0, 0)                  # cooling above 10 degC, heating below 18 degC, of a year
+
+
+def epw_rows(path):
+    lines = tables.text_of(path).replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    lines = [line for line in lines if line.strip(" ,")]
+    if not lines or not lines[0].upper().startswith("LOCATION"):
+        raise Refused(f"{path}:1: begins with {lines[0][:20]!r} and is no EPW file; expected LOCATION" if lines else
+                      f"{path}: is empty; expected an EPW file")
+    start = next((k for k, line in enumerate(lines) if line.upper().startswith("DATA PERIODS")), HEADER - 1) + 1
+    return lines[0], lines[start:]
+
+
+def location(path, line):
+    """(latitude, longitude, UTC offset)"""
+    cells = [cell.strip() for cell in line.strip().rstrip(",").split(",")]
+    for k in range(len(cells) - 4, 0, -1):
+        try:
+            latitude, longitude, offset, _ = (float(cell) for cell in cells[k:k + 4])
+        except ValueError:
+            continue
+        if abs(latitude) <= 90 and abs(longitude) <= 180 and -12 <= offset <= 14:
+            return latitude, longitude, offset
+    raise Refused(f"{path}:1: has no latitude, longitude, time zone and elevation at its end")
+
+
+def read_epw(path):
+    """(location, [(time, temperature)])"""
+    head, lines = epw_rows(path)
+    rows = []
+    for k, line in enumerate(lines, HEADER + 1):
+        cells = line.split(",")
+        try:
+            year, month, day, hour = (int(float(cell)) for cell in cells[:4])
+            rows.append((dt.datetime(year, month, day) + dt.timedelta(hours=hour - 1), float(cells[6])))
+        except (ValueError, IndexError):
+            raise Refused(f"{path}:{k}: {line[:40]!r} is no row of an EPW file; expected year, month, day, hour, ...") \
+                from None
+    if len(rows) < 24:
+        raise Refused(f"{path}: has {len(rows)} hours; expected the weather of the readings' years")
+    if any(b[0] < a[0] for a, b in zip(rows, rows[1:])):
+        years = sorted({time.year for time, _ in rows})
+        raise Refused(f"{path}: is a typical year, made of months of {years[0]} to {years[-1]}; {TYPICAL}")
+    return location(path, head), rows
+
+
+def degree_days(rows):
+    """(cooling above 10 degC, heating below 18 degC) a year."""
+    by_day = {}
+    for time, theta in rows:
+        by_day.setdefault(time.date(), []).append(theta)
+    means = [sum(day) / len(day) for day in by_day.values()]
+    a_year = 365 / len(means)
+    return sum(max(t - 10, 0) for t in means) * a_year, sum(max(18 - t, 0) for t in means) * a_year
+
+
+def month_means(rows):
+    months = {}
+    for time, theta in rows:
+        months.setdefault(time.month, []).append(theta)
+    return {month: sum(values) / len(values) for month, values in months.items()}
+
+
+def of_epw(paths):
+    read = sorted(((path, *read_epw(path)) for path in paths), key=lambda row: row[2][0][0])
+    rows = [row for _, _, part in read for row in part]
+    latitude, longitude, offset = read[0][1]
+    holes = [(a[0], b[0]) for a, b in zip(rows, rows[1:]) if b[0] - a[0] > times.HOUR * (1 + MOST_FILLED)]
+    weather = Weather([path for path, _, _ in read], rows[0][0], rows[-1][0] + times.HOUR, month_means(rows), latitude,
+                      longitude, offset, degree_days=degree_days(rows), holes=holes)
+    if any(b[0] - a[0] > times.HOUR for a, b in zip(rows, rows[1:])):
+        weather.keys["fill_gaps"] = USUAL_FILL
+    return weather
+
+
+def unit_in(key, name):
+    words = spaced(name).split()
+    if key == "wind_speed":
+        return next((SPEEDS[word] for word in words if word in SPEEDS), None)
+    if key == "outdoor_temperature":
+        found = unit_of(name, "air_temperature")
+        return found[0] if found and found[0] != "degC" else None
+    return None
+
+
+def weather_columns(table):
+    """[(key, column, unit)], each column once."""
+    found, used = [], set()
+    for key, pattern in COLUMNS:
+        for word in pattern.split("|"):
+            name = next((n for n in table.values if n not in used and says(word, n, whole=len(word) < 4)
+                         and not says(NOT_THESE, n)), None)
+            if name:
+                found.append((key, name, unit_in(key, name)))
+                used.add(name)
+                break
+    keys = {key for key, _, _ in found}
+    beam = {"direct_normal", "diffuse_horizontal"}
+    drop = {"global_horizontal"} if beam <= keys else beam
+    return [row for row in found if row[0] not in drop]
+
+
+def of_csv(paths, country, told):
+    parts = sorted((tables.read_table(path, country) for path in paths), key=lambda table: table.times[0])
+    first = parts[0]
+    columns = weather_columns(first)
+    if not columns or columns[0][0] != "outdoor_temperature":
+        raise Refused(f"{first.path}: has no column of the outdoor temperature among {', '.join(first.values)}; name "
+                      "one T_out_C")
+    values = {}
+    for table in parts:
+        for key, name, _ in columns:
+            numbers = tables.numbers_in(table, name)
+            if numbers is None:
+                raise Refused(f"{table.path}: column {name}: has cells that are no numbers")
+            values.setdefault(key, []).extend(zip(table.times, numbers.values))
+    unit = columns[0][2]
+    theta = [(time, to_celsius(value, unit)) for time, value in values["outdoor_temperature"] if value is not None]
+    needed = [{time for time, value in values[key] if value is not None} for key, _, _ in columns
+              if key in ("outdoor_temperature", "global_horizontal", "direct_normal")]
+    whole = sorted(set.intersection(*needed))
+    if len(whole) < 24:
+        raise Refused(f"{first.path}: has {len(whole)} hours with all of {', '.join(name for _, name, _ in columns)}")
+    weather = Weather([table.path for table in parts], whole[0], whole[-1] + times.HOUR, month_means(theta), is_epw=False,
+                      columns=columns, degree_days=degree_days(theta))
+    gaps = [(a, b) for a, b in zip(whole, whole[1:]) if b - a > times.HOUR]
+    longest = max(((b - a) / times.HOUR for a, b in gaps), default=0)
+    weather.holes = [(a, b) for a, b in gaps if (b - a) / times.HOUR - 1 > MOST_FILLED]
+    if gaps:
+        weather.keys["gaps"] = "missing"
+        weather.keys["fill_gaps"] = int(min(MOST_FILLED, max(USUAL_FILL, longest)))
+    weather.keys.update(keys_of(first))
+    weather.has_sun = any(key in ("global_horizontal", "direct_normal", "cloud_cover") for key, _, _ in columns)
+    if first.is_guess:
+        told.check(f"{first.path}: its dates were read as {first.form}, but day and month cannot be told apart")
+    return weather
+
+
+def to_celsius(value, unit):
+    return (value - 32) / 1.8 if unit == "degF" else value - 273.15 if unit == "K" else value
+
+
+def keys_of(table):
+    """How a file's times and numbers are read, where it does not show it."""
+    keys = {}
+    if len(table.time) > 1 or table.names.index(table.time[0]) > 0:
+        keys["time"] = list(table.time)
+    if table.form:
+        keys["time_format"] = table.form
+    if (stamp := tables.stamp_of(table)) == "end":
+        keys["stamp"] = stamp
+    if says("utc|gmt", " ".join(table.time), whole=True) and not table.has_offset:
+        keys["utc_offset"] = 0
+    elif not table.has_offset and table.step <= 3600 and (clock := times.clock_of(table.times)):
+        keys["clock"] = clock
+    return keys
+
+
+def read_weather(paths, country, site, told):
+    """`site`: (latitude, longitude) or None."""
+    are_epw = {os.path.basename(path).lower().removesuffix(".gz").endswith(".epw") for path in paths}
+    if len(are_epw) > 1:
+        raise Refused("--weather: has EPW and CSV files; expected one kind", USAGE)
+    weather = of_epw(paths) if are_epw == {True} else of_csv(paths, country, told)
+    if site:
+        weather.latitude, weather.longitude = site
+    if weather.latitude is None:
+        raise Refused(f"{paths[0]}: says not where it is, as an EPW file does; add --site 52.20,0.12 (latitude and "
+                      "longitude, north and east positive)", USAGE)
+    return weather

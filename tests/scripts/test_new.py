@@ -1,0 +1,416 @@
+#!/usr/bin/python3
+"""`bemcal-batch new` writes a job from little that `check` takes without an edit, for each use, in several countries, of
+readings however they are written; what it cannot use ends in one message with an exit code."""
+import datetime as dt
+import math
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import tomllib
+import unittest
+
+sys.dont_write_bytecode = True
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = os.environ.get("BEMCAL_PROGRAM", ROOT / "build" / "release" / "bemcal-batch")
+sys.path.insert(0, str(ROOT / "scripts"))
+
+from new_job import envelopes, meters, places, tables, times, uses, weather, words  # noqa: E402
+
+USAGE, DATA, NO_INPUT, EXISTS = 64, 65, 66, 73
+HOUR = dt.timedelta(hours=1)
+HEAD = ["LOCATION,{place},-,GBR,made,000000,{latitude},{longitude},{offset},40.0", "DESIGN CONDITIONS,0",
+        "TYPICAL/EXTREME PERIODS,0", "GROUND TEMPERATURES,0", "HOLIDAYS/DAYLIGHT SAVINGS,Yes,0,0,0", "COMMENTS 1,made",
+        "COMMENTS 2,made", "DATA PERIODS,1,1,Data,Sunday, 1/ 1,12/31"]
+FLAGS = "?9" * 12
+PEAK = 12                      # hour of the sun
+
+
+def hours(first, last):
+    """Begins of the hours of years."""
+    time = dt.datetime(first, 1, 1)
+    while time.year <= last:
+        yield time
+        time += HOUR
+
+
+def outdoor(time):
+    day = time.timetuple().tm_yday
+    return 10 - 9 * math.cos(2 * math.pi * (day - 20) / 365) - 4 * math.cos(2 * math.pi * (time.hour - 3) / 24)
+
+
+def sun(time):
+    """Direct normal and diffuse, by the sun of Cambridge."""
+    angle = 2 * math.pi * (time.timetuple().tm_yday - 81) / 365
+    declination, latitude = math.radians(23.45) * math.sin(angle), math.radians(52.2)
+    sine = math.sin(latitude) * math.sin(declination) + \
+        math.cos(latitude) * math.cos(declination) * math.cos(math.radians(15 * (time.hour + 0.5 - PEAK)))
+    return (0, 0) if sine < 0.03 else (round(500 * math.exp(-0.1 / sine)), round(60 * math.sqrt(sine)))
+
+
+def write_epw(path, year, years=None, latitude=52.2, longitude=0.1, offset=0):
+    """`years`: what the rows say of their month, of a typical year."""
+    lines = [line.format(place="Cambridge", latitude=latitude, longitude=longitude, offset=offset) for line in HEAD]
+    for time in hours(year, year):
+        if (time.month, time.day) == (2, 29):
+            continue
+        direct, diffuse = sun(time)
+        said = years[time.month - 1] if years else year
+        total = round(direct * 0.4 + diffuse)
+        lines.append(f"{said},{time.month},{time.day},{time.hour + 1},60,{FLAGS},{outdoor(time + HOUR):.1f},3.0,70,101325,"
+                     f"9999,9999,320,{total},{direct},{diffuse},999999,999999,999999,9999,180,3.0,5,5,9999,99999,9,"
+                     "999999999,99,0.1,0,88,0.2,0.0,1.0")
+    path.write_text("\n".join(lines) + "\n")
+
+
+def gas(time):
+    """[kWh]"""
+    in_use = time.weekday() < 5 and 6 <= time.hour < 18
+    return round(4 + (3 + 2 * in_use) * max(15 - outdoor(time), 0) + 0.1 * (time.hour * 7 % 5), 2)
+
+
+def electricity(time):
+    in_use = time.weekday() < 5 and 8 <= time.hour < 18
+    return round(5 + 18 * in_use + 0.1 * (time.hour * 3 % 7) + 0.05 * (time.day % 3), 2)
+
+
+def rows(value, first=2021, last=2022, form="%Y-%m-%d %H:%M", cell=lambda v: f"{v:.2f}", mark=","):
+    return [f"{time.strftime(form)}{mark}{cell(value(time))}" for time in hours(first, last)]
+
+
+def total(value, begin, end):
+    return sum(value(begin + k * HOUR) for k in range(int((end - begin) / HOUR)))
+
+
+def months(first=2021, last=2022):
+    """Begins and the one behind the last."""
+    return [dt.datetime(first + m // 12, m % 12 + 1, 1) for m in range(12 * (last - first + 1) + 1)]
+
+
+class New(unittest.TestCase):
+    """Weather and the usual readings are made once."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.made = pathlib.Path(tempfile.mkdtemp())
+        cls.addClassCleanup(shutil.rmtree, cls.made)
+        for year in (2021, 2022):
+            write_epw(cls.made / f"{year}.epw", year)
+        (cls.made / "gas.csv").write_text("\n".join(["time,gas_kwh", *rows(gas)]) + "\n")
+        (cls.made / "electricity.csv").write_text("\n".join(["time,electricity_kwh", *rows(electricity)]) + "\n")
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.job = self.folder / "office.toml"
+
+    def run_program(self, *arguments):
+        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=False,
+                              env={**os.environ, "OMP_NUM_THREADS": "1"})
+
+    def new(self, *meter_files, code=0, **options):
+        """Options by name; the weather's files, and others, may be lists."""
+        options = {"weather": [self.made / "2021.epw", self.made / "2022.epw"], "area": 1200, "use": "office",
+                   "built": 1975, "place": "GB", **options}
+        options["meter"] = list(meter_files) or [self.made / "gas.csv", self.made / "electricity.csv"]
+        arguments = ["new", options.pop("job", self.job), *(["--force"] if options.pop("force", False) else [])]
+        for name, values in options.items():
+            for value in values if isinstance(values, list) else [values]:
+                arguments += [f"--{name}", value] if value is not None else []
+        done = self.run_program(*arguments)
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        self.assertNotIn("Traceback", done.stderr)
+        return done
+
+    def refused(self, words, code, *meter_files, **options):
+        """One message, which has these words; no job is written."""
+        done = self.new(*meter_files, code=code, **options)
+        self.assertEqual(done.stderr.strip().count("\n"), 0, done.stderr)
+        for word in [words] if isinstance(words, str) else words:
+            self.assertIn(word, done.stderr)
+        self.assertEqual(done.stdout, "")
+
+    def checked(self):
+        """The job's content, once `check` has taken it."""
+        done = self.run_program("check", self.job)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return tomllib.loads(self.job.read_text())
+
+    def meter(self, name="gas"):
+        return next(meter for meter in self.checked()["meter"] if meter["name"] == name)
+
+    def written(self, name, lines, encoding="utf-8"):
+        path = self.folder / name
+        path.write_bytes(("\n".join(lines) + "\n").encode(encoding))
+        return path
+
+    def test_two_meters_and_two_years_become_a_job_that_is_checked(self):
+        said = self.new().stdout
+        job = self.checked()
+        self.assertEqual(job["periods"], {"training": ["2021-01-01", "2021-12-31"],
+                                          "held_out": ["2022-01-01", "2022-12-31"]})
+        self.assertEqual([(m["quantity"], m["unit"]) for m in job["meter"]], [("gas", "kWh"), ("electricity", "kWh")])
+        self.assertEqual(job["plant"]["heating_carrier"], "gas")
+        self.assertEqual(job["study"], [{"kind": "loop"}])
+        self.assertEqual({s["hours"] for s in job["schedule"]}, {"learn"})
+        self.assertAlmostEqual(sum(s["area"] for s in job["zone"][0]["surface"] if s["construction"] == "wall"), 725, 0)
+        self.assertIn("RdSAP", said)
+        self.assertNotIn("check this", said)
+
+    def test_every_use(self):
+        for use in uses.USES:
+            with self.subTest(use=use):
+                self.new(use=use, force=True)
+                self.checked()
+
+    def test_countries(self):
+        for place, envelope in (("DE-BY", "DE, up to 1978"), ("FR", "TABULA"), ("US-NY", "guessed"), ("JP", "guessed"),
+                                ("FI", "SE"), ("RS", "RS"), ("HR", "SI"), ("AU-VIC", "guessed")):
+            with self.subTest(place=place):
+                said = self.new(place=place, force=True).stdout
+                self.assertIn(envelope, said)
+                job = self.checked()
+                self.assertEqual("check this: no table of U-values" in said, place not in ("DE-BY", "FR", "RS"))
+                self.assertEqual(job.get("holidays", {}).get("country"), None if place == "RS" else place[:2])
+        self.new(place="US-NY", built=2015, force=True)
+        self.assertIn("ASHRAE 90.1-2013, climate zone 4", self.job.read_text())
+
+    def test_storeys_height_and_site_are_taken(self):
+        self.new(storeys=6, height=4, site="51.5,-0.1")
+        job = self.checked()
+        self.assertEqual((job["site"]["latitude"], job["zone"][0]["volume"]), (51.5, 4800))
+        self.assertEqual(job["zone"][0]["surface"][4]["area"], 200)
+
+    def test_delimiters_decimal_commas_and_dates(self):
+        comma, point = (lambda v: f"{v:.2f}".replace(".", ",")), (lambda v: f"{v:.2f}")
+        for name, head, form, cell, mark, keys in (
+                ("german", "Zeit;Erdgas [kWh]", "%d.%m.%Y %H:%M", comma, ";", {"decimal": ",", "time_format": "%d.%m.%Y %H:%M"}),
+                ("british", "Date,Gas kWh", "%d/%m/%Y %H:%M", point, ",", {"time_format": "%d/%m/%Y %H:%M"}),
+                ("american", "Date,Gas kWh", "%m/%d/%Y %I:%M %p", point, ",", {"time_format": "%m/%d/%Y %I:%M %p"}),
+                ("tabs", "time\tgas kWh", "%Y-%m-%dT%H:%M:%S", point, "\t", {}),
+                ("utc", "time_utc,gas kWh", "%Y/%m/%d %H:%M", point, ",", {"utc_offset": 0}),
+                ("thousands", "time;gas Wh", "%Y-%m-%d %H:%M", lambda v: f"{1000 * v:,.1f}", ";", {"thousands": ","})):
+            with self.subTest(name=name):
+                file = self.written(f"{name}.csv", [head, *rows(gas, form=form, cell=cell, mark=mark)])
+                self.new(file, force=True)
+                read = self.meter()
+                self.assertEqual({key: read[key] for key in read if key not in
+                                  ("name", "quantity", "file", "column", "unit", "gaps")}, keys)
+
+    def test_lines_around_the_table_a_clock_apart_and_days_in_rows(self):
+        text = [f"{t:%d.%m.%Y};{t:%H:%M};{gas(t):.2f}" for t in hours(2021, 2022)]
+        self.new(self.written("a.csv", ["Customer;1", "Meter;gas 7", "Date;Time;gas", ";;kWh", *text, "Total;;9"]))
+        self.assertEqual(self.meter()["time"], ["Date", "Time"])
+        days = [f"{t:%Y-%m-%d}," + ",".join(f"{gas(t + k * HOUR):.2f}" for k in range(24)) for t in hours(2021, 2022)
+                if t.hour == 0]
+        head = "date," + ",".join(f"{k:02}:00" for k in range(24))
+        self.new(self.written("gas_kwh.csv", [head, *days]), force=True)
+        self.assertEqual(self.meter()["column"], "00:00")
+
+    def test_wall_clock(self):
+        """An hour is absent in spring and there twice in autumn."""
+        zone = [(t + HOUR if dt.datetime(2021, 3, 28, 1) <= t < dt.datetime(2021, 10, 31, 1) or
+                 dt.datetime(2022, 3, 27, 1) <= t < dt.datetime(2022, 10, 30, 1) else t) for t in hours(2021, 2022)]
+        lines = [f"{wall:%Y-%m-%d %H:%M},{gas(t):.2f}" for wall, t in zip(zone, hours(2021, 2022))]
+        self.new(self.written("gas.csv", ["time,gas_kwh", *lines]))
+        self.assertEqual(self.meter()["clock"], "eu")
+
+    def test_units_and_quantities_by_name(self):
+        for head, quantity, unit, factor in (("gas_m3", "gas", "m3", 1), ("Usage (therms)", "gas", "therm", 1),
+                                             ("natural gas ccf", "gas", "100 ft3", 1), ("Gas MMBtu", "gas", "kBtu", 1000),
+                                             ("Strom kWh", "electricity", "kWh", 1), ("steam klb", "district", "kBtu", 1194),
+                                             ("Fernwärme MWh", "district", "MWh", 1), ("heat_kW", "district", "kW", 1),
+                                             ("chilled water ton hours", "cooling", "kBtu", 12),
+                                             ("T_room_C", "air_temperature", "degC", 1)):
+            with self.subTest(head=head):
+                made = words.quantity_of(head) or meters.of_unit(head)
+                self.assertEqual((made, *words.unit_of(head, made)), (quantity, unit, factor))
+        for head in ("T_out_C", "RH_pct", "GHI_Wm2", "energy_cum_kWh", "Cost ($)", "wind_ms"):
+            self.assertTrue(words.is_other(head), head)
+
+    def test_a_unit_that_nothing_says_is_told(self):
+        scaled = [row.split(",")[0] + f",{float(row.split(',')[1]) / 11.2:.3f}" for row in rows(gas)]
+        said = self.new(self.written("gas.csv", ["time,b35", *scaled])).stdout
+        self.assertEqual(self.meter()["unit"], "m3")
+        self.assertIn("check this", said)
+        self.assertIn("check this", self.job.read_text())
+
+    def test_what_is_said_behind_the_file_overrules(self):
+        file = self.written("x.csv", ["time,a,b", *(f"{row},7" for row in rows(gas))])
+        self.refused(["no column whose name", "--meter"], DATA, file)
+        self.new(f"{file}:a:district:MJ")
+        self.assertEqual((self.meter("heat")["quantity"], self.meter("heat")["unit"]), ("district", "MJ"))
+        self.refused("has no column c", DATA, f"{file}:c", force=True)
+        self.refused(["oil is no quantity", "gas, electricity"], USAGE, f"{file}:a:oil", force=True)
+        self.refused(["cal is no unit", "kWh"], USAGE, f"{file}:a:gas:cal", force=True)
+
+    def test_several_columns_are_several_meters(self):
+        lines = [f"{t:%Y-%m-%d %H:%M},{gas(t)},{electricity(t)},{outdoor(t):.1f},21.3" for t in hours(2021, 2022)]
+        self.new(self.written("all.csv", ["time,gas_kWh,elec_kWh,T_out_C,T_room_C", *lines]))
+        self.assertEqual([m["name"] for m in self.checked()["meter"]], ["gas", "electricity", "room"])
+
+    def test_all_electric_and_summer_peak(self):
+        def cooled(time):
+            return electricity(time) + 3 * max(outdoor(time) - 16, 0)
+        said = self.new(self.written("power.csv", ["time,electricity kWh", *rows(cooled)])).stdout
+        plant = self.checked()["plant"]
+        self.assertEqual((plant["heating_carrier"], plant["cooling_carrier"]), ("electricity", "electricity"))
+        self.assertIn("cooled, for electricity of warm months", said)
+
+    def test_months_and_bills(self):
+        stamps = months()
+        lines = [f"{a:%Y-%m-%d},{total(gas, a, b):.0f}" for a, b in zip(stamps, stamps[1:])]
+        self.new(self.written("gas.csv", ["month,gas_kwh", *lines]))
+        self.assertEqual(self.meter()["interval"], "monthly")
+        self.assertEqual(self.checked()["periods"]["held_out"], ["2022-01-01", "2022-12-31"])
+        ends = [f"{b - dt.timedelta(days=1):%Y-%m-%d},{total(gas, a, b):.0f}" for a, b in zip(stamps, stamps[1:])]
+        self.new(self.written("gas.csv", ["month,gas_kwh", *ends]), force=True)
+        self.assertEqual(self.meter()["stamp"], "end")
+        days = [f"{a:%Y-%m-%d},{total(gas, a, a + 24 * HOUR):.1f}" for a in hours(2021, 2022) if a.hour == 0]
+        self.new(self.written("gas.csv", ["day,gas_kwh", *days]), force=True)
+        self.assertEqual(self.meter()["interval"], "daily")
+        bills = [f"{a:%Y-%m-%d},{b - dt.timedelta(days=1):%Y-%m-%d},{total(gas, a, b):.0f}"
+                 for a, b in zip(stamps, stamps[1:])]
+        self.new(self.written("gas.csv", ["from,to,gas kWh", *bills]), force=True)
+        self.assertEqual((self.meter()["from"], self.meter()["to"]), ("from", "to"))
+        self.assertEqual(self.checked()["periods"]["training"], ["2021-01-01", "2021-12-31"])
+
+    def portfolio(self):
+        stamps = months()
+        lines = ["Meter Type,Meter Name,Start Date,End Date,Usage/Quantity,Usage Units,Cost ($),Estimation"]
+        for kind, value, units in (("Natural Gas", gas, "therms"), ("Electric - Grid", electricity, "kWh (thousand Watt-hours)")):
+            for a, b in zip(stamps, stamps[1:]):
+                use = total(value, a, b) / (29.3071 if units == "therms" else 1)
+                lines.append(f'{kind},"{kind} Meter",{a:%m/%d/%Y},{b:%m/%d/%Y},"{use:,.2f}",{units},100,No')
+        return self.written("meter_entries.csv", lines)
+
+    def test_portfolio_manager(self):
+        file = self.portfolio()
+        self.new(file, place="US-MA")
+        units = [(m["name"], m["unit"], m["estimated"]) for m in self.checked()["meter"]]
+        self.assertEqual(units, [("gas", "therm", "estimated"), ("electricity", "kWh", "estimated")])
+        before = file.read_bytes()
+        self.job.unlink()
+        self.refused("is there already", EXISTS, file, place="US-MA")
+        self.assertEqual(file.read_bytes(), before)
+
+    def green_button(self):
+        epoch = dt.datetime(1970, 1, 1)
+        readings = "".join(f"<IntervalReading><timePeriod><duration>3600</duration><start>{int((t - epoch).total_seconds())}"
+                           f"</start></timePeriod><value>{round(1000 * electricity(t))}</value></IntervalReading>"
+                           for t in hours(2021, 2022))
+        return self.written("usage.xml", [
+            '<?xml version="1.0"?><feed xmlns="http://www.w3.org/2005/Atom" xmlns:espi="http://naesb.org/espi">',
+            '<entry><content><ReadingType xmlns="http://naesb.org/espi"><commodity>1</commodity><flowDirection>1</flowDirection>'
+            '<powerOfTenMultiplier>0</powerOfTenMultiplier><uom>72</uom></ReadingType></content></entry>',
+            f'<entry><content><IntervalBlock xmlns="http://naesb.org/espi">{readings}</IntervalBlock></content></entry></feed>'])
+
+    def test_green_button(self):
+        self.new(self.green_button())
+        meter = self.meter("electricity")
+        self.assertEqual((meter["file"], meter["unit"]), ("office_electricity.csv", "Wh"))
+        first = (self.folder / "office_electricity.csv").read_text().splitlines()[:2]
+        self.assertEqual(first, ["time,usage", f"2021-01-01T00:00:00Z,{1000 * electricity(dt.datetime(2021, 1, 1)):g}"])
+
+    def test_weather_as_csv(self):
+        lines = [f"{t:%Y-%m-%d %H:%M},{outdoor(t):.1f},{sun(t)[0]},{sun(t)[1]},3" for t in hours(2021, 2022)]
+        file = self.written("weather.csv", ["time,T_out_C,DNI_Wm2,DHI_Wm2,wind_ms", *lines])
+        self.refused("--site", USAGE, weather=file)
+        self.new(weather=file, site="52.2,0.1")
+        self.assertEqual(self.checked()["weather"]["columns"], {
+            "outdoor_temperature": "T_out_C", "direct_normal": "DNI_Wm2", "diffuse_horizontal": "DHI_Wm2",
+            "wind_speed": "wind_ms"})
+        bare = self.written("bare.csv", ["time,temp_F", *(f"{t:%Y-%m-%d %H:%M},{32 + 1.8 * outdoor(t):.1f}"
+                                                          for t in hours(2021, 2022))])
+        self.assertIn("half covered", self.new(weather=bare, site="52.2,0.1", force=True).stdout)
+        self.checked()
+
+    def test_one_year_trains_on_nine_months(self):
+        self.new(self.written("gas.csv", ["time,gas_kwh", *rows(gas, 2021, 2021)]))
+        self.assertEqual(self.checked()["periods"], {"training": ["2021-01-01", "2021-09-30"],
+                                                     "held_out": ["2021-10-01", "2021-12-31"]})
+
+    def test_weather_of_other_days_is_refused(self):
+        typical = self.folder / "typical.epw"
+        write_epw(typical, 2021, years=[1999, 2003, 1998, 2001, 2007, 2002, 2000, 1999, 2005, 2003, 2006, 2004])
+        self.refused(["typical year", "AMY"], DATA, weather=typical)
+        write_epw(self.folder / "2015.epw", 2015)
+        self.refused(["2015-01-01", "2021-01-01", "no day is in both"], DATA, weather=self.folder / "2015.epw")
+
+    def test_too_few_days_are_refused(self):
+        file = self.written("gas.csv", ["time,gas_kwh", *rows(gas, 2021, 2021)[:24 * 30]])
+        self.refused("56 or more", DATA, file)
+
+    def test_bad_options_and_files(self):
+        self.refused(["no such file"], NO_INPUT, self.folder / "none.csv")
+        self.refused(["no such file"], NO_INPUT, weather=self.folder / "none.epw")
+        self.refused(["--use circus", "office, school"], USAGE, use="circus")
+        self.refused(["--place XX", "GB"], USAGE, place="XX")
+        for area in ("0", "-3", "big", "nan"):
+            self.refused(f"--area {area}", USAGE, area=area)
+        self.refused("--built 19", USAGE, built=19)
+        self.refused("--storeys 0", USAGE, storeys=0)
+        self.refused("--site 100", USAGE, site="100,0")
+        self.refused(".toml", USAGE, job=self.folder / "office.txt")
+        self.refused("no time column", DATA, self.written("a.csv", ["name,gas_kwh", "a,1", "b,2"]))
+        self.refused("is empty", DATA, self.written("empty.csv", []))
+        self.refused("UTF-16", DATA, self.written("wide.csv", ["time,gas_kwh", *rows(gas)[:99]], "utf-16"))
+        self.refused("workbook", DATA, self.written("book.csv", ["PK\x03\x04"]))
+        self.refused("no XML that can be read", DATA, self.written("a.xml", ["<feed>"]))
+        self.refused("no readings of energy", DATA, self.written("b.xml", ["<feed></feed>"]))
+        self.refused("no EPW", DATA, weather=self.written("b.epw", ["a,b"]))
+        self.refused("has no readings", DATA, self.written("g.csv", ["time,gas_kwh", "2021-01-01 00:00,", "2021-01-01 01:00,"]))
+
+    def test_nothing_is_written_over(self):
+        self.new()
+        before = self.job.read_bytes()
+        self.refused("--force", EXISTS)
+        self.assertEqual(self.job.read_bytes(), before)
+        file = self.written("gas.toml", ["time,gas_kwh", *rows(gas)])
+        self.refused("is an input", EXISTS, file, job=file, force=True)
+
+    def test_a_required_option_is_asked_for(self):
+        done = self.run_program("new", self.job, "--area", "3")
+        self.assertEqual(done.returncode, USAGE)
+
+
+class Parts(unittest.TestCase):
+    def test_every_country_has_an_envelope_in_every_year(self):
+        for country, place in places.PLACES.items():
+            for year in range(1850, 2030, 7):
+                made = envelopes.envelope_of(country, place, year, 5)
+                self.assertTrue(all(0.05 < u < 6 for u in (made.wall, made.roof, made.floor, made.window)), made)
+
+    def test_countries_with_holidays_are_those_of_the_program(self):
+        listed = subprocess.run([PROGRAM, "describe", "holidays"], capture_output=True, text=True, check=True).stdout
+        self.assertEqual({line[2:4] for line in listed.splitlines() if line.startswith("  ")}, places.WITH_HOLIDAYS)
+
+    def test_climate_zones(self):
+        """Miami, Phoenix, Atlanta, New York, Chicago, Minneapolis, Duluth, Fairbanks; degree days of ASHRAE 169-2013 tables,
+        rounded."""
+        for zone, cooling, heating in ((1, 5300, 70), (2, 4700, 520), (3, 2950, 1500), (4, 2000, 2650), (5, 1750, 3500),
+                                       (6, 1500, 4250), (7, 900, 5300), (8, 600, 7500)):
+            self.assertEqual(envelopes.climate_zone(cooling, heating), zone)
+
+    def test_clock_changes(self):
+        self.assertEqual(times.change_days("eu", 2021), dt.date(2021, 3, 28))
+        self.assertEqual(times.change_days("us", 2021), dt.date(2021, 3, 14))
+
+    def test_day_and_month_are_told_apart(self):
+        form, read, guessed = times.read_times(["05/01/2021", "06/01/2021", "13/01/2021"])
+        self.assertEqual((form, read[0], guessed), ("%d/%m/%Y", dt.datetime(2021, 1, 5), False))
+        self.assertTrue(times.read_times(["01/01/2021", "02/02/2021"])[2])
+
+    def test_location_behind_a_comma(self):
+        self.assertEqual(weather.location("x", "LOCATION,Town, County,-,GBR,made,0,52.2,0.1,0.0,40.0"), (52.2, 0.1, 0))
+
+    def test_forms_of_numbers(self):
+        for cells, expected in ((["1.5"], (".", "", False)), (["1,5"], (",", "", False)), (["1.234,5"], (",", ".", False)),
+                                (["1,234.5"], (".", ",", False)), (["1,234"], (",", "", True))):
+            self.assertEqual(tables.form_of(cells, ";"), expected)
+
+
+if __name__ == "__main__":
+    unittest.main()
