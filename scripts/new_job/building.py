@@ -35,7 +35,7 @@ class Form:
 
 
 def form_of(options, use):
-    storeys = options.storeys or max(1, math.ceil(options.area / use.storey_area))
+    storeys = options.storeys or max(1, round(math.sqrt(options.area / use.storey_area)))
     return Form(options.area, storeys, options.height or use.height, use.glass, bool(options.storeys))
 
 

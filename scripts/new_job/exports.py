@@ -73,8 +73,8 @@ def place_of(job, *words):
     return f"{os.path.splitext(job)[0]}_{name}.csv"
 
 
-def of_portfolio_manager(table, job, inputs, force, country):
-    """Its bills, one file for each meter."""
+def of_portfolio_manager(table, job, inputs, force):
+    """Its bills, one file for each meter. Its dates have the month first."""
     kind = column_of(table, r"type|meter type|energy type|fuel type|fuel")
     name = column_of(table, r"name|meter name|meter id|portfolio manager meter id|id")
     start, end = column_of(table, r"start date|start"), column_of(table, r"end date|end")
@@ -87,8 +87,8 @@ def of_portfolio_manager(table, job, inputs, force, country):
             key = (read[kind][k] if kind else "", read[name][k] if name else "", read[units][k])
             groups.setdefault(key, []).append(k)
     decimals = tables.numbers_in(table, usage)
-    begins, ends = (times.read_times(read[column], country) for column in (start, end))
-    if decimals is None or not begins or not ends or len(begins[1]) != len(table.rows) != len(ends[1]):
+    begins, ends = (times.read_times(read[column], "US") for column in (start, end))
+    if decimals is None or not begins or not ends or not len(begins[1]) == len(ends[1]) == len(table.rows):
         raise Refused(f"{table.path}: has rows whose dates or usage cannot be read; expected one row for each bill with "
                       f"{start}, {end}, {usage}, {units}")
     found = []

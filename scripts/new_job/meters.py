@@ -289,7 +289,7 @@ def meters_in(request, options, told):
         return [of_converted(each, options, told) for each in made]
     table = tables.read_table(request.file, options.country)
     if exports.is_portfolio_manager(table) and not request.column:
-        made = exports.of_portfolio_manager(table, options.job, options.inputs, options.force, options.country)
+        made = exports.of_portfolio_manager(table, options.job, options.inputs, options.force)
         return [of_converted(each, options, told) for each in made]
     unit = (request.unit, 1) if request.unit else None
     return [make_meter(table, column, quantity, unit, options, told)

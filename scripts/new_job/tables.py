@@ -15,6 +15,7 @@ from new_job import times
 from new_job.refused import NO_INPUT, Refused
 from new_job.words import END, START, UNITS, says, spaced
 
+SEPARATORS = ";\t|,"         # a comma may be a decimal mark, and comes last
 LOOKED_AT = 60                 # lines before the table
 DAY_COLUMNS = (24, 48, 96)     # a day a line
 MISSING = {"", "na", "n/a", "nan", "null", "none", "-", "missing", "#n/a", "#value!", "#div/0!", "#ref!"}
@@ -64,8 +65,8 @@ def lines_of(path):
         raise Refused(f"{path}: is empty; expected a line of names and rows of readings")
     if said:
         return lines, said.group(1)
-    middle = lines[len(lines) // 2]
-    return lines, max(",;\t|", key=lambda mark: (middle.count(mark), -",;\t|".index(mark)))
+    some = [*lines[:LOOKED_AT // 10], lines[len(lines) // 2], lines[-1]]
+    return lines, next((mark for mark in SEPARATORS if sum(mark in line for line in some) * 2 > len(some)), ",")
 
 
 @dataclass
@@ -129,8 +130,8 @@ def header_at(path, cells):
         if part_columns(row) and len(cells) > k + 1:
             return k, k + 1
         if any(is_time(cell) for cell in row[:4]) and len(row) > 1:
-            names = next((j for j in range(k - 1, -1, -1) if sum(bool(re.search(r"[^\W\d]", cell)) for cell in cells[j]) > 1
-                          and not is_line_of_units(cells[j])), None)
+            names = next((j for j in range(k - 1, -1, -1) if len(cells[j]) > 1 and
+                          re.search(r"[^\W\d]", "".join(cells[j])) and not is_line_of_units(cells[j])), None)
             if names is not None:
                 return names, k
             raise Refused(f"{path}:1: has no line with the names of its columns above the first reading; write one, "

@@ -1,7 +1,7 @@
 """Forms of time stamps: which one all cells have, and the times that they say.
 
 Without a form the program reads ISO 8601 and what else has its year first; every other form is written into the job as
-`time_format` (strptime). Day and month are told apart by days above 12, else by the order of the rows, else by country.
+`time_format` (strptime). Day and month are told apart by days above 12, else by the country.
 """
 import datetime as dt
 import re
@@ -53,12 +53,6 @@ def all_read(read, cells):
         return None
 
 
-def disorder(times):
-    """How often the step between rows changes."""
-    steps = [b - a for a, b in zip(times, times[1:])]
-    return sum(a != b for a, b in zip(steps, steps[1:]))
-
-
 def read_times(cells, country=""):
     """(form, times, whether day and month were guessed) of cells that are all times; None where they are not. The form
     is "" where the program needs none."""
@@ -72,13 +66,12 @@ def read_times(cells, country=""):
     for form in OTHER_FORMS:
         read = read_form(form)
         if all_read(read, cells[:SAMPLE]) and (times := all_read(read, cells)):
-            possible.append((disorder(times), form, times))
+            possible.append((form, times))
     if not possible:
         return None
     first_is_month = country in MONTH_FIRST
-    possible.sort(key=lambda row: (row[0], row[1].startswith("%m") != first_is_month))
-    least, form, times = possible[0]
-    return form, times, len(possible) > 1 and possible[1][0] == least
+    possible.sort(key=lambda row: row[0].startswith("%m") != first_is_month)
+    return *possible[0], len(possible) > 1
 
 
 def step_of(times):

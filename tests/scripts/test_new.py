@@ -47,7 +47,7 @@ def sun(time):
     declination, latitude = math.radians(23.45) * math.sin(angle), math.radians(52.2)
     sine = math.sin(latitude) * math.sin(declination) + \
         math.cos(latitude) * math.cos(declination) * math.cos(math.radians(15 * (time.hour + 0.5 - PEAK)))
-    return (0, 0) if sine < 0.03 else (round(500 * math.exp(-0.1 / sine)), round(60 * math.sqrt(sine)))
+    return (0, 0) if sine < 0.03 else (round(900 * math.exp(-0.1 / sine)), round(250 * math.sqrt(sine)))
 
 
 def write_epw(path, year, years=None, latitude=52.2, longitude=0.1, offset=0):
@@ -155,7 +155,7 @@ class New(unittest.TestCase):
         self.assertEqual(job["plant"]["heating_carrier"], "gas")
         self.assertEqual(job["study"], [{"kind": "loop"}])
         self.assertEqual({s["hours"] for s in job["schedule"]}, {"learn"})
-        self.assertAlmostEqual(sum(s["area"] for s in job["zone"][0]["surface"] if s["construction"] == "wall"), 725, 0)
+        self.assertAlmostEqual(sum(s["area"] for s in job["zone"][0]["surface"] if s["construction"] == "wall"), 490, 0)
         self.assertIn("RdSAP", said)
         self.assertNotIn("check this", said)
 
@@ -247,7 +247,7 @@ class New(unittest.TestCase):
         self.refused(["cal is no unit", "kWh"], USAGE, f"{file}:a:gas:cal", force=True)
 
     def test_several_columns_are_several_meters(self):
-        lines = [f"{t:%Y-%m-%d %H:%M},{gas(t)},{electricity(t)},{outdoor(t):.1f},21.3" for t in hours(2021, 2022)]
+        lines = [f"{t:%Y-%m-%d %H:%M},{gas(t)},{electricity(t)},{outdoor(t):.1f},{21 + t.hour % 5 / 10}" for t in hours(2021, 2022)]
         self.new(self.written("all.csv", ["time,gas_kWh,elec_kWh,T_out_C,T_room_C", *lines]))
         self.assertEqual([m["name"] for m in self.checked()["meter"]], ["gas", "electricity", "room"])
 
