@@ -1,14 +1,14 @@
 #!/usr/bin/python3
-"""First jobs of real buildings: how many `bemcal-batch new` writes that check and run take as they are, and how well their
-loops predict what is held out, beside a regression on outdoor temperature and hour of the week.
+"""First jobs of real buildings: how many `bemcal-batch new` writes that check and run take as they are, and how well
+their loops predict what is held out, beside a regression on outdoor temperature and hour of the week.
 
     bench_new.py [--loops N] [--folder DIR] [BUILDING...]
 
-Each building's readings are put into files as a user has them, gas.csv or bills.csv, cut to the years of
-jobs/cambridge_loops and the like. `new` is told area, use, year and country, no more. Where the data's authors publish no
-year 1970 is said, and no area that of the jobs by hand. The loops of the first N buildings (default: none) run on one
-thread each. Prints `name value unit reference ratio`: CV(RMSE) after, of bills by the month, with the regression's as the
-reference. Of bills it is one of months on outdoor temperature with two change points. Needs ../shared.
+Each building's readings are put into files as a user has them, cut to the years of jobs/cambridge_loops and the like.
+`new` is told area, use, year and country, no more; storeys where they are published. Where no year is published, 1970
+is said; where no area is, that of the job by hand. The loops of the first N buildings (default: none) run on one thread
+each. Prints `name value unit reference ratio`: CV(RMSE) after, with the regression's as the reference. Of bills it is
+one of months on outdoor temperature with two change points. Needs ../shared.
 """
 import argparse
 import os
@@ -21,16 +21,22 @@ from dataclasses import dataclass
 
 import h5py
 import large_job
-import numpy as np
 import pandas
 from bench_level_change import regression
 from bench_nyc_bills import write_weather
 from bench_real_loops import errors_of
 
+sys.path.insert(0, str(large_job.ROOT / "scripts"))
+from report.beside import cv_rmse  # noqa: E402
+
 SHARED = large_job.ROOT.parent / "shared"
 DATA, METERS = SHARED / "data", SHARED / "meters"
 UNKNOWN = 1970                 # year, where none is published
-KWH_PER_BTU = 1 / 3412.14
+UNIT_KWH = {"usage_kWh": 1, "usage_kBtu": 1 / 3.41214}
+MONTHS = 12                    # of training, and held out
+SOME_GAS = 50                  # kWh/(m2 a), of a building that gas heats
+M2 = 10000                     # of a building whose bills are per area
+M2_PER_FT2 = 0.09290304
 
 
 @dataclass
@@ -53,7 +59,8 @@ def cambridge():
     loops = pandas.read_csv(large_job.ROOT / "jobs" / "cambridge_loops" / "buildings.csv")
     more = pandas.read_csv(METERS / "buildings.csv")
     rows = [(row.name_, row.floor_area, round(row.floor_area / row.storey), row.training, row.held_out,
-             DATA / "cambridge" / "gas_as_published.csv.gz") for row in loops.rename(columns={"name": "name_"}).itertuples()]
+             DATA / "cambridge" / "gas_as_published.csv.gz")
+            for row in loops.rename(columns={"name": "name_"}).itertuples()]
     rows += [(row.id, row.floor_area_m2, row.floors, row.training, row.held_out, METERS / "cambridge_gas.csv.gz")
              for row in more.itertuples()]
     rows.append(("b35", 7029.8, 6, 2018, 2019, DATA / "cambridge" / "gas_as_published.csv.gz"))
@@ -102,12 +109,14 @@ def write_inputs(building, folder):
 
 
 def nyc(folder, n=2):
-    """The first buildings of nyc_bills that have two years of both fuels, with 10,000 m2, for the bills are per area; a
-    file of bills for each fuel, weather by the hour made of the months' temperatures."""
+    """The first buildings of nyc_bills that have two years of both fuels and are heated by one, with M2, for the bills
+    are per area; a file of bills for each fuel, weather by the hour made of the months' temperatures."""
     table = pandas.read_csv(DATA / "nyc_bills" / "unretrofit_monthly_per_ft2.csv.gz")
     for name, rows in table.groupby("bdbid"):
         fuels = {fuel: part.sort_values("end_date") for fuel, part in rows.groupby("energy_type")}
         if n == 0 or len(fuels) < 2 or any(len(part) < 24 for part in fuels.values()):
+            continue
+        if fuels["Fuel"].usage.mean() * 365 * UNIT_KWH["usage_kBtu"] / 1000 / M2_PER_FT2 < SOME_GAS:
             continue
         n -= 1
         at = folder / f"nyc_{name}"
@@ -115,7 +124,7 @@ def nyc(folder, n=2):
         words = [("--weather", at / "weather.csv")]
         for fuel, part in fuels.items():
             end = pandas.to_datetime(part.end_date)
-            use = part.usage * end.dt.days_in_month * 10000 / 0.09290304
+            use = part.usage * end.dt.days_in_month * M2 / M2_PER_FT2
             file, unit = ("electricity.csv", "kWh") if fuel == "Elec" else ("gas.csv", "kBtu")
             pandas.DataFrame({"start": end.dt.to_period("M").dt.start_time, "end": end,
                               f"usage_{unit}": use / (1 if fuel == "Elec" else 1000)}).to_csv(
@@ -123,7 +132,7 @@ def nyc(folder, n=2):
             words.append(("--meter", at / file))
         means = fuels["Elec"].set_index(end.dt.to_period("M").dt.start_time).OAT_C
         write_weather(at / "weather.csv", means)
-        yield f"nyc_{name}", at, [*words, ("--area", 10000), ("--use", "office"), ("--built", UNKNOWN),
+        yield f"nyc_{name}", at, [*words, ("--area", M2), ("--use", "office"), ("--built", UNKNOWN),
                                   ("--place", "US-NY"), ("--site", "40.75,-73.95")]
 
 
@@ -158,6 +167,22 @@ def write_and_check(name, folder, words):
     return None if checked.returncode else job
 
 
+def print_months(name, folder, result):
+    """Of nyc_bills, whose meters are bills: beside the regression of a year's bills on outdoor temperature."""
+    outdoor = pandas.read_csv(folder / "weather.csv", parse_dates=["time"]).set_index("time").T_out_C
+    outdoor = outdoor.groupby(outdoor.index.to_period("M")).mean().to_numpy()
+    for channel in ("gas", "electricity"):
+        bills = pandas.read_csv(folder / f"{channel}.csv")
+        days = (pandas.to_datetime(bills.end) - pandas.to_datetime(bills.start)).dt.days.to_numpy() + 1
+        use = bills.iloc[:, 2].to_numpy() * UNIT_KWH[bills.columns[2]]
+        year, measured = pandas.DataFrame({"OAT_C": outdoor, "usage": use / days})[:MONTHS], use[MONTHS:]
+        by_temperature = regression(year)(outdoor[MONTHS:]) * days[MONTHS:]
+        with h5py.File(result) as file:
+            after = file[f"{name}/loop/held_out/{channel}/month_predicted"][:]
+        error, reference = cv_rmse(after, measured), cv_rmse(by_temperature, measured)
+        print(f"{name}_{channel}_bills_after {error:.1f} % {reference:.1f} {error / reference:.3f}", flush=True)
+
+
 def loop_errors(name, job):
     """Prints and returns the ratios of after to the regression, by the hour."""
     result = job.with_suffix(".h5")
@@ -167,6 +192,8 @@ def loop_errors(name, job):
     if done.returncode not in (0, 1):
         print(f"{name}: run: {done.returncode}: {done.stderr}")
         return []
+    if name.startswith("nyc"):
+        return print_months(name, job.parent, result) or []
     table = run(large_job.ROOT / "scripts" / "change_point_baseline", result, job).stdout
     ratios = []
     for (_, channel, period), models in errors_of(table).items():
@@ -174,7 +201,8 @@ def loop_errors(name, job):
             continue
         for k, resolution in ((0, "hourly"), (2, "monthly")):
             after, reference = models["after"][k], models["regression"][k]
-            print(f"{name}_{channel}_{resolution}_after {after:.1f} % {reference:.1f} {after / reference:.3f}", flush=True)
+            print(f"{name}_{channel}_{resolution}_after {after:.1f} % {reference:.1f} {after / reference:.3f}",
+                  flush=True)
         ratios.append(models["after"][0] / models["regression"][0])
     return ratios
 
@@ -199,7 +227,8 @@ def main():
             ratios += loop_errors(name, job)
     print(f"new_and_check {done} of_{n} - -")
     if ratios:
-        print(f"hourly_after_over_regression_median {statistics.median(ratios):.3f} - 1 {statistics.median(ratios):.3f}")
+        middle = statistics.median(ratios)
+        print(f"hourly_after_over_regression_median {middle:.3f} - 1 {middle:.3f}")
 
 
 if __name__ == "__main__":

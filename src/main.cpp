@@ -150,16 +150,16 @@ void add_adopt(CLI::App& app, CommandLine& line) {
 /// Options of `new` with a value; scripts/new says what is wrong with one.
 struct NewOption {
     const char *name, *type, *says;
-    bool is_required = false;
+    bool is_required = false, repeats = false;
 };
 constexpr NewOption new_options[] = {
     {"--weather", "FILE",
      "EPW of a measured year, or a CSV file with outdoor temperature; once for each file",
-     true},
+     true, true},
     {"--meter", "FILE[:COLUMN[:QUANTITY[:UNIT]]]",
      "readings as CSV, a table of bills, an export of ENERGY STAR Portfolio Manager, or "
      "Green Button XML; once for each file or column",
-     true},
+     true, true},
     {"--area", "M2", "heated or cooled floor area", true},
     {"--use", "USE", "office, school, house, apartments, retail, hotel, ...", true},
     {"--built", "YEAR", "when it was built, or its envelope renewed", true},
@@ -175,7 +175,9 @@ void add_new(CLI::App& app, CommandLine& line) {
     for (const NewOption& option : new_options)
         first->add_option(option.name, line.words_of[option.name], option.says)
             ->type_name(option.type)
-            ->allow_extra_args(false)
+            ->expected(1)
+            ->multi_option_policy(option.repeats ? CLI::MultiOptionPolicy::TakeAll
+                                                 : CLI::MultiOptionPolicy::Throw)
             ->required(option.is_required);
     first->add_flag("--force", line.force, "write over the job");
 }

@@ -54,15 +54,15 @@ class Plant:
 def plant_of(meters, use, place, country, months, told):
     there = {meter.quantity: meter for meter in meters}
     if "gas" in there:
-        plant = Plant("gas", 0.85, 0.06, (0.6, 0.98), "a boiler, for there is a gas meter; seasonal efficiency 0.75 to 0.95")
+        plant = Plant("gas", 0.85, 0.06, (0.6, 0.98), "a boiler, for there is a gas meter; 0.75 to 0.95 by the season")
     elif "district" in there:
         plant = Plant("district", 1, 0, (1, 1), "for there is a meter of district heat")
     elif "heating" in there:
         plant = Plant("none", 1, 0, (1, 1), "its heat is metered")
     elif "electricity" in there:
-        plant = Plant("electricity", 2, 0.8, (0.9, 4.5), "electric, for no other meter heats: 1 is resistance, 3 a heat pump")
-        told.check("the heating is taken as electric, for there is no other meter: correct [plant] if it burns something "
-                   "that is not metered")
+        plant = Plant("electricity", 2, 0.8, (0.9, 4.5), "for no other meter heats: 1 is resistance, 3 a heat pump")
+        told.check("the heating is taken as electric, for there is no other meter: correct [plant] if it burns "
+                   "something that is not metered")
     else:
         plant = Plant("none", 1, 0, (1, 1), "no meter shows it")
     add_cooling(plant, there, use, place, country, months, told)
@@ -157,8 +157,8 @@ def hot_water(meter, use, carrier, area, periods):
     if meter.is_hourly:
         per_day = max(1, round(24 * 3600 / meter.step))
         powers = [sum(powers[k:k + per_day]) / per_day for k in range(0, len(powers) - per_day + 1, per_day)] or powers
-    return Load("hot_water", value, "", carrier, f"{use.hot_water:g} kWh/(m2 a): EN ISO 13790 Table G.12; with all that "
-                "is used in summer", heats=False, most=1.5 * quantile(powers, HOT_WATER_SHARE))
+    return Load("hot_water", value, "", carrier, f"{use.hot_water:g} kWh/(m2 a): EN ISO 13790 Table G.12; with all "
+                "that is used in summer", heats=False, most=1.5 * quantile(powers, HOT_WATER_SHARE))
 
 
 def set_points(use, country):

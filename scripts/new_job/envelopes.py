@@ -1,11 +1,11 @@
 """U-values by country and year: u_values.csv beside this file, ASHRAE 90.1 by climate zone, or a wide guess.
 
 Source of the United States' rows: ASHRAE 90.1-2004, 90.1-2007 and 90.1-2013, Tables 5.5, nonresidential: walls of steel
-framing, roofs with insulation above deck, fixed windows with metal frames (Btu/(h ft2 F), here in W/(m2 K)). Nothing that
-is sure was at hand for US buildings before 2004 by climate zone, so they have the guess. Zones: ASHRAE 169, thermal zones
-by heating degree days to 18 degC and cooling degree days to 10 degC. Solar transmittance: EN ISO 13790 (Table G.1,
-glazing by panes); air changes at the pressure of the weather: EN ISO 13790 Annex G and EN 15242 levels of tightness
-(high, medium, low: 0.2 to 0.6 1/h). Leaves out retrofits: a renewed envelope takes the year of its renewal.
+framing, roofs with insulation above deck, fixed windows with metal frames (Btu/(h ft2 F), here in W/(m2 K)). Older
+buildings of the United States have the guess: no table by climate zone is here. Zones: ASHRAE 169, by degree days of
+heating (to 18 degC) and cooling (from 10 degC). Solar transmittance by panes: EN ISO 13790 Annex G. Air changes by age
+are judgement within EN 15242's levels of tightness. Leaves out retrofits: a renewed envelope takes the year of its
+renewal.
 """
 import csv
 import pathlib

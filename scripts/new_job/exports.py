@@ -1,5 +1,5 @@
-"""Exports that are no table of readings, as CSV files beside the job: ENERGY STAR Portfolio Manager's meter entries (one
-row a bill) and Green Button XML (ESPI).
+"""Exports that are no table of readings, as CSV files beside the job: ENERGY STAR Portfolio Manager's meter entries
+(one row a bill) and Green Button XML (ESPI).
 
 Source: Portfolio Manager's columns (Start Date, End Date, Usage/Quantity, Usage Units, Estimation, Meter Type, Meter
 Name); NAESB REQ.21 ESPI (ReadingType: uom, powerOfTenMultiplier, commodity, flowDirection; IntervalReading: start in
@@ -57,10 +57,11 @@ def write_rows(path, names, rows, inputs, force):
     """Never over an input; over another file with --force only."""
     if os.path.exists(path):
         if any(os.path.samefile(path, other) for other in inputs if os.path.exists(other)):
-            raise Refused(f"{path}: is an input, over which the converted readings would be written; give the job another "
-                          "name", EXISTS)
+            raise Refused(f"{path}: is an input, over which the converted readings would be written; give the job "
+                          "another name", EXISTS)
         if not force:
-            raise Refused(f"{path}: is there already, and the converted readings go there; --force writes over it", EXISTS)
+            raise Refused(f"{path}: is there already, and the converted readings go there; --force writes over it",
+                          EXISTS)
     try:
         with open(path, "w", newline="", encoding="utf-8") as file:
             csv.writer(file, lineterminator="\n").writerows([names, *rows])
@@ -89,8 +90,8 @@ def of_portfolio_manager(table, job, inputs, force):
     decimals = tables.numbers_in(table, usage)
     begins, ends = (times.read_times(read[column], "US") for column in (start, end))
     if decimals is None or not begins or not ends or not len(begins[1]) == len(ends[1]) == len(table.rows):
-        raise Refused(f"{table.path}: has rows whose dates or usage cannot be read; expected one row for each bill with "
-                      f"{start}, {end}, {usage}, {units}")
+        raise Refused(f"{table.path}: has rows whose dates or usage cannot be read; expected one row for each bill "
+                      f"with {start}, {end}, {usage}, {units}")
     found = []
     for (of_kind, of_name, of_units), rows in groups.items():
         text = f"{of_kind} {of_name} {os.path.basename(table.path)}"
@@ -103,8 +104,8 @@ def of_portfolio_manager(table, job, inputs, force):
         lines = [[f"{begins[1][k]:%Y-%m-%d}", f"{ends[1][k]:%Y-%m-%d}", decimals.values[k],
                   int(bool(estimated) and says("yes|true|1|e|estimated", read[estimated][k]))] for k in rows]
         write_rows(path, ["start", "end", "usage", "estimated"], lines, inputs, force)
-        found.append(Converted(path, "usage", quantity, *unit, f"{len(rows)} bills of {table.path} "
-                                                               f"({' '.join(filter(None, (of_kind, of_name)))}, {of_units})"))
+        says_what = f"{len(rows)} bills of {table.path} ({', '.join(filter(None, (of_kind, of_name, of_units)))})"
+        found.append(Converted(path, "usage", quantity, *unit, says_what))
     return found
 
 
@@ -167,7 +168,8 @@ def written(path, job, quantity, uom, power, readings, inputs, force):
     def time(seconds):
         return dt.datetime(1970, 1, 1) + dt.timedelta(seconds=seconds)
     if sorted(durations)[len(durations) // 2] > DAY:
-        lines = [[f"{time(b):%Y-%m-%d}", f"{time(b + d):%Y-%m-%d}", f"{v * 10 ** power:g}", 0] for b, (d, v) in readings]
+        lines = [[f"{time(b):%Y-%m-%d}", f"{time(b + d):%Y-%m-%d}", f"{v * 10 ** power:.10g}", 0]
+                 for b, (d, v) in readings]
         write_rows(at, ["start", "end", "usage", "estimated"], lines, inputs, force)
     else:
         lines = [[f"{time(b):%Y-%m-%dT%H:%M:%SZ}", f"{v * 10 ** power:.10g}"] for b, (_, v) in readings]

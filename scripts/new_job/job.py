@@ -1,4 +1,4 @@
-"""The text of a first job: sections in the order in which a person reads them, a comment for where each number is from."""
+"""The text of a first job: sections in the order in which a person reads them, with where each number is from."""
 import json
 import os
 from dataclasses import dataclass
@@ -12,6 +12,7 @@ NOT_COOLED = 60                # degC, a set-point that no room reaches
 HALF_CLOUDED = 0.5             # cloud cover, where the weather has no sun
 USUAL = {"office": (7, 18), "home": (6, 22), "school": (7, 16), "shop": (9, 20)}  # hours, without hourly meters
 COMMENT_AT = 44
+LEAST_BILLS = 24               # of training, for effects to be tried: with 12 a trend was taken that was none
 
 
 @dataclass
@@ -85,10 +86,11 @@ def header(first):
     o, told = first.options, first.told
     yield f"# A first job, written by bemcal-batch new: {first.use_name}, {number(o.area)} m2, built {o.built}, " \
           f"{first.place.name}."
-    yield "# It is a box of one zone. Numbers are from tables by use, age and country, as said beside each; priors are wide."
+    yield "# It is a box of one zone. Numbers are from tables by use, age and country, as said beside each."
+    yield "# Priors are wide."
     yield "#"
     yield "# Look first at:"
-    yield "# - the meters: quantity, unit and period below; then `bemcal-batch check`, whose lines \"data, ...\" tell more"
+    yield "# - the meters: quantity and unit; then `bemcal-batch check`, whose lines \"data, ...\" tell more"
     yield f"# - form: {first.form.storeys} storeys" + ("" if first.form.is_said else " (guessed)") + \
           ", glass, and which facades have neighbours"
     yield "# - [plant]: what heats and cools; windows that were replaced; hours, if they are known"
@@ -166,8 +168,8 @@ def zone(first):
     form, use, plant = first.form, first.use, first.plant
     heating, back, cooling, cooling_back = building.set_points(use, first.options.country)
     cooled = plant.cooling is not None
-    yield f"# {number(round(form.storey, 1))} m2 a storey, {building.PLAN_RATIO:g} times as long as deep, long sides to " \
-          f"south and north; {form.glass:.0%} glass (usual of the use)."
+    yield f"# {number(round(form.storey, 1))} m2 a storey, {building.PLAN_RATIO:g} times as long as deep, long sides " \
+          f"to south and north; {form.glass:.0%} glass (usual of the use)."
     yield section(
         "[[zone]]", ("name", "building"), ("floor_area", form.area, "--area"),
         ("volume", round(form.area * form.height, 1), f"{number(form.height)} m a storey"),
@@ -220,9 +222,18 @@ def meters(first):
                       ("factor", meter.factor if meter.factor != 1 else None), *meter.keys.items())
 
 
+def study(first):
+    begin, end = first.periods.training
+    n_bills = max(sum(begin <= time.date() <= end for time, _ in meter.read()) for meter in first.meters)
+    too_few = n_bills < LEAST_BILLS
+    return section("[[study]]", ("kind", "loop", "what does the building do that is not described here?"),
+                   ("most_effects", 0 if too_few else None, f"{n_bills} bills show no effect that can be believed"),
+                   ("functions", False if too_few else None))
+
+
 def job_text(first):
     # The header comes last, for the parts add to what is to be checked.
     parts = [*(part for of in (site, holidays, weather, periods, schedules, constructions, zone, plant, meters)
                for part in of(first)), *(prior.text() for prior in priors_of(first)),
-             section("[[study]]", ("kind", "loop", "what does the building do that is not described here?"))]
+             study(first)]
     return "\n".join([*header(first), "seed = 1", "", *parts])

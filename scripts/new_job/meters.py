@@ -1,8 +1,8 @@
 """Which columns of the files are meters: quantity, unit, interval, and the keys that a job needs to read them.
 
 The program looks at stamps, gaps and codes by itself (jobs/README.md); here it is chosen what it cannot know. Quantity
-and unit follow from the names of column, file and unit; a unit that nothing says is the one in which the use of a year is
-most like a building's. What was guessed is told. FILE:COLUMN:QUANTITY:UNIT overrules all of it.
+and unit follow from the names of column, file and unit; a unit that nothing says is the one in which the use of a year
+is most like a building's. What was guessed is told. FILE:COLUMN:QUANTITY:UNIT overrules all of it.
 """
 import datetime as dt
 import math
@@ -12,8 +12,8 @@ from dataclasses import dataclass, field
 from new_job import exports, tables, times
 from new_job.refused import NO_INPUT, USAGE, Refused
 from new_job.weather import keys_of
-from new_job.words import (OF_GAS, POWERS, QUANTITY_NAMES, TEMPERATURES, UNIT_NAMES, is_other, kwh_per_unit, quantity_of,
-                           says, unit_of)
+from new_job.words import (OF_GAS, POWERS, QUANTITY_NAMES, TEMPERATURES, UNIT_NAMES, is_other, kwh_per_unit,
+                           quantity_of, says, unit_of)
 
 DAY, YEAR = 86400, 365.25 * 86400
 USUAL = {"gas": 150, "electricity": 100, "district": 120, "cooling": 80, "heating": 120}  # kWh/(m2 a), middling
@@ -219,7 +219,8 @@ def make_meter(table, column, quantity, unit, options, told):
             raise Refused(f"{table.path}: column {column}: neither it nor the file's name says what it measures; write "
                           f"--meter {table.path}:{column}:QUANTITY (one of {', '.join(QUANTITY_NAMES)})")
         quantity = "electricity"
-        told.check(f"{table.path}: {column}: nothing says what it measures; electricity was taken for its unit {found[0]}")
+        told.check(f"{table.path}: {column}: nothing says what it measures; electricity was taken for its unit "
+                   f"{found[0]}")
     unit = unit or unit_of(column, quantity) or unit_of(os.path.basename(table.path), quantity)
     interval, _ = interval_of(table.step)
     meter = Meter(NAMES.get(quantity, quantity), quantity, table.path, column, *(unit or ("", 1)), interval, table.step,
@@ -245,8 +246,8 @@ def finish_unit(meter, options, told):
         meter.unit = meter.unit or "degC"
         return
     if meter.unit in POWERS and meter.interval in ("monthly", "annual"):
-        raise Refused(f"{meter.file}: column {meter.column}: {meter.unit} is a power, but its rows are {meter.interval} "
-                      "bills; write the unit of the energy, --meter FILE:COLUMN:QUANTITY:kWh", USAGE)
+        raise Refused(f"{meter.file}: column {meter.column}: {meter.unit} is a power, but its rows are "
+                      f"{meter.interval} bills; write the unit of the energy, --meter FILE:COLUMN:QUANTITY:kWh", USAGE)
     if not meter.unit:
         guess_unit(meter, options, told)
     check_use(meter, options.area, told)
@@ -308,8 +309,8 @@ def one_of_each(meters, told):
         if meter is largest:
             kept.append(meter)
         else:
-            told.check(f"{meter.file}: {meter.column}: left out, for {largest.column} shows more of {meter.quantity}; add "
-                       "the columns up if both are the building's")
+            told.check(f"{meter.file}: {meter.column}: left out, for {largest.column} shows more of {meter.quantity}; "
+                       "add the columns up if both are the building's")
     for k, meter in enumerate(room for room in kept if not room.is_energy):
         meter.name = f"room_{k + 1}" if k else "room"
     return kept

@@ -58,8 +58,8 @@ def without_strays(meters, weather, told):
         kept.remove(shortest)
     for meter in meters:
         if meter not in kept:
-            told.check(f"{meter.file}: {meter.column}: left out, for it has too few days in common with the weather and "
-                       "the other meters")
+            told.check(f"{meter.file}: {meter.column}: left out, for it has too few days in common with the weather "
+                       "and the other meters")
     return kept
 
 

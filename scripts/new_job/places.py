@@ -51,8 +51,8 @@ def read_place(text):
     if code == "UK":
         code = "GB"
     if code not in PLACES:
-        raise Refused(f"--place {text}: is no country that is known; expected one of {', '.join(sorted(PLACES))}, perhaps "
-                      "with a state, as DE-BY or US-NY", USAGE)
+        raise Refused(f"--place {text}: is no country that is known; expected one of {', '.join(sorted(PLACES))}, "
+                      "perhaps with a state, as DE-BY or US-NY", USAGE)
     return code, state, PLACES[code]
 
 

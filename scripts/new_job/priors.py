@@ -1,8 +1,8 @@
 """Parameters of a first job: what nobody knows of a building, with wide priors about what is described.
 
-Ranges are four standard deviations wide, cut at what is possible. A use of energy that the meters show to be larger has a
-range that reaches there. Source of the widths: those of jobs/cambridge_loops, which hold what a box by area and storeys
-leaves open; wider where a table was missing.
+Ranges are four standard deviations wide, cut at what is possible. A use of energy that the meters show to be larger
+has a range that reaches there. Source of the widths: those of jobs/cambridge_loops, which hold what a box by
+area and storeys leaves open; wider where a table was missing.
 """
 import json
 from dataclasses import dataclass
@@ -62,9 +62,11 @@ def priors_of(first):
     yield factor("lights_and_equipment", [f"{zone}.load.{load.name}.density" for load in first.loads
                                           if load.name in ("lights", "equipment")], 0.05, first.most_of_loads,
                  SHARE_OF_LOADS, "on both")
-    yield level("people", f"{zone}.load.people.density", first.loads[0].value, 0.5 * first.loads[0].value, "[W/m2] in use")
     for load in first.loads:
-        if load.name == "base_load" or load.name == "hot_water":
+        if load.name == "people":
+            yield level("people", f"{zone}.load.people.density", load.value, SHARE_OF_LOADS * load.value,
+                        "[W/m2] in use")
+        if load.name in ("base_load", "hot_water"):
             yield level(load.name, f"{zone}.load.{load.name}.density", load.value,
                         max(0.5 * load.value, 0.25 * load.most, 0.3), "[W/m2] at all hours", reach=load.most)
     yield from plant_priors(first, zone)

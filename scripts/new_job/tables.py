@@ -19,7 +19,8 @@ SEPARATORS = ";\t|,"         # a comma may be a decimal mark, and comes last
 LOOKED_AT = 60                 # lines before the table
 DAY_COLUMNS = (24, 48, 96)     # a day a line
 MISSING = {"", "na", "n/a", "nan", "null", "none", "-", "missing", "#n/a", "#value!", "#div/0!", "#ref!"}
-PARTS = (("year", "yyyy", "yr"), ("month", "mo", "mon"), ("day", "dd", "dy"), ("hour", "hr", "hh"), ("minute", "mn", "min"))
+PARTS = (("year", "yyyy", "yr"), ("month", "mo", "mon"), ("day", "dd", "dy"), ("hour", "hr", "hh"),
+         ("minute", "mn", "min"))
 UNIT_CELLS = ("yyyy mm dd hh mm", "h", "time", "date")
 CLOCK_CELL = re.compile(r"\d{1,2}:\d\d(:\d\d)?$")
 
@@ -174,7 +175,8 @@ def add_clock(table):
         if cells and all(CLOCK_CELL.match(cell) for cell in cells[:LOOKED_AT]):
             table.time.append(name)
             clocks = [cell.split(":") for cell in cells]
-            table.times = [day + dt.timedelta(hours=int(c[0]), minutes=int(c[1])) for day, c in zip(table.times, clocks)]
+            table.times = [day + dt.timedelta(hours=int(clock[0]), minutes=int(clock[1]))
+                           for day, clock in zip(table.times, clocks)]
             table.form = table.form and f"{table.form} %H:%M" + (":%S" if len(clocks[0]) == 3 else "")
             return
 

@@ -43,7 +43,8 @@ USES = {
     "school": Use("school", 10, 70, 12.9, 5.4, 2.35, storey_area=2000),
     "university": Use("office", 10, 70, 12.9, 8.1, 0.9, height=3.6, storey_area=300),
     "house": Use("home", 60, 70, 0, 2.4, 0.3, hot_water=10, height=2.6, glass=0.2, is_cooled=False, storey_area=25),
-    "apartments": Use("home", 40, 70, 0, 3, 0.3, hot_water=20, height=2.8, glass=0.22, is_cooled=False, storey_area=200),
+    "apartments": Use("home", 40, 70, 0, 3, 0.3, hot_water=20, height=2.8, glass=0.22, is_cooled=False,
+                      storey_area=200),
     "retail": Use("shop", 10, 90, 16.1, 2.7, 1.17, height=4, glass=0.25, storey_area=3000),
     "hotel": Use("home", 40, 70, 10.8, 2.7, 0.55, hot_water=20, height=3, storey_area=270),
     "hospital": Use("home", 30, 80, 12.9, 10.8, 0.28, set_point=22, hot_water=30, height=3.8, storey_area=900),
@@ -59,8 +60,8 @@ USES = {
     "sports": Use("shop", 20, 100, 11.8, 2.7, 1.2, set_point=18, hot_water=80, height=5, glass=0.2, storey_area=3000),
     "other": Use("office", 20, 80, 10.8, 5.4, 0.43),
 }
-OTHER_NAMES = {"dwelling": "house", "home": "house", "flats": "apartments", "multifamily": "apartments", "shop": "retail",
-               "store": "retail", "college": "university", "factory": "industry", "lab": "laboratory",
+OTHER_NAMES = {"dwelling": "house", "home": "house", "flats": "apartments", "multifamily": "apartments",
+               "shop": "retail", "store": "retail", "college": "university", "factory": "industry", "lab": "laboratory",
                "kindergarten": "school", "gym": "sports"}
 SET_BACK = 16                  # degC; DOE reference buildings 15.6
 COOLING_SET_POINT, COOLING_SET_POINT_US, COOLING_SET_BACK = 26, 24, 5  # degC, degC, K above the set-point

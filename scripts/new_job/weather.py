@@ -14,7 +14,8 @@ from new_job.words import says, spaced, unit_of
 HEADER = 8                     # lines of an EPW file
 # What a column is, by the words of its name, the best first.
 COLUMNS = (
-    ("outdoor_temperature", r"t out|outdoor temp|outdoor air temp|dry ?bulb|air temp|temperature|temp|t air|oat|tdry|t2m|ta|t"),
+    ("outdoor_temperature", r"t out|outdoor temp|outdoor air temp|dry ?bulb|air temp|temperature|temp|t air|"
+                            r"oat|tdry|t2m|ta|t"),
     ("global_horizontal", r"ghi|global|swdown|solar|irradiance|radiation|g h"),
     ("direct_normal", r"dni|direct normal|beam"),
     ("diffuse_horizontal", r"dhi|diffuse"),
@@ -23,6 +24,10 @@ COLUMNS = (
     ("cloud_cover", r"cloud"),
 )
 NOT_THESE = r"dew|wet|dir|direction|gust|soil|ground|pressure"
+NEEDED = ("outdoor_temperature", "global_horizontal", "direct_normal")
+SUN = {"global_horizontal", "direct_normal", "cloud_cover"}
+POOR = 0.05                    # share of hours without a cloud cover
+CLOUDS = ((10, "%"), (8, "tenths"), (1, "oktas"), (-1, None))  # the largest value is above
 SPEEDS = {"kmh": "km/h", "mph": "mph", "knots": "knots", "kts": "knots"}
 MOST_FILLED = 48               # h, of `fill_gaps`
 USUAL_FILL = 6                 # h
@@ -120,67 +125,93 @@ def of_epw(paths):
     return weather
 
 
-def unit_in(key, name):
-    words = spaced(name).split()
+def unit_of_column(key, name, values):
+    """None where it is the one that is expected."""
+    most = max((value for value in values if value is not None), default=0)
     if key == "wind_speed":
-        return next((SPEEDS[word] for word in words if word in SPEEDS), None)
+        return next((SPEEDS[word] for word in spaced(name).split() if word in SPEEDS), None)
     if key == "outdoor_temperature":
         found = unit_of(name, "air_temperature")
         return found[0] if found and found[0] != "degC" else None
+    if key == "relative_humidity":
+        return "0 to 1" if most <= 1 else None
+    if key == "cloud_cover":
+        return next(unit for least, unit in CLOUDS if most > least)
     return None
 
 
 def weather_columns(table):
-    """[(key, column, unit)], each column once."""
-    found, used = [], set()
+    """{key: column}, each column once."""
+    found = {}
     for key, pattern in COLUMNS:
-        for word in pattern.split("|"):
-            name = next((n for n in table.values if n not in used and says(word, n, whole=len(word) < 4)
-                         and not says(NOT_THESE, n)), None)
-            if name:
-                found.append((key, name, unit_in(key, name)))
-                used.add(name)
-                break
-    keys = {key for key, _, _ in found}
+        free = [name for name in table.values if name not in found.values() and not says(NOT_THESE, name)]
+        named = (name for word in pattern.split("|") for name in free if says(word, name, whole=len(word) < 4))
+        if (name := next(named, None)) is not None:
+            found[key] = name
     beam = {"direct_normal", "diffuse_horizontal"}
-    drop = {"global_horizontal"} if beam <= keys else beam
-    return [row for row in found if row[0] not in drop]
+    drop = {"global_horizontal"} if beam <= set(found) else beam
+    if "outdoor_temperature" not in found:
+        raise Refused(f"{table.path}: has no column of the outdoor temperature among {', '.join(table.values)}; name "
+                      "one T_out_C")
+    return {key: name for key, name in found.items() if key not in drop}
+
+
+def series_of(parts, columns):
+    """{key: [(time, value or None)]} of all files."""
+    series = {key: [] for key in columns}
+    for table in parts:
+        for key, name in columns.items():
+            numbers = tables.numbers_in(table, name) if name in table.names else None
+            if numbers is None:
+                raise Refused(f"{table.path}: column {name}: is not there, or has cells that are no numbers")
+            series[key] += zip(table.times, numbers.values)
+    return series
+
+
+def without_poor_clouds(series):
+    """Clouds are of no use as the only sun where they are often not there."""
+    clouds = [value for _, value in series.get("cloud_cover", [])]
+    if clouds and clouds.count(None) > POOR * len(clouds):
+        del series["cloud_cover"]
+    return series
+
+
+def whole_hours(series):
+    """Times at which temperature and sun are there, in order."""
+    keys = NEEDED if (SUN - {"cloud_cover"}) & set(series) else (*NEEDED, "cloud_cover")
+    needed = [{time for time, value in series[key] if value is not None} for key in keys if key in series]
+    return sorted(set.intersection(*needed))
 
 
 def of_csv(paths, country, told):
     parts = sorted((tables.read_table(path, country) for path in paths), key=lambda table: table.times[0])
     first = parts[0]
-    columns = weather_columns(first)
-    if not columns or columns[0][0] != "outdoor_temperature":
-        raise Refused(f"{first.path}: has no column of the outdoor temperature among {', '.join(first.values)}; name "
-                      "one T_out_C")
-    values = {}
-    for table in parts:
-        for key, name, _ in columns:
-            numbers = tables.numbers_in(table, name)
-            if numbers is None:
-                raise Refused(f"{table.path}: column {name}: has cells that are no numbers")
-            values.setdefault(key, []).extend(zip(table.times, numbers.values))
-    unit = columns[0][2]
-    theta = [(time, to_celsius(value, unit)) for time, value in values["outdoor_temperature"] if value is not None]
-    needed = [{time for time, value in values[key] if value is not None} for key, _, _ in columns
-              if key in ("outdoor_temperature", "global_horizontal", "direct_normal")]
-    whole = sorted(set.intersection(*needed))
-    if len(whole) < 24:
-        raise Refused(f"{first.path}: has {len(whole)} hours with all of {', '.join(name for _, name, _ in columns)}")
-    weather = Weather([table.path for table in parts], whole[0], whole[-1] + times.HOUR, month_means(theta), is_epw=False,
-                      columns=columns, degree_days=degree_days(theta))
-    gaps = [(a, b) for a, b in zip(whole, whole[1:]) if b - a > times.HOUR]
-    longest = max(((b - a) / times.HOUR for a, b in gaps), default=0)
-    weather.holes = [(a, b) for a, b in gaps if (b - a) / times.HOUR - 1 > MOST_FILLED]
-    if gaps:
-        weather.keys["gaps"] = "missing"
-        weather.keys["fill_gaps"] = int(min(MOST_FILLED, max(USUAL_FILL, longest)))
-    weather.keys.update(keys_of(first))
-    weather.has_sun = any(key in ("global_horizontal", "direct_normal", "cloud_cover") for key, _, _ in columns)
+    series = without_poor_clouds(series_of(parts, weather_columns(first)))
+    columns = {key: name for key, name in weather_columns(first).items() if key in series}
+    whole = whole_hours(series)
+    if len(whole) < 24 or first.step > 3600:
+        raise Refused(f"{first.path}: has {len(whole)} rows with all of {', '.join(columns.values())}, "
+                      f"{first.step:g} s apart; expected hours, or a finer step")
+    units = {key: unit_of_column(key, name, [value for _, value in series[key]]) for key, name in columns.items()}
+    theta = [(time, to_celsius(value, units["outdoor_temperature"])) for time, value in series["outdoor_temperature"]
+             if value is not None]
+    weather = Weather([table.path for table in parts], whole[0], whole[-1] + times.HOUR, month_means(theta),
+                      is_epw=False, columns=[(key, name, units[key]) for key, name in columns.items()],
+                      degree_days=degree_days(theta), keys=keys_of(first), has_sun=bool(SUN & set(columns)))
+    add_gaps(weather, whole)
     if first.is_guess:
         told.check(f"{first.path}: its dates were read as {first.form}, but day and month cannot be told apart")
     return weather
+
+
+def add_gaps(weather, whole):
+    """Short ones are filled by the program, longer ones are holes between which periods lie."""
+    gaps = [(a, b) for a, b in zip(whole, whole[1:]) if b - a > times.HOUR]
+    if not gaps:
+        return
+    longest = max((b - a) / times.HOUR for a, b in gaps)
+    weather.holes = [(a, b) for a, b in gaps if (b - a) / times.HOUR - 1 > MOST_FILLED]
+    weather.keys |= {"gaps": "missing", "fill_gaps": int(min(MOST_FILLED, max(USUAL_FILL, longest)))}
 
 
 def to_celsius(value, unit):

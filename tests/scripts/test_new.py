@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""`bemcal-batch new` writes a job from little that `check` takes without an edit, for each use, in several countries, of
-readings however they are written; what it cannot use ends in one message with an exit code."""
+"""`bemcal-batch new` writes a job from little that `check` takes without an edit, for each use, in several countries,
+of readings however they are written; what it cannot use ends in one message with an exit code."""
 import datetime as dt
 import math
 import os
@@ -59,9 +59,9 @@ def write_epw(path, year, years=None, latitude=52.2, longitude=0.1, offset=0):
         direct, diffuse = sun(time)
         said = years[time.month - 1] if years else year
         total = round(direct * 0.4 + diffuse)
-        lines.append(f"{said},{time.month},{time.day},{time.hour + 1},60,{FLAGS},{outdoor(time + HOUR):.1f},3.0,70,101325,"
-                     f"9999,9999,320,{total},{direct},{diffuse},999999,999999,999999,9999,180,3.0,5,5,9999,99999,9,"
-                     "999999999,99,0.1,0,88,0.2,0.0,1.0")
+        lines.append(f"{said},{time.month},{time.day},{time.hour + 1},60,{FLAGS},{outdoor(time + HOUR):.1f},3.0,70,"
+                     f"101325,9999,9999,320,{total},{direct},{diffuse},999999,999999,999999,9999,180,3.0,5,5,9999,"
+                     "99999,9,999999999,99,0.1,0,88,0.2,0.0,1.0")
     path.write_text("\n".join(lines) + "\n")
 
 
@@ -186,7 +186,8 @@ class New(unittest.TestCase):
     def test_delimiters_decimal_commas_and_dates(self):
         comma, point = (lambda v: f"{v:.2f}".replace(".", ",")), (lambda v: f"{v:.2f}")
         for name, head, form, cell, mark, keys in (
-                ("german", "Zeit;Erdgas [kWh]", "%d.%m.%Y %H:%M", comma, ";", {"decimal": ",", "time_format": "%d.%m.%Y %H:%M"}),
+                ("german", "Zeit;Erdgas [kWh]", "%d.%m.%Y %H:%M", comma, ";",
+                 {"decimal": ",", "time_format": "%d.%m.%Y %H:%M"}),
                 ("british", "Date,Gas kWh", "%d/%m/%Y %H:%M", point, ",", {"time_format": "%d/%m/%Y %H:%M"}),
                 ("american", "Date,Gas kWh", "%m/%d/%Y %I:%M %p", point, ",", {"time_format": "%m/%d/%Y %I:%M %p"}),
                 ("tabs", "time\tgas kWh", "%Y-%m-%dT%H:%M:%S", point, "\t", {}),
@@ -219,8 +220,10 @@ class New(unittest.TestCase):
 
     def test_units_and_quantities_by_name(self):
         for head, quantity, unit, factor in (("gas_m3", "gas", "m3", 1), ("Usage (therms)", "gas", "therm", 1),
-                                             ("natural gas ccf", "gas", "100 ft3", 1), ("Gas MMBtu", "gas", "kBtu", 1000),
-                                             ("Strom kWh", "electricity", "kWh", 1), ("steam klb", "district", "kBtu", 1194),
+                                             ("natural gas ccf", "gas", "100 ft3", 1),
+                                             ("Gas MMBtu", "gas", "kBtu", 1000),
+                                             ("Strom kWh", "electricity", "kWh", 1),
+                                             ("steam klb", "district", "kBtu", 1194),
                                              ("Fernwärme MWh", "district", "MWh", 1), ("heat_kW", "district", "kW", 1),
                                              ("chilled water ton hours", "cooling", "kBtu", 12),
                                              ("T_room_C", "air_temperature", "degC", 1)):
@@ -242,12 +245,15 @@ class New(unittest.TestCase):
         self.refused(["no column whose name", "--meter"], DATA, file)
         self.new(f"{file}:a:district:MJ")
         self.assertEqual((self.meter("heat")["quantity"], self.meter("heat")["unit"]), ("district", "MJ"))
+        self.new(f"{file}::gas:kWh", force=True)
+        self.assertEqual(self.meter()["column"], "a")
         self.refused("has no column c", DATA, f"{file}:c", force=True)
         self.refused(["oil is no quantity", "gas, electricity"], USAGE, f"{file}:a:oil", force=True)
         self.refused(["cal is no unit", "kWh"], USAGE, f"{file}:a:gas:cal", force=True)
 
     def test_several_columns_are_several_meters(self):
-        lines = [f"{t:%Y-%m-%d %H:%M},{gas(t)},{electricity(t)},{outdoor(t):.1f},{21 + t.hour % 5 / 10}" for t in hours(2021, 2022)]
+        lines = [f"{t:%Y-%m-%d %H:%M},{gas(t)},{electricity(t)},{outdoor(t):.1f},{21 + t.hour % 5 / 10}"
+                 for t in hours(2021, 2022)]
         self.new(self.written("all.csv", ["time,gas_kWh,elec_kWh,T_out_C,T_room_C", *lines]))
         self.assertEqual([m["name"] for m in self.checked()["meter"]], ["gas", "electricity", "room"])
 
@@ -280,7 +286,8 @@ class New(unittest.TestCase):
     def portfolio(self):
         stamps = months()
         lines = ["Meter Type,Meter Name,Start Date,End Date,Usage/Quantity,Usage Units,Cost ($),Estimation"]
-        for kind, value, units in (("Natural Gas", gas, "therms"), ("Electric - Grid", electricity, "kWh (thousand Watt-hours)")):
+        for kind, value, units in (("Natural Gas", gas, "therms"),
+                                   ("Electric - Grid", electricity, "kWh (thousand Watt-hours)")):
             for a, b in zip(stamps, stamps[1:]):
                 use = total(value, a, b) / (29.3071 if units == "therms" else 1)
                 lines.append(f'{kind},"{kind} Meter",{a:%m/%d/%Y},{b:%m/%d/%Y},"{use:,.2f}",{units},100,No')
@@ -298,14 +305,16 @@ class New(unittest.TestCase):
 
     def green_button(self):
         epoch = dt.datetime(1970, 1, 1)
-        readings = "".join(f"<IntervalReading><timePeriod><duration>3600</duration><start>{int((t - epoch).total_seconds())}"
-                           f"</start></timePeriod><value>{round(1000 * electricity(t))}</value></IntervalReading>"
+        readings = "".join(f"<IntervalReading><timePeriod><duration>3600</duration>"
+                           f"<start>{int((t - epoch).total_seconds())}</start></timePeriod>"
+                           f"<value>{round(1000 * electricity(t))}</value></IntervalReading>"
                            for t in hours(2021, 2022))
         return self.written("usage.xml", [
             '<?xml version="1.0"?><feed xmlns="http://www.w3.org/2005/Atom" xmlns:espi="http://naesb.org/espi">',
-            '<entry><content><ReadingType xmlns="http://naesb.org/espi"><commodity>1</commodity><flowDirection>1</flowDirection>'
-            '<powerOfTenMultiplier>0</powerOfTenMultiplier><uom>72</uom></ReadingType></content></entry>',
-            f'<entry><content><IntervalBlock xmlns="http://naesb.org/espi">{readings}</IntervalBlock></content></entry></feed>'])
+            '<entry><content><ReadingType xmlns="http://naesb.org/espi"><commodity>1</commodity>'
+            '<flowDirection>1</flowDirection><powerOfTenMultiplier>0</powerOfTenMultiplier><uom>72</uom></ReadingType>'
+            '</content></entry><entry><content><IntervalBlock xmlns="http://naesb.org/espi">', readings,
+            '</IntervalBlock></content></entry></feed>'])
 
     def test_green_button(self):
         self.new(self.green_button())
@@ -361,7 +370,8 @@ class New(unittest.TestCase):
         self.refused("no XML that can be read", DATA, self.written("a.xml", ["<feed>"]))
         self.refused("no readings of energy", DATA, self.written("b.xml", ["<feed></feed>"]))
         self.refused("no EPW", DATA, weather=self.written("b.epw", ["a,b"]))
-        self.refused("has no readings", DATA, self.written("g.csv", ["time,gas_kwh", "2021-01-01 00:00,", "2021-01-01 01:00,"]))
+        self.refused("has no readings", DATA,
+                     self.written("g.csv", ["time,gas_kwh", "2021-01-01 00:00,", "2021-01-01 01:00,"]))
 
     def test_nothing_is_written_over(self):
         self.new()
@@ -388,8 +398,7 @@ class Parts(unittest.TestCase):
         self.assertEqual({line[2:4] for line in listed.splitlines() if line.startswith("  ")}, places.WITH_HOLIDAYS)
 
     def test_climate_zones(self):
-        """Miami, Phoenix, Atlanta, New York, Chicago, Minneapolis, Duluth, Fairbanks; degree days of ASHRAE 169-2013 tables,
-        rounded."""
+        """About Miami, Phoenix, Atlanta, New York, Chicago, Minneapolis, Duluth and Fairbanks."""
         for zone, cooling, heating in ((1, 5300, 70), (2, 4700, 520), (3, 2950, 1500), (4, 2000, 2650), (5, 1750, 3500),
                                        (6, 1500, 4250), (7, 900, 5300), (8, 600, 7500)):
             self.assertEqual(envelopes.climate_zone(cooling, heating), zone)
@@ -407,7 +416,8 @@ class Parts(unittest.TestCase):
         self.assertEqual(weather.location("x", "LOCATION,Town, County,-,GBR,made,0,52.2,0.1,0.0,40.0"), (52.2, 0.1, 0))
 
     def test_forms_of_numbers(self):
-        for cells, expected in ((["1.5"], (".", "", False)), (["1,5"], (",", "", False)), (["1.234,5"], (",", ".", False)),
+        for cells, expected in ((["1.5"], (".", "", False)), (["1,5"], (",", "", False)),
+                                (["1.234,5"], (",", ".", False)),
                                 (["1,234.5"], (".", ",", False)), (["1,234"], (",", "", True))):
             self.assertEqual(tables.form_of(cells, ";"), expected)
 
