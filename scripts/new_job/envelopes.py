@@ -1,7 +1,7 @@
 """U-values by country and year: u_values.csv beside this file, ASHRAE 90.1 by climate zone, or a wide guess.
 
 Source of the United States' rows: ASHRAE 90.1-2004, 90.1-2007 and 90.1-2013, Tables 5.5, nonresidential: walls of steel
-framing, roofs with insulation above deck, fixed windows with metal frames (Btu/(h ft2 F), here in W/(m2 K)). Older
+framing, roofs with insulation above deck, fixed windows, of 2007 those of storefronts (Btu/(h ft2 F)). Older
 buildings of the United States have the guess: no table by climate zone is here. Zones: ASHRAE 169, by degree days of
 heating (to 18 degC) and cooling (from 10 degC). Solar transmittance by panes: EN ISO 13790 Annex G. Air changes by age
 are judgement within EN 15242's levels of tightness. Leaves out retrofits: a renewed envelope takes the year of its

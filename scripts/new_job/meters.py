@@ -21,6 +21,7 @@ ABSURD = 6                     # times more or less than that, and it is asked a
 CANDIDATES = {"gas": ("kWh", "m3", "MWh"), "electricity": ("kWh", "MWh", "Wh"),
               "district": ("kWh", "MWh", "GJ", "kBtu"), "cooling": ("kWh", "MWh", "kBtu"), "heating": ("kWh", "MWh")}
 OF_COUNTRY = {"US": ("therm", "100 ft3"), "GB": ("100 ft3",)}  # more of gas
+SPIKE = 20                     # times what 98 % of the readings reach
 LEAST_FACTOR = 3               # a unit but kWh is guessed only where kWh is so far off
 NAMES = {"district": "heat", "air_temperature": "room"}  # of a meter, where the quantity's own says less
 
@@ -68,9 +69,11 @@ class Meter:
         return last + dt.timedelta(seconds=self.step)
 
     def kwh(self):
-        """[(begin, kWh)] of an energy."""
+        """[(begin, kWh)] of an energy, without codes such as -9999 and spikes, which the program masks."""
         one = self.factor * kwh_per_unit(self.unit, self.step / 3600)
-        return [(begin, value * one) for begin, value in self.read()]
+        read = [row for row in self.read() if row[1] >= 0]
+        most = SPIKE * sorted(value for _, value in read)[int(0.98 * (len(read) - 1))] if read else 0
+        return [(begin, value * one) for begin, value in read if value <= most or not most]
 
 
 @dataclass(frozen=True)
@@ -204,10 +207,24 @@ def check_use(meter, area, told):
                    f"({USUAL[meter.quantity]}): unit or floor area may be another")
 
 
+def likely_numbers(table, column, quantity, unit, area):
+    """Of 1,234 that may be a thousand or one: what is more like a year's use of a building."""
+    numbers = tables.numbers_in(table, column)
+    unit = unit or unit_of(column, quantity) or ("kWh", 1)
+    if not numbers.is_guess or quantity not in USUAL:
+        return numbers
+
+    def distance(read):
+        meter = Meter("", quantity, "", "", *unit, "", table.step, list(zip(table.times, read.values)))
+        use = year_use(meter, area)
+        return abs(math.log(use / USUAL[quantity])) if use > 0 else math.inf
+    return min(numbers, tables.numbers_in(table, column, tables.other_form(numbers)), key=distance)
+
+
 def make_meter(table, column, quantity, unit, options, told):
     """`unit`: (unit, factor), or None where the names say it."""
-    numbers = tables.numbers_in(table, column)
-    begins = table.times
+    tables.check_order(table)
+    begins, numbers = table.times, likely_numbers(table, column, quantity, unit, options.area)
     keys = keys_of_meter(table, numbers, told)
     if table.step > DAY and keys.get("stamp") == "end" and are_last_days(begins):
         begins = begins_of_months(begins)
@@ -261,7 +278,7 @@ def keys_of_meter(table, numbers, told):
         keys["thousands"] = numbers.thousands
     if numbers.is_guess:
         told.check(f"{table.path}: numbers such as 1,234 were read as "
-                   f"{'thousands' if numbers.thousands else 'decimal commas'}")
+                   f"{'decimals' if numbers.thousands == 'none' else 'thousands'}")
     if table.is_guess:
         told.check(f"{table.path}: its dates were read as {table.form}, but day and month cannot be told apart")
     if table.step <= DAY:

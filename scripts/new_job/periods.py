@@ -78,9 +78,11 @@ def choose_periods(meters, weather):
     first, last, of_meters = common_days(meters, weather)
     interval, n_days = slowest(meters), (last - first).days + 1
     if n_days < LEAST[interval]:
+        n_read = (of_meters[1] - of_meters[0]).days
+        advice = TYPICAL if n_read >= LEAST[interval] else f"the readings have {n_read} days alone"
         raise Refused(f"{', '.join(weather.files)}: {span(weather.first, weather.last)}: has {max(n_days, 0)} days in "
                       f"common with the readings ({span(*of_meters)}); expected {LEAST[interval]} or more of "
-                      f"{interval} readings; {TYPICAL}")
+                      f"{interval} readings; {advice}")
     if n_days >= TWO_YEARS:
         begin = years_before(last + DAY, 1)
         begin = dt.date(last.year, 1, 1) if last.month == 12 and last.day > 20 else begin

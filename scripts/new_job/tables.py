@@ -21,7 +21,8 @@ DAY_COLUMNS = (24, 48, 96)     # a day a line
 MISSING = {"", "na", "n/a", "nan", "null", "none", "-", "missing", "#n/a", "#value!", "#div/0!", "#ref!"}
 PARTS = (("year", "yyyy", "yr"), ("month", "mo", "mon"), ("day", "dd", "dy"), ("hour", "hr", "hh"),
          ("minute", "mn", "min"))
-UNIT_CELLS = ("yyyy mm dd hh mm", "h", "time", "date")
+UNIT_CELLS = ("yyyy mm dd hh mm", "h", "-")
+BLANK, BLANK_GROUP = re.compile(r"\s"), re.compile(r"\d\s\d{3}(\D|$)")
 CLOCK_CELL = re.compile(r"\d{1,2}:\d\d(:\d\d)?$")
 
 
@@ -61,13 +62,15 @@ def lines_of(path):
     said = re.match(r"sep=(.)\n", text)
     if said:
         text = text[said.end():]
-    lines = [line for line in text.split("\n") if line.strip(" ,;\t") and not line.startswith("#")]
+    lines = [line for line in text.split("\n") if line.strip(" ,;\t")]
     if not lines:
         raise Refused(f"{path}: is empty; expected a line of names and rows of readings")
     if said:
         return lines, said.group(1)
     some = [*lines[:LOOKED_AT // 10], lines[len(lines) // 2], lines[-1]]
-    return lines, next((mark for mark in SEPARATORS if sum(mark in line for line in some) * 2 > len(some)), ",")
+    separator = next((mark for mark in SEPARATORS if sum(mark in line for line in some) * 2 > len(some)), ",")
+    n = lines[len(lines) // 2].count(separator)      # names may stand behind a #, comments do
+    return [line for line in lines if not line.startswith("#") or line.count(separator) == n], separator
 
 
 @dataclass
@@ -130,7 +133,7 @@ def header_at(path, cells):
     for k, row in enumerate(cells[:LOOKED_AT]):
         if part_columns(row) and len(cells) > k + 1:
             return k, k + 1
-        if any(is_time(cell) for cell in row[:4]) and len(row) > 1:
+        if len(row) > 1 and is_row_of_times(row, cells[k + 1] if k + 1 < len(cells) else row):
             names = next((j for j in range(k - 1, -1, -1) if len(cells[j]) > 1 and
                           re.search(r"[^\W\d]", "".join(cells[j])) and not is_line_of_units(cells[j])), None)
             if names is not None:
@@ -138,6 +141,11 @@ def header_at(path, cells):
             raise Refused(f"{path}:1: has no line with the names of its columns above the first reading; write one, "
                           "time,gas_kwh")
     raise Refused(f"{path}: has no time column; expected one like 2021-03-05 14:00, or date and clock in two columns")
+
+
+def is_row_of_times(row, next_row):
+    """Whether both have a time in one of the first columns."""
+    return any(is_time(cell) and is_time(other) for cell, other in zip(row[:4], next_row))
 
 
 def is_line_of_units(row):
@@ -159,7 +167,7 @@ def set_time(table, country):
         if not read or len(read[1]) < len([cell for cell in cells if cell]):
             continue
         table.time, (table.form, table.times, table.is_guess) = [name], read
-        table.has_offset = times.has_offset(cells[0])
+        table.has_offset = times.has_offset(cells[0]) or "%z" in table.form
         add_clock(table)
         return
     raise Refused(f"{table.path}: has no time column: in none of {', '.join(table.names[:6])} is every cell a time; "
@@ -198,6 +206,16 @@ def read_table(path, country=""):
     return table
 
 
+def check_order(table):
+    """The program takes rows in the order of time alone, each once; only a wall clock has an hour twice, in autumn."""
+    has_clock = table.step <= 3600 and times.clock_of(table.times) is not None
+    back = times.HOUR if has_clock else dt.timedelta(0)
+    for k, (one, other) in enumerate(zip(table.times, table.times[1:]), 2):
+        if one - other > back or one == other and not has_clock:
+            raise Refused(f"{table.path}: {table.time[0]}: row {k}, {other:%Y-%m-%d %H:%M}, is not later than the row "
+                          f"before ({one:%Y-%m-%d %H:%M}); sort the rows by time, each time once")
+
+
 def rows_begin_with_time(row):
     return any(is_time(cell) for cell in row[:4]) or all(cell.strip().isdigit() for cell in row[:3])
 
@@ -207,37 +225,50 @@ class Numbers:
     """A column as numbers, and how they are written."""
     values: list               # None where nothing is read
     decimal: str = "."
-    thousands: str = ""        # "" where there are none
+    thousands: str = ""        # "" where nothing looks so, "none" where it could
     is_guess: bool = False
 
 
 def form_of(cells, separator):
-    """(decimal, thousands, whether it was guessed)"""
+    """(decimal, thousands, whether it was guessed). A mark before three digits everywhere is one of thousands where
+    numbers below 1000 stand among them, which have none."""
+    if any(BLANK_GROUP.search(cell) for cell in cells):
+        return ("," if any("," in cell for cell in cells) else "."), " ", False
     both = [cell for cell in cells if "," in cell and "." in cell]
     if both:
         return (",", ".", False) if both[0].rfind(",") > both[0].rfind(".") else (".", ",", False)
-    with_comma = [cell for cell in cells if "," in cell]
-    if not with_comma:
-        return ".", "", False
-    groups = all(re.match(r"-?[1-9]\d{0,2}(,\d{3})+$", cell) for cell in with_comma)
-    if not groups:
-        return ",", "", False
-    return (".", ",", True) if separator == "," or any(cell.count(",") > 1 for cell in with_comma) else (",", "", True)
+    for mark, other in ((",", "."), (".", ",")):
+        marked = [cell for cell in cells if mark in cell]
+        if not marked:
+            continue
+        if not all(re.fullmatch(rf"-?[1-9]\d{{0,2}}(\{mark}\d{{3}})+", cell) for cell in marked):
+            return mark, "", False
+        if len(marked) < len(cells) or any(cell.count(mark) > 1 for cell in marked):
+            return other, mark, False
+        return (other, mark, True) if mark == separator else (mark, "none", True)
+    return ".", "", False
 
 
-def numbers_in(table, name):
-    """None where the column has other texts than missing ones."""
+def other_form(numbers):
+    """Of a guess: what it is otherwise."""
+    if numbers.thousands == "none":
+        return ("." if numbers.decimal == "," else ","), numbers.decimal, True
+    return numbers.thousands, "none", True
+
+
+def numbers_in(table, name, form=None):
+    """None where the column has other texts than missing ones. `form`: as of form_of."""
     columns = [name] if not table.per_day else table.values
-    cells = [row for column in columns for row in table.column(column)]
-    there = [cell.strip("'\"") for cell in cells if cell.lower() not in MISSING]
-    decimal, thousands, is_guess = form_of(there, table.separator)
+    cells = [cell for column in columns for cell in table.column(column)]
+    there = [cell for cell in cells if cell.lower() not in MISSING]
+    decimal, thousands, is_guess = form or form_of(there, table.separator)
     values = []
     for cell in cells:
         if cell.lower() in MISSING:
             values.append(None)
             continue
-        plain = cell.replace(" ", "").replace("\u00a0", "")
-        plain = plain.replace(thousands, "") if thousands else plain
+        plain = "".join(cell.split()) if thousands != " " else BLANK.sub("", cell)
+        plain = plain.replace(thousands, "") if thousands in (",", ".") else plain
         try:
             values.append(float(plain.replace(decimal, ".")))
         except ValueError:

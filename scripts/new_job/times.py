@@ -7,11 +7,12 @@ import datetime as dt
 import re
 
 ISO = re.compile(r"(\d{4}-\d\d-\d\d)(?:[ T](\d\d):(\d\d)(?::(\d\d)(?:[.,]\d+)?)?)?\s*(Z|[+-]\d\d(?::?\d\d)?)?$")
-YEAR_FIRST = ("%Y/%m/%d", "%Y/%m/%d %H:%M", "%Y/%m/%d %H:%M:%S", "%Y%m%dT%H%M", "%Y%m%dT%H%M%S", "%Y%m%d:%H%M",
-              "%Y%m%d %H:%M")
+YEAR_FIRST = ("%Y-%m-%d %H:%M", "%Y-%m-%d %H:%M:%S", "%Y/%m/%d", "%Y/%m/%d %H:%M", "%Y/%m/%d %H:%M:%S",
+              "%Y%m%dT%H%M", "%Y%m%dT%H%M%S", "%Y%m%d:%H%M", "%Y%m%d %H:%M")
 DATES = ("%d.%m.%Y", "%d/%m/%Y", "%m/%d/%Y", "%d-%m-%Y", "%m-%d-%Y", "%d-%b-%Y", "%d %b %Y", "%b %d, %Y", "%d.%m.%y",
          "%d/%m/%y", "%m/%d/%y", "%Y.%m.%d", "%Y%m%d")
-CLOCKS = ("", " %H:%M", " %H:%M:%S", " %I:%M %p", " %I:%M:%S %p", "T%H:%M", ", %H:%M")
+CLOCKS = ("", " %H:%M", " %H:%M:%S", " %I:%M %p", " %I:%M:%S %p", "T%H:%M", ", %H:%M", " %H:%M %z", " %H:%M%z",
+          " %H:%M:%S %z", " %H:%M:%S%z")
 OTHER_FORMS = tuple(date + clock for date in DATES for clock in CLOCKS)
 MONTH_FIRST = ("US", "PH")
 HOUR = dt.timedelta(hours=1)
@@ -37,6 +38,8 @@ def read_form(form):
     def read(text):
         late = re.search(r"\b24:00", text)
         time = dt.datetime.strptime(text.replace("24:00", "00:00") if late else text, form)
+        if time.tzinfo:
+            time = time.astimezone(dt.timezone.utc).replace(tzinfo=None)
         return time + dt.timedelta(days=1) if late else time
     return read
 
@@ -75,10 +78,10 @@ def read_times(cells, country=""):
 
 
 def step_of(times):
-    """Median step [s]."""
+    """Median step [s], of whole minutes: clocks of loggers wander."""
     ordered = sorted(set(times))
     steps = sorted((b - a).total_seconds() for a, b in zip(ordered, ordered[1:]))
-    return steps[len(steps) // 2] if steps else 0
+    return max(60, round(steps[len(steps) // 2] / 60) * 60) if steps else 0
 
 
 def change_days(rule, year):

@@ -186,6 +186,8 @@ def whole_hours(series):
 def of_csv(paths, country, told):
     parts = sorted((tables.read_table(path, country) for path in paths), key=lambda table: table.times[0])
     first = parts[0]
+    for table in parts:
+        tables.check_order(table)
     series = without_poor_clouds(series_of(parts, weather_columns(first)))
     columns = {key: name for key, name in weather_columns(first).items() if key in series}
     whole = whole_hours(series)

@@ -99,6 +99,7 @@ class New(unittest.TestCase):
         for year in (2021, 2022):
             write_epw(cls.made / f"{year}.epw", year)
         (cls.made / "gas.csv").write_text("\n".join(["time,gas_kwh", *rows(gas)]) + "\n")
+        (cls.made / "year.csv").write_text("\n".join(["time,gas_kwh", *rows(gas, 2021, 2021)]) + "\n")
         (cls.made / "electricity.csv").write_text("\n".join(["time,electricity_kwh", *rows(electricity)]) + "\n")
 
     def setUp(self):
@@ -162,14 +163,14 @@ class New(unittest.TestCase):
     def test_every_use(self):
         for use in uses.USES:
             with self.subTest(use=use):
-                self.new(use=use, force=True)
+                self.new(self.made / "year.csv", weather=self.made / "2021.epw", use=use, force=True)
                 self.checked()
 
     def test_countries(self):
         for place, envelope in (("DE-BY", "DE, up to 1978"), ("FR", "TABULA"), ("US-NY", "guessed"), ("JP", "guessed"),
                                 ("FI", "SE"), ("RS", "RS"), ("HR", "SI"), ("AU-VIC", "guessed")):
             with self.subTest(place=place):
-                said = self.new(place=place, force=True).stdout
+                said = self.new(self.made / "year.csv", weather=self.made / "2021.epw", place=place, force=True).stdout
                 self.assertIn(envelope, said)
                 job = self.checked()
                 self.assertEqual("check this: no table of U-values" in said, place not in ("DE-BY", "FR", "RS"))
@@ -348,6 +349,22 @@ class New(unittest.TestCase):
         write_epw(self.folder / "2015.epw", 2015)
         self.refused(["2015-01-01", "2021-01-01", "no day is in both"], DATA, weather=self.folder / "2015.epw")
 
+    def test_rows_out_of_order_are_refused(self):
+        lines = rows(gas, 2021, 2021)
+        for name, order in (("newest first", lines[::-1]), ("one astray", [lines[-1], *lines[:-1]]),
+                            ("twice", [*lines[:99], *lines[98:]])):
+            with self.subTest(name=name):
+                self.refused("is not later", DATA, self.written("gas.csv", ["time,gas_kwh", *order]))
+
+    def test_codes_and_spikes_do_not_make_a_base_load(self):
+        lines = rows(electricity, 2021, 2021)
+        for k in range(0, len(lines), 50):
+            lines[k] = lines[k].split(",")[0] + ",-9999"
+        lines[7] = lines[7].split(",")[0] + ",1e6"
+        self.new(self.written("electricity.csv", ["time,electricity kWh", *lines]))
+        base = next(load for load in self.checked()["zone"][0]["load"] if load["name"] == "base_load")
+        self.assertAlmostEqual(base["density"], 4.2, 1)
+
     def test_too_few_days_are_refused(self):
         file = self.written("gas.csv", ["time,gas_kwh", *rows(gas, 2021, 2021)[:24 * 30]])
         self.refused("56 or more", DATA, file)
@@ -418,7 +435,9 @@ class Parts(unittest.TestCase):
     def test_forms_of_numbers(self):
         for cells, expected in ((["1.5"], (".", "", False)), (["1,5"], (",", "", False)),
                                 (["1.234,5"], (",", ".", False)),
-                                (["1,234.5"], (".", ",", False)), (["1,234"], (",", "", True))):
+                                (["1,234.5"], (".", ",", False)), (["1,234"], (",", "none", True)),
+                                (["1,234", "567"], (".", ",", False)), (["1.234", "567"], (",", ".", False)),
+                                (["1 234,5"], (",", " ", False))):
             self.assertEqual(tables.form_of(cells, ";"), expected)
 
 
