@@ -12,7 +12,7 @@ import re
 import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass
 
-from new_job import tables, times
+from new_job import tables, times, workbook
 from new_job.refused import EXISTS, IO, Refused
 from new_job.words import quantity_of, says, spaced, unit_of
 
@@ -42,6 +42,18 @@ def is_green_button(path):
 def is_portfolio_manager(table):
     return column_of(table, r"start date|start") is not None and column_of(table, r"end date|end") is not None and \
         column_of(table, r"usage units?|units?|unit of measure|uom") is not None and usage_of(table) is not None
+
+
+def portfolio_sheet(path):
+    """The sheet of a workbook that is Portfolio Manager's; its names are in the first row that has all of them."""
+    for rows in workbook.sheets_in(path):
+        for k, names in enumerate(rows[:tables.LOOKED_AT]):
+            whole = [row + [""] * (len(names) - len(row)) for row in rows[k + 1:] if any(row)]
+            table = tables.Table(path, names, whole, ",")
+            if is_portfolio_manager(table):
+                return table
+    raise Refused(f"{path}: is a workbook, and no sheet of it has Start Date, End Date, Usage and Usage Units as "
+                  "Portfolio Manager's meter entries do; save its sheet as CSV")
 
 
 def column_of(table, pattern, but=r"\0"):
@@ -96,6 +108,8 @@ def of_portfolio_manager(table, job, inputs, force):
     for (of_kind, of_name, of_units), rows in groups.items():
         text = f"{of_kind} {of_name} {os.path.basename(table.path)}"
         quantity, unit = quantity_of(of_kind) or quantity_of(of_name) or quantity_of(text), unit_of(of_units)
+        if not quantity:
+            continue                                 # water, waste, wood
         if not unit:
             raise Refused(f"{table.path}: column {units}: {of_units!r} is no unit that is known; expected kWh, therms, "
                           "ccf, kBtu, ...")
@@ -106,6 +120,8 @@ def of_portfolio_manager(table, job, inputs, force):
         write_rows(path, ["start", "end", "usage", "estimated"], lines, inputs, force)
         says_what = f"{len(rows)} bills of {table.path} ({', '.join(filter(None, (of_kind, of_name, of_units)))})"
         found.append(Converted(path, "usage", quantity, *unit, says_what))
+    if not found:
+        raise Refused(f"{table.path}: has no bills of gas, electricity or district energy")
     return found
 
 

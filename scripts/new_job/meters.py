@@ -9,7 +9,7 @@ import math
 import os
 from dataclasses import dataclass, field
 
-from new_job import exports, tables, times
+from new_job import exports, tables, times, workbook
 from new_job.refused import NO_INPUT, USAGE, Refused
 from new_job.weather import keys_of
 from new_job.words import (OF_GAS, POWERS, QUANTITY_NAMES, TEMPERATURES, UNIT_NAMES, is_other, kwh_per_unit,
@@ -291,8 +291,6 @@ def keys_of_meter(table, numbers, told):
 def of_converted(made, options, told):
     """The meter of an export's CSV file."""
     table = tables.read_table(made.file, options.country)
-    if not made.quantity:
-        raise Refused(f"{made.says}: nothing says what it measures; write --meter {made.file}:usage:QUANTITY:UNIT")
     meter = make_meter(table, made.column, made.quantity, (made.unit, made.factor), options, told)
     meter.comments.append(f"from {made.says}")
     if "from" in meter.keys:
@@ -305,8 +303,9 @@ def meters_in(request, options, told):
     if exports.is_green_button(request.file):
         made = exports.of_green_button(request.file, options.job, options.inputs, options.force)
         return [of_converted(each, options, told) for each in made]
-    table = tables.read_table(request.file, options.country)
-    if exports.is_portfolio_manager(table) and not request.column:
+    is_workbook = workbook.is_workbook(request.file)
+    table = exports.portfolio_sheet(request.file) if is_workbook else tables.read_table(request.file, options.country)
+    if exports.is_portfolio_manager(table) and (is_workbook or not request.column):
         made = exports.of_portfolio_manager(table, options.job, options.inputs, options.force)
         return [of_converted(each, options, told) for each in made]
     unit = (request.unit, 1) if request.unit else None

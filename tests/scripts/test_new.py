@@ -11,6 +11,7 @@ import sys
 import tempfile
 import tomllib
 import unittest
+import zipfile
 
 sys.dont_write_bytecode = True
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -303,6 +304,37 @@ class New(unittest.TestCase):
         self.job.unlink()
         self.refused("is there already", EXISTS, file, place="US-MA")
         self.assertEqual(file.read_bytes(), before)
+
+    def test_portfolio_manager_as_a_workbook(self):
+        """Dates are numbers with a style of dates; water is left out."""
+        table = ["Property Name,Meter Type,Start Date,End Date,Usage/Quantity,Usage Units".split(",")]
+        stamps, epoch = months(), dt.datetime(1899, 12, 30)
+        for a, b in zip(stamps, stamps[1:]):
+            days = [(a - epoch).days, (b - epoch).days]
+            table.append(["A", "Natural Gas", *days, total(gas, a, b) / 29.3071, "therms"])
+            table.append(["A", "Municipally Supplied Potable Water", *days, 7, "Gallons (US)"])
+
+        def cell(k, j, value):
+            at = f'{"ABCDEF"[j]}{k}'
+            return f'<c r="{at}" t="inlineStr"><is><t>{value}</t></is></c>' if isinstance(value, str) else \
+                f'<c r="{at}" s="{int(j in (2, 3))}"><v>{value}</v></c>'
+        lines = "".join(f'<row r="{k}">{"".join(cell(k, j, value) for j, value in enumerate(row))}</row>'
+                        for k, row in enumerate(table, 1))
+        space = 'xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"'
+        path = self.folder / "entries.xlsx"
+        with zipfile.ZipFile(path, "w") as packed:
+            packed.writestr("xl/workbook.xml", f"<workbook {space}/>")
+            packed.writestr("xl/styles.xml", f'<styleSheet {space}><cellXfs><xf numFmtId="0"/><xf numFmtId="14"/>'
+                                             '</cellXfs></styleSheet>')
+            packed.writestr("xl/worksheets/sheet1.xml", f"<worksheet {space}/>")
+            packed.writestr("xl/worksheets/sheet2.xml",
+                            f"<worksheet {space}><sheetData>{lines}</sheetData></worksheet>")
+        self.new(path, place="US-MA")
+        self.assertEqual([(m["quantity"], m["unit"]) for m in self.checked()["meter"]], [("gas", "therm")])
+        self.assertIn("2021-01-01,2021-02-01,", (self.folder / "office_gas.csv").read_text())
+        with zipfile.ZipFile(path, "w") as packed:
+            packed.writestr("xl/workbook.xml", "<a/>")
+        self.refused("no sheet of it", DATA, path, force=True, job=self.folder / "b.toml")
 
     def green_button(self):
         epoch = dt.datetime(1970, 1, 1)
