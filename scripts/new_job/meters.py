@@ -21,6 +21,7 @@ ABSURD = 6                     # times more or less than that, and it is asked a
 CANDIDATES = {"gas": ("kWh", "m3", "MWh"), "electricity": ("kWh", "MWh", "Wh"),
               "district": ("kWh", "MWh", "GJ", "kBtu"), "cooling": ("kWh", "MWh", "kBtu"), "heating": ("kWh", "MWh")}
 OF_COUNTRY = {"US": ("therm", "100 ft3"), "GB": ("100 ft3",)}  # more of gas
+LEAST_RISES, MOST_FALLS = 0.3, 0.01  # of a register's readings; of its rises
 SPIKE = 20                     # times what 98 % of the readings reach
 LEAST_FACTOR = 3               # a unit but kWh is guessed only where kWh is so far off
 NAMES = {"district": "heat", "air_temperature": "room"}  # of a meter, where the quantity's own says less
@@ -114,8 +115,6 @@ def chosen_columns(table, request):
     if request.column:
         if request.column not in table.names:
             raise Refused(f"{table.path}: has no column {request.column}; it has {', '.join(table.values)}")
-        if tables.numbers_in(table, request.column) is None:
-            raise Refused(f"{table.path}: column {request.column}: has cells that are no numbers")
         words = f"{request.column} {os.path.basename(table.path)}"
         return [(request.column, request.quantity or quantity_of(request.column) or quantity_of(words))]
     if table.per_day:
@@ -207,9 +206,24 @@ def check_use(meter, area, told):
                    f"({USUAL[meter.quantity]}): unit or floor area may be another")
 
 
+def is_register(meter):
+    values = [value for _, value in meter.read()]
+    rises = sum(b > a for a, b in zip(values, values[1:]))
+    falls = sum(b < a for a, b in zip(values, values[1:]))
+    return rises > LEAST_RISES * len(values) and falls < MOST_FALLS * rises
+
+
+def differences(meter):
+    """What a register counts until the next reading."""
+    read = meter.read()
+    return [(begin, max(b - a, 0)) for (begin, a), (_, b) in zip(read, read[1:])]
+
+
 def likely_numbers(table, column, quantity, unit, area):
     """Of 1,234 that may be a thousand or one: what is more like a year's use of a building."""
     numbers = tables.numbers_in(table, column)
+    if numbers is None:
+        raise Refused(f"{table.path}: column {column}: has cells that are no numbers")
     unit = unit or unit_of(column, quantity) or ("kWh", 1)
     if not numbers.is_guess or quantity not in USUAL:
         return numbers
@@ -242,6 +256,10 @@ def make_meter(table, column, quantity, unit, options, told):
     interval, _ = interval_of(table.step)
     meter = Meter(NAMES.get(quantity, quantity), quantity, table.path, column, *(unit or ("", 1)), interval, table.step,
                   sorted(zip(begins, numbers.values), key=lambda row: row[0]), keys=keys)
+    if table.step <= DAY and meter.is_energy and is_register(meter):
+        meter.keys["register"] = "difference"
+        meter.series = differences(meter)
+        told.check(f"{table.path}: {column}: rises from reading to reading, and was taken for a register")
     bills = bill_columns(table)
     if bills:
         ends = ends_of_bills(begins, times.read_times(table.column(bills[1]))[1])

@@ -118,7 +118,7 @@ def of_parts(rows, columns):
                                                         minutes=numbers[4] if len(numbers) > 4 else 0)
     try:
         return [time(row) for row in rows]
-    except (ValueError, IndexError):
+    except (ValueError, IndexError, OverflowError):
         return None
 
 

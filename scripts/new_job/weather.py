@@ -85,7 +85,7 @@ def read_epw(path):
         try:
             year, month, day, hour = (int(float(cell)) for cell in cells[:4])
             rows.append((dt.datetime(year, month, day) + dt.timedelta(hours=hour - 1), float(cells[6])))
-        except (ValueError, IndexError):
+        except (ValueError, IndexError, OverflowError):
             raise Refused(f"{path}:{k}: {line[:40]!r} is no row of an EPW file; expected year, month, day, hour, ...") \
                 from None
     if len(rows) < 24:

@@ -34,7 +34,7 @@ OF_GAS = ("m3", "ft3", "100 ft3", "therm")
 
 # Readings that are no meter's.
 OTHERS = (r"outdoor|outside|ambient|oat|t out|dry ?bulb|dew|t dew|t ext|weather|humidity|rh|wind|cloud|irradiance|"
-          r"ghi|dni|dhi|solar|sun|pressure|precip|rain|snow|flow|return|volume|cum|register|index|cost|price|eur|usd|"
+          r"ghi|dni|dhi|solar|sun|pressure|precip|rain|snow|flow|return|volume|cum|cost|price|eur|usd|"
           r"tariff|estimated|estimation|holiday|count|occupan|co2|water use|id|day|month|year|hour|demand|peak")
 QUANTITIES = (
     ("air_temperature", r"t in|t air|t room|indoor|room temp|room air|zone temp|inside temp|raumtemp|t zone"),

@@ -397,6 +397,15 @@ class New(unittest.TestCase):
         base = next(load for load in self.checked()["zone"][0]["load"] if load["name"] == "base_load")
         self.assertAlmostEqual(base["density"], 4.2, 1)
 
+    def test_a_register_is_told(self):
+        count, lines = 1000.0, []
+        for time in hours(2021, 2021):
+            lines.append(f"{time:%Y-%m-%d %H:%M},{count:.2f}")
+            count += gas(time)
+        said = self.new(self.written("gas.csv", ["time,gas register kWh", *lines])).stdout
+        self.assertIn("register", said)
+        self.assertEqual(self.meter()["register"], "difference")
+
     def test_too_few_days_are_refused(self):
         file = self.written("gas.csv", ["time,gas_kwh", *rows(gas, 2021, 2021)[:24 * 30]])
         self.refused("56 or more", DATA, file)
