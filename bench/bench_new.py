@@ -70,7 +70,8 @@ def cambridge():
         meters = {"gas.csv": (gas, name)}
         if name in metered:
             meters["electricity.csv"] = (electricity, name)
-        yield Building(name, meters, DATA / "cambridge" / "weather.csv.gz", area, "university", "GB", "52.20,0.12",
+        use = "laboratory" if name == "b35" else "university"
+        yield Building(name, meters, DATA / "cambridge" / "weather.csv.gz", area, use, "GB", "52.20,0.12",
                        (training, held_out), storeys=storeys)
 
 

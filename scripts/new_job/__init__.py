@@ -1,2 +1,2 @@
-"""A first job from little: what scripts/new writes. Modules from the ground up: refused, words, times, tables, workbook,
-exports, places, envelopes, uses, weather, meters, periods, priors, job."""
+"""A first job from little: what scripts/new writes. Modules from the ground up: refused, words, times, tables,
+workbook, exports, places, envelopes, uses, weather, meters, periods, building, priors, job."""

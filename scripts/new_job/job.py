@@ -7,6 +7,7 @@ from cases.toml import number, numbers
 from new_job import building
 from new_job.places import WITH_HOLIDAYS, WITH_STATES, summer_time_of
 from new_job.priors import priors_of
+from new_job.refused import printable
 
 NOT_COOLED = 60                # degC, a set-point that no room reaches
 HALF_CLOUDED = 0.5             # cloud cover, where the weather has no sun
@@ -69,7 +70,8 @@ def section(heading, *rows):
         if value is None:
             continue
         line = f"{key} = {value if isinstance(value, Raw) else text(value)}"
-        lines.append(f"{line:{COMMENT_AT - 2}}  # {comment[0]}" if comment and comment[0] else line)
+        says = printable(comment[0]) if comment and comment[0] else ""
+        lines.append(f"{line:{COMMENT_AT - 2}}  # {says}" if says else line)
     return "\n".join(lines) + "\n"
 
 

@@ -5,6 +5,7 @@ and unit follow from the names of column, file and unit; a unit that nothing say
 is most like a building's. What was guessed is told. FILE:COLUMN:QUANTITY:UNIT overrules all of it.
 """
 import datetime as dt
+import itertools
 import math
 import os
 from dataclasses import dataclass, field
@@ -21,6 +22,8 @@ ABSURD = 6                     # times more or less than that, and it is asked a
 CANDIDATES = {"gas": ("kWh", "m3", "MWh"), "electricity": ("kWh", "MWh", "Wh"),
               "district": ("kWh", "MWh", "GJ", "kBtu"), "cooling": ("kWh", "MWh", "kBtu"), "heating": ("kWh", "MWh")}
 OF_COUNTRY = {"US": ("therm", "100 ft3"), "GB": ("100 ft3",)}  # more of gas
+ZERO_RUN = 12                  # h, of zeros that are gaps
+MOST_FILLED, MOST_SHORT = 0.1, 0.002  # of the readings, that stand for gaps, and that are other zeros
 LEAST_RISES, MOST_FALLS = 0.3, 0.01  # of a register's readings; of its rises
 SPIKE = 20                     # times what 98 % of the readings reach
 LEAST_FACTOR = 3               # a unit but kWh is guessed only where kWh is so far off
@@ -219,6 +222,15 @@ def differences(meter):
     return [(begin, max(b - a, 0)) for (begin, a), (_, b) in zip(read, read[1:])]
 
 
+def has_filled_gaps(meter):
+    """Whether nearly all zeros stand for half a day and more, and are few. A plant that is off shows short ones, too."""
+    values = [value for _, value in meter.read()]
+    longest = round(ZERO_RUN * 3600 / meter.step)
+    runs = [len(list(run)) for is_zero, run in itertools.groupby(values, lambda value: value == 0) if is_zero]
+    in_gaps = sum(run for run in runs if run >= longest)
+    return 0 < in_gaps <= MOST_FILLED * len(values) and sum(runs) - in_gaps <= MOST_SHORT * len(values)
+
+
 def likely_numbers(table, column, quantity, unit, area):
     """Of 1,234 that may be a thousand or one: what is more like a year's use of a building."""
     numbers = tables.numbers_in(table, column)
@@ -260,6 +272,11 @@ def make_meter(table, column, quantity, unit, options, told):
         meter.keys["register"] = "difference"
         meter.series = differences(meter)
         told.check(f"{table.path}: {column}: rises from reading to reading, and was taken for a register")
+    if meter.is_hourly and meter.is_energy and has_filled_gaps(meter):
+        meter.keys |= {"zeros": "missing", "zero_run": ZERO_RUN}
+        meter.series = [(begin, value or None) for begin, value in meter.series]
+        told.check(f"{table.path}: {column}: zeros of {ZERO_RUN} h and more were taken for gaps that were filled, "
+                   "for it hardly shows a zero otherwise")
     bills = bill_columns(table)
     if bills:
         ends = ends_of_bills(begins, times.read_times(table.column(bills[1]))[1])

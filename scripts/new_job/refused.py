@@ -3,11 +3,16 @@
 USAGE, DATA, NO_INPUT, EXISTS, IO = 64, 65, 66, 73, 74
 
 
+def printable(text):
+    """Names of files and columns may hold anything, also what moves a terminal's cursor."""
+    return "".join(letter if letter.isprintable() else "?" for letter in text)
+
+
 class Refused(Exception):
     """A message for the user, and the exit code."""
 
     def __init__(self, message, code=DATA):
-        super().__init__(message)
+        super().__init__(printable(message))
         self.code = code
 
 
@@ -18,9 +23,9 @@ class Told:
         self.found, self.checks = [], []
 
     def say(self, line):
-        self.found.append(line)
+        self.found.append(printable(line))
 
     def check(self, line):
         """Something that was guessed."""
-        if line not in self.checks:
-            self.checks.append(line)
+        if printable(line) not in self.checks:
+            self.checks.append(printable(line))

@@ -6,8 +6,8 @@ Sources, by column:
   equipment           ASHRAE 90.1-1989 Table 13-2, as in the User's Manual of later editions (W/ft2 x 10.76); dwellings:
                       EN 16798-1:2019 Annex C
   air                 ASHRAE 62.1-2019 Table 6-1: people's and area's outdoor air at the default occupancy, l/(s m2);
-                      hospitals: EN ISO 13790 Table G.12, 1 m3/(h m2); university, laboratory, library, assembly,
-                      sports and industry have several kinds of rooms: judgement between their rows
+                      hospitals: EN ISO 13790 Table G.12, 1 m3/(h m2); university, library, assembly, sports and
+                      industry have several kinds of rooms: judgement between their rows
   heating             EN ISO 13790 Table G.12, 20 degC (hospitals 22, warehouses 18), plus the 1 K that people set above
                       design; cooling: EN 16798-1 category II, 26 degC, in the United States 24 degC (DOE reference
                       buildings)
@@ -54,7 +54,7 @@ USES = {
                      storey_area=1e9, is_cooled=False),
     "industry": Use("office", 20, 100, 14, 2.2, 0.3, set_point=18, height=5, glass=0.1, storey_area=1e9,
                     is_cooled=False),
-    "laboratory": Use("office", 20, 80, 12.9, 10.8, 0.9, height=3.8),
+    "laboratory": Use("office", 20, 80, 12.9, 10.8, 2.15, height=3.8),
     "library": Use("office", 10, 80, 14, 2.7, 0.9, height=4, storey_area=600),
     "assembly": Use("shop", 5, 80, 12.9, 2.7, 1.2, height=5, glass=0.2, storey_area=2000),
     "sports": Use("shop", 20, 100, 11.8, 2.7, 1.2, set_point=18, hot_water=80, height=5, glass=0.2, storey_area=3000),

@@ -397,6 +397,18 @@ class New(unittest.TestCase):
         base = next(load for load in self.checked()["zone"][0]["load"] if load["name"] == "base_load")
         self.assertAlmostEqual(base["density"], 4.2, 1)
 
+    def test_names_cannot_write_on_the_terminal(self):
+        said = self.new(self.written("gas.csv", ["time,gas\x1b[31m kWh", *rows(gas)])).stdout
+        self.assertNotIn("\x1b", said + self.job.read_text())
+        self.assertEqual(self.meter()["column"], "gas\x1b[31m kWh")
+
+    def test_gaps_that_were_filled_with_zeros_are_told(self):
+        lines = rows(electricity, 2021, 2021)
+        lines[2000:2100] = [line.split(",")[0] + ",0" for line in lines[2000:2100]]
+        said = self.new(self.written("electricity.csv", ["time,electricity kWh", *lines])).stdout
+        self.assertIn("gaps that were filled", said)
+        self.assertEqual(self.meter("electricity")["zeros"], "missing")
+
     def test_a_register_is_told(self):
         count, lines = 1000.0, []
         for time in hours(2021, 2021):
