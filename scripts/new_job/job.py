@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from cases.toml import number, numbers
 from new_job import building
-from new_job.places import WITH_HOLIDAYS, WITH_STATES, summer_time_of
+from new_job.places import STATES, WITH_HOLIDAYS, summer_time_of
 from new_job.priors import priors_of
 from new_job.refused import printable
 
@@ -117,7 +117,7 @@ def holidays(first):
     o = first.options
     if o.country in WITH_HOLIDAYS:
         yield section("[holidays]", ("country", o.country),
-                      ("state", o.state if o.state and o.country in WITH_STATES else None))
+                      ("state", o.state if o.state and o.country in STATES else None))
 
 
 def weather(first):

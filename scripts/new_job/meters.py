@@ -223,7 +223,7 @@ def differences(meter):
 
 
 def has_filled_gaps(meter):
-    """Whether nearly all zeros stand for half a day and more, and are few. A plant that is off shows short ones, too."""
+    """Whether nearly all zeros stand for half a day and more, and are few; a plant that is off shows short ones."""
     values = [value for _, value in meter.read()]
     longest = round(ZERO_RUN * 3600 / meter.step)
     runs = [len(list(run)) for is_zero, run in itertools.groupby(values, lambda value: value == 0) if is_zero]

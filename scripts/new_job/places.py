@@ -40,8 +40,14 @@ PLACES = {
     "TW": Place("Taiwan", "none", 8, is_hot=True),
 }
 WITH_HOLIDAYS = set(PLACES) - {"RS"}
-# As bemcal-batch describe holidays lists them: those states whose days differ are in its calendar.
-WITH_STATES = {"AU", "CA", "CH", "DE", "GB", "NZ", "US"}
+# As bemcal-batch describe holidays lists them; other countries have one calendar, and take any state.
+STATES = {
+    "AU": "ACT NSW NT QLD SA TAS VIC WA", "CA": "AB BC MB NB NL NS NT NU ON PE QC SK YT",
+    "CH": "AG AI AR BE BL BS FR GE GL GR JU LU NE NW OW SG SH SO SZ TG TI UR VD VS ZG ZH",
+    "DE": "BB BE BW BY HB HE HH MV NI NW RP SH SL SN ST TH", "GB": "ENG NIR SCT WLS",
+    "NZ": "AUK CAN CIT HKB MBH NSN NTL OTA STC STL TKI WGN WTL",
+    "US": "AK AL AR AS AZ CA CO CT DC DE FL FM GA GU HI IA ID IL IN KS KY LA MA MD ME MH MI MN MO MP MS MT NC ND NE NH "
+          "NJ NM NV NY OH OK OR PA PR PW RI SC SD TN TX UT VA VI VT WA WI WV WY"}
 WITHOUT_SUMMER_TIME = {"US-AZ", "US-HI", "CA-SK"}
 
 
@@ -53,6 +59,9 @@ def read_place(text):
     if code not in PLACES:
         raise Refused(f"--place {text}: is no country that is known; expected one of {', '.join(sorted(PLACES))}, "
                       "perhaps with a state, as DE-BY or US-NY", USAGE)
+    if state and code in STATES and state not in STATES[code].split():
+        raise Refused(f"--place {text}: {state} is no state of {PLACES[code].name} that is known; expected one of "
+                      f"{STATES[code]}", USAGE)
     return code, state, PLACES[code]
 
 

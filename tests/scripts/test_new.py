@@ -427,6 +427,7 @@ class New(unittest.TestCase):
         self.refused(["no such file"], NO_INPUT, weather=self.folder / "none.epw")
         self.refused(["--use circus", "office, school"], USAGE, use="circus")
         self.refused(["--place XX", "GB"], USAGE, place="XX")
+        self.refused(["DE-XX", "BB BE BW BY"], USAGE, place="DE-XX")
         for area in ("0", "-3", "big", "nan"):
             self.refused(f"--area {area}", USAGE, area=area)
         self.refused("--built 19", USAGE, built=19)
@@ -465,7 +466,10 @@ class Parts(unittest.TestCase):
 
     def test_countries_with_holidays_are_those_of_the_program(self):
         listed = subprocess.run([PROGRAM, "describe", "holidays"], capture_output=True, text=True, check=True).stdout
-        self.assertEqual({line[2:4] for line in listed.splitlines() if line.startswith("  ")}, places.WITH_HOLIDAYS)
+        lines = [line for line in listed.splitlines() if line.startswith("  ")]
+        self.assertEqual({line[2:4] for line in lines}, places.WITH_HOLIDAYS)
+        states = {line[2:4]: line.split(": ")[1].split(";")[0] for line in lines if ": " in line}
+        self.assertEqual(states, places.STATES)
 
     def test_climate_zones(self):
         """About Miami, Phoenix, Atlanta, New York, Chicago, Minneapolis, Duluth and Fairbanks."""
