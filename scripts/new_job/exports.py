@@ -56,9 +56,8 @@ def portfolio_sheet(path):
                   "Portfolio Manager's meter entries do; save its sheet as CSV")
 
 
-def column_of(table, pattern, but=r"\0"):
-    return next((name for name in table.names if re.fullmatch(rf"(?:meter )?(?:{pattern})", spaced(name)) and
-                 not re.search(but, spaced(name))), None)
+def column_of(table, pattern):
+    return next((name for name in table.names if re.fullmatch(rf"(?:meter )?(?:{pattern})", spaced(name))), None)
 
 
 def usage_of(table):
@@ -86,40 +85,44 @@ def place_of(job, *words):
     return f"{os.path.splitext(job)[0]}_{name}.csv"
 
 
-def of_portfolio_manager(table, job, inputs, force):
-    """Its bills, one file for each meter. Its dates have the month first."""
-    kind = column_of(table, r"type|meter type|energy type|fuel type|fuel")
-    name = column_of(table, r"name|meter name|meter id|portfolio manager meter id|id")
-    start, end = column_of(table, r"start date|start"), column_of(table, r"end date|end")
-    units, usage = column_of(table, r"usage units?|units?|unit of measure|uom"), usage_of(table)
-    estimated = column_of(table, r"estimation|estimated|estimate|is estimated")
-    read = {column: table.column(column) for column in (kind, name, start, end, units, usage, estimated) if column}
+PORTFOLIO = {                  # what a column is: its names
+    "kind": r"type|energy type|fuel type|fuel", "name": r"name|id|portfolio manager meter id",
+    "start": r"start date|start", "end": r"end date|end", "units": r"usage units?|units?|unit of measure|uom",
+    "estimated": r"estimation|estimated|estimate|is estimated"}
+
+
+def bills_in(table):
+    """{(kind, name, units): [(begin, end, use, whether estimated)]}; dates have the month first."""
+    cells = {key: table.column(name) if (name := column_of(table, pattern)) else [""] * len(table.rows)
+             for key, pattern in PORTFOLIO.items()}
+    uses = tables.numbers_in(table, usage_of(table))
+    begins, ends = (times.read_times(cells[key], "US") for key in ("start", "end"))
+    if uses is None or not begins or not ends or not len(begins[1]) == len(ends[1]) == len(table.rows):
+        raise Refused(f"{table.path}: has rows whose dates or usage cannot be read; expected one row for each bill, "
+                      "with its start, end, usage and unit")
     groups = {}
-    for k, cell in enumerate(read[usage]):
-        if cell:
-            key = (read[kind][k] if kind else "", read[name][k] if name else "", read[units][k])
-            groups.setdefault(key, []).append(k)
-    decimals = tables.numbers_in(table, usage)
-    begins, ends = (times.read_times(read[column], "US") for column in (start, end))
-    if decimals is None or not begins or not ends or not len(begins[1]) == len(ends[1]) == len(table.rows):
-        raise Refused(f"{table.path}: has rows whose dates or usage cannot be read; expected one row for each bill "
-                      f"with {start}, {end}, {usage}, {units}")
-    found = []
-    for (of_kind, of_name, of_units), rows in groups.items():
-        text = f"{of_kind} {of_name} {os.path.basename(table.path)}"
-        quantity, unit = quantity_of(of_kind) or quantity_of(of_name) or quantity_of(text), unit_of(of_units)
+    for kind, name, units, estimated, *bill in zip(*(cells[key] for key in ("kind", "name", "units", "estimated")),
+                                                   begins[1], ends[1], uses.values):
+        if bill[-1] is not None:
+            groups.setdefault((kind, name, units), []).append((*bill, int(says("yes|true|1|e", estimated))))
+    return groups
+
+
+def of_portfolio_manager(table, job, inputs, force):
+    """Its bills, one file for each meter; water, waste and wood are left out."""
+    groups, found = bills_in(table), []
+    for (kind, name, units), bills in groups.items():
+        quantity = quantity_of(f"{kind} {name}" if kind or name else os.path.basename(table.path))
         if not quantity:
-            continue                                 # water, waste, wood
+            continue
+        unit = unit_of(units)
         if not unit:
-            raise Refused(f"{table.path}: column {units}: {of_units!r} is no unit that is known; expected kWh, therms, "
-                          "ccf, kBtu, ...")
-        rows = sorted(rows, key=lambda k: begins[1][k])
-        path = place_of(job, quantity or of_kind or "bills", of_name if len(groups) > 1 else "")
-        lines = [[f"{begins[1][k]:%Y-%m-%d}", f"{ends[1][k]:%Y-%m-%d}", decimals.values[k],
-                  int(bool(estimated) and says("yes|true|1|e|estimated", read[estimated][k]))] for k in rows]
+            raise Refused(f"{table.path}: {units!r} is no unit that is known; expected kWh, therms, ccf, kBtu, ...")
+        path = place_of(job, quantity, name if len(groups) > 1 else "")
+        lines = [[f"{begin:%Y-%m-%d}", f"{end:%Y-%m-%d}", *rest] for begin, end, *rest in sorted(bills)]
         write_rows(path, ["start", "end", "usage", "estimated"], lines, inputs, force)
-        says_what = f"{len(rows)} bills of {table.path} ({', '.join(filter(None, (of_kind, of_name, of_units)))})"
-        found.append(Converted(path, "usage", quantity, *unit, says_what))
+        what = ", ".join(filter(None, (kind, name, units)))
+        found.append(Converted(path, "usage", quantity, *unit, f"{len(bills)} bills of {table.path} ({what})"))
     if not found:
         raise Refused(f"{table.path}: has no bills of gas, electricity or district energy")
     return found
