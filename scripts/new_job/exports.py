@@ -17,7 +17,13 @@ from new_job.refused import EXISTS, IO, Refused
 from new_job.words import quantity_of, says, spaced, unit_of
 
 DAY = 86400
-COMMODITIES = {"0": "electricity", "1": "electricity", "2": "electricity", "7": "gas", "10": "district"}
+PORTFOLIO = {                  # what a column is: its names
+    "kind": r"type|energy type|fuel type|fuel", "name": r"name|id|portfolio manager meter id",
+    "start": r"start date|start", "end": r"end date|end", "units": r"usage units?|units?|unit of measure|uom",
+    "usage": r"usage quantity|usage|quantity|consumption|use|amount",
+    "estimated": r"estimation|estimated|estimate|is estimated"}
+COMMODITIES = {"0": "electricity", "1": "electricity", "2": "electricity", "7": "gas", "8": "gas", "10": "district",
+               "12": "district", "13": "cooling"}
 # uom of ESPI: the job's unit, factor.
 UOMS = {"72": ("Wh", 1), "38": ("W", 1), "169": ("therm", 1), "119": ("ft3", 1), "42": ("m3", 1), "132": ("kBtu", 1e-3),
         "31": ("J", 1)}
@@ -40,8 +46,7 @@ def is_green_button(path):
 
 
 def is_portfolio_manager(table):
-    return column_of(table, r"start date|start") is not None and column_of(table, r"end date|end") is not None and \
-        column_of(table, r"usage units?|units?|unit of measure|uom") is not None and usage_of(table) is not None
+    return None not in [column_of(table, PORTFOLIO[key]) for key in ("start", "end", "units", "usage")]
 
 
 def portfolio_sheet(path):
@@ -58,10 +63,6 @@ def portfolio_sheet(path):
 
 def column_of(table, pattern):
     return next((name for name in table.names if re.fullmatch(rf"(?:meter )?(?:{pattern})", spaced(name))), None)
-
-
-def usage_of(table):
-    return column_of(table, r"usage quantity|usage|quantity|consumption|meter consumption|use|amount")
 
 
 def write_rows(path, names, rows, inputs, force):
@@ -85,17 +86,11 @@ def place_of(job, *words):
     return f"{os.path.splitext(job)[0]}_{name}.csv"
 
 
-PORTFOLIO = {                  # what a column is: its names
-    "kind": r"type|energy type|fuel type|fuel", "name": r"name|id|portfolio manager meter id",
-    "start": r"start date|start", "end": r"end date|end", "units": r"usage units?|units?|unit of measure|uom",
-    "estimated": r"estimation|estimated|estimate|is estimated"}
-
-
 def bills_in(table):
     """{(kind, name, units): [(begin, end, use, whether estimated)]}; dates have the month first."""
     cells = {key: table.column(name) if (name := column_of(table, pattern)) else [""] * len(table.rows)
              for key, pattern in PORTFOLIO.items()}
-    uses = tables.numbers_in(table, usage_of(table))
+    uses = tables.numbers_in(table, column_of(table, PORTFOLIO["usage"]))
     begins, ends = (times.read_times(cells[key], "US") for key in ("start", "end"))
     if uses is None or not begins or not ends or not len(begins[1]) == len(ends[1]) == len(table.rows):
         raise Refused(f"{table.path}: has rows whose dates or usage cannot be read; expected one row for each bill, "
@@ -159,9 +154,9 @@ def of_green_button(path, job, inputs, force):
     found = []
     for key, readings in groups.items():
         commodity, uom, power, direction = key or late or ("1", "72", 0, "1")
-        if direction == FED_IN or uom not in UOMS or not readings:
+        if direction == FED_IN or uom not in UOMS or commodity not in COMMODITIES or not readings:
             continue
-        found.append(written(path, job, COMMODITIES.get(commodity), uom, power, readings, inputs, force))
+        found.append(written(path, job, COMMODITIES[commodity], uom, power, readings, inputs, force))
     if not found:
         raise Refused(f"{path}: has no readings of energy in IntervalBlock; expected Green Button (ESPI)")
     return found
@@ -179,7 +174,6 @@ def readings_of(block):
 
 def written(path, job, quantity, uom, power, readings, inputs, force):
     unit, factor = UOMS[uom]
-    quantity = quantity or quantity_of(os.path.basename(path)) or "electricity"
     readings = sorted(dict((begin, (duration, value)) for begin, duration, value in readings).items())
     durations = [duration for _, (duration, _) in readings]
     at = place_of(job, quantity)
