@@ -36,6 +36,7 @@ KNOWN = (part("What is known of the unknowns", chains.densities, "unknown"),
          part("What is known of the unknowns", chains.pairs, "unknown"))
 
 KINDS = {
+    "loop": Kind("what does the building do that is not described?", ()),      # loop.html; read first
     "sensitivity": Kind("which inputs matter for a total?", INDICES),
     "office_hour_sensitivity": Kind("which inputs matter for one hour of an office?", INDICES),
     "hourly_sensitivity": Kind("which inputs matter in each hour?", (
@@ -92,5 +93,4 @@ KINDS = {
                                                            "after_quantile"),
         part("Before and after", savings.comfort, "scenario output output_unit quantile before_quantile "
                                                   "after_quantile"))),
-    "loop": Kind("what does the building do that is not described?", ()),      # loop.html
 }

@@ -125,7 +125,7 @@ def title_of(result):
 
 
 def place_of(study):
-    """In the order of the table of kinds, which is that of a job."""
+    """In the order of the table of kinds: the loop first, then that of a job."""
     kinds = list(KINDS)
     return kinds.index(study.kind) if study.kind in kinds else len(kinds)
 
