@@ -224,7 +224,7 @@ class EveryKind(unittest.TestCase):
         with h5py.File(file, "a") as both, h5py.File(self.folder / "loop.h5") as loop:
             loop.copy("office/loop", both["office"])
         sections = page.sections_of(stored.read(file))
-        self.assertEqual([section.name for section in sections], ["sensitivity", "loop"])
+        self.assertEqual([section.name for section in sections], ["loop", "sensitivity"])
         names = [name for name, _ in page.figures_of(sections)]
         self.assertIn("loop-gas-autocorrelation.svg", names)
         self.assertIn("loop-energy-signature-gas.svg", names)
