@@ -13,7 +13,8 @@ SHOWN = 3                      # errors are drawn up to so many times the neighb
 
 def stages_of(study):
     """Groups of the stages, in their order."""
-    groups = [group for group in study.groups_with("target_error", "neighbour", "grid_points")]
+    groups = [group for group in study.groups_with("target_error", "neighbour", "grid_points")
+              if study.knows(join(group, "target_error"))]
     return sorted(groups, key=lambda group: (len(group), group))
 
 
@@ -118,7 +119,7 @@ def indices(study):
     """Total-order index of the distance in each stage."""
     names, groups = study.texts("parameter"), stages_of(study)
     cells = [study.numbers(join(group, "distance_total_order")) for group in groups]
-    if not cells or any(row.shape != (len(names),) for row in cells):
+    if not cells or any(row.shape != (len(names),) for row in cells) or not np.isfinite(cells).any():
         return
     cells = np.array(cells).T
     figure, axis = theme.figure(0.9 + 0.26 * len(names))

@@ -1,7 +1,7 @@
 """What each kind of study has on a page: the one table of it.
 
 A part has a heading, a function that gives pictures, tables and sentences of a study, and the datasets without which
-it has nothing to say. A new picture is a function and a row here.
+it has nothing to say; all of them NaN is as none. A new picture is a function and a row here.
 """
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -58,7 +58,7 @@ KINDS = {
     "optimisation": Kind("which point fits best?", (
         part("Points", fronts.descent, "round_end round_best objective"),
         part("Points", fronts.fronts, "front_objective point_objective objective"),
-        part("Points", fronts.parameters, "front_parameters parameter parameter_least parameter_most"),
+        part("Points", fronts.parameters, "front_objective front_parameters parameter parameter_least parameter_most"),
         part("Points", fronts.ends, "at_bound parameter"),
         part("Points", fronts.aims, "target target_measured target_unit nearest_target_error"),
         part("Errors", screening.candidates, "metric meter period"),

@@ -132,7 +132,7 @@ def meter_in(study, group):
     last = owner.rpartition("/")[2]
     shown = f"{name}, {last}" if last else name
     time, measured = study.numbers(join(group, "time")), study.numbers(join(group, "measured"))
-    models = {label: values for label, values in models_of(study, group).items() if values.shape == time.shape}
+    models = {label: values for label, values in models_of(study, group).items() if values.shape == time.shape and np.isfinite(values).any()}
     band = [study.numbers(join(group, leaf)) for leaf in BAND]
     has_band = all(end.shape == time.shape for end in band)
     if measured.shape != time.shape or not models or np.isfinite(measured).sum() == 0:

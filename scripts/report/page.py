@@ -75,7 +75,7 @@ def parts_of(study):
     parts = {}
     for row in KINDS[study.kind].parts if study.kind in KINDS else ():
         part = parts.setdefault(row.heading, Part(row.heading))
-        if not study.has(*row.needs):
+        if not study.knows(*row.needs):
             continue
         try:
             with guard.reading(study.path):

@@ -57,6 +57,8 @@ def indices(study):
     """Of each output."""
     first, total = study.numbers("first_order"), study.numbers("total_order")
     for k, output in list(enumerate(study.texts("output")))[:MOST_OUTPUTS]:
+        if not np.isfinite(total[k]).any():        # all of it failed
+            continue
         halves = [half[k] if half.ndim == 2 else half for half in half_widths(study)]
         yield bars(study.texts("parameter"), first[k], total[k], halves, study.number("threshold"), output)
 
@@ -104,8 +106,15 @@ def hours_and_months(study):
     return (time // 3600 % 24).astype(int), time.astype("datetime64[s]").astype("datetime64[M]").astype(int) % 12
 
 
+def varies(study):
+    """Whether the quantity varies in any hour."""
+    return np.nanmax(study.numbers("hourly_variance")) > 0
+
+
 def by_hour(study):
     """Total order of each parameter over the hours of the day."""
+    if not varies(study):
+        return
     total, variance, names = (study.numbers("hourly_total_order"), study.numbers("hourly_variance"),
                               study.texts("parameter"))
     hour, _ = hours_and_months(study)
@@ -133,6 +142,8 @@ def by_hour(study):
 
 def by_month(study):
     """Total order by hour and month, of the parameters that matter most."""
+    if not varies(study):
+        return
     total, variance, names = (study.numbers("hourly_total_order"), study.numbers("hourly_variance"),
                               study.texts("parameter"))
     hour, month = hours_and_months(study)

@@ -57,7 +57,7 @@ def table(study):
                                             ("start", "value", "sd", "least", "most", "at_bound"))
     rows = []
     for s, p in np.argwhere(is_calibrated(study)):
-        remark = {-1: "lower end", 1: "upper end"}.get(int(bound[s, p]), "") if bound.shape == found.shape else ""
+        remark = {-1: "lower end", 1: "upper end"}.get(bound[s, p], "") if bound.shape == found.shape else ""
         rows.append([stages[s], names[p], number(start[s, p], 4), number(found[s, p], 4), number(sd[s, p], 2),
                      f"{number(least[s, p])} to {number(most[s, p])}", unit_words(units[p]).strip(" []"), remark])
     yield Table("Values", [("stage", False), ("parameter", False), ("from", True), ("value", True), ("sd", True),
@@ -67,7 +67,8 @@ def table(study):
 def comparisons(study):
     """(name, group) of stages and validations with their errors."""
     groups = study.groups_with("version_fit", "version", "metric")
-    return [(group.rpartition("/")[2], group) for group in groups if RMSE in study.texts(join(group, "metric"))]
+    return [(group.rpartition("/")[2], group) for group in groups
+            if RMSE in study.texts(join(group, "metric")) and study.knows(join(group, "version_fit"))]
 
 
 def errors(study):

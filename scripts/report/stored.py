@@ -47,6 +47,12 @@ class Study:
     def has(self, *names):
         return all(name in self.values for name in names)
 
+    def knows(self, *names):
+        """Whether these are there and say something: where all of a study failed, its numbers are NaN."""
+        return self.has(*names) and all(np.isfinite(self.values[name]).any() if
+                                        isinstance(self.values[name], np.ndarray) else self.values[name]
+                                        for name in names)
+
     def numbers(self, name):
         """An array; without an element where there is none."""
         values = self.values.get(name)

@@ -23,6 +23,11 @@ from report import kinds, meters, page, picture, screening, sobol, stored, theme
 from test_loop_page import Page  # noqa: E402
 
 DAMAGE = "do not fit together"
+# What is known before any simulation.
+OF_THE_JOB = {"parameter_least", "parameter_most", "time", "threshold", "error_level", "quantile", "comfort_limit",
+              "n_failed", "target_measured", "field_input", "field_measured", "measured", "grid_value",
+              "grid_parameter", "grid_points", "neighbour", "stage_points", "outdoor_temperature", "round_end",
+              "best_point", "calibration_least", "calibration_most"}
 LETTER = 0.5                   # width of a letter, of its size
 PROGRAM = os.environ.get("BEMCAL_PROGRAM", str(ROOT / "build" / "release" / "bemcal-batch"))
 # What each study of fake_results must have, by a word of the titles of its pictures and tables.
@@ -182,6 +187,17 @@ class EveryKind(unittest.TestCase):
                     with unittest.mock.patch.object(theme, "svg_of", lambda drawn: "<svg>"):
                         section = page.section_of(lean, study.name)
                     self.assertTrue(section.parts or section.remarks, study.name)
+
+    def test_a_study_all_of_which_failed_has_no_empty_pictures(self):
+        """What follows from simulations is NaN then."""
+        for study in self.result.studies:
+            failed = {path: values if isinstance(values, list) or path.rpartition("/")[2] in OF_THE_JOB
+                      else np.full_like(values, np.nan) for path, values in study.values.items()}
+            section = page.section_of(stored.Study(study.path, study.kind, failed, study.units,
+                                                   outdoor=study.outdoor, periods=study.periods), study.name)
+            self.assertEqual(section.pictures, [], study.name)
+            self.assertEqual([part.sentences for part in section.parts], [], study.name)
+            self.assertTrue(section.remarks, study.name)
 
     def test_damage_in_one_study_is_a_sentence_and_the_others_stay(self):
         file = fake_results.write(self.folder / "damaged.h5", ("grid", "sensitivity"))
