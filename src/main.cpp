@@ -224,8 +224,11 @@ std::vector<std::string> arguments(int argc, char** argv) {
     return words;
 }
 
+/// Each line by itself: a job's mistakes are told together.
 void print_warning(const std::string& text) {
-    print(stderr, fmt::format("bemcal-batch: {}\n", text));
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+        print(stderr, fmt::format("bemcal-batch: {}\n", line));
 }
 
 void print_tables(const store::ResultFile& result) {

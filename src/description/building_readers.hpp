@@ -21,9 +21,26 @@ struct Sources {
         return own.has(key) || !shared ? own : *shared;
     }
     bool has(std::string_view key) const { return with(key).has(key); }
+    /// Reads each section of a list, as Section::each does.
+    template <class Read>
+    bool each(const char* key, Read read) const {
+        return with(key).each(key, key, read);
+    }
+    /// Does the work, and keeps its mistake: what stands at the keys counts as not read.
+    /// \return whether it went well
+    template <class Work>
+    bool attempt(Work work, std::initializer_list<const char*> keys = {}) const {
+        if (own.attempt(work)) return true;
+        skip(keys);
+        return false;
+    }
+    void skip(std::initializer_list<const char*> keys) const {
+        for (const char* key : keys) with(key).skip(key);
+    }
 };
 
-/// A whole building; throws UserError.
+/// A whole building; throws UserError. Where mistakes are kept and there is one, what has
+/// been read.
 study::Case read_case(const Sources& sources, input::InputFiles& files);
 
 /// Site, sky and weather, cut to the periods and their warm-up, which must be known
@@ -41,19 +58,18 @@ study::Period read_range(const schema::Section& section, std::string_view key,
 study::Period read_slashed_range(const schema::Section& section, std::string_view key,
                                  const std::string& text);
 
-/// Schedules, then series: the rows that `Input::profile` counts.
+/// Schedules, before series: the rows that `Input::profile` counts.
 /// \param holidays  of schedules that name none themselves
-std::vector<physics::Profile> read_profiles(
-    const Sources& sources, const std::vector<physics::DateRange>& holidays,
-    input::InputFiles& files, const physics::Site& site,
-    std::vector<study::DataDecision>& decisions);
+void read_schedules(const Sources& sources,
+                    const std::vector<physics::DateRange>& holidays,
+                    input::InputFiles& files, std::vector<physics::Profile>& profiles);
+/// Series, by the clock of the case's site, behind its schedules, and what they are to
+/// columns.
+void read_series(const Sources& sources, input::InputFiles& files, study::Case& building);
 
 /// Schedules with hours = "learn", into the case, which has profiles and building; a note
 /// for each goes to case.decisions. Throws UserError where nothing follows one.
 void read_unknown_hours(const Sources& sources, study::Case& building);
-
-/// The series among them, with their units.
-std::vector<study::Column> read_columns(const Sources& sources);
 
 physics::Building read_building(const Sources& sources,
                                 const std::vector<physics::Profile>& profiles);

@@ -42,6 +42,7 @@ int index_of(const schema::Section& section, const char* key,
     const std::string name = section.text(key);
     for (std::size_t i = 0; i < list.size(); ++i)
         if (list[i].name == name) return static_cast<int>(i);
+    if (section.is_lost(name)) throw schema::Follows();
     if (list.empty())
         section.fail_value(
             key, fmt::format("there is no {} of this name, nor any other", heading));
@@ -85,8 +86,8 @@ class NumberReader {
         for (const char* key : {"schedule", "low"})
             if (parts.has(key))
                 parts.fail(key, "has no place beside series; remove one of them");
-        const int profile = index_of(parts, "series", profiles_, "[[series]]");
-        if (!profiles_[static_cast<std::size_t>(profile)].is_series)
+        const int profile = profile_of(parts, "series");
+        if (profile >= 0 && !profiles_[static_cast<std::size_t>(profile)].is_series)
             parts.fail_value("series",
                              "is a schedule; write schedule in place of series");
         return {parts.has("value") ? parts.number("value") : 1, 0, profile};
@@ -105,11 +106,22 @@ class NumberReader {
             return input;
         }
         if (parts.has("low")) input.low = checked("low");
-        input.profile = index_of(parts, "schedule", profiles_, "[[schedule]]");
-        if (profiles_[static_cast<std::size_t>(input.profile)].is_series)
+        input.profile = profile_of(parts, "schedule");
+        if (input.profile >= 0 &&
+            profiles_[static_cast<std::size_t>(input.profile)].is_series)
             parts.fail_value("schedule",
                              "is a series; write series in place of schedule");
         return input;
+    }
+
+    /// Of a schedule or series; -1 of one that could not be read, so that the others of
+    /// the section are.
+    int profile_of(const schema::Section& parts, const char* key) const {
+        const std::string name = parts.text(key);
+        const bool is_there =
+            std::ranges::find(profiles_, name, &Profile::name) != profiles_.end();
+        if (!is_there && parts.is_lost(name)) return -1;
+        return index_of(parts, key, profiles_, fmt::format("[[{}]]", key).c_str());
     }
 
     const std::vector<Profile>& profiles_;
@@ -123,16 +135,13 @@ class BuildingReader {
     Building read() {
         read_envelope();
         if (!sources_.has("zone")) sources_.own.node("zone");
-        const std::vector<schema::Section> zones =
-            sources_.with("zone").tables("zone", "zone");
-        if (zones.empty())
+        if (sources_.with("zone").list_of_tables("zone").empty())
             sources_.own.fail("zone", "is empty; expected at least one [[zone]]");
-        for (const schema::Section& section : zones) read_zone(section);
-        for (std::size_t i = 0; i < zones.size(); ++i) read_couplings(zones[i], i);
-        for (const schema::Section& section :
-             sources_.with("air_system").tables("air_system", "air_system"))
-            read_air_system(section);
-        read_plant();
+        sources_.each("zone", [&](const auto& section) { read_zone(section); });
+        sources_.each("zone", [&](const auto& section) { read_couplings(section); });
+        sources_.each("air_system",
+                      [&](const auto& section) { read_air_system(section); });
+        sources_.attempt([&] { read_plant(); }, {"plant"});
         return std::move(building_);
     }
 
@@ -159,17 +168,15 @@ class BuildingReader {
     }
 
     void read_envelope() {
-        for (const schema::Section& section :
-             sources_.with("construction").tables("construction", "construction")) {
+        sources_.each("construction", [&](const schema::Section& section) {
             physics::Construction construction;
             construction.name = section.text("name");
             read_layers(section, construction);
             numbers_.read(section, Part::construction, &construction,
                           construction.layers.empty() ? "" : "u_value");
             add_named(section, std::move(construction), building_.constructions);
-        }
-        for (const schema::Section& section :
-             sources_.with("glazing").tables("glazing", "glazing")) {
+        });
+        sources_.each("glazing", [&](const schema::Section& section) {
             physics::Glazing glazing;
             glazing.name = section.text("name");
             numbers_.read(section, Part::glazing, &glazing);
@@ -177,25 +184,30 @@ class BuildingReader {
             if (!glazing.angle_modifier.empty() && !section.has("incidence_factor"))
                 glazing.incidence_factor = 1;
             add_named(section, std::move(glazing), building_.glazings);
-        }
-        for (const schema::Section& section :
-             sources_.with("boundary").tables("boundary", "boundary")) {
+        });
+        sources_.each("boundary", [&](const schema::Section& section) {
             physics::Boundary boundary;
             boundary.name = section.text("name");
             numbers_.read(section, Part::boundary, &boundary);
             add_named(section, std::move(boundary), building_.boundaries);
-        }
+        });
+    }
+
+    /// Each of the parts of a section; it cannot be read without one of them.
+    template <class Read>
+    static void each_part(const schema::Section& section, const char* key,
+                          const char* schema, Read read) {
+        if (!section.each(key, schema, read)) throw schema::Follows();
     }
 
     void read_layers(const schema::Section& section,
                      physics::Construction& construction) {
-        for (const schema::Section& part :
-             section.tables("layer", "construction.layer")) {
+        each_part(section, "layer", "construction.layer", [&](const auto& part) {
             physics::Layer layer;
             layer.name = name_or_number(part, construction.layers, "layer");
             numbers_.read(part, Part::layer, &layer);
             add_named(part, std::move(layer), construction.layers);
-        }
+        });
         if (!construction.layers.empty() && section.has("u_value"))
             section.fail("u_value", "follows from the layers; remove it, or them");
     }
@@ -282,16 +294,22 @@ class BuildingReader {
             if (zone.thermostat.imposed && section.has(key))
                 section.fail(key,
                              "has no effect beside imposed_power; remove one of them");
-        for (const schema::Section& part : section.tables("surface", "zone.surface"))
-            read_surface(part, zone);
-        for (const schema::Section& part : section.tables("window", "zone.window"))
-            read_window(part, zone);
-        for (const schema::Section& part : section.tables("flow", "zone.flow"))
-            read_flow(part, zone);
-        for (const schema::Section& part : section.tables("load", "zone.load"))
-            read_load(part, zone);
+        read_parts(section, zone);
         if (section.has("class")) read_class(section, zone);
         add_named(section, std::move(zone), building_.zones);
+    }
+
+    /// All of them, whatever is wrong with one.
+    void read_parts(const schema::Section& section, Zone& zone) {
+        bool is_whole = section.each("surface", "zone.surface",
+                                     [&](const auto& part) { read_surface(part, zone); });
+        is_whole &= section.each("window", "zone.window",
+                                 [&](const auto& part) { read_window(part, zone); });
+        is_whole &= section.each("flow", "zone.flow",
+                                 [&](const auto& part) { read_flow(part, zone); });
+        is_whole &= section.each("load", "zone.load",
+                                 [&](const auto& part) { read_load(part, zone); });
+        if (!is_whole) throw schema::Follows();
     }
 
     void read_radiator(const schema::Section& section, Zone& zone) {
@@ -337,15 +355,17 @@ class BuildingReader {
             zone.mass_area_ratio = capacity.mass_area_ratio;
     }
 
-    void read_couplings(const schema::Section& section, std::size_t zone) {
-        for (const schema::Section& part : section.tables("coupling", "zone.coupling")) {
+    /// When all zones are known.
+    void read_couplings(const schema::Section& section) {
+        const int zone = index_of(section, "name", building_.zones, "[[zone]]");
+        each_part(section, "coupling", "zone.coupling", [&](const auto& part) {
             physics::ZoneCoupling coupling;
             coupling.zone = index_of(part, "zone", building_.zones, "[[zone]]");
-            if (coupling.zone == static_cast<int>(zone))
+            if (coupling.zone == zone)
                 part.fail_value("zone", "a zone cannot be coupled to itself");
             numbers_.read(part, Part::coupling, &coupling);
-            building_.zones[zone].couplings.push_back(coupling);
-        }
+            building_.zones[static_cast<std::size_t>(zone)].couplings.push_back(coupling);
+        });
     }
 
     void read_air_system(const schema::Section& section) {
@@ -360,6 +380,7 @@ class BuildingReader {
         bool brings = !section.has("flow");
         for (const std::size_t zone : zones_of(section))
             brings |= serve(section, index, building_.zones[zone]);
+        if (!brings && section.is_lost(section.text("flow"))) throw schema::Follows();
         if (!brings)
             section.fail_value("flow",
                                "none of its zones has a [[zone.flow]] of this "
@@ -391,6 +412,7 @@ class BuildingReader {
         }
         for (const std::string& name : section.texts("zones")) {
             const auto place = std::ranges::find(names, name);
+            if (place == names.end() && section.is_lost(name)) throw schema::Follows();
             if (place == names.end())
                 section.fail("zones", fmt::format("names \"{}\": there is no [[zone]] of "
                                                   "this name{}",
@@ -454,7 +476,7 @@ class BuildingReader {
 physics::Building read_building(const Sources& sources,
                                 const std::vector<physics::Profile>& profiles) {
     Building building = BuildingReader(sources, profiles).read();
-    read_links(sources, building);
+    sources.attempt([&] { read_links(sources, building); }, {"link"});
     return building;
 }
 

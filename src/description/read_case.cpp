@@ -1,6 +1,7 @@
 /// A whole building from its sections: each by its reader, in an order in which it finds
 /// what it needs.
-/// The sections' keys are the readers' (`read_*`).
+/// The sections' keys are the readers' (`read_*`). A mistake in one section does not keep
+/// the others from being read; what takes the whole building is left out then.
 /// Studies are not read here.
 #include "base/error.hpp"
 #include "description/building_readers.hpp"
@@ -38,6 +39,48 @@ void check_meter_steps(const Sources& sources, const study::Case& building) {
                             meter.name, meter.axis.step_s, building.step_s));
 }
 
+/// \return whether periods and the site's clock are known: readings need them
+bool read_time_and_place(const Sources& sources, input::InputFiles& files,
+                         study::Case& building) {
+    const bool has_periods =
+        sources.attempt([&] { building.periods = read_periods(sources); }, {"periods"});
+    sources.attempt([&] { read_run(sources, building); }, {"run"});
+    if (!has_periods) {
+        sources.skip({"site", "weather"});
+        return false;
+    }
+    return sources.attempt([&] { read_weather(sources, files, building); },
+                           {"site", "weather"});
+}
+
+/// Schedules, series, and the building that follows them.
+void read_what_is_there(const Sources& sources, input::InputFiles& files, bool is_placed,
+                        study::Case& building) {
+    DaysOff days_off;
+    if (building.periods.empty())
+        sources.skip({"holidays"});
+    else
+        sources.attempt([&] { days_off = read_days_off(sources, building.periods); },
+                        {"holidays"});
+    building.school_holidays = days_off.school;
+    sources.attempt(
+        [&] { read_schedules(sources, days_off.holidays, files, building.profiles); },
+        {"schedule"});
+    if (is_placed)
+        sources.attempt([&] { read_series(sources, files, building); }, {"series"});
+    else
+        sources.skip({"series"});
+    building.building = read_building(sources, building.profiles);
+}
+
+/// What takes the building as a whole: unknown hours, structure, effects.
+void read_what_changes_it(const Sources& sources, study::Case& building) {
+    read_unknown_hours(sources, building);
+    read_structure(sources, building);
+    check_building(sources, building);
+    read_effects(sources, building);
+}
+
 }  // namespace
 
 study::Case read_case(const Sources& sources, input::InputFiles& files) {
@@ -45,24 +88,29 @@ study::Case read_case(const Sources& sources, input::InputFiles& files) {
     const schema::Section& own = sources.own;
     building.name = own.has("name") ? own.text("name")
                                     : std::filesystem::path(own.file()).stem().string();
-    building.periods = read_periods(sources);
-    read_run(sources, building);
-    read_weather(sources, files, building);
-    const DaysOff days_off = read_days_off(sources, building.periods);
-    building.school_holidays = days_off.school;
-    building.profiles = read_profiles(sources, days_off.holidays, files,
-                                      building.weather.site, building.decisions);
-    building.columns = read_columns(sources);
-    building.building = read_building(sources, building.profiles);
+    const std::size_t n_before = own.n_failures();
+    const auto is_whole = [&] { return own.n_failures() == n_before && own.is_known(); };
+    const bool is_placed = read_time_and_place(sources, files, building);
+    sources.attempt(
+        [&] { read_what_is_there(sources, files, is_placed, building); },
+        {"construction", "glazing", "boundary", "zone", "air_system", "plant", "link"});
     building.building.name = building.name;
-    read_unknown_hours(sources, building);
-    read_structure(sources, building);
-    check_building(sources, building);
-    read_effects(sources, building);
-    read_parameters(sources, building);
-    add_parameters_of_structure(building);
-    read_meters(sources, files, building);
-    check_meter_steps(sources, building);
+    bool can_be = true;
+    if (is_whole())
+        can_be = sources.attempt([&] { read_what_changes_it(sources, building); },
+                                 {"structure", "effect"});
+    else
+        sources.skip({"structure", "effect"});
+    if (can_be)
+        sources.attempt([&] { read_parameters(sources, building); }, {"parameter"});
+    else
+        sources.skip({"parameter"});
+    if (is_whole()) add_parameters_of_structure(building);
+    if (is_placed)
+        sources.attempt([&] { read_meters(sources, files, building); }, {"meter"});
+    else
+        sources.skip({"meter"});
+    if (is_whole()) sources.attempt([&] { check_meter_steps(sources, building); });
     return building;
 }
 

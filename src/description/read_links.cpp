@@ -21,7 +21,7 @@ using physics::Target;
 
 std::vector<Target> resolved(const schema::Section& section, const char* key,
                              const Building& building, const std::string& path) {
-    return at_key(section, key, [&] { return physics::resolve(building, path); });
+    return resolved_at(section, key, building, path);
 }
 
 /// A link follows what stands still, and sets what nothing else does.
@@ -127,11 +127,11 @@ Link read_link(const schema::Section& section, const Building& building) {
 }  // namespace
 
 void read_links(const Sources& sources, Building& building) {
-    for (const schema::Section& section : sources.with("link").tables("link", "link")) {
+    sources.each("link", [&](const schema::Section& section) {
         building.links.push_back(read_link(section, building));
         physics::derive(building);
         check_linked(section, "target", building);
-    }
+    });
     physics::derive(building);
 }
 

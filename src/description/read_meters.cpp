@@ -456,16 +456,15 @@ class MeterReader {
 
 void read_meters(const Sources& sources, input::InputFiles& files,
                  study::Case& building) {
-    for (const schema::Section& section :
-         sources.with("meter").tables("meter", "meter")) {
+    const bool is_whole = sources.each("meter", [&](const schema::Section& section) {
         Meter meter = MeterReader(section, files, building).read();
         for (const Meter& other : building.meters)
             if (other.name == meter.name)
                 section.fail_value("name", "another meter has this name");
         check_name(section, "name", Named::meter, meter.name);
         building.meters.push_back(std::move(meter));
-    }
-    checks::check_clocks(building);
+    });
+    if (is_whole) checks::check_clocks(building);
 }
 
 }  // namespace bemcal::description

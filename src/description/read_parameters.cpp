@@ -25,8 +25,7 @@ void read_targets(const schema::Section& section, const Building& building,
     const std::vector<std::string> paths = section.texts("target");
     if (paths.empty()) section.fail("target", "is empty; expected the path of a number");
     for (const std::string& path : paths) {
-        const std::vector<Target> found =
-            at_key(section, "target", [&] { return physics::resolve(building, path); });
+        const std::vector<Target> found = resolved_at(section, "target", building, path);
         parameter.targets.insert(parameter.targets.end(), found.begin(), found.end());
     }
     for (const Target& target : parameter.targets)
@@ -161,14 +160,13 @@ void read_value(const schema::Section& section, Parameter& parameter,
 }  // namespace
 
 void read_parameters(const Sources& sources, study::Case& building) {
-    for (const schema::Section& section :
-         sources.with("parameter").tables("parameter", "parameter")) {
+    sources.each("parameter", [&](const schema::Section& section) {
         Parameter parameter = read_parameter(section, building.building);
         check_overlap(section, building.building, building.parameters, parameter);
         read_value(section, parameter, building.building);
         building.priors.push_back(read_prior(section, parameter));
         building.parameters.push_back(std::move(parameter));
-    }
+    });
 }
 
 }  // namespace bemcal::description

@@ -154,9 +154,9 @@ physics::Profile read_schedule(const schema::Section& section,
     return profile;
 }
 
-physics::Profile read_series(const schema::Section& section, input::InputFiles& files,
-                             const physics::Site& site,
-                             std::vector<study::DataDecision>& decisions) {
+physics::Profile profile_of(const schema::Section& section, input::InputFiles& files,
+                            const physics::Site& site,
+                            std::vector<study::DataDecision>& decisions) {
     const TimedCsv source = open_csv(section, "file", section.text("file"), files, site);
     note_stamps(source, section.text("name"), decisions);
     state_lines(source, decisions);
@@ -183,18 +183,24 @@ void add(std::vector<physics::Profile>& profiles, physics::Profile profile,
 
 }  // namespace
 
-std::vector<physics::Profile> read_profiles(
-    const Sources& sources, const std::vector<physics::DateRange>& holidays,
-    input::InputFiles& files, const physics::Site& site,
-    std::vector<study::DataDecision>& decisions) {
-    std::vector<physics::Profile> profiles;
-    for (const schema::Section& section :
-         sources.with("schedule").tables("schedule", "schedule"))
+void read_schedules(const Sources& sources,
+                    const std::vector<physics::DateRange>& holidays,
+                    input::InputFiles& files, std::vector<physics::Profile>& profiles) {
+    sources.each("schedule", [&](const schema::Section& section) {
         add(profiles, read_schedule(section, holidays, files), section);
-    for (const schema::Section& section :
-         sources.with("series").tables("series", "series"))
-        add(profiles, read_series(section, files, site, decisions), section);
-    return profiles;
+    });
+}
+
+void read_series(const Sources& sources, input::InputFiles& files,
+                 study::Case& building) {
+    sources.each("series", [&](const schema::Section& section) {
+        add(building.profiles,
+            profile_of(section, files, building.weather.site, building.decisions),
+            section);
+        building.columns.push_back({section.text("name"), section.has("unit")
+                                                              ? section.text("unit")
+                                                              : std::string()});
+    });
 }
 
 void read_unknown_hours(const Sources& sources, study::Case& building) {
@@ -217,15 +223,6 @@ void read_unknown_hours(const Sources& sources, study::Case& building) {
                          "\"loop\" learns them",
                          use, physics::sentence_of(usual))});
     }
-}
-
-std::vector<study::Column> read_columns(const Sources& sources) {
-    std::vector<study::Column> columns;
-    for (const schema::Section& section :
-         sources.with("series").tables("series", "series"))
-        columns.push_back({section.text("name"),
-                           section.has("unit") ? section.text("unit") : std::string()});
-    return columns;
 }
 
 }  // namespace bemcal::description

@@ -44,8 +44,7 @@ void add_name(const schema::Section& section, const std::string& name,
 std::vector<physics::Parameter> read_parameters(const schema::Section& simulator) {
     std::vector<physics::Parameter> parameters;
     std::set<std::string> names;
-    for (const schema::Section& section :
-         simulator.tables("parameter", "simulator.parameter")) {
+    const auto read_one = [&](const schema::Section& section) {
         physics::Parameter made;
         made.name = section.text("name");
         add_name(section, made.name, names);
@@ -63,7 +62,9 @@ std::vector<physics::Parameter> read_parameters(const schema::Section& simulator
         made.nominal = (made.least + made.most) / 2;
         section.number_if("nominal", made.nominal);
         parameters.push_back(std::move(made));
-    }
+    };
+    if (!simulator.each("parameter", "simulator.parameter", read_one))
+        throw schema::Follows();
     if (parameters.empty())
         simulator.fail("parameter",
                        "is missing; expected sections [[simulator.parameter]]");
@@ -105,11 +106,11 @@ OutputRule read_output(const schema::Section& section) {
 std::vector<OutputRule> read_outputs(const schema::Section& simulator) {
     std::vector<OutputRule> outputs;
     std::set<std::string> names;
-    for (const schema::Section& section :
-         simulator.tables("output", "simulator.output")) {
+    const auto read_one = [&](const schema::Section& section) {
         outputs.push_back(read_output(section));
         add_name(section, outputs.back().name, names);
-    }
+    };
+    if (!simulator.each("output", "simulator.output", read_one)) throw schema::Follows();
     if (outputs.empty())
         simulator.fail("output", "is missing; expected sections [[simulator.output]]");
     return outputs;
@@ -224,8 +225,10 @@ void check_folder(const schema::Section& simulator, const fs::path& folder) {
 CommandOptions read_simulator(const schema::Section& simulator, input::InputFiles& files,
                               const std::string& job) {
     CommandOptions options;
-    options.parameters = read_parameters(simulator);
-    options.outputs = read_outputs(simulator);
+    bool is_whole =
+        simulator.attempt([&] { options.parameters = read_parameters(simulator); });
+    is_whole &= simulator.attempt([&] { options.outputs = read_outputs(simulator); });
+    if (!is_whole) throw schema::Follows();
     read_inputs(simulator, files, options);
     read_command(simulator, options);
     check_use(simulator, options);

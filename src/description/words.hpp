@@ -2,6 +2,7 @@
 /// a key.
 #pragma once
 
+#include "physics/parameters.hpp"
 #include "schema/section.hpp"
 
 #include <stdexcept>
@@ -15,6 +16,13 @@ namespace bemcal::description {
 void check_word(const schema::Section& section, std::string_view key,
                 const std::string& word, const std::vector<std::string>& names,
                 const std::string& what);
+
+/// The numbers that a path at the key means; throws UserError, or Follows where it names
+/// what could not be read.
+std::vector<physics::Target> resolved_at(const schema::Section& section,
+                                         std::string_view key,
+                                         const physics::Building& building,
+                                         const std::string& path);
 
 /// The names of parameters, periods, meters, ...
 template <class Named>

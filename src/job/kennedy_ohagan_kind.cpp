@@ -123,6 +123,7 @@ void simulate_runs(const schema::Section& section, std::uint64_t seed,
 posterior::KohRuns runs_to_make(const schema::Section& section, const OutputScale& scale,
                                 std::uint64_t seed, const SimulatorPointer& simulator,
                                 KohOptions& options) {
+    if (!simulator && section.is_lost("simulator")) throw schema::Follows();
     if (!simulator)
         section.fail_value("simulator",
                            "the job has none; expected a section [simulator]");

@@ -139,17 +139,24 @@ const schema::Table& table_of(const Kind& kind) {
     return tables.at(&kind);
 }
 
-OpenStudy open_study(const schema::Node& node, const std::string& file) {
-    const schema::Section any(node, "study", file, "", common_table());
+OpenStudy open_study(const schema::Node& node, const std::string& file,
+                     schema::Mistakes* mistakes) {
+    const auto opened = [&](const schema::Table& table) {
+        return schema::Section(node, "study", file, "", table, mistakes);
+    };
+    const schema::Section any = opened(common_table());
     const Kind& kind = *rows[any.choice_as<std::size_t>("kind")];
-    for (const schema::Entry& entry : node.entries) check_key(any, kind, entry.key);
-    return {&kind, schema::Section(node, "study", file, "", table_of(kind))};
+    bool is_known = true;
+    for (const schema::Entry& entry : node.entries)
+        is_known &= any.attempt([&] { check_key(any, kind, entry.key); });
+    if (!is_known) throw schema::Follows();
+    return {&kind, opened(table_of(kind))};
 }
 
 std::vector<OpenStudy> open_studies(const schema::Section& root) {
     std::vector<OpenStudy> studies;
     for (const schema::Node* node : root.list_of_tables("study"))
-        studies.push_back(open_study(*node, root.file()));
+        studies.push_back(open_study(*node, root.file(), root.mistakes()));
     return studies;
 }
 

@@ -29,8 +29,10 @@ struct OpenStudy {
     schema::Section section;
 };
 /// \param file  must outlive what is returned, as the node must
+/// \param mistakes  keeps them; nullptr: the first one is thrown
 /// Throws UserError for a kind that is none, and for a key that is not the kind's.
-OpenStudy open_study(const schema::Node& node, const std::string& file);
+OpenStudy open_study(const schema::Node& node, const std::string& file,
+                     schema::Mistakes* mistakes = nullptr);
 /// All of a job, in the order of the file.
 std::vector<OpenStudy> open_studies(const schema::Section& root);
 

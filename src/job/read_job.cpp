@@ -1,5 +1,6 @@
 /// Reads a job file into a Job: each section by its reader, in an order in which it finds
-/// what it needs; then studies against buildings; then every key accounted for.
+/// what it needs; then studies against buildings; then every key accounted for. Mistakes
+/// are told together; one that leaves nothing to read (no file, no TOML) is told alone.
 /// Follows from pbrt's rule that a key without effect is an error.
 /// The sections' keys are the readers' (`read_*`). Lines of a stock are read where they
 /// are worked on.
@@ -44,21 +45,54 @@ void read_building_files(const schema::Section& root, input::InputFiles& files,
     if (names.empty())
         root.fail("buildings", "is empty; expected files with a building each");
     for (const std::string& name : names) {
-        const std::filesystem::path path = root.path(name);
-        trees.push_back({path.string(), {}});
-        trees.back().tree = schema::parse_document(
-            files.text(path, root.where("buildings")), trees.back().name);
-        const schema::Section own(trees.back().tree, "building", trees.back().name);
-        add_case(job, description::read_case({own, root}, files), own);
-        schema::check_all_used(trees.back().tree, trees.back().name);
+        const bool is_read = root.attempt([&] {
+            const std::filesystem::path path = root.path(name);
+            trees.push_back({path.string(), {}});
+            trees.back().tree = schema::parse_document(
+                files.text(path, root.where("buildings")), trees.back().name);
+            const schema::Section own(trees.back().tree, "building", trees.back().name,
+                                      "", schema::job_table(), root.mistakes());
+            add_case(job, description::read_case({own, root}, files), own);
+            schema::check_all_used(own);
+        });
+        if (!is_read)  // nor what it takes from the job
+            for (const schema::Key& key : schema::job_table().keys_of("building"))
+                root.skip(key.key);
     }
 }
 
-bool needs_building(const Job& job) {
-    return job.studies.empty() ||
+/// \param has_mistakes  studies may be missing that could not be read
+bool needs_building(const Job& job, bool has_mistakes) {
+    return (job.studies.empty() && !has_mistakes) ||
            std::ranges::any_of(job.studies, [](const StudySpec& study) {
                return study.kind->is_of_buildings;
            });
+}
+
+/// Building or buildings; where there is a simulator, sections of one have no effect.
+void read_buildings(const schema::Section& root, input::InputFiles& files, Job& job) {
+    if (root.has("simulator")) return;
+    if (root.has("buildings"))
+        read_building_files(root, files, job);
+    else if (needs_building(job, root.n_failures() > 0) || root.has("zone"))
+        add_case(job, description::read_case({root, std::nullopt}, files), root);
+}
+
+/// The studies against what is simulated; nothing of a job that could not be read whole.
+void check_as_a_whole(const schema::Section& root, Job& job) {
+    if (root.n_failures() > 0) {
+        root.skip("study");
+        root.skip("scenario");
+        return;
+    }
+    checks::check_shared_meters(job.buildings);
+    check_studies_of(root, job);
+}
+
+void read_job_simulator(const schema::Section& root, input::InputFiles& files, Job& job) {
+    if (!root.has("simulator")) return;
+    job.simulator = external::make_command_simulator(description::read_simulator(
+        root.table("simulator", "simulator"), files, job.name));
 }
 
 void read_output(const schema::Section& root, Job& job) {
@@ -100,28 +134,24 @@ Job read_job(const std::filesystem::path& file, input::InputFiles& files) {
         job.text = job_text_of_table(file.filename().string());
     const std::string name = file.string();
     const schema::Node tree = schema::parse_document(job.text, name);
-    const schema::Section root(tree, "job", name);
-    job.name = root.has("name") ? root.text("name") : file.stem().string();
-    job.seed = static_cast<std::uint64_t>(root.integer("seed"));
-    if (root.has("simulator"))
-        job.simulator = external::make_command_simulator(description::read_simulator(
-            root.table("simulator", "simulator"), files, job.name));
-    job.studies = read_studies(root, files, job.seed, job.simulator);
-    read_output(root, job);
+    schema::Mistakes mistakes;
+    const schema::Section root(tree, "job", name, "", schema::job_table(), &mistakes);
+    root.attempt(
+        [&] { job.name = root.has("name") ? root.text("name") : file.stem().string(); });
+    root.attempt([&] { job.seed = static_cast<std::uint64_t>(root.integer("seed")); });
+    root.attempt([&] { read_job_simulator(root, files, job); }, {"simulator"});
+    root.attempt(
+        [&] { job.studies = read_studies(root, files, job.seed, job.simulator); },
+        {"study"});
+    root.attempt([&] { read_output(root, job); }, {"output"});
     if (root.has("stock")) {
-        read_stock_job(root, files, job);
-        job.inputs = files.log();
-        return job;
+        root.attempt([&] { read_stock_job(root, files, job); });
+    } else {
+        root.attempt([&] { read_buildings(root, files, job); });
+        check_as_a_whole(root, job);
+        schema::check_all_used(root);
     }
-    if (job.simulator) {
-        // There is no building; sections of one have no effect.
-    } else if (root.has("buildings"))
-        read_building_files(root, files, job);
-    else if (needs_building(job) || root.has("zone"))
-        add_case(job, description::read_case({root, std::nullopt}, files), root);
-    checks::check_shared_meters(job.buildings);
-    check_studies_of(root, job);
-    schema::check_all_used(tree, name);
+    mistakes.throw_all(name);
     job.inputs = files.log();
     return job;
 }

@@ -234,9 +234,10 @@ Job read_stock_building(const Job& stock_job, const StockLine& line,
     job.studies = read_studies(root, files, job.seed, nullptr);  // with its own seed
     OwnText own = own_text(stock, line, files);
     const schema::Node tree = schema::parse_document(own.text, own.file);
-    add_building(schema::Section(tree, "building", own.file), root, line, files, job);
+    const schema::Section section(tree, "building", own.file);
+    add_building(section, root, line, files, job);
     check_studies_of(root, job);
-    schema::check_all_used(tree, own.file);
+    schema::check_all_used(section);
     auto& decisions = job.buildings[0].decisions;
     decisions.insert(decisions.begin(), own.decisions.begin(), own.decisions.end());
     job.inputs = files.log();

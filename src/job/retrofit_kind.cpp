@@ -119,12 +119,13 @@ Scenario read_scenario(const schema::Section& section, const study::Case& buildi
 std::vector<Scenario> read_scenarios(const schema::Section& root,
                                      const study::Case& building) {
     std::vector<Scenario> scenarios;
-    for (const schema::Section& section : root.tables("scenario", "scenario")) {
+    const auto read_one = [&](const schema::Section& section) {
         scenarios.push_back(read_scenario(section, building));
         const auto same =
             std::ranges::count(scenarios, scenarios.back().name, &Scenario::name);
         if (same > 1) section.fail_value("name", "another scenario has this name");
-    }
+    };
+    if (!root.each("scenario", "scenario", read_one)) throw schema::Follows();
     if (scenarios.empty())
         root.fail("scenario",
                   "is missing; expected sections [[scenario]], which a study "

@@ -82,18 +82,22 @@ std::vector<StudySpec> read_studies(const schema::Section& root, input::InputFil
                                     std::uint64_t seed,
                                     const SimulatorPointer& simulator) {
     std::vector<StudySpec> studies;
-    for (const auto& [kind, section] : open_studies(root)) {
-        StudySpec study = read_study(*kind, {section, files, seed, simulator});
-        check_not_there(section, study.name, studies);
-        studies.push_back(std::move(study));
-    }
+    for (const schema::Node* node : root.list_of_tables("study"))
+        root.attempt_on(*node, [&] {
+            const auto [kind, section] = open_study(*node, root.file(), root.mistakes());
+            StudySpec study = read_study(*kind, {section, files, seed, simulator});
+            check_not_there(section, study.name, studies);
+            studies.push_back(std::move(study));
+        });
     return studies;
 }
 
 void check_studies_of(const schema::Section& root, Job& job) {
     std::size_t number = 0;
     for (const auto& [kind, section] : open_studies(root)) {
-        check_study({root, section, job, number}, job.studies[number]);
+        root.attempt_on(section.root(), [&] {
+            check_study({root, section, job, number}, job.studies[number]);
+        });
         ++number;
     }
 }

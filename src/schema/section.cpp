@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "input/suggest.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -28,8 +29,12 @@ double parsed_default(const Key& row) {
     return value;
 }
 
+bool is_top(std::string_view section) {
+    return section == "job" || section == "building";
+}
+
 std::string path_below(std::string_view section, std::string_view key) {
-    if (section == "job" || section == "building") return std::string(key);
+    if (is_top(section)) return std::string(key);
     return key.empty() ? std::string(section) : fmt::format("{}.{}", section, key);
 }
 
@@ -43,12 +48,13 @@ std::string more_on(const Key& row) {
 }  // namespace
 
 Section::Section(const Node& node, const char* schema, const std::string& file,
-                 std::string shown, const Table& table)
+                 std::string shown, const Table& table, Mistakes* mistakes)
     : node_(&node),
       schema_(schema),
       file_(&file),
       shown_(shown.empty() ? std::string(schema) : std::move(shown)),
-      table_(&table) {
+      table_(&table),
+      mistakes_(mistakes) {
     if (node.kind != Node::Kind::table)
         fail_config(fmt::format("{}:{}: {} = {}: expected a section with keys", file,
                                 node.line, schema, written(node)));
@@ -61,17 +67,35 @@ std::string Section::path_of(std::string_view key) const {
     return path_below(shown_, key);
 }
 
+bool Section::is_unknown(const Entry& entry) const {
+    return !table_->find(schema_)->takes_any_key &&
+           table_->find(schema_, entry.key) == nullptr;
+}
+
+bool Section::is_known() const {
+    return std::ranges::none_of(node_->entries,
+                                [&](const Entry& entry) { return is_unknown(entry); });
+}
+
+/// A section with an unknown key is not read, for that may be any of its keys; but at the
+/// top it is a section, and the others are read without it.
 void Section::check_known() const {
-    const SectionInfo* info = table_->find(schema_);
-    if (info == nullptr) throw std::logic_error(fmt::format("no section {}", schema_));
-    if (info->takes_any_key) return;
+    if (table_->find(schema_) == nullptr)
+        throw std::logic_error(fmt::format("no section {}", schema_));
+    if (is_known()) return;
     std::vector<std::string> known;
     for (const Key& key : table_->keys_of(schema_)) known.emplace_back(key.key);
     for (const Entry& entry : node_->entries) {
-        if (table_->find(schema_, entry.key) != nullptr) continue;
-        fail_config(fmt::format("{}:{}: {}: unknown key{}", *file_, entry.line,
-                                path_of(entry.key), input::suggestion(entry.key, known)));
+        if (!is_unknown(entry)) continue;
+        attempt([&] {
+            fail_config(fmt::format("{}:{}: {}: unknown key{}", *file_, entry.line,
+                                    path_of(entry.key),
+                                    input::suggestion(entry.key, known)));
+        });
+        mistakes_->lose(entry.node);
+        mistakes_->lose(input::nearest(entry.key, known));
     }
+    if (!is_top(schema_)) throw Follows();
 }
 
 const Entry* Section::find(std::string_view key) const {
@@ -100,19 +124,28 @@ std::filesystem::path Section::path(const std::string& name) const {
     return std::filesystem::path(*file_).parent_path() / name;
 }
 
+/// Whose name is wrong may be meant wherever a name stands for nothing.
+void Section::note_name(std::string_view key) const {
+    if (mistakes_ != nullptr && key == "name") mistakes_->lose_nameless();
+}
+
 void Section::fail(std::string_view key, const std::string& message) const {
+    note_name(key);
     fail_config(fmt::format("{}: {}: {}", place(key), path_of(key), message));
 }
 
 void Section::fail_value(std::string_view key, const std::string& message) const {
     const Entry* entry = find(key);
     if (entry == nullptr) fail(key, message);
+    note_name(key);
     fail_config(fmt::format("{}: {} = {}: {}", place(key), path_of(key),
                             written(entry->node), message));
 }
 
 const Node& Section::node(std::string_view key) const {
     const Entry* entry = find(key);
+    if (entry == nullptr && is_top(schema_) && is_lost(std::string(key)))
+        throw Follows();  // it stands there by an unknown name
     if (entry == nullptr)
         fail(key, fmt::format("is missing; expected {}{}", expectation(row(key)),
                               more_on(row(key))));
@@ -219,7 +252,7 @@ const Table& Section::table_with(const char* schema) const {
 }
 
 Section Section::table(std::string_view key, const char* schema) const {
-    return {node(key), schema, *file_, path_of(key), table_with(schema)};
+    return {node(key), schema, *file_, path_of(key), table_with(schema), mistakes_};
 }
 
 std::vector<const Node*> Section::list_of_tables(std::string_view key) const {
@@ -239,8 +272,18 @@ std::vector<const Node*> Section::list_of_tables(std::string_view key) const {
 std::vector<Section> Section::tables(std::string_view key, const char* schema) const {
     std::vector<Section> list;
     for (const Node* node : list_of_tables(key))
-        list.emplace_back(*node, schema, *file_, "", table_with(schema));
+        list.push_back(section_of(*node, schema));
     return list;
+}
+
+Section Section::section_of(const Node& node, const char* schema) const {
+    return {node, schema, *file_, "", table_with(schema), mistakes_};
+}
+
+void Section::skip(std::string_view key) const {
+    if (mistakes_ == nullptr) return;
+    mistakes_->lose(std::string(key));
+    if (const Entry* entry = find(key)) mistakes_->lose(entry->node);
 }
 
 double checked_number(const Node& value, const Key& row, const std::string& where) {
@@ -281,16 +324,25 @@ std::string written(const Node& node) {
                                  : fmt::format("\"{}\"", node.text);
 }
 
-void check_all_used(const Node& root, const std::string& file) {
-    for (const Entry& entry : root.entries) {
-        if (!entry.node.used && root.section != nullptr)
-            fail_config(
-                fmt::format("{}:{}: {}: has no effect here, because of the values of "
-                            "other keys or because "
-                            "nothing refers to it; remove it",
-                            file, entry.line, path_below(root.section, entry.key)));
-        check_all_used(entry.node, file);
+namespace {
+
+void check_used(const Section& root, const Node& node) {
+    for (const Entry& entry : node.entries) {
+        if (!entry.node.used && node.section != nullptr)
+            root.attempt([&] {
+                fail_config(fmt::format(
+                    "{}:{}: {}: has no effect here, because of the values of other keys "
+                    "or because nothing refers to it; remove it",
+                    root.file(), entry.line, path_below(node.section, entry.key)));
+            });
+        check_used(root, entry.node);
     }
+}
+
+}  // namespace
+
+void check_all_used(const Section& root) {
+    check_used(root, root.root());
 }
 
 }  // namespace bemcal::schema

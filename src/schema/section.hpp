@@ -7,9 +7,11 @@
 #pragma once
 
 #include "schema/document.hpp"
+#include "schema/mistakes.hpp"
 #include "schema/schema.hpp"
 
 #include <filesystem>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -21,8 +23,11 @@ class Section {
     /// this.
     /// \param shown  what messages call the section; the schema's name where it is empty
     /// \param table  that has the section and those in it; what it lacks is the job's
+    /// \param mistakes  keeps those in the section and in what it holds, and must outlive
+    /// them; nullptr: the first one is thrown
     Section(const Node& node, const char* schema, const std::string& file,
-            std::string shown = "", const Table& table = job_table());
+            std::string shown = "", const Table& table = job_table(),
+            Mistakes* mistakes = nullptr);
 
     bool has(std::string_view key) const;
     double number(std::string_view key) const;
@@ -36,6 +41,15 @@ class Section {
     std::vector<const Node*> words(std::string_view key) const;
     Section table(std::string_view key, const char* schema) const;
     std::vector<Section> tables(std::string_view key, const char* schema) const;
+    /// Calls `read` with each section of a list; a mistake in one does not keep it from
+    /// the others. \return whether all went well
+    template <class Read>
+    bool each(std::string_view key, const char* schema, Read read) const {
+        bool is_whole = true;
+        for (const Node* node : list_of_tables(key))
+            is_whole &= attempt_on(*node, [&] { read(section_of(*node, schema)); });
+        return is_whole;
+    }
     /// The same, unopened: for sections whose keys depend on what stands in them.
     std::vector<const Node*> list_of_tables(std::string_view key) const;
     /// The value as written, marked as used; a missing one is an error.
@@ -51,6 +65,40 @@ class Section {
     void number_if(std::string_view key, Value& value) const {
         if (has(key)) value = static_cast<Value>(number(key));
     }
+
+    /// Does the work, and keeps its mistake: what stands at the keys counts as not read.
+    /// \return whether it went well
+    template <class Work>
+    bool attempt(Work work, std::initializer_list<const char*> keys = {}) const {
+        if (mistakes_ == nullptr) {
+            work();
+            return true;
+        }
+        if (mistakes_->keep(work)) return true;
+        for (const char* key : keys) skip(key);
+        return false;
+    }
+    /// The same for a section of a list.
+    template <class Work>
+    bool attempt_on(const Node& node, Work work) const {
+        if (attempt(work)) return true;
+        mistakes_->lose(node);
+        return false;
+    }
+    /// What stands at the key is not read, because of another mistake.
+    void skip(std::string_view key) const;
+    /// Whether a name may be that of something that could not be read. What fails
+    /// because of it then `Follows`.
+    bool is_lost(const std::string& name) const {
+        return mistakes_ != nullptr && mistakes_->is_lost(name);
+    }
+    /// Failures so far, of the whole job.
+    std::size_t n_failures() const {
+        return mistakes_ == nullptr ? 0 : mistakes_->n_failures();
+    }
+    Mistakes* mistakes() const { return mistakes_; }
+    /// Whether the schema has each of its keys.
+    bool is_known() const;
 
     /// Throws UserError (config): "file:line: section.key: message".
     [[noreturn]] void fail(std::string_view key, const std::string& message) const;
@@ -76,6 +124,9 @@ class Section {
     const Key& row(std::string_view key) const;
     int choice_index(std::string_view key) const;
     void check_known() const;
+    bool is_unknown(const Entry& entry) const;
+    void note_name(std::string_view key) const;
+    Section section_of(const Node& node, const char* schema) const;
 
     const Table& table_with(const char* schema) const;
 
@@ -84,6 +135,7 @@ class Section {
     const std::string* file_;
     std::string shown_;
     const Table* table_;
+    Mistakes* mistakes_;
 };
 
 /// A number as the schema's row wants it; throws UserError that begins with `where`.
@@ -95,7 +147,8 @@ std::string plain(double number);
 /// As a user would write it, shortened: for messages.
 std::string written(const Node& node);
 
-/// Throws UserError for the first key that was never asked for.
-void check_all_used(const Node& root, const std::string& file);
+/// Every key that was never asked for is a mistake; the first is thrown where they are
+/// not kept.
+void check_all_used(const Section& root);
 
 }  // namespace bemcal::schema

@@ -1,92 +1,158 @@
-/// Every file of tests/bad_jobs breaks the sample job in one way and says which message
-/// and exit code that must give. Lines of such a file:
-///     file: NAME       what the edits below apply to (office.toml at first)
-///     replace: TEXT    with: TEXT     (\n in a text is a new line)
-///     drop: TEXT       the line that begins so goes
-///     write: TEXT      the whole file, perhaps a new one
-///     empty: / remove: the whole file
-///     exit: NUMBER     message: TEXT  (the folder of the job is left out of the message)
-#include "job/small_office.hpp"
+/// Mistakes in a job: each with its exact message and exit code, and many at once.
+#include "job/bad_job.hpp"
 
-#include <algorithm>
-#include <map>
+#include <regex>
+#include <set>
 
 #include <gtest/gtest.h>
 
 namespace bemcal::job {
 namespace {
 
-struct BadJob {
-    std::map<std::string, std::string> files;
-    int exit_code = 0;
-    std::string message;
-};
-
-std::string without(std::string text, const std::string& part) {
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part))
-        text.erase(at, part.size());
-    return text;
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
 }
 
-std::string unescaped(std::string text) {
-    for (std::size_t at = text.find("\\n"); at != std::string::npos;
-         at = text.find("\\n"))
-        text.replace(at, 2, "\n");
-    return text;
+/// Edits above it move a mistake to another line, and names that are offered in its place
+/// may be those of sections with a mistake.
+std::string without_numbers(const std::string& message) {
+    static const std::regex number(":[0-9]+");
+    return std::regex_replace(message.substr(0, message.find(';')), number, ":N");
 }
 
-std::string without_line(std::string text, const std::string& begin) {
-    const std::size_t at = text.find("\n" + begin) + 1;
-    if (at == 0) throw std::logic_error("no line begins with " + begin);
-    return text.erase(at, text.find('\n', at) + 1 - at);
+/// The mistakes of an ending by themselves.
+std::vector<std::string> mistakes_in(const Ending& ending) {
+    std::vector<std::string> lines = lines_of(ending.message);
+    if (lines.size() > 1) lines.pop_back();
+    return lines;
 }
 
-/// Applies one line of a description.
-void apply(BadJob& job, std::string& file, std::string& from, const std::string& key,
-           const std::string& value) {
-    if (key == "file") file = value;
-    if (key == "replace") from = unescaped(value);
-    if (key == "with")
-        job.files[file] = replaced(job.files[file], from, unescaped(value));
-    if (key == "write") job.files[file] = unescaped(value);
-    if (key == "drop") job.files[file] = without_line(job.files[file], value);
-    if (key == "empty") job.files[file].clear();
-    if (key == "remove") job.files.erase(file);
-    if (key == "exit") job.exit_code = std::stoi(value);
-    if (key == "message") job.message = value;
-}
-
-BadJob read_bad_job(const std::filesystem::path& path) {
-    BadJob job;
-    job.files = {{"office.toml", small_office_text()},
-                 {"weather.csv", small_weather()},
-                 {"measured.csv", small_readings()}};
-    std::string file = "office.toml", from, line;
-    std::istringstream lines(text_of(path));
-    while (std::getline(lines, line)) {
-        const std::size_t colon = line.find(':');
-        if (colon == std::string::npos) continue;
-        const std::size_t begin = std::min(line.size(), colon + 2);
-        apply(job, file, from, line.substr(0, colon), line.substr(begin));
-    }
-    return job;
+/// The job's line with the text.
+int line_with(const std::string& job, const std::string& text) {
+    const std::size_t at = job.find(text);
+    if (at == std::string::npos) throw std::logic_error("the job has no " + text);
+    return static_cast<int>(
+               std::count(job.begin(), job.begin() + static_cast<long>(at), '\n')) +
+           1;
 }
 
 TEST(BadJobs, EachGivesItsExactMessageAndExitCode) {
     int n = 0;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(BEMCAL_ROOT "/tests/bad_jobs")) {
-        const BadJob bad = read_bad_job(entry.path());
-        const Folder folder;
-        for (const auto& [name, text] : bad.files) folder.write(name, text);
-        ExitCode exit_code = ExitCode::ok;
-        const std::string message = message_of(folder / "office.toml", &exit_code);
-        EXPECT_EQ(without(message, folder.path().string() + "/"), bad.message)
-            << entry.path().filename();
-        EXPECT_EQ(static_cast<int>(exit_code), bad.exit_code) << entry.path().filename();
+    for (const auto& description : descriptions_of_bad_jobs()) {
+        BadJob bad;
+        spoil(bad, description);
+        const Ending ending = ending_of(bad);
+        EXPECT_EQ(ending.message, bad.message) << description.filename();
+        EXPECT_EQ(ending.exit_code, bad.exit_code) << description.filename();
         ++n;
     }
     EXPECT_GE(n, 40);
+}
+
+TEST(ManyMistakes, AreToldAtOnceWithTheirLinesAndNothingThatFollowsFromThem) {
+    struct Edit {
+        const char *from, *to, *message;
+    };
+    const Edit edits[] = {
+        {"seed = 7", "seed = -7", "seed = -7: expected"},
+        {"step = 3600", "step = 3601", "run.step = 3601: expected"},
+        {"0.6, 0.2, 0, 0, 0, 0, 0]", "0.6, 0.2, 0, 0, 0, 0]", "schedule.weekdays: has"},
+        {"saturday = 0", "satruday = 0", "schedule.satruday: unknown key"},
+        {"u_value = 0.9", "u_value = -0.9", "construction.u_value = -0.9: expected"},
+        {"frame_fraction = 0.25", "frame_fraction = 2.5",
+         "glazing.frame_fraction = 2.5: expected"},
+        {"area = 120\nazimuth = 180", "area = 120\nazimut = 180",
+         "zone.surface.azimut: unknown key"},
+        {"density = {value = 7", "density = {value = \"7\"", "value = \"7\": expected"},
+        {"cooling_cop = 3.5", "cooling_cop = \"good\"", "plant.cooling_cop = \"good\""},
+        {"unit = \"kWh\"", "unit = \"kwhh\"", "meter.unit = \"kwhh\": is not"},
+        {"min = 0.28", "min = 28", "parameter.min: is 28"},
+        {"n_points = 256", "n_points = 0", "study.n_points = 0: expected"},
+        {"hourly = [\"electricity\"]", "hourly = [\"elektricity\"]",
+         "output.hourly: \"elektricity\""},
+        {"column = \"T_air_C\"", "column = \"T_ari_C\"", "no column \"T_ari_C\""},
+    };
+    BadJob bad;
+    std::string& job = bad.files["office.toml"];
+    for (const Edit& edit : edits) job = replaced(job, edit.from, edit.to);
+    const Ending ending = ending_of(bad);
+    const std::vector<std::string> lines = lines_of(ending.message);
+    ASSERT_EQ(lines.size(), std::size(edits) + 1) << ending.message;
+    EXPECT_EQ(ending.exit_code, static_cast<int>(ExitCode::config));
+    EXPECT_EQ(lines.back(), "14 mistakes; what depends on them was not checked");
+    int line_before = 0;
+    for (std::size_t k = 0; k < std::size(edits); ++k) {
+        EXPECT_NE(lines[k].find(edits[k].message), std::string::npos) << lines[k];
+        if (!lines[k].starts_with("office.toml:")) continue;
+        const int line = std::stoi(lines[k].substr(12));
+        EXPECT_GE(line, line_before) << lines[k];
+        line_before = line;
+    }
+    EXPECT_TRUE(lines[4].starts_with(
+        fmt::format("office.toml:{}: ", line_with(job, "u_value = -0.9"))));
+}
+
+/// What a description changes: the texts that it replaces.
+std::set<std::string> places_of(const std::filesystem::path& description) {
+    std::set<std::string> places;
+    for (const std::string& line : lines_of(text_of(description)))
+        if (line.starts_with("replace: ")) places.insert(line);
+    return places;
+}
+
+/// At one place, or in numbers that one has from the other, they may make a third.
+bool are_apart(const std::filesystem::path& one, const std::filesystem::path& other) {
+    const std::set<std::string> places = places_of(other);
+    const auto is_of = [](const std::filesystem::path& file, const char* what) {
+        return file.filename().string().starts_with(what);
+    };
+    return std::ranges::none_of(
+               places_of(one),
+               [&](const std::string& place) { return places.contains(place); }) &&
+           !(is_of(one, "grid_") && is_of(other, "values_")) &&
+           !(is_of(one, "link") && (is_of(other, "values_") || is_of(other, "target_")));
+}
+
+/// Two mistakes of different files: both are told, or the one that keeps the other from
+/// being looked for; never a third.
+TEST(ManyMistakes, InPairsGiveTheMessagesOfBothOrOfOneAndNoOther) {
+    auto descriptions = descriptions_of_bad_jobs();
+    // Those of another job, in which the sample's mistakes have no place.
+    std::erase_if(descriptions, [](const std::filesystem::path& description) {
+        return text_of(description).starts_with("write: ");
+    });
+    constexpr std::size_t n_partners = 5;
+    int n_pairs = 0, n_both = 0;
+    for (std::size_t k = 0; k < descriptions.size(); ++k)
+        for (std::size_t step = 1; step <= n_partners; ++step) {
+            // Far apart in the list, so that mistakes of all sections meet.
+            const std::size_t other = (k + 23 * step) % descriptions.size();
+            if (!are_apart(descriptions[k], descriptions[other])) continue;
+            BadJob bad;
+            std::set<std::string> expected;
+            try {
+                for (const std::size_t one : {k, other}) {
+                    spoil(bad, descriptions[one]);
+                    expected.insert(without_numbers(bad.message));
+                }
+            } catch (const std::logic_error&) {
+                continue;
+            }
+            const auto told = mistakes_in(ending_of(bad));
+            EXPECT_FALSE(told.empty());
+            for (const std::string& message : told)
+                EXPECT_TRUE(expected.contains(without_numbers(message)))
+                    << descriptions[k].filename() << " and "
+                    << descriptions[other].filename() << ": " << message;
+            ++n_pairs;
+            n_both += told.size() == 2;
+        }
+    std::printf("measured: both told in %d of %d pairs\n", n_both, n_pairs);
+    EXPECT_GE(n_pairs, 700);
+    EXPECT_GE(n_both, n_pairs / 3);
 }
 
 }  // namespace
