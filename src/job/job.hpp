@@ -66,6 +66,11 @@ Job read_job(const std::filesystem::path& file, input::InputFiles& files);
 
 /// `describe job`: the schema table, as text.
 std::string describe_job();
+/// `describe posterior`, `describe meter`: a kind of study or a section, with the
+/// sections in it; empty where it is none of job_topics().
+std::string describe_topic(const std::string& topic);
+/// Kinds of study, then sections, as they are named there.
+std::vector<std::string> job_topics();
 /// `describe parameters`: every number of a building that a parameter may name.
 std::string describe_parameters();
 

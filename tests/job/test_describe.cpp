@@ -80,10 +80,11 @@ TEST(Describe, JobHasASectionForEachKindWithThatKindsKeysAlone) {
         const std::size_t begin = text.find(heading);
         ASSERT_NE(begin, std::string::npos) << kind->word;
         const std::string section =
-            text.substr(begin, text.find("\n\n", begin + 1) - begin);
+            text.substr(begin, text.find("\n  Example:\n", begin) + 1 - begin);
         const auto lines = std::count(section.begin(), section.end(), '\n');
-        EXPECT_EQ(lines, static_cast<long>(table_of(*kind).keys_of("study").size()))
-            << section;  // heading and sentence in place of `kind` and `name`
+        // A blank line, heading and sentence; without `kind` and `name`.
+        EXPECT_EQ(lines, static_cast<long>(table_of(*kind).keys_of("study").size()) + 1)
+            << section;
     }
 }
 
