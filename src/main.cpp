@@ -7,6 +7,9 @@
 #include "effects/refinements.hpp"
 #include "external/process.hpp"
 #include "holidays/holidays.hpp"
+#include "input/suggest.hpp"
+#include "manual/completion.hpp"
+#include "manual/man_pages.hpp"
 #include "plan/plan.hpp"
 #include "plan/slurm_lines.hpp"
 #include "report/merge_chains.hpp"
@@ -120,14 +123,13 @@ void add_describe(CLI::App& app, CommandLine& line) {
         "refinement of its structure, effect that a loop may find, or public holiday");
     describe
         ->add_option("TOPIC", line.topic,
-                     "job, results, parameters, structure, effects or holidays")
-        ->required()
-        ->check(CLI::IsMember(
-            {"job", "results", "parameters", "structure", "effects", "holidays"}));
+                     "job, results, parameters, structure, effects or holidays; of a job "
+                     "also a kind of study or a section alone: posterior, meter")
+        ->required();
     describe->add_option(
         "PLACE", line.place,
         "of holidays: a country and perhaps a state, US or DE-BY; none = "
-        "list them");
+        "list them; of man: 1 or 5; of completion: bash or zsh");
     describe->add_option("YEARS", line.years, "of holidays: 2021, or 2020-2022");
 }
 
@@ -321,18 +323,77 @@ std::string holidays_text(const CommandLine& line) {
     }
 }
 
-ExitCode describe_command(const CommandLine& line) {
-    if (line.topic != "holidays" && !line.place.empty())
+constexpr const char* general_topics[] = {"job",       "results", "parameters",
+                                          "structure", "effects", "holidays"};
+
+std::vector<std::string> topics() {
+    std::vector<std::string> all(std::begin(general_topics), std::end(general_topics));
+    for (std::string& topic : job::job_topics())
+        if (std::ranges::find(all, topic) == all.end()) all.push_back(std::move(topic));
+    return all;
+}
+
+manual::Option manual_of(const CLI::Option& option) {
+    manual::Option made;
+    for (const std::string& name : option.get_snames()) made.names.push_back("-" + name);
+    for (const std::string& name : option.get_lnames()) made.names.push_back("--" + name);
+    made.sentence = option.get_description();
+    if (made.names.empty())
+        made.value = option.get_name();
+    else if (option.get_expected_min() > 0) {
+        const std::string type = option.get_type_name();
+        made.value = type.substr(0, type.find(':'));  // without what it is checked for
+    }
+    return made;
+}
+
+manual::Program manual_of(const CLI::App& app) {
+    manual::Program program{
+        "bemcal-batch", BEMCAL_VERSION, app.get_description(), app.get_footer(), {},
+        topics()};
+    for (const CLI::App* sub :
+         app.get_subcommands([](const CLI::App*) { return true; })) {
+        manual::Command& command = program.commands.emplace_back(
+            manual::Command{sub->get_name(), sub->get_description(), {}});
+        for (const CLI::Option* option : sub->get_options())
+            command.options.push_back(manual_of(*option));
+    }
+    return program;
+}
+
+/// Man pages and completions, for those who install the program; "" = neither.
+std::string manual_text(const CLI::App& app, const std::string& of) {
+    const manual::Program program = manual_of(app);
+    return of == "man 1"   ? manual::man_page_of(program)
+           : of == "man 5" ? manual::man_page_of_job(program, job::describe_job())
+           : of == "completion bash" ? manual::bash_completion(program)
+           : of == "completion zsh"  ? manual::zsh_completion(program)
+                                     : "";
+}
+
+std::string topic_text(const CLI::App& app, const CommandLine& line) {
+    const std::string& topic = line.topic;
+    if (topic == "holidays") return holidays_text(line);
+    if (!line.place.empty()) return manual_text(app, topic + " " + line.place);
+    return topic == "job"          ? job::describe_job()
+           : topic == "results"    ? store::describe_results()
+           : topic == "structure"  ? effects::describe_structure()
+           : topic == "effects"    ? effects::describe()
+           : topic == "parameters" ? job::describe_parameters()
+                                   : job::describe_topic(topic);
+}
+
+ExitCode describe_command(const CLI::App& app, const CommandLine& line) {
+    const std::string text = topic_text(app, line);
+    if (text.empty() && !line.place.empty())
         throw UserError(ExitCode::usage,
                         fmt::format("'{}': expected nothing after {}; only holidays are "
                                     "of a place",
                                     line.place, line.topic));
-    const std::string text = line.topic == "job"         ? job::describe_job()
-                             : line.topic == "results"   ? store::describe_results()
-                             : line.topic == "structure" ? effects::describe_structure()
-                             : line.topic == "effects"   ? effects::describe()
-                             : line.topic == "holidays"  ? holidays_text(line)
-                                                         : job::describe_parameters();
+    if (text.empty())
+        throw UserError(ExitCode::usage,
+                        fmt::format("describe {}: there is no such topic{}", line.topic,
+                                    input::suggestion(line.topic, topics())));
     print(stdout, text);
     return ExitCode::ok;
 }
@@ -426,7 +487,7 @@ ExitCode new_command(const CommandLine& line) {
 ExitCode alone(run::Comm& comm, const CLI::App& app, const CommandLine& line) {
     if (comm.rank() != 0) return ExitCode::ok;
     if (app.got_subcommand("check")) return check_command(line, comm.size());
-    if (app.got_subcommand("describe")) return describe_command(line);
+    if (app.got_subcommand("describe")) return describe_command(app, line);
     if (app.got_subcommand("status")) return status_command(line);
     if (app.got_subcommand("adopt")) return adopt_command(line);
     if (app.got_subcommand("new")) return new_command(line);

@@ -12,6 +12,10 @@ cd /
 for text in LICENSE CHANGELOG.md CITATION.cff; do
   [[ -s $prefix/share/doc/bemcal/$text ]] || fail "$text was not installed"
 done
+for file in man/man1/bemcal-batch.1 man/man5/bemcal-job.5 bash-completion/completions/bemcal-batch \
+    zsh/site-functions/_bemcal-batch; do
+  [[ -s $prefix/share/$file ]] || fail "$file was not installed"
+done
 [[ -d $prefix/share/bemcal/jobs ]] || fail "no jobs were installed"
 for script in build check dev environment install-packages quickstart test; do
   [[ ! -e $prefix/share/bemcal/scripts/$script ]] || fail "scripts/$script works on a checkout only"

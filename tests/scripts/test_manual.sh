@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# The man pages that the program writes have no fault that groff knows of, and hold every command
+# and kind of study; bash completes commands, options, topics and files by what it writes.
+set -euo pipefail
+program=${BEMCAL_PROGRAM:?}
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+fail() { echo "$*" >&2; exit 1; }
+cd "$folder"
+
+"$program" describe man 1 >bemcal-batch.1
+"$program" describe man 5 >bemcal-job.5
+if command -v groff >/dev/null; then
+  for page in bemcal-batch.1 bemcal-job.5; do
+    faults=$(groff -man -ww -Tascii -P-cbou "$page" 2>&1 >"$page.txt")
+    [[ -z $faults ]] || fail "groff finds in $page: $faults"
+  done
+  for word in run check describe status report adopt; do
+    grep -q "bemcal-batch $word" bemcal-batch.1.txt || fail "the man page lacks the command $word"
+  done
+  grep -q "u_value" bemcal-job.5.txt || fail "the man page of a job lacks u_value"
+else
+  echo "groff is not there: the man pages were not formatted"
+fi
+
+# The words that bash offers for a line; the last one is completed.
+"$program" describe completion bash >completion
+bash -n completion
+complete_line() {
+  bash -c 'source ./completion
+    COMP_WORDS=("$@") COMP_CWORD=$(($# - 1))
+    _bemcal_batch
+    printf "%s\n" "${COMPREPLY[@]}"' bash "$@"
+}
+expect() {  # what is offered, then the line
+  local words
+  words=$(complete_line "${@:2}" | sed '/^$/d' | sort | tr '\n' ' ')
+  [[ $words == "$1" ]] || fail "after '${*:2}' bash offers '$words', not '$1'"
+}
+touch office.toml stock.csv office.h5 notes.txt
+mkdir folder
+expect "describe " bemcal-batch desc
+expect "folder office.toml stock.csv " bemcal-batch check ""
+expect "folder office.h5 " bemcal-batch report ""
+expect "folder office.h5 office.toml stock.csv " bemcal-batch adopt ""
+expect "--nodes " bemcal-batch check --no
+expect "posterior " bemcal-batch describe post
+expect "office.toml " bemcal-batch off
+expect "" bemcal-batch check no
+
+if command -v zsh >/dev/null; then
+  "$program" describe completion zsh >_bemcal-batch
+  zsh -n _bemcal-batch || fail "zsh does not read its completion"
+else
+  echo "zsh is not there: its completion was not read"
+fi
