@@ -12,6 +12,7 @@
 #include "manual/man_pages.hpp"
 #include "plan/plan.hpp"
 #include "plan/slurm_lines.hpp"
+#include "report/csv_files.hpp"
 #include "report/merge_chains.hpp"
 #include "report/stock_files.hpp"
 #include "report/tables.hpp"
@@ -47,7 +48,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 struct CommandLine {
-    fs::path job, output, file;
+    fs::path job, output, file, csv;
     std::vector<fs::path> files;
     fs::path last_night;
     std::string topic, place, years, stage;
@@ -207,10 +208,16 @@ void add_others(CLI::App& app, CommandLine& line) {
         ->required();
     add_new(app, line);
     add_adopt(app, line);
-    app.add_subcommand("report", "print results as tables")
+    CLI::App* report = app.add_subcommand("report", "print results as tables");
+    report
         ->add_option("FILE", line.files,
                      "result files; those of one job with other chains become one")
         ->required();
+    report
+        ->add_option("--csv", line.csv,
+                     "write every dataset as CSV into this new folder instead, by "
+                     "building and study")
+        ->type_name("FOLDER");
 }
 
 /// `run` where no command stands first.
@@ -425,6 +432,16 @@ ExitCode statuses_of(const CommandLine& line,
     return code;
 }
 
+/// One result into the folder itself, several each into one by its name.
+void write_csv(const fs::path& folder, const std::vector<fs::path>& files,
+               const std::vector<store::ResultFile>& results) {
+    for (std::size_t k = 0; k < results.size(); ++k) {
+        const fs::path into = results.size() == 1 ? folder : folder / files[k].stem();
+        const int n = report::write_csv_files(results[k], into);
+        print_warning(fmt::format("wrote {} files into {}", n, into.string()));
+    }
+}
+
 /// Each file with its tables; where chains were put together, all files come first.
 ExitCode report_command(const CommandLine& line) {
     std::vector<store::ResultFile> results;
@@ -434,6 +451,10 @@ ExitCode report_command(const CommandLine& line) {
     const ExitCode code = statuses_of(line, results, lines);
     const std::size_t n_files = results.size();
     const auto merged = report::merge_chains(std::move(results));
+    if (!line.csv.empty()) {
+        write_csv(line.csv, line.files, merged);
+        return code;
+    }
     for (std::size_t k = 0; k < n_files; ++k) {
         print(stdout, lines[k]);
         if (merged.size() == n_files) print_tables_of(line.files[k], merged[k]);

@@ -44,8 +44,8 @@ void read_building_files(const schema::Section& root, input::InputFiles& files,
     const std::vector<std::string> names = root.texts("buildings");
     if (names.empty())
         root.fail("buildings", "is empty; expected files with a building each");
-    for (const std::string& name : names) {
-        const bool is_read = root.attempt([&] {
+    for (const std::string& name : names)
+        root.attempt([&] {
             const std::filesystem::path path = root.path(name);
             trees.push_back({path.string(), {}});
             trees.back().tree = schema::parse_document(
@@ -55,10 +55,6 @@ void read_building_files(const schema::Section& root, input::InputFiles& files,
             add_case(job, description::read_case({own, root}, files), own);
             schema::check_all_used(own);
         });
-        if (!is_read)  // nor what it takes from the job
-            for (const schema::Key& key : schema::job_table().keys_of("building"))
-                root.skip(key.key);
-    }
 }
 
 /// \param has_mistakes  studies may be missing that could not be read
@@ -78,11 +74,18 @@ void read_buildings(const schema::Section& root, input::InputFiles& files, Job& 
         add_case(job, description::read_case({root, std::nullopt}, files), root);
 }
 
+/// Sections that only a building reads, where there is none because of a mistake.
+void skip_sections_of_buildings(const schema::Section& root) {
+    for (const schema::Key& key : schema::job_table().keys_of("building"))
+        root.skip(key.key);
+}
+
 /// The studies against what is simulated; nothing of a job that could not be read whole.
 void check_as_a_whole(const schema::Section& root, Job& job) {
     if (root.n_failures() > 0) {
         root.skip("study");
         root.skip("scenario");
+        if (job.buildings.empty()) skip_sections_of_buildings(root);
         return;
     }
     checks::check_shared_meters(job.buildings);

@@ -38,6 +38,7 @@ std::string header(const Program& program, const char* name, int section) {
 
 std::string option_text(const Option& option) {
     std::vector<std::string> names;
+    names.reserve(option.names.size());
     for (const std::string& name : option.names) names.push_back(bold(name));
     std::string words = fmt::format("{}", fmt::join(names, ", "));
     if (!option.value.empty())
