@@ -12,7 +12,7 @@ from report.words import fixed, listed, number, percent
 
 LOG_DENSITY, ALL = "log_density", "all"
 MOST_DENSITIES, MOST_PAIRS, MOST_TRACES = 12, 5, 6
-MOST_DRAWS, TRACE, PLACES = 2000, 80, 60       # of a density; of a chain in a trace; of a curve
+MOST_DRAWS, TRACE, PLACES = 2000, 640, 48      # of a density; of all chains in a trace; of a curve
 PAIR_DOTS, BINS = 200, 20
 MOST_METERS = 6
 
@@ -154,7 +154,7 @@ def traces(study):
     figure, axes = theme.panels(len(shown), 2, 1.2, sharex=True)
     for axis, name in zip(axes, shown):
         draws = draws_of(study, name)
-        places = np.linspace(0, draws.shape[1] - 1, min(TRACE, draws.shape[1])).astype(int)
+        places = np.linspace(0, draws.shape[1] - 1, min(TRACE // len(draws) + 1, draws.shape[1])).astype(int)
         for chain, values in enumerate(draws):
             axis.plot(places + 1, values[places], color=colour_of(chain), linewidth=0.6, alpha=0.8)
         axis.set_title(f"{short(name)} {fixed(rhat.get(name, np.nan), 3)}", fontsize=7.5)

@@ -3,7 +3,7 @@ from dataclasses import dataclass
 
 from report import theme
 
-LONGEST_NAME, LONGEST_OF_THREE = 24, 17       # of a label; of the title of one of three panels [characters]
+LONGEST_NAME, LONGEST_OF_THREE = 24, 20       # of a label; of the title of one of three panels [characters]
 
 
 @dataclass
