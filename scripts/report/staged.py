@@ -35,7 +35,7 @@ def values(study):
             low, high = (np.clip(found[s, p] + side * half, least[s, p], most[s, p]) for side in (-1, 1))
             axis.plot([low, high], [s, s], color=theme.AFTER, linewidth=1.4)
             axis.plot(found[s, p], s, "o", color=theme.AFTER, markersize=4)
-        axis.set_title(short(names[p], LONGEST_OF_THREE), fontsize=7)
+        axis.set_title(short(names[p], LONGEST_OF_THREE), fontsize=6.5)
         axis.set_xlabel(unit_words(units[p]).strip(), fontsize=6.5)
         axis.tick_params(labelsize=6.5)
         axis.locator_params(axis="x", nbins=3)
