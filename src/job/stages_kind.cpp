@@ -86,9 +86,6 @@ constexpr schema::Key keys[] = {
 
 /// What a stage minimises, and how: from the study's keys.
 OptimisationOptions read_fit(const schema::Section& section, std::uint64_t seed) {
-    if (section.text("method") == "nsga2")
-        section.fail_value("method",
-                           "a stage has one objective; expected another method");
     OptimisationOptions fit;
     fit.method = section.choice_as<calibration::OptimisationMethod>("method");
     fit.objective = section.choice_as<calibration::Objective>("objective");

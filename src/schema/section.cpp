@@ -61,6 +61,7 @@ Section::Section(const Node& node, const char* schema, const std::string& file,
     node.section = schema;
     node.used = true;
     check_known();
+    check_values();
 }
 
 std::string Section::path_of(std::string_view key) const {
@@ -96,6 +97,44 @@ void Section::check_known() const {
         mistakes_->lose(input::nearest(entry.key, known));
     }
     if (!is_top(schema_)) throw Follows();
+}
+
+/// Reads a value as its row wants it, for its mistake alone.
+void Section::look_at(const Key& row) const {
+    switch (row.type) {
+        case Type::number:
+        case Type::integer:
+            number(row.key);
+            break;
+        case Type::numbers:
+            numbers(row.key);
+            break;
+        case Type::flag:
+            flag(row.key);
+            break;
+        case Type::choice:
+            choice(row.key);
+            break;
+        case Type::input:
+            if (find(row.key)->node.kind == Node::Kind::number) number(row.key);
+            break;
+        default:  // what is in it is seen when it is opened or used
+            break;
+    }
+}
+
+/// Where mistakes are kept, those in the values of one section are told together.
+void Section::check_values() const {
+    if (mistakes_ == nullptr) return;
+    bool is_right = true;
+    for (const Entry& entry : node_->entries) {
+        const Key* row = table_->find(schema_, entry.key);
+        if (row == nullptr) continue;
+        const bool was_used = entry.node.used;
+        is_right &= attempt([&] { look_at(*row); });
+        entry.node.used = was_used;
+    }
+    if (!is_right && !is_top(schema_)) throw Follows();
 }
 
 const Entry* Section::find(std::string_view key) const {

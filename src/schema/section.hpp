@@ -124,6 +124,8 @@ class Section {
     const Key& row(std::string_view key) const;
     int choice_index(std::string_view key) const;
     void check_known() const;
+    void check_values() const;
+    void look_at(const Key& row) const;
     bool is_unknown(const Entry& entry) const;
     void note_name(std::string_view key) const;
     Section section_of(const Node& node, const char* schema) const;

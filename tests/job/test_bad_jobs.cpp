@@ -95,6 +95,25 @@ TEST(ManyMistakes, AreToldAtOnceWithTheirLinesAndNothingThatFollowsFromThem) {
         fmt::format("office.toml:{}: ", line_with(job, "u_value = -0.9"))));
 }
 
+TEST(ManyMistakes, InTheValuesOfOneSectionAreAllTold) {
+    BadJob bad;
+    std::string& job = bad.files["office.toml"];
+    job = replaced(job, "floor_area = 1500", "floor_area = -1");
+    job = replaced(job, "volume = 4500", "volume = \"big\"");
+    job = replaced(job, "class = \"heavy\"", "class = \"hevy\"");
+    job = replaced(job, "heating_capacity = 40", "heating_capacity = -40");
+    const std::vector<std::string> lines = mistakes_in(ending_of(bad));
+    ASSERT_EQ(lines.size(), 4U);
+    for (const char* key : {"floor_area", "volume", "class", "heating_capacity"})
+        EXPECT_EQ(std::ranges::count_if(lines,
+                                        [&](const std::string& line) {
+                                            return line.find(std::string("zone.") + key +
+                                                             " = ") != std::string::npos;
+                                        }),
+                  1)
+            << key;
+}
+
 /// What a description changes: the texts that it replaces.
 std::set<std::string> places_of(const std::filesystem::path& description) {
     std::set<std::string> places;

@@ -100,7 +100,7 @@ TEST(StagedStudy, RefusesWhatCannotBe) {
              {replaced(envelope, "\"envelope\"", "\"at_once\""),
               "stands for something else; expected another name"},
              {std::string("method = \"nsga2\"\n") + envelope,
-              "a stage has one objective; expected another method"}}) {
+              "study.method = \"nsga2\": expected one of swarm_then_pattern"}}) {
         const Folder folder;
         EXPECT_NE(message_of(write_job(folder, bad.keys)).find(bad.message),
                   std::string::npos)
