@@ -14,9 +14,13 @@
 #include "store/layout_check.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numeric>
+#include <span>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -95,8 +99,8 @@ class Coordinates {
     std::string place(std::string group, const std::string& dimension,
                       std::size_t k) const {
         for (;; group = store::group_of(group)) {
-            const auto found =
-                by_path_.find(group.empty() ? dimension : group + "/" + dimension);
+            const auto found = by_path_.find(
+                group.empty() ? dimension : fmt::format("{}/{}", group, dimension));
             if (found != by_path_.end() && k < product(found->second->shape))
                 return Cells(*found->second)[k];
             if (group.empty()) return std::to_string(k + 1);
