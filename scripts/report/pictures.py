@@ -386,7 +386,7 @@ def parameters(loop):
                       color=colour, label=name, elinewidth=1.6)
         said.append(middle)
     axis.set_yticks(range(len(shown)), [loop.parameters[p] for p in shown])
-    axis.set(xlabel="from the prior's mean [prior sd]",
+    axis.set(xlabel="from its mean [prior sd]",
              ylim=(len(shown) - 0.5, -0.5))
     axis.grid(False, axis="y")
     axis.legend(loc="lower right", bbox_to_anchor=(1, 1), borderaxespad=0.2, ncols=3)
