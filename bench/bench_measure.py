@@ -6,7 +6,9 @@
 The first loop sees what a utility sees: hourly electricity, and gas where there is any. Where the planted effect is
 in a class of several names and a measurement is advised for it, the case's own readings of it, in the advised weeks
 alone, join for a second loop; beside that, for a third one, those of another kind or month, drawn at random, for as
-many weeks. A name is told where it is right and alone in its class. Prints `name value unit reference ratio`.
+many weeks. A name is told where it is right and alone in its class. Of parameters the one whose deviation is foretold
+to fall most is measured as advised: its deviation in the loop that has these readings, over the foretold one. Prints
+`name value unit reference ratio`.
 """
 import argparse
 import csv
@@ -39,26 +41,44 @@ def meters_in(case):
 def run_loops(cases, meters, folder, ranks):
     """{case's name: Scored} and the result's path; `meters` are those of all cases."""
     listed = "[" + ", ".join(f'"{meter}"' for meter in meters) + "]"
-    options = SimpleNamespace(ranks=ranks, score_only=False)
+    done = folder.parent / f"job_{folder.name}_{len(cases)}" / "result.h5"
+    options = SimpleNamespace(ranks=ranks, score_only=done.exists())
     bench_loop.LADDER[folder.name] = ({"meters": listed}, None)
     result, _ = bench_loop.run(cases, folder.parent, options, folder.name)
     return {scored.name: scored for scored in loop_scores.scores(result, cases)}, result
 
 
-def question_of(result, case, names):
-    """The rows of the first open question about one of these names; [] = none."""
+def rows_of(result, case):
+    """What the loop says of every measurement."""
     with h5py.File(result) as file:
         loop = file[case]["loop"]
         if "measurement" not in loop:
             return []
-        columns = {key: loop[f"measurement_{key}"] for key in ("question", "kind", "from", "weeks", "now", "then",
-                                                               "advised")}
-        texts = {key: column.asstr()[:] if column.dtype.kind == "O" else column[:] for key, column in columns.items()}
-        rows = [dict(zip(texts, values), measure=measure)
-                for measure, *values in zip(loop["measurement"].asstr()[:], *texts.values())]
+        columns = {"measure": loop["measurement"], **{key: loop[f"measurement_{key}"] for key in (
+            "question", "kind", "from", "weeks", "now", "then", "advised")}}
+        values = [column.asstr()[:] if column.dtype.kind == "O" else column[:] for column in columns.values()]
+    return [row for row in (dict(zip(columns, row)) for row in zip(*values)) if row["measure"] in CHANNEL_OF]
+
+
+def question_of(rows, names):
+    """The rows of the first open question about one of these names; [] = none."""
     asked = [row["question"] for row in rows
              if row["kind"] == "name" and any(name in row["question"] for name in names)]
     return [row for row in rows if asked and row["question"] == asked[0]]
+
+
+def widest_of(rows):
+    """The advised row of the parameter whose deviation falls most; None where there is none."""
+    advised = [row for row in rows if row["kind"] == "parameter" and row["advised"] == 1]
+    return min(advised, key=lambda row: row["then"] / row["now"], default=None)
+
+
+def deviation_of(result, case, parameter):
+    """Of the last model, as a share of the prior's."""
+    with h5py.File(result) as file:
+        loop = file[case]["loop"]
+        at = list(loop["parameter"].asstr()[:]).index(parameter)
+        return float(loop["parameter_sd"][2, at] / loop["parameter_prior_sd"][at])
 
 
 def drawn(row, offered, rng):
@@ -102,23 +122,47 @@ def names_right(planted):
     return loop_scores.RIGHT[planted].names
 
 
-def tried(open_cases, rows, folder, ranks):
-    """How many names are told with these measurements. {case: row}"""
+def loop_with(case, row, folder, ranks):
+    """The loop that has the readings of a measurement, too: its score (None where it failed) and its result."""
+    copy = with_readings(case, row, folder / case.name)
+    meters = [*(m for m in CARRIERS if m in meters_in(case)), CHANNEL_OF[row["measure"]]]
+    scored, result = run_loops({copy: "single"}, meters, folder / case.name / "run", ranks)
+    return scored.get(case.name), result
+
+
+def said(case, row, outcome):
+    print(f"# {case.name}: {row['question']}: {row['measure']}, {row['weeks']:.0f} weeks from {row['from']}: {outcome}",
+          flush=True)
+
+
+def tried_names(open_cases, rows, folder, ranks):
+    """Whether each name is told with these measurements. {case: row}"""
     told = []
     for case, planted in open_cases.items():
-        copy = with_readings(case, rows[case], folder / case.name)
-        meters = [*(m for m in CARRIERS if m in meters_in(case)), CHANNEL_OF[rows[case]["measure"]]]
-        scored, _ = run_loops({copy: "single"}, meters, folder / case.name / "run", ranks)
-        told.append(case.name in scored and is_told(scored[case.name], planted))
-        print(f"# {case.name}, {planted}: {rows[case]['measure']}, {rows[case]['weeks']:.0f} weeks from "
-              f"{rows[case]['from']}: {'told' if told[-1] else 'not told'}", flush=True)
+        scored, _ = loop_with(case, rows[case], folder, ranks)
+        told.append(scored is not None and is_told(scored, planted))
+        said(case, rows[case], "told" if told[-1] else "not told")
     return told
+
+
+def tried_parameters(rows, folder, ranks):
+    """Deviations over those foretold. {case: row}"""
+    ratios = []
+    for case, row in rows.items():
+        scored, result = loop_with(case, row, folder, ranks)
+        if scored is None:
+            continue
+        then = deviation_of(result, case.name, row["question"])
+        ratios.append(then / row["then"])
+        said(case, row, f"deviation {row['now']:.2f}, foretold {row['then']:.2f}, was {then:.2f} of the prior's")
+    return ratios
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--only", type=int, default=40, help="cases with one effect; default 40")
     parser.add_argument("--seed", type=int, default=711)
+    parser.add_argument("--parameters", type=int, default=10, help="cases whose widest parameter is measured")
     parser.add_argument("--ranks", type=int, default=2)
     parser.add_argument("--folder", type=pathlib.Path, default=pathlib.Path("build/bench/measure"))
     options = parser.parse_args()
@@ -134,19 +178,26 @@ def main():
                if tuple(m for m in CARRIERS if m in meters_in(case)) == carriers}
         scored, result = run_loops(own, carriers, options.folder.resolve() / "_".join(carriers), options.ranks)
         first |= {case: (scored[case.name], result) for case in own if case.name in scored}
-    open_cases, advised, other = {}, {}, {}
+    open_cases, advised, other, wide = {}, {}, {}, {}
     rng = np.random.default_rng(options.seed)
     for case, (scored, result) in first.items():
         planted = next(iter(scored.planted))
-        rows = [row for row in question_of(result, case.name, names_right(planted)) if row["measure"] in CHANNEL_OF]
-        best = [row for row in rows if row["advised"] == 1]
+        rows = rows_of(result, case.name)
+        if widest_of(rows):
+            wide[case] = widest_of(rows)
+        asked = question_of(rows, names_right(planted))
+        best = [row for row in asked if row["advised"] == 1]
         if best:
             open_cases[case], advised[case] = planted, best[0]
-            other[case] = drawn(best[0], sorted({row["measure"] for row in rows}), rng)
-    bench_loop.line("measure_open_questions", len(open_cases), f"of_{len(first)}", 40)
+            other[case] = drawn(best[0], sorted({row["measure"] for row in asked}), rng)
+    bench_loop.line("measure_open_names", len(open_cases), f"of_{len(first)}", 40)
     for name, rows, reference in (("advised", advised, 75), ("random", other, 0)):
-        told = tried(open_cases, rows, options.folder.resolve() / name, options.ranks)
+        told = tried_names(open_cases, rows, options.folder.resolve() / name, options.ranks)
         bench_loop.line(f"measure_told_by_the_{name}", bench_loop.share(told), f"%_of_{len(told)}", reference)
+    wide = dict(list(wide.items())[:options.parameters])
+    ratios = tried_parameters(wide, options.folder.resolve() / "parameter", options.ranks)
+    bench_loop.line("measure_deviation_over_foretold", float(np.median(ratios)) if ratios else np.nan,
+                    f"of_{len(ratios)}", 1)
 
 
 if __name__ == "__main__":

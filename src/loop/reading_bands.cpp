@@ -92,8 +92,10 @@ Band ReadingBands::hour(double predicted, physics::Seconds begin, double level) 
     if (of_kind_.empty()) return {nan, nan};
     const Band& own = of_kind_[kind_of(predicted, begin)];
     const double of_level = stats::z_90_two_sided * level * predicted;
-    return {predicted + std::copysign(std::hypot(own.least, of_level), own.least),
-            predicted + std::copysign(std::hypot(own.most, of_level), own.most)};
+    // About the prediction; of residuals that all have one sign, about the least of them.
+    const double middle = std::clamp(0.0, own.least, own.most);
+    return {predicted + middle - std::hypot(middle - own.least, of_level),
+            predicted + middle + std::hypot(own.most - middle, of_level)};
 }
 
 Band ReadingBands::month(double predicted, double level) const {

@@ -111,6 +111,25 @@ TEST(ReadingBands, AreWiderByTheLevelOfAnotherYear) {
                 1e-9);
 }
 
+// Where nothing is ever read below the prediction, another year's level still may be.
+TEST(ReadingBands, ALevelWidensBothSidesAlsoWhereErrorsHaveOneSign) {
+    UnseenHours hours = hours_of(1);
+    const auto noon = physics::parse_time("2021-06-01T12:00");
+    const double of_level = 1.645 * 0.06 * 20;
+    for (const double least : {0.0, 1.0, -3.0}) {
+        for (std::size_t k = 0; k < hours.residuals.size(); ++k) {
+            hours.predicted[k] = 20;
+            hours.residuals[k] = least + (k % 2 == 0 ? 0 : 2);
+        }
+        const double nearest = least > 0 ? least : least + 2 < 0 ? least + 2 : 0;
+        const Band band = ReadingBands(hours, false).hour(20, noon, 0.06);
+        EXPECT_NEAR(20 + nearest - band.least, std::hypot(nearest - least, of_level),
+                    1e-3);
+        EXPECT_NEAR(band.most - 20 - nearest, std::hypot(least + 2 - nearest, of_level),
+                    1e-3);
+    }
+}
+
 TEST(ReadingBands, UsualChangesAreOfEnergies) {
     EXPECT_EQ(usual_level_change(physics::Quantity::electricity), 0.06);
     EXPECT_EQ(usual_level_change(physics::Quantity::gas), 0.18);
