@@ -371,6 +371,12 @@ class Runs(Folder):
         members = self.stored("loop/effect_class_member")
         self.assertEqual(effects["not_told_from"].iloc[0], "; ".join(members[members != effects.index[0]]))
 
+    def test_measurements_are_those_of_the_file(self):
+        measurements = self.result.measurements_of()
+        for column, stored in (("question", "_question"), ("measure", ""), ("weeks", "_weeks"), ("then", "_then")):
+            self.assertEqual(list(measurements[column]), list(self.stored(f"loop/measurement{stored}")))
+        self.assertEqual(list(measurements["advised"]), list(self.stored("loop/measurement_advised") == 1))
+
     def test_errors_are_those_of_the_file_where_something_is_measured(self):
         errors, fit = self.result.errors, self.stored("loop/fit")
         self.assertEqual(list(errors.columns), ["plain", "before", "after"])
@@ -479,6 +485,16 @@ class Runs(Folder):
         self.assertEqual(status.hash, self.file.attrs["result_hash"])
         self.assertEqual(self.result.attributes["result_hash"], status.hash)
         self.assertEqual(self.result.run["n_ranks"], "1")
+
+    def test_a_first_job_is_written_from_files_and_little_else(self):
+        given = {"weather": [QUICKSTART / "weather_2021_2022.csv"], "meters": [QUICKSTART / "measured_2021_2022.csv"],
+                 "area": 3000, "built": 1990, "place": "ES", "site": (40, -3.7)}
+        new = bemcal.new(self.folder / "first.toml", use="office", storeys=3, **given)
+        self.assertEqual([meter["name"] for meter in new["meter"]], ["electricity", "cooling", "heat"])
+        self.assertEqual(new.path, self.folder / "first.toml")
+        bemcal.check(new)
+        self.assertRefused(ExitCode.USAGE, "expected one of office", bemcal.new, self.folder / "other.toml",
+                           use="palace", **given)
 
     def test_a_job_is_adopted_beside_the_old_one(self):
         new = bemcal.adopt(self.result, self.job, self.place / "adopted.toml", keep_priors=True)

@@ -11,9 +11,9 @@ what it wrote. Whatever goes wrong is a `bemcal.Error` with the program's messag
 from ._version import VERSION as __version__
 from .errors import Error, ExitCode, NotReached
 from .job import Job
-from .program import Status, adopt, check, describe, run, status
+from .program import Status, adopt, check, describe, new, run, status
 from .result import Result
 from .result import open_result as open  # as of h5py and xarray: bemcal.open
 
 __all__ = ["Error", "ExitCode", "Job", "NotReached", "Result", "Status", "__version__", "adopt", "check",
-           "describe", "open", "run", "status"]
+           "describe", "new", "open", "run", "status"]

@@ -15,7 +15,7 @@ import sys
 import tempfile
 import warnings
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, List, Optional, Sequence, Union
+from typing import TYPE_CHECKING, List, Optional, Sequence, Tuple, Union
 
 from .errors import Error, ExitCode, NotReached
 
@@ -253,22 +253,43 @@ def adopt(result: Union["Result", Path], job: Union["Job", Path], output: Path, 
     return Job.read(output)
 
 
+def new(job: Path, *, weather: Sequence[Path], meters: Sequence[Path], area: float, use: str, built: int, place: str,
+        site: Optional[Tuple[float, float]] = None, storeys: Optional[int] = None, height: Optional[float] = None,
+        force: bool = False, program: Optional[Path] = None) -> "Job":
+    """A first job, written to `job`: `bemcal-batch new`. Look at its lines "check this" first.
+
+    weather  EPW files of measured years, or CSV files
+    meters   files of readings, each perhaps with :COLUMN:QUANTITY:UNIT behind it
+    area     heated or cooled floor area [m2]
+    use      "office", "school", "apartments", ...
+    built    the year in which it was built, or its envelope renewed
+    place    country, perhaps with a state: "GB", "US-NY"
+    site     latitude and longitude [deg]; default: as the EPW file says
+    height   of a storey [m]
+    """
+    from .job import Job
+    words = ["new", os.fspath(job), *(f"--weather={os.fspath(file)}" for file in weather),
+             *(f"--meter={os.fspath(file)}" for file in meters), f"--area={area}", f"--use={use}", f"--built={built}",
+             f"--place={place}", *([f"--site={site[0]},{site[1]}"] if site else [])]
+    asked([*words, *options(storeys=storeys, height=height, force=force)], program)
+    return Job.read(job)
+
+
 def describe(topic: str, *more: str, program: Optional[Path] = None) -> str:
     """What `bemcal-batch describe` prints of job, results, parameters, structure, effects or holidays."""
     return asked(["describe", topic, *more], program)
 
 
-def script(*names: str, program: Optional[Path] = None) -> pathlib.Path:
-    """The first of these scripts that lies beside the package, or beside the program."""
+def script(name: str, program: Optional[Path] = None) -> pathlib.Path:
+    """scripts/NAME beside the package, or beside the program."""
     folders = [SCRIPTS]
     if not HAS_SCRIPTS:
         own = pathlib.Path(find(program)).resolve().parent
         folders = [own.parent / "share" / "bemcal" / "scripts", own.parents[1] / "scripts"]
     for folder in folders:
-        for name in names:
-            if (folder / name).is_file():
-                return folder / name
-    raise Error(f"scripts/{names[0]} was not found in {' or '.join(map(str, folders))}; cmake --install puts it there",
+        if (folder / name).is_file():
+            return folder / name
+    raise Error(f"scripts/{name} was not found in {' or '.join(map(str, folders))}; cmake --install puts it there",
                 ExitCode.NO_INPUT)
 
 

@@ -297,6 +297,18 @@ class Result:
                              "value": loop["effect_value"].to_numpy(), "least": loop["effect_value_least"].to_numpy(),
                              "most": loop["effect_value_most"].to_numpy()})
 
+    def measurements_of(self, stage: Optional[str] = None) -> pd.DataFrame:
+        """What to measure next: question (two names, or a parameter), kind (name, parameter), measure, start (the first
+        day of the weeks that tell most), weeks, now and then (of a name the chance that the likelier one is right, of a
+        parameter its standard deviation as a share of its prior's), advised (the cheapest that is enough, or else the
+        one that tells most)."""
+        loop = self._loop(stage)
+        names = {"question": "_question", "kind": "_kind", "measure": "", "start": "_from", "weeks": "_weeks",
+                 "now": "_now", "then": "_then", "advised": "_advised"}
+        table = pd.DataFrame({name: loop[f"measurement{own}"].to_numpy() for name, own in names.items()})
+        table["advised"] = table["advised"] == 1
+        return table
+
     def errors_of(self, stage: Optional[str] = None) -> pd.DataFrame:
         """Errors of a loop's three models. Rows: period, meter, resolution (hourly, monthly), metric (n: readings;
         cv_rmse, nmbe as fractions; rmse in the meter's unit). Columns: plain (the calibrated standard), before (with
@@ -356,7 +368,7 @@ class Result:
             raise Error(f"{file}: " + ("is there already; force=True writes over it" if not force else
                                        "is the result itself"), ExitCode.CANNOT_CREATE)
         words = [os.fspath(self.path), os.fspath(file), *program.options(stage=stage)]
-        program.run_script(program.script("result_report", "loop_report"), words)
+        program.run_script(program.script("result_report"), words)
         return file
 
     def plot(self, folder: Path, stage: Optional[str] = None) -> List[pathlib.Path]:
