@@ -136,19 +136,12 @@ double largest_mean(const LoopData& data) {
 
 /// What energy a meter carries, next to that of the largest.
 std::vector<double> shares_of(const LoopData& data) {
-    constexpr double share_of_largest = 0.1;  ///< from it on a meter counts whole
-    constexpr double least_share = 0.01;
     const double largest = largest_mean(data);
     std::vector<double> shares;
-    for (std::size_t c = 0; c < data.targets.n_channels(); ++c) {
-        if (is_air(data.targets.channels[c]))
-            shares.push_back(1);
-        else if (largest > 0)
-            shares.push_back(std::clamp(
-                hourly_mean(data, c) / (share_of_largest * largest), least_share, 1.0));
-        else
-            shares.push_back(least_share);
-    }
+    for (std::size_t c = 0; c < data.targets.n_channels(); ++c)
+        shares.push_back(is_air(data.targets.channels[c])
+                             ? 1
+                             : share_of_meter(hourly_mean(data, c), largest));
     return shares;
 }
 
@@ -429,6 +422,13 @@ std::vector<ChannelNoise> noise_of(const LoopData& data,
         if (is_hourly(data.targets.channels[c]) && n > 0)
             noise[c].kappa = std::exp(logs / n);
     return noise;
+}
+
+double share_of_meter(double mean, double largest) {
+    constexpr double share_of_largest = 0.1;  ///< from it on a meter counts whole
+    constexpr double least_share = 0.01;
+    return largest > 0 ? std::clamp(mean / (share_of_largest * largest), least_share, 1.0)
+                       : least_share;
 }
 
 std::vector<double> mean_squares(const study::Targets& targets,

@@ -145,6 +145,10 @@ std::vector<double> weights_of(const study::Targets& targets,
 std::vector<ChannelNoise> noise_of(const LoopData& data,
                                    std::span<const double> residuals);
 
+/// ChannelNoise::share of an energy meter. \param mean, largest  what it, and the largest
+/// one, show in an hour [kWh]
+double share_of_meter(double mean, double largest);
+
 /// Mean squares of a channel's residuals that are measured. [channels]
 std::vector<double> mean_squares(const study::Targets& targets,
                                  std::span<const double> residuals);

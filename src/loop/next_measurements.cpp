@@ -63,9 +63,8 @@ std::vector<kernel::Channel> all_by_the_hour() {
 
 /// Hours after each other of one channel.
 struct Stretch {
-    std::size_t channel;
-    std::size_t first, n;
-    double weight;  ///< of a squared error in -2 log likelihood
+    std::size_t first, n;  ///< among the readings of all
+    double weight;         ///< of a squared error in -2 log likelihood
 };
 
 /// The model that stands, and others, as all channels would show them by the hour.
@@ -117,9 +116,13 @@ class Shown {
         const auto from = first_hour_of(month, n);
         std::vector<Stretch> all;
         if (!from) return all;
-        for (std::size_t c = 0; c < is_read_.size(); ++c)
-            if (is_read_[c] || (kind.added && c == static_cast<std::size_t>(*kind.added)))
-                all.push_back({c, first_[c] + *from, n, weights_[c]});
+        for (std::size_t c = 0; c < is_read_.size(); ++c) {
+            const bool is_added =
+                kind.added && c == static_cast<std::size_t>(*kind.added);
+            if (is_read_[c] || is_added)
+                all.push_back({first_[c] + *from, n,
+                               is_read_[c] ? weights_[c] : weight_of_new(c, *from, n)});
+        }
         return all;
     }
 
@@ -140,29 +143,38 @@ class Shown {
     void find_weights(const Standing& last) {
         is_read_.assign(place_.channels.size(), false);
         weights_.assign(place_.channels.size(), 0);
-        double kappa = 1;
         for (std::size_t c = 0; c < data_.targets.n_channels(); ++c) {
             const kernel::Channel& channel = data_.targets.channels[c];
+            if (!physics::is_temperature(channel.quantity))
+                largest_ = std::max(largest_, mean_of(channel.quantity));
             if (channel.interval != physics::Interval::hourly) continue;
             const auto at = static_cast<std::size_t>(channel.quantity);
             is_read_[at] = true;
             weights_[at] = last.noise[c].weight() / misfit_;
-            kappa = last.noise[c].kappa;
-        }
-        for (std::size_t c = 0; c < weights_.size(); ++c) {
-            if (is_read_[c]) continue;
-            const double error = error_of(c);
-            weights_[c] = error > 0 ? 1 / (error * error * kappa * misfit_) : 0;
+            kappa_ = last.noise[c].kappa;
         }
     }
 
-    double error_of(std::size_t channel) const {
-        if (physics::is_temperature(place_.channels[channel].quantity))
-            return error_of_room;
+    double mean_of(Quantity quantity) const {
+        return mean_of(hours(static_cast<std::size_t>(quantity), at_.predicted));
+    }
+    static double mean_of(std::span<const double> values) {
         double sum = 0;
-        const auto own = hours(channel, at_.predicted);
-        for (const double value : own) sum += value;
-        return error_of_energy * sum / static_cast<double>(own.size());
+        for (const double value : values) sum += value;
+        return sum / static_cast<double>(values.size());
+    }
+
+    /// Of what nobody has read yet: its errors are those of the weeks in which it is
+    /// read.
+    double weight_of_new(std::size_t channel, std::size_t from, std::size_t n) const {
+        double error = error_of_room, share = 1;
+        if (!physics::is_temperature(place_.channels[channel].quantity)) {
+            const double mean =
+                mean_of(std::span(at_.predicted).subspan(first_[channel] + from, n));
+            error = error_of_energy * mean;
+            share = share_of_meter(mean, std::max(mean, largest_));
+        }
+        return error > 0 ? share / (error * error * kappa_ * misfit_) : 0;
     }
 
     std::optional<std::size_t> first_hour_of(int month, std::size_t n) const {
@@ -180,7 +192,9 @@ class Shown {
     std::vector<std::size_t> first_;  ///< [channels + 1]
     std::vector<physics::Seconds> begins_;
     std::vector<bool> is_read_;    ///< [quantities] by the hour
-    std::vector<double> weights_;  ///< [quantities]
+    std::vector<double> weights_;  ///< [quantities] of those that are read
+    double kappa_ = 1;             ///< of what is read by the hour
+    double largest_ = 0;           ///< mean of the largest meter [kWh in an hour]
 };
 
 /// What is known of the unknowns, with a measurement or without.
