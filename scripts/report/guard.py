@@ -30,9 +30,9 @@ class Refused(Exception):
 
 
 def has(group, path):
-    """Whether something lies there, in the file itself: links to elsewhere do not count."""
+    """Whether something lies there, in the file itself: links to elsewhere do not count, nor ".", the group."""
     for name in path.split("/"):
-        if not isinstance(group, h5py.Group) or \
+        if name == "." or not isinstance(group, h5py.Group) or \
                 not isinstance(group.get(name, getlink=True), h5py.HardLink):
             return False
         group = group[name]

@@ -1,25 +1,41 @@
-"""A night over a stock: its numbers in stock.html, no script, no request.
+"""A night over a stock: its numbers in stock.html, and of each building a line that stock.js draws.
 
-`bemcal-batch describe results` names the datasets.
+`bemcal-batch describe results` names the datasets. The page makes no request, and its Content Security Policy lets no
+other script run. Foretold days are known only of buildings whose whole result was kept (`keep_results`).
 """
+import base64
 import csv
+import hashlib
 import math
 import pathlib
+import string
 from collections import Counter
 from dataclasses import dataclass, field
 
 import h5py
 import jinja2
+import jinja2.utils
 import numpy as np
 
 from report import guard, theme, words
 
+HERE = pathlib.Path(__file__).parent
 MOST_ROWS = 40
+FOUND = "found: "              # what a finding begins with that is an effect of a loop
+TABLE_HEAD = "building,status,"
+# A daily sum is one character, a step of least to most: fine enough for a line of two dozen pixels.
+LEVELS, GAP = string.digits + string.ascii_letters, " "
+CHARACTERS = np.frombuffer((LEVELS + GAP).encode(), np.uint8)
+HOUR, DAY = 3600, 86400        # [s]
 SHARED = "shared"              # a word of every finding of the kind
 UNIT = "unit"
 
 
-@dataclass
+def no_days():
+    return np.empty(0)
+
+
+@dataclass(eq=False)
 class Building:
     name: str
     status: str
@@ -30,6 +46,9 @@ class Building:
     fits: list = field(default_factory=list)      # (meter, period, before, cv_rmse, nmbe)
     values: list = field(default_factory=list)    # (parameter, unit, value, low, high, moved)
     findings: list = field(default_factory=list)  # (series, finding, action)
+    first_day: int = 0                            # of both series [days since 1970]
+    measured: np.ndarray = field(default_factory=no_days)  # daily sums [kWh]
+    foretold: np.ndarray = field(default_factory=no_days)  # as many, or none
 
     def first_meter(self):
         return [fit for fit in self.fits if fit[0] == self.fits[0][0]] if self.fits else []
@@ -40,9 +59,18 @@ class Building:
         return fits[0][3] if fits else math.nan
 
     @property
+    def before(self):
+        fits = self.first_meter()
+        return fits[0][2] if fits else math.nan
+
+    @property
     def recent(self):
         fits = self.first_meter()
         return fits[-1][3] if fits else math.nan
+
+    @property
+    def effects(self):
+        return [finding.removeprefix(FOUND) for _, finding, _ in self.findings if finding.startswith(FOUND)]
 
     @property
     def has_changed(self):
@@ -74,6 +102,58 @@ def rows(group, prefix, names):
     return zipped(columns)
 
 
+def add_daily_sums(group, buildings):
+    """One list holds those of all buildings, one after the other. ValueError where it is too short."""
+    counts = numbers(group, "stock_daily_n")
+    days = guard.sound(group["stock_daily"])[:] if guard.has(group, "stock_daily") else no_days()
+    place = 0
+    for building, count, first in zip(buildings, counts, numbers(group, "stock_daily_start")):
+        count = int(count)
+        if not 0 <= count <= len(days) - place:
+            raise ValueError(f"stock_daily_n of {building.name} is {count}, of {len(days) - place} daily sums left")
+        building.first_day, building.measured = int(first), days[place:place + count]
+        place += count
+
+
+def sums_by_day(time, values):
+    """{day since 1970: sum} of the days with all readings. time [s since 1970] in steps of an hour or less."""
+    step = time[1] - time[0] if len(time) > 1 else math.inf
+    if not 0 < step <= HOUR:
+        return {}
+    days, places = np.unique(time // DAY, return_inverse=True)
+    is_whole = np.bincount(places) == round(DAY / step)
+    return {int(day): total for day, total, whole in
+            zip(days, np.bincount(places, weights=values), is_whole) if whole}
+
+
+def foretold_in(study, meter):
+    """{day since 1970: sum} of a kept study: of its best, last or mean model, whichever it stores."""
+    days = {}
+    for period in guard.texts(study, "period"):
+        if not guard.has(study, f"{period}/{meter}/time"):
+            continue
+        group = guard.inner(study, f"{period}/{meter}")
+        name = next((name for name in ("predicted_mean", "simulated") if guard.has(group, name)), None)
+        if name is None:
+            continue
+        values = guard.sound(group[name])[:]
+        days |= sums_by_day(guard.sound(group["time"])[:], values[-1] if values.ndim > 1 else values)
+    return days
+
+
+def add_foretold(file, building):
+    """Of the meter whose errors are shown, where the whole result was kept."""
+    if not building.fits or not len(building.measured) or not guard.has(file, building.name):
+        return
+    kept = guard.inner(file, building.name)
+    for name in kept if isinstance(kept, h5py.Group) else ():
+        days = foretold_in(kept[name], building.fits[0][0]) if guard.has(kept, name) else {}
+        series = np.array([days.get(building.first_day + k, math.nan) for k in range(len(building.measured))])
+        if np.isfinite(series).any():
+            building.foretold = series
+            return
+
+
 def night_in(file):
     """(title, buildings) of an open file."""
     if not guard.has(file, "stock"):
@@ -94,12 +174,29 @@ def night_in(file):
     for owner, *row in rows(group, "stock_findings", [
             "stock_finding_series", "stock_finding", "stock_finding_action"]):
         at(buildings, owner).findings.append(tuple(row))
+    add_daily_sums(group, buildings)
+    for building in buildings:
+        add_foretold(file, building)
     return str(file.attrs.get("title", "stock")), buildings
 
 
+def table_of(result):
+    """The name of the night's CSV: RESULT.csv, or RESULT-table.csv where the first is no run's."""
+    result = pathlib.Path(result)
+    names = [f"{result.stem}.csv", f"{result.stem}-table.csv"]
+    for name in names:
+        path = result.with_name(name)
+        if path.is_file():
+            with open(path, encoding="utf-8", errors="replace") as file:
+                if file.read(len(TABLE_HEAD)) == TABLE_HEAD:
+                    return name
+    return names[0]
+
+
 def read(path):
+    """(title, night, buildings, name of the CSV)"""
     title, buildings = guard.read_apart(path, night_in)
-    return title, pathlib.Path(path).stem, buildings
+    return title, pathlib.Path(path).stem, buildings, table_of(path)
 
 
 def nights_in(path):
@@ -139,16 +236,74 @@ def with_word(buildings, word, place):
             if word in finding[place]]
 
 
+def rounded(value, decimals=0):
+    """None where it is not known; JSON has no other word for it."""
+    return round(float(value), decimals) if math.isfinite(value) else None
+
+
+def drawn(days, least, most):
+    """A character of LEVELS for each day, GAP where nothing is known."""
+    step = (most - least) / (len(LEVELS) - 1) or 1
+    known = np.isfinite(days)
+    levels = np.full(len(days), len(LEVELS))
+    levels[known] = np.round((days[known] - least) / step)
+    return CHARACTERS[levels].tobytes().decode()
+
+
+def sparkline(building):
+    """(mean of the measured days [kWh/d], first day, least, most, measured, foretold)"""
+    both = np.concatenate([building.measured, building.foretold])
+    known = building.measured[np.isfinite(building.measured)]
+    if not known.size:
+        return None, 0, None, None, "", ""
+    both = both[np.isfinite(both)]
+    least, most = min(0, both.min()), both.max()
+    if not math.isfinite(most - least):
+        raise ValueError(f"the daily sums of {building.name} have no finite range")
+    return (rounded(known.mean(), 1), building.first_day, rounded(least), rounded(most),
+            drawn(building.measured, least, most), drawn(building.foretold, least, most))
+
+
+# What stands in the table: column, heading, whether it is a number.
+HEADS = (("name", "building", False), ("status", "status", False), ("mean", "daily [kWh/d]", True),
+         ("start", "at start", True), ("training", "training", True), ("last", "last period", True),
+         ("drift", "drift", False), ("nights", "nights since", True), ("findings", "findings", True),
+         ("effects", "effects found", False))
+COLUMNS = ("name", "status", "why", "start", "training", "last", "drift", "nights", "findings", "effects",
+           "mean", "first_day", "least", "most", "measured", "foretold")
+
+
+def line(building):
+    """What stock.js draws of a building, in the order of COLUMNS; errors in %."""
+    effects = building.effects
+    return (building.name, building.status, building.reason or building.cause, rounded(100 * building.before, 1),
+            rounded(100 * building.training, 1), rounded(100 * building.recent, 1), building.drift,
+            building.nights_since, len(building.findings) - len(effects), "; ".join(effects), *sparkline(building))
+
+
+def json_of(buildings):
+    """Column by column, safe within a script element."""
+    columns = zip(*map(line, buildings)) if buildings else ((),) * len(COLUMNS)
+    return jinja2.utils.htmlsafe_json_dumps({"levels": LEVELS, **dict(zip(COLUMNS, columns))},
+                                            separators=(",", ":"), allow_nan=False)
+
+
+def hash_of(script):
+    """As a Content Security Policy names it."""
+    return "sha256-" + base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
+
+
 def contents(read_stock, nights):
-    title, night, buildings = read_stock
+    title, night, buildings, table = read_stock
     worst = sorted((b for b in buildings if math.isfinite(b.recent)),
                    key=lambda b: -b.recent)
     zeros = [(b.name, *f) for b in buildings for f in b.findings
              if "zeros" in f[1] and f[2].startswith("masked")]
     units = with_word(buildings, UNIT, 2) + with_word(buildings, "a step by", 1)
     shared = with_word(buildings, SHARED, 2)
-    others = [(b.name, *f) for b in buildings for f in b.findings
-              if (b.name, *f) not in zeros + units + shared]
+    said = {*zeros, *units, *shared}
+    others = [(b.name, *f) for b in buildings for f in b.findings if (b.name, *f) not in said]
+    script = (HERE / "stock.js").read_text(encoding="utf-8")
     return {"title": title, "night": night, "words": words, "most": MOST_ROWS,
             "counts": Counter(b.status for b in buildings), "n": len(buildings),
             "failed": [b for b in buildings if b.status == "failed"],
@@ -156,12 +311,13 @@ def contents(read_stock, nights):
             "postponed": [b for b in buildings if b.status == "postponed"],
             "drifting": [b for b in buildings if b.drift], "worst": worst, "zeros": zeros,
             "units": units, "shared": shared, "others": others, "picture": picture(nights),
-            "n_nights": len(nights),
+            "n_nights": len(nights), "table": table, "heads": HEADS, "lines": json_of(buildings),
+            "has_foretold": any(len(b.foretold) for b in buildings),
+            "script": jinja2.utils.markupsafe.Markup(script), "script_hash": hash_of(script),
             "colours": {name: (light, dark) for name, light, dark in theme.COLOURS.values()}}
 
 
 def html_of(read_stock, nights):
-    folder = pathlib.Path(__file__).parent
-    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(folder), autoescape=True,
+    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE), autoescape=True,
                                      trim_blocks=True, lstrip_blocks=True)
     return environment.get_template("stock.html").render(contents(read_stock, nights))

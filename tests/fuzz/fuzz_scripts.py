@@ -233,6 +233,12 @@ def stock(path):
                 text(f"stock_{name}", ["a", "b", "a", "masked"])
             for name in numbers:
                 group[f"stock_{name}"] = np.arange(4.0)
+        group["stock_daily_start"], group["stock_daily_n"] = np.full(3, 18993.0), np.array([2.0, 0, 3])
+        group["stock_daily"] = np.array([1.0, np.nan, 3, 2, -1])
+        kept = file.create_group("calibrated/screening")        # of the building of that name
+        kept.create_dataset("period", data=["training"], dtype=h5py.string_dtype())
+        kept["training/a/time"] = 18993 * 86400 + 3600 * np.arange(72.0)
+        kept["training/a/simulated"] = np.ones((2, 72))
 
 
 def targets(folder):

@@ -1,10 +1,14 @@
 #!/usr/bin/python3
 """A made stock, night after night: broken buildings are failed items with reasons, the same hash on 1, 2
-and 3 ranks and after a kill, and a second night does what has changed and nothing else."""
+and 3 ranks and after a kill, and a second night does what has changed and nothing else. Its page holds
+10,000 buildings, opens and sorts at once, and shows a hostile name as a name."""
 import csv
+import html
+import json
 import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -13,6 +17,7 @@ import time
 import unittest
 
 import h5py
+import numpy as np
 
 sys.dont_write_bytecode = True
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -113,7 +118,7 @@ class Nights(unittest.TestCase):
 
     def test_the_page_stands_alone_and_names_the_failed(self):
         page = (self.folder / "night-1.html").read_text(encoding="utf-8")
-        self.assertNotRegex(page, r"(src|href)=\"(?!data:)")
+        self.assertNotRegex(page, r"(src|href)=\"(?!data:|#)")
         for k, way in self.stock.broken.items():
             if way != 8:
                 self.assertIn(self.stock.lines[k]["name"], page)
@@ -195,6 +200,248 @@ class SecondNight(unittest.TestCase):
             self.assertEqual(status.count("calibrated") + (texts(third, "stock_cause")[
                 min(stock.broken)] != "" and status[min(stock.broken)] == "failed"), 1)
             self.assertGreater(status.count("postponed"), 10)
+
+
+STATUSES = ("calibrated", "unchanged", "postponed", "failed")
+HOSTILE = ("</script><script>document.title='broken'</script>", "<img src=x onerror=\"document.title='broken'\">",
+           "\"'&lt;b&gt; \u2028\u202e {{ 7*7 }}", "stock", ".", "../x//y")
+MANY, DAYS = 10000, 180
+MOST_BYTES, MOST_SECONDS = 8e6, 20     # of the page of so many buildings
+OPENS, SORTS = 2.0, 0.3                # [s] of the page in a browser, on a machine that does nothing else
+SLACK = 3                              # times more on one that does
+# What a test adds to the page: when all was drawn, how long each heading's click takes, and what then stands there.
+MEASURE = """
+addEventListener("load", () => {
+  const lines = document.getElementById("lines"), rows = () => [...lines.querySelectorAll("tbody th")];
+  const said = {"opened": (lines.getBoundingClientRect(), performance.now() / 1000), "sorts": []};
+  const names = () => {
+    const [first, last] = [0, lines.scrollHeight].map((top) => {
+      lines.scrollTop = top;
+      lines.dispatchEvent(new Event("scroll"));
+      return rows().map((row) => row.textContent);
+    });
+    return [first[0], last.at(-1)];
+  };
+  said.drawn = rows().length;
+  for (const head of lines.querySelectorAll("thead th"))
+    for (let click = 0; click < 2; ++click) {
+      const begin = performance.now();
+      head.querySelector("button").click();
+      lines.getBoundingClientRect();
+      said.sorts.push([head.dataset.key, head.getAttribute("aria-sort"), (performance.now() - begin) / 1000,
+                       ...names()]);
+    }
+  const count = (id, value) => {
+    document.getElementById(id).value = value;
+    document.getElementById(id).dispatchEvent(new Event("input"));
+    return document.getElementById("count").textContent;
+  };
+  said.failed = count("status", "failed");
+  count("status", "");
+  said.found = count("text", "ONERROR");
+  said.name = rows()[0].textContent;
+  dispatchEvent(new Event("beforeprint"));
+  count("text", "");
+  said.printed = rows().length;
+  said.title = document.title;
+  const told = document.createElement("pre");
+  told.id = "told";
+  told.textContent = JSON.stringify(said);
+  document.body.append(told);
+});
+"""
+
+
+def made_night(path, n):
+    """A result of n buildings that no run made: datasets as `bemcal-batch describe results` has them."""
+    rng = np.random.default_rng(7)
+    k = np.arange(n)
+    status = [STATUSES[place] for place in rng.choice(4, n, p=(0.2, 0.7, 0.08, 0.02))]
+    names = [f"building {place:05}" for place in rng.permutation(n)]
+    names[1:1 + len(HOSTILE)] = HOSTILE
+    season = 60 + 40 * np.cos(2 * np.pi * np.arange(DAYS) / 365)
+    daily = rng.lognormal(2, 1, (n, 1)) * season * rng.uniform(0.7, 1.3, (n, DAYS))
+    daily[:, 90:93] = np.nan
+    errors = rng.lognormal(-1.5, 0.4, (n, 2, 2))
+    with_effect, found = k[k % 7 == 0], ("found: wind, 0.083 1/h per m/s", "one value for 30 h", "zeros fill a gap")
+    findings = [(place, found[0]) for place in with_effect] + [(place, found[1 + place % 2]) for place in k]
+    text = {"building": names, "status": status, "cause": [""] * n,
+            "reason": ["gas.csv: cannot be opened" if one == "failed" else "" for one in status],
+            "drift": ["wall moved by 0.31 of its range" if place % 50 == 0 else "" for place in k],
+            "fit_meter": ["gas"] * (2 * n), "fit_period": ["training", "recent"] * n,
+            "finding_series": ["gas"] * len(findings), "finding": [what for _, what in findings],
+            "finding_action": ["masked" if "zeros" in what else "kept" for _, what in findings],
+            "value_parameter": ["wall"] * n, "value_unit": ["1"] * n}
+    numbers = {"age": k % 30, "daily_start": np.full(n, 19358), "daily_n": np.full(n, DAYS), "daily": daily.ravel(),
+               "fits_of": np.repeat(k, 2), "fit_before": errors[:, :, 0].ravel(),
+               "fit_cv_rmse": errors[:, :, 1].ravel(), "fit_nmbe": np.zeros(2 * n),
+               "values_of": k, "value": np.ones(n), "value_low": np.ones(n), "value_high": np.ones(n),
+               "value_moved": np.zeros(n), "findings_of": [place for place, _ in findings]}
+    with h5py.File(path, "w") as file:
+        group = file.create_group("stock")
+        file.attrs["title"] = HOSTILE[0]
+        for name, values in text.items():
+            group.create_dataset(f"stock_{name}", data=values, dtype=h5py.string_dtype())
+        for name, values in numbers.items():
+            group[f"stock_{name}"] = np.asarray(values, float)
+    return names, errors[:, 1, 1]
+
+
+def data_of(page):
+    return json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S).group(1))
+
+
+class Page(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.holder = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.holder.name)
+        cls.names, cls.recent = made_night(cls.folder / "many.h5", MANY)
+        begin = time.monotonic()
+        cls.page = cls.write("many.h5", "many.html")
+        cls.seconds = time.monotonic() - begin
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.holder.cleanup()
+
+    @classmethod
+    def write(cls, result, page):
+        subprocess.run([ROOT / "scripts" / "stock_report", cls.folder / result, cls.folder / page], check=True,
+                       capture_output=True)
+        return (cls.folder / page).read_text(encoding="utf-8")
+
+    def test_it_is_small_made_soon_and_the_same_again(self):
+        print(f"page of {MANY} buildings: {len(self.page.encode()) / 1e6:.2f} MB in {self.seconds:.1f} s")
+        self.assertLessEqual(len(self.page.encode()), MOST_BYTES)
+        self.assertLessEqual(self.seconds, MOST_SECONDS)
+        self.assertTrue(self.write("many.h5", "again.html") == self.page)
+
+    def test_it_holds_what_the_result_does(self):
+        data = data_of(self.page)
+        self.assertTrue(data["name"] == self.names)
+        np.testing.assert_allclose(data["last"], 100 * self.recent, atol=0.051)
+        with h5py.File(self.folder / "many.h5") as file:
+            daily = file["stock/stock_daily"][:].reshape(MANY, DAYS)
+        np.testing.assert_allclose(data["mean"], np.nanmean(daily, axis=1), atol=0.051)
+        shown = np.array([[data["levels"].find(day) for day in row] for row in data["measured"][:50]])
+        share = daily[:50] / np.nanmax(daily[:50], axis=1)[:, None]
+        np.testing.assert_array_equal(shown == -1, np.isnan(share))
+        np.testing.assert_allclose(np.where(shown < 0, np.nan, shown) / (len(data["levels"]) - 1), share, atol=0.01)
+        self.assertEqual((data["effects"][7], data["effects"][8]), ("wind, 0.083 1/h per m/s", ""))
+        self.assertEqual(set(data["findings"]), {1})
+
+    def test_a_hostile_name_is_only_a_name(self):
+        outside = re.sub(r"<script[ >].*?</script>", "", self.page, flags=re.S)
+        self.assertEqual(self.page.count("<script"), 2)
+        for sign in ("<img src=x", "</script><script>document"):
+            self.assertEqual(self.page.count(sign), 0, sign)
+        self.assertGreater(outside.count(html.escape(HOSTILE[0]).replace("&#x27;", "&#39;")), 0)
+        self.assertRegex(self.page[:2000], r"default-src 'none';[^\"]*script-src 'sha256-[A-Za-z0-9+/=]+'\"")
+
+    def test_without_scripts_it_names_the_table(self):
+        self.assertIn("many.csv", self.without_script(self.page))
+        (self.folder / "many.csv").write_text("name,floor_area\n")
+        (self.folder / "many-table.csv").write_text("building,status,cause\n")
+        self.assertIn("many-table.csv", self.without_script(self.write("many.h5", "other.html")))
+
+    @staticmethod
+    def without_script(page):
+        return re.search("<noscript>(.*?)</noscript>", page, re.S).group(1)
+
+    def test_of_whole_results_the_foretold_days_are_drawn(self):
+        made.make(self.folder, 2, 1, seed=3, broken_share=0)
+        job, result = self.folder / "kept.toml", self.folder / "kept.h5"
+        job.write_text(made.job_text(POINTS).replace("[stock]", "[stock]\nkeep_results = true"))
+        subprocess.run(command(1, "run", job, "--no-report", "-o", result), env=ENVIRONMENT, check=True,
+                       capture_output=True)
+        data = data_of(self.write("kept.h5", "kept.html"))
+        for k, name in enumerate(data["name"]):
+            with h5py.File(result) as file:
+                gas = file[f"{name}/screening/training/gas"]
+                hours = gas["simulated"][-1], gas["measured"][:]
+            simulated, measured = (values.reshape(-1, 24).sum(axis=1)[-DAYS:] for values in hours)
+            step = (data["most"][k] - data["least"][k]) / (len(data["levels"]) - 1)
+            for series, daily in (("foretold", simulated), ("measured", measured)):
+                shown = [data["levels"].index(day) for day in data[series][k]]
+                np.testing.assert_allclose(np.multiply(shown, step), daily, atol=0.6 * step + 1)
+            self.assertNotEqual(data["foretold"][k], data["measured"][k])
+
+    def test_a_list_that_is_too_short_is_refused(self):
+        shutil.copy(self.folder / "many.h5", self.folder / "short.h5")
+        with h5py.File(self.folder / "short.h5", "r+") as file:
+            file["stock/stock_daily_n"][-1] = DAYS + 1
+        done = subprocess.run([ROOT / "scripts" / "stock_report", self.folder / "short.h5", self.folder / "x.html"],
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 65)
+        self.assertIn("daily sums left", done.stderr)
+
+
+BROWSER = shutil.which("chromium")
+
+
+@unittest.skipUnless(BROWSER, "no chromium is installed")
+class Browser(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.holder = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.holder.name)
+        cls.names, cls.recent = made_night(cls.folder / "many.h5", MANY)
+        page = cls.folder / "many.html"
+        subprocess.run([ROOT / "scripts" / "stock_report", cls.folder / "many.h5", page], check=True,
+                       capture_output=True)
+        cls.page = page.read_text(encoding="utf-8").replace("</body>", f"<script>{MEASURE}</script></body>")
+        # The page's policy lets no script but its own run: the one that measures needs it taken away.
+        cls.told = cls.opened(re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", cls.page))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.holder.cleanup()
+
+    @classmethod
+    def opened(cls, text):
+        """What the measuring script told; None where it did not run."""
+        (cls.folder / "open.html").write_text(text, encoding="utf-8")
+        done = subprocess.run([BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--window-size=1280,900",
+                               f"--user-data-dir={cls.folder / 'profile'}", "--dump-dom",
+                               f"file://{cls.folder / 'open.html'}"], capture_output=True, text=True, timeout=120)
+        told = re.search(r'<pre id="told">(.*?)</pre>', done.stdout, re.S)
+        return json.loads(html.unescape(told.group(1))) if told else None
+
+    def test_it_opens_and_sorts_at_once(self):
+        slowest = max(seconds for _, _, seconds, *_ in self.told["sorts"])
+        print(f"{MANY} buildings: open after {self.told['opened']:.2f} s, slowest sort {slowest:.3f} s")
+        self.assertLess(self.told["opened"], SLACK * OPENS)
+        self.assertLess(slowest, SLACK * SORTS)
+        self.assertLess(self.told["drawn"], 100)
+
+    def test_a_heading_sorts_both_ways(self):
+        told = {(key, direction): ends for key, direction, _, *ends in self.told["sorts"]}
+        keys = ("name", "status", "mean", "start", "training", "last", "drift", "nights", "findings", "effects")
+        self.assertEqual(set(told), {(key, way) for key in keys for way in ("ascending", "descending")})
+        order = [self.names[k] for k in np.argsort(np.round(100 * self.recent, 1), kind="stable")]
+        low, high = told["last", "ascending"], told["last", "descending"]
+        error = dict(zip(self.names, np.round(100 * self.recent, 1)))
+        self.assertEqual([error[name] for name in low], [error[order[0]], error[order[-1]]])
+        self.assertEqual([error[name] for name in high], [error[order[-1]], error[order[0]]])
+        self.assertEqual(told["name", "ascending"][1], max(self.names))
+        self.assertEqual(told["name", "descending"][0], told["name", "ascending"][1])
+
+    def test_it_filters_by_text_and_by_status(self):
+        with h5py.File(self.folder / "many.h5") as file:
+            failed = sum(one == "failed" for one in file["stock/stock_status"].asstr()[:])
+        self.assertEqual(self.told["failed"], f"{failed} of {MANY}")
+        self.assertEqual(self.told["found"], f"1 of {MANY}")
+
+    def test_a_hostile_name_runs_nothing(self):
+        self.assertEqual(self.told["name"], HOSTILE[1])
+        self.assertEqual(self.told["title"], f"{HOSTILE[0]}: many")
+
+    def test_the_first_hundred_lines_are_printed(self):
+        self.assertEqual(self.told["printed"], 100)
+
+    def test_its_policy_keeps_other_scripts_out(self):
+        self.assertIsNone(self.opened(self.page))
 
 
 if __name__ == "__main__":
