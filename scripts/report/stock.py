@@ -27,6 +27,7 @@ TABLE_HEAD = "building,status,"
 LEVELS, GAP = string.digits + string.ascii_letters, " "
 CHARACTERS = np.frombuffer((LEVELS + GAP).encode(), np.uint8)
 HOUR, DAY = 3600, 86400        # [s]
+SAME = 1e-4                    # the stock's daily sums are of single precision
 SHARED = "shared"              # a word of every finding of the kind
 UNIT = "unit"
 
@@ -126,29 +127,44 @@ def sums_by_day(time, values):
             zip(days, np.bincount(places, weights=values), is_whole) if whole}
 
 
-def foretold_in(study, meter):
-    """{day since 1970: sum} of a kept study: of its best, last or mean model, whichever it stores."""
+def read_if_there(group, *names):
+    """The first of the datasets that is there; None where none is."""
+    name = next((name for name in names if guard.has(group, name)), None)
+    return None if name is None else guard.sound(group[name])[:]
+
+
+def days_of(study, meter, names):
+    """{day since 1970: sum} over all periods of the first of the series that is there, of its last version."""
     days = {}
     for period in guard.texts(study, "period"):
-        if not guard.has(study, f"{period}/{meter}/time"):
-            continue
-        group = guard.inner(study, f"{period}/{meter}")
-        name = next((name for name in ("predicted_mean", "simulated") if guard.has(group, name)), None)
-        if name is None:
-            continue
-        values = guard.sound(group[name])[:]
-        days |= sums_by_day(guard.sound(group["time"])[:], values[-1] if values.ndim > 1 else values)
+        time = read_if_there(study, f"{period}/{meter}/time", f"{period}/time")
+        values = read_if_there(study, *(f"{period}/{meter}/{name}" for name in names))
+        if time is not None and values is not None:
+            days |= sums_by_day(time, values[-1] if values.ndim > 1 else values)
     return days
 
 
+def foretold_in(study, building):
+    """Daily sums of the best, last or mean model, whichever is stored, of the meter that the building's sums are of."""
+    def aligned(meter, *names):
+        days = days_of(study, meter, names)
+        return np.array([days.get(building.first_day + k, math.nan) for k in range(len(building.measured))])
+
+    for meter in guard.texts(study, "meter") or guard.texts(study, "channel"):
+        measured = aligned(meter, "measured")
+        both = np.isfinite(measured) & np.isfinite(building.measured)
+        if both.any() and np.allclose(measured[both], building.measured[both], rtol=SAME):
+            return aligned(meter, "predicted_mean", "simulated")
+    return no_days()
+
+
 def add_foretold(file, building):
-    """Of the meter whose errors are shown, where the whole result was kept."""
-    if not building.fits or not len(building.measured) or not guard.has(file, building.name):
+    """Where the whole result was kept."""
+    if not len(building.measured) or not guard.has(file, building.name):
         return
     kept = guard.inner(file, building.name)
     for name in kept if isinstance(kept, h5py.Group) else ():
-        days = foretold_in(kept[name], building.fits[0][0]) if guard.has(kept, name) else {}
-        series = np.array([days.get(building.first_day + k, math.nan) for k in range(len(building.measured))])
+        series = foretold_in(kept[name], building) if guard.has(kept, name) else no_days()
         if np.isfinite(series).any():
             building.foretold = series
             return
