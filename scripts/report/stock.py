@@ -133,10 +133,15 @@ def read_if_there(group, *names):
     return None if name is None else guard.sound(group[name])[:]
 
 
+def groups_in(group):
+    """Their names."""
+    return [name for name in group if guard.has(group, name) and isinstance(group[name], h5py.Group)]
+
+
 def days_of(study, meter, names):
     """{day since 1970: sum} over all periods of the first of the series that is there, of its last version."""
     days = {}
-    for period in guard.texts(study, "period"):
+    for period in groups_in(study):
         time = read_if_there(study, f"{period}/{meter}/time", f"{period}/time")
         values = read_if_there(study, *(f"{period}/{meter}/{name}" for name in names))
         if time is not None and values is not None:
@@ -150,7 +155,7 @@ def foretold_in(study, building):
         days = days_of(study, meter, names)
         return np.array([days.get(building.first_day + k, math.nan) for k in range(len(building.measured))])
 
-    for meter in guard.texts(study, "meter") or guard.texts(study, "channel"):
+    for meter in dict.fromkeys(meter for period in groups_in(study) for meter in groups_in(study[period])):
         measured = aligned(meter, "measured")
         both = np.isfinite(measured) & np.isfinite(building.measured)
         if both.any() and np.allclose(measured[both], building.measured[both], rtol=SAME):
@@ -163,8 +168,8 @@ def add_foretold(file, building):
     if not len(building.measured) or not guard.has(file, building.name):
         return
     kept = guard.inner(file, building.name)
-    for name in kept if isinstance(kept, h5py.Group) else ():
-        series = foretold_in(kept[name], building) if guard.has(kept, name) else no_days()
+    for name in groups_in(kept) if isinstance(kept, h5py.Group) else ():
+        series = foretold_in(kept[name], building)
         if np.isfinite(series).any():
             building.foretold = series
             return

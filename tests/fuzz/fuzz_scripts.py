@@ -236,8 +236,6 @@ def stock(path):
         group["stock_daily_start"], group["stock_daily_n"] = np.full(3, 18993.0), np.array([2.0, 0, 3])
         group["stock_daily"] = np.array([1.0, np.nan, 3, 2, -1])
         kept = file.create_group("calibrated/screening")        # of the building of that name
-        for name, one in (("period", "training"), ("meter", "a")):
-            kept.create_dataset(name, data=[one], dtype=h5py.string_dtype())
         kept["training/a/time"] = 18993 * 86400 + 3600 * np.arange(72.0)
         kept["training/a/measured"], kept["training/a/simulated"] = np.full(72, 1 / 24), np.ones((2, 72))
 

@@ -205,6 +205,17 @@ class SecondNight(unittest.TestCase):
 STATUSES = ("calibrated", "unchanged", "postponed", "failed")
 HOSTILE = ("</script><script>document.title='broken'</script>", "<img src=x onerror=\"document.title='broken'\">",
            "\"'&lt;b&gt; \u2028\u202e {{ 7*7 }}", "stock", ".", "../x//y")
+SMALL_POSTERIOR = """[[study]]
+kind = "posterior"
+sampler = "random_walk"
+discrepancy = false
+n_chains = 4
+warm_up = 40
+draws_per_round = 20
+most_draws = 60
+target_ess = 1000000
+n_predictive = 20
+"""
 MANY, DAYS = 10000, 180
 MOST_BYTES, MOST_SECONDS = 8e6, 20     # of the page of so many buildings
 OPENS, SORTS = 2.0, 0.3                # [s] of the page in a browser, on a machine that does nothing else
@@ -351,15 +362,21 @@ class Page(unittest.TestCase):
 
     def test_of_whole_results_the_foretold_days_are_drawn(self):
         made.make(self.folder, 2, 1, seed=3, broken_share=0)
-        job, result = self.folder / "kept.toml", self.folder / "kept.h5"
-        job.write_text(made.job_text(POINTS).replace("[stock]", "[stock]\nkeep_results = true"))
+        job = made.job_text(POINTS).replace("[stock]", "[stock]\nkeep_results = true")
+        self.check_foretold("screening", job, "simulated")
+        screening = job[job.index("[[study]]"):]
+        self.check_foretold("posterior", job.replace(screening, SMALL_POSTERIOR), "predicted_mean")
+
+    def check_foretold(self, kind, text, foretold):
+        job, result = self.folder / f"{kind}.toml", self.folder / f"{kind}.h5"
+        job.write_text(text)
         subprocess.run(command(1, "run", job, "--no-report", "-o", result), env=ENVIRONMENT, check=True,
                        capture_output=True)
-        data = data_of(self.write("kept.h5", "kept.html"))
+        data = data_of(self.write(result.name, f"{kind}.html"))
         for k, name in enumerate(data["name"]):
             with h5py.File(result) as file:
-                gas = file[f"{name}/screening/training/gas"]
-                hours = gas["simulated"][-1], gas["measured"][:]
+                gas = file[f"{name}/{kind}/training/gas"]
+                hours = np.atleast_2d(gas[foretold])[-1], gas["measured"][:]
             simulated, measured = (values.reshape(-1, 24).sum(axis=1)[-DAYS:] for values in hours)
             step = (data["most"][k] - data["least"][k]) / (len(data["levels"]) - 1)
             for series, daily in (("foretold", simulated), ("measured", measured)):
