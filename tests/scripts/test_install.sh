@@ -17,7 +17,7 @@ for file in man/man1/bemcal-batch.1 man/man5/bemcal-job.5 bash-completion/comple
   [[ -s $prefix/share/$file ]] || fail "$file was not installed"
 done
 [[ -d $prefix/share/bemcal/jobs ]] || fail "no jobs were installed"
-for script in build check dev environment install-packages quickstart test; do
+for script in build check container dev environment install-packages quickstart test; do
   [[ ! -e $prefix/share/bemcal/scripts/$script ]] || fail "scripts/$script works on a checkout only"
 done
 env -u BEMCAL_PROGRAM PATH=/usr/bin:/bin PYTHONPATH="$prefix/share/bemcal/scripts/python" /usr/bin/python3 -B -c \
