@@ -4,7 +4,7 @@
 /// are left out; below exp(-708) nothing gets smaller.
 #include "emulator/correlation.hpp"
 
-#include <immintrin.h>
+#include "emulator/avx.hpp"
 
 namespace bemcal::emulator {
 

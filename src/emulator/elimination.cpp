@@ -4,7 +4,8 @@
 /// one thread; it stops at a pivot that is rounding error.
 #include "emulator/elimination.hpp"
 
-#include <immintrin.h>
+#include "emulator/avx.hpp"
+
 #include <math.h>
 
 namespace bemcal::emulator {

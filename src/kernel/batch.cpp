@@ -17,10 +17,12 @@ namespace {
 
 const Table& table_of(InstructionSet set) {
     switch (set) {
+#if defined(__x86_64__)
         case InstructionSet::v3:
             return v3_table();
         case InstructionSet::v4:
             return v4_table();
+#endif
         default:
             return scalar_table();
     }

@@ -1,6 +1,7 @@
 /// Chooses the widest kernel that this processor can run; BEMCAL_KERNEL overrides.
 /// Source: the feature levels x86-64-v3 and v4, asked of the compiler's cpu_supports. It
-/// does not measure which kernel is faster, and refuses processors without FMA.
+/// does not measure which kernel is faster, and refuses processors without FMA. Those
+/// that are not x86-64 have the scalar kernel alone.
 #include "kernel/batch.hpp"
 
 #include <cstdlib>
@@ -36,6 +37,7 @@ const char* name_of(InstructionSet set) {
     return names[static_cast<std::size_t>(set)];
 }
 
+#if defined(__x86_64__)
 bool is_supported(InstructionSet set) {
     const bool fma = __builtin_cpu_supports("fma") != 0;
     const bool avx2 = fma && __builtin_cpu_supports("avx2") != 0;
@@ -54,6 +56,11 @@ bool is_supported(InstructionSet set) {
     }
     return false;
 }
+#else
+bool is_supported(InstructionSet set) {
+    return set == InstructionSet::scalar;
+}
+#endif
 
 InstructionSet choose_instruction_set() {
     if (const char* name = std::getenv("BEMCAL_KERNEL")) return wanted(name);
