@@ -163,9 +163,12 @@ constexpr NewOption new_options[] = {
      "readings as CSV, a table of bills, an export of ENERGY STAR Portfolio Manager, or "
      "Green Button XML; once for each file or column",
      true, true},
-    {"--area", "M2", "heated or cooled floor area", true},
-    {"--use", "USE", "office, school, house, apartments, retail, hotel, ...", true},
-    {"--built", "YEAR", "when it was built, or its envelope renewed", true},
+    {"--idf", "FILE",
+     "EnergyPlus input, .idf or .epJSON: geometry, constructions, use and set-points; "
+     "then area, use and year may be left out"},
+    {"--area", "M2", "heated or cooled floor area"},
+    {"--use", "USE", "office, school, house, apartments, retail, hotel, ..."},
+    {"--built", "YEAR", "when it was built, or its envelope renewed"},
     {"--place", "COUNTRY", "two letters, perhaps with a state: GB, DE-BY, US-NY", true},
     {"--site", "LAT,LON", "where it stands; left out: as the EPW file says"},
     {"--storeys", "N", "left out: by use and area"},
@@ -173,7 +176,8 @@ constexpr NewOption new_options[] = {
 
 void add_new(CLI::App& app, CommandLine& line) {
     CLI::App* first = app.add_subcommand(
-        "new", "write a first job from weather, meters, area, use, age and place");
+        "new",
+        "write a first job from weather, meters, place, and area, use and age or an EnergyPlus file");
     first->add_option("JOB", line.job, "the job to be written, with .toml")->required();
     for (const NewOption& option : new_options)
         first->add_option(option.name, line.words_of[option.name], option.says)

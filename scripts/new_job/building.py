@@ -49,6 +49,7 @@ class Plant:
     heating_says: str
     cooling: str = None
     cooling_says: str = ""
+    cop: float = 3             # usual
 
 
 def plant_of(meters, use, place, country, months, told):

@@ -31,6 +31,7 @@ class First:
     plant: object
     loads: list
     told: object
+    model: object = None       # idf_building.Described, where an EnergyPlus file was read
 
     @property
     def is_hourly(self):
@@ -210,9 +211,9 @@ def surfaces(first):
 def plant(first):
     p = first.plant
     yield section("[plant]", ("heating_carrier", p.heating, p.heating_says),
-                  ("heating_efficiency", p.efficiency if p.heating != "none" else None),
+                  ("heating_efficiency", float(f"{p.efficiency:.3g}") if p.heating != "none" else None),
                   ("cooling_carrier", p.cooling or "none", p.cooling_says),
-                  ("cooling_cop", 3 if p.cooling == "electricity" else None))
+                  ("cooling_cop", float(f"{p.cop:.3g}") if p.cooling == "electricity" else None))
 
 
 def meters(first):
@@ -233,9 +234,11 @@ def study(first):
                    ("functions", False if too_few else None))
 
 
-def job_text(first):
+PARTS = (site, holidays, weather, periods, schedules, constructions, zone, plant, meters)
+
+
+def job_text(first, head=header, parts_of=PARTS, priors=priors_of):
     # The header comes last, for the parts add to what is to be checked.
-    parts = [*(part for of in (site, holidays, weather, periods, schedules, constructions, zone, plant, meters)
-               for part in of(first)), *(prior.text() for prior in priors_of(first)),
+    parts = [*(part for of in parts_of for part in of(first)), *(prior.text() for prior in priors(first)),
              study(first)]
-    return "\n".join([*header(first), "seed = 1", "", *parts])
+    return "\n".join([*head(first), "seed = 1", "", *parts])

@@ -20,10 +20,14 @@ class Told:
     """Lines for the terminal; those to be checked also go into the job."""
 
     def __init__(self):
-        self.found, self.checks = [], []
+        self.found, self.checks, self.left_out = [], [], []
 
     def say(self, line):
         self.found.append(printable(line))
+
+    def leave_out(self, line):
+        """Something in a file that the job does not have."""
+        self.left_out.append(printable(line))
 
     def check(self, line):
         """Something that was guessed."""

@@ -1,0 +1,131 @@
+"""A building of one zone from an EnergyPlus file: form, envelope, loads, air, set-points and plant, and what was left out.
+
+Zones with a thermostat are put together; multipliers count. Leaves out zones one by one, and what LEFT_OUT names.
+"""
+import os
+from dataclasses import dataclass, field
+
+from new_job import idf, idf_envelope, idf_geometry, idf_use
+from new_job.building import Load, Plant
+from new_job.envelopes import Envelope
+
+# Beginnings of classes that a job could have, and what to do.
+LEFT_OUT = (
+    ("shading:", "shading objects; write shading_factor where they matter"),
+    ("windowshadingcontrol", "blinds; the solar transmittance is without them"),
+    ("windowproperty:shadingcontrol", "blinds; the solar transmittance is without them"),
+    ("zonemixing", "air between zones"), ("zonecrossmixing", "air between zones"),
+    ("airflownetwork:", "the air network; correct the flows"),
+    ("zoneinfiltration:effectiveleakagearea", "infiltration by leakage area"),
+    ("zoneinfiltration:flowcoefficient", "infiltration by flow coefficient"),
+    ("zoneventilation:windandstackopenarea", "air through openings; venting_air_change may stand for it"),
+    ("heatexchanger:airtoair", "heat recovery; write heat_recovery in the flow"),
+    ("zonehvac:energyrecoveryventilator", "heat recovery; write heat_recovery in the flow"),
+    ("wateruse:equipment", "hot water; a load may stand for it"), ("waterheater:", "hot water; a load may stand for it"),
+    ("exterior:lights", "lights outside"), ("otherequipment", "other equipment"),
+    ("hotwaterequipment", "equipment by hot water"), ("steamequipment", "equipment by steam"),
+    ("daylighting:", "lights that daylight dims"), ("energymanagementsystem:program", "programs of EnergyPlus"),
+    ("refrigeration:", "refrigeration"), ("generator:", "generators"), ("zonehvac:lowtemperatureradiant", "radiant systems"),
+    ("fan:", "fans; an [[air_system]] may stand for them"),
+    ("runperiodcontrol:specialdays", "holidays; those of --place hold"))
+HVAC_TEMPLATES = "hvactemplate:"
+SD_OF_FILE = 0.25              # of the factor on U-values that a modeller wrote down
+IDEAL = ("ZoneHVAC:IdealLoadsAirSystem", "HVACTemplate:Zone:IdealLoadsAirSystem")
+
+
+@dataclass
+class Described:
+    file: str
+    area: float                # m2 of conditioned floor
+    volume: float              # m3
+    shell: object
+    loads: dict                # {name: Profile in W/m2}
+    infiltration: object       # profile, 1/h
+    ventilation: object        # profile, 1/h
+    heating: object            # profile, degC; None without
+    cooling: object
+    heaters: list
+    coolers: list
+    is_ideal: bool
+    left_out: list = field(default_factory=list)
+
+
+def read_building(path):
+    model, left_out = idf.read_model(path), []
+    zones = idf_geometry.read_zones(model)
+    idf_use.mark_conditioned(model, zones, left_out)
+    use = idf_use.Reader(model, zones, left_out)
+    loads = use.loads()
+    infiltration, others = use.infiltration()
+    shell = idf_envelope.Reader(model, zones, left_out, others).read()
+    if not shell.surfaces:
+        raise idf_use.no_zone(model, "no surface to outdoors or ground of a zone with a thermostat")
+    heating, cooling = use.set_points()
+    rooms = use.conditioned()
+    area = sum(zone.area * zone.multiplier for zone in rooms if zone.counts)
+    volume = sum(zone.volume * zone.multiplier for zone in rooms)
+    if area < 1 or volume < 1:
+        raise idf_use.no_zone(model, f"{area:g} m2 and {volume:g} m3")
+    for profile in loads.values():
+        profile.values = profile.values / area
+    found = Described(path, area, volume, shell, loads, infiltration / volume, use.ventilation() / volume, heating,
+                      cooling, use.machines(idf_use.HEATERS), use.machines(idf_use.COOLERS), bool(model.all(*IDEAL)))
+    found.left_out = list(dict.fromkeys([*left_out, *left_out_of(model)]))
+    return found
+
+
+def left_out_of(model):
+    for beginning, says in LEFT_OUT:
+        kinds = [several for kind, several in model.objects.items() if kind.startswith(beginning)]
+        if kinds:
+            yield f"{sum(map(len, kinds))} {kinds[0][0].kind}{' and the like' if len(kinds) > 1 else ''}: {says}"
+    templates = [several[0].kind for kind, several in model.objects.items() if kind.startswith(HVAC_TEMPLATES)
+                 and kind not in idf.FIELDS]
+    if templates:
+        yield f"{', '.join(templates)}: run EnergyPlus's ExpandObjects and give its expanded.idf"
+
+
+def envelope_of(found):
+    """What the priors ask of an envelope."""
+    opaque, glazing = found.shell.opaque.values(), found.shell.glazing.values()
+    most = max(each.u_value for each in opaque)
+    return Envelope(most, most, most, max((g.u_value for g in glazing), default=0),
+                    max((g.solar for g in glazing), default=0), float(found.infiltration.mean()), found.file, SD_OF_FILE,
+                    False)
+
+
+def loads_of(found, others):
+    """Those of the file, and hot water, which is a table's."""
+    names = {"equipment": "equipment", "lights": "lights", "people": "people, sensible"}
+    loads = [Load(name, float(profile.values.max()), name, profile.carrier, names.get(name, "equipment by gas"))
+             for name, profile in found.loads.items()]
+    return [*loads, *(load for load in others if load.name == "hot_water")]
+
+
+def plant_of(found, by_meters, meters, told):
+    """Carriers of the file's machines; of several kinds the one that a meter sees."""
+    seen = {meter.quantity for meter in meters}
+    plant = heating_of(found, by_meters, seen, told)
+    cooler = found.coolers[0] if found.coolers else None
+    if found.cooling is None or not (cooler or found.is_ideal):
+        plant.cooling, plant.cooling_says = None, "no cooling in the file"
+        return plant
+    if "cooling" in seen:
+        plant.cooling, plant.cooling_says = "none", "its cold is metered"
+        return plant
+    plant.cooling, plant.cop = (cooler[1], cooler[2]) if cooler else ("electricity", plant.cop)
+    plant.cooling_says = f"{cooler[0]} of the file" if cooler else "ideal loads; taken as electric"
+    return plant
+
+
+def heating_of(found, by_meters, seen, told):
+    if "heating" in seen or not found.heaters:
+        return by_meters
+    kinds = list(dict.fromkeys(kind for kind, _, _ in found.heaters))
+    kind, carrier, value = next((each for each in found.heaters if each[1] in seen), found.heaters[0])
+    if len({carrier for _, carrier, _ in found.heaters}) > 1:
+        told.check(f"[plant]: {os.path.basename(found.file)} heats by {', '.join(kinds)}; {carrier} was taken for all")
+    sd = 0 if carrier in ("none", "district") else max(0.08 * value, 0.05)
+    most = 0.99 if carrier == "gas" else 6
+    return Plant(carrier, value, sd, (max(0.3, value - 4 * sd), max(value, min(most, value + 4 * sd))),
+                 f"{kind} of the file")

@@ -1,0 +1,339 @@
+"""The envelope of an EnergyPlus file: U-values, glazing, and surfaces that are alike in construction and direction.
+
+U-values have the films of ISO 6946, as a job's `u_value` holds them; a simple glazing system has its own. Panes: gaps by
+EN 673, solar energy by EN 410 with what each pane absorbs. Mass: ISO 13790, 12.3.1, up to 0.1 m, the middle, or
+insulation. F factors: U = F P / A. Zones without a thermostat are a factor b on what lies before them (ISO 13789).
+Leaves out shading objects, frames and dividers, blinds, moisture, and materials that change.
+"""
+from dataclasses import dataclass, field
+
+import numpy as np
+
+R_OUTSIDE, R_WALL, R_UP, R_DOWN = 0.04, 0.13, 0.10, 0.17   # m2 K/W, ISO 6946 Table 7
+STEEP, OVERHANG = 60, 120      # deg of tilt, between which a surface is a wall
+R_GLASS_OUTSIDE = 0.04         # m2 K/W, EN 673: 1/25
+R_GLASS_INSIDE = 0.13          # 1/7.7
+GAP_TEMPERATURE, GAP_DIFFERENCE = 283, 15   # K, EN 673
+SIGMA = 5.67e-8                # W/(m2 K4)
+# Conductivity [W/(m K)], density [kg/m3], viscosity [kg/(m s)], heat [J/(kg K)] at 10 degC: EN 673 Table 1.
+GASES = {"air": (0.02496, 1.232, 1.761e-5, 1008), "argon": (0.01684, 1.699, 2.164e-5, 519),
+         "krypton": (0.0090, 3.560, 2.400e-5, 245), "xenon": (0.00529, 5.689, 2.226e-5, 161)}
+PANE_CONDUCTIVITY = 0.9        # W/(m K), EnergyPlus's default
+MASS_DEPTH = 0.1               # m
+INSULATION, INSULATION_R = 0.1, 0.3   # W/(m K) and m2 K/W, from which a layer is insulation
+AIR = 0.34                     # Wh/(m3 K)
+SOIL_R = (0.0607, 0.3479)      # m2 K/W and m2 K/W per m of depth: EnergyPlus Engineering Reference, C-factor walls
+GROUND_TEMPERATURE = 18        # degC, EnergyPlus's where none is given
+GROUNDS = ("ground", "foundation", "groundslabpreprocessoraverage", "groundslabpreprocessorcore",
+           "groundslabpreprocessorperimeter", "groundbasementpreprocessoraveragewall",
+           "groundbasementpreprocessoraveragefloor")
+F_FACTOR = "Construction:FfactorGroundFloor"
+C_FACTOR = "Construction:CfactorUndergroundWall"
+LAYERS = ("Material", "Material:NoMass", "Material:AirGap")
+GLASS = ("WindowMaterial:SimpleGlazingSystem", "WindowMaterial:Glazing")
+GAPS = ("WindowMaterial:Gas", "WindowMaterial:GasMixture")
+
+
+@dataclass
+class Part:
+    """Surfaces or windows that are alike."""
+    construction: str
+    azimuth: int               # deg
+    tilt: int                  # deg
+    boundary: str = "outdoors"
+    adjustment: float = 1
+    area: float = 0            # m2, times multipliers
+
+
+@dataclass
+class Opaque:
+    """`bare`: without films, W/(m2 K)."""
+    name: str
+    u_value: float
+    bare: float
+    absorptance: float
+    emissivity: float
+    r_outside: float
+
+
+@dataclass
+class Glazing:
+    name: str
+    u_value: float
+    solar: float
+    says: str
+
+
+@dataclass
+class Shell:
+    """The envelope of the conditioned zones."""
+    opaque: dict = field(default_factory=dict)     # {name: Opaque}
+    glazing: dict = field(default_factory=dict)
+    surfaces: dict = field(default_factory=dict)   # {key: Part}
+    windows: dict = field(default_factory=dict)
+    heat_capacity: float = 0                       # J/K
+    ground: float = GROUND_TEMPERATURE
+
+    @property
+    def conductance(self):
+        """[W/K] of all parts."""
+        return sum(p.area * p.adjustment * self.opaque[p.construction].u_value for p in self.surfaces.values()) + \
+            sum(p.area * self.glazing[p.construction].u_value for p in self.windows.values())
+
+
+def film(tilt):
+    return R_UP if tilt < STEEP else R_DOWN if tilt > OVERHANG else R_WALL
+
+
+def layers_of(model, construction):
+    """Objects of the layers, the first outside."""
+    keys = ("outside_layer", *(f"layer_{k}" for k in range(2, 11)))
+    return [model.need(construction, key, *LAYERS, *GLASS, *GAPS) for key in keys if construction.text(key)]
+
+
+def resistance(layer):
+    """[m2 K/W]"""
+    if layer.kind.lower() != "material":
+        return need_number(layer, "thermal_resistance", 0, 1e3)
+    return need_number(layer, "thickness", 1e-6, 100) / need_number(layer, "conductivity", 1e-4, 1e4)
+
+
+def need_number(thing, key, least, most):
+    value = thing.number(key, None, least, most)
+    if value is None:
+        thing.refuse(key, f"is empty; expected a number from {least:g} to {most:g}")
+    return value
+
+
+def opaque_of(model, surface, r_inside, r_outside):
+    """Of a surface or door."""
+    construction = model.need(surface, "construction_name", "Construction", F_FACTOR, C_FACTOR)
+    kind = construction.kind.lower()
+    if kind == F_FACTOR.lower():
+        area = need_number(construction, "area", 0.01, 1e7)
+        u = need_number(construction, "f_factor", 0, 100) * construction.number("perimeterexposed", 0, 0, 1e6) / area
+        return Opaque(construction.name, u, u, 0.7, 0.9, 0)
+    if kind == C_FACTOR.lower():
+        depth = need_number(construction, "height", 0.01, 100)
+        bare = 1 / (1 / need_number(construction, "c_factor", 0.001, 100) + SOIL_R[0] + SOIL_R[1] * depth)
+        return Opaque(construction.name, 1 / (1 / bare + r_inside), bare, 0.7, 0.9, 0)
+    layers = layers_of(model, construction)
+    if any(layer.kind.lower().startswith("windowmaterial") for layer in layers) or not layers:
+        construction.refuse("outside_layer", "has no opaque layers, but a surface or door is of it; expected Material")
+    total = sum(resistance(layer) for layer in layers)
+    outer = layers[0]
+    return Opaque(construction.name, 1 / (total + r_inside + r_outside), 1 / max(total, 1e-9),
+                  outer.number("solar_absorptance", 0.7, 0, 1), outer.number("thermal_absorptance", 0.9, 0, 1), r_outside)
+
+
+def gap_conductance(gap, emissivity, other):
+    """[W/(m2 K)] of a vertical one: EN 673."""
+    kind = (gap.word("gas_type") or gap.word("gas_1_type", "air"))
+    conductivity, density, viscosity, heat = GASES.get(kind, GASES["air"])
+    width = need_number(gap, "thickness", 1e-4, 1)
+    grashof = 9.81 * width**3 * GAP_DIFFERENCE * density**2 / (GAP_TEMPERATURE * viscosity**2)
+    nusselt = max(1, 0.035 * (grashof * viscosity * heat / conductivity)**0.38)
+    radiation = 4 * SIGMA * GAP_TEMPERATURE**3 / (1 / emissivity + 1 / other - 1)
+    return radiation + nusselt * conductivity / width
+
+
+def panes_value(layers):
+    """(U-value, g) of panes with gaps between."""
+    panes, gaps = layers[::2], layers[1::2]
+    faces = [(pane.number("front_side_infrared_hemispherical_emissivity", 0.84, 0.001, 1),
+              pane.number("back_side_infrared_hemispherical_emissivity", 0.84, 0.001, 1)) for pane in panes]
+    r_pane = [pane.number("thickness", 0.003, 1e-4, 1) / pane.number("conductivity", PANE_CONDUCTIVITY, 0.01, 100)
+              for pane in panes]
+    r_gap = [1 / gap_conductance(gap, a[1], b[0]) for gap, a, b in zip(gaps, faces, faces[1:])]
+    total = R_GLASS_OUTSIDE + sum(r_pane) + sum(r_gap) + R_GLASS_INSIDE
+    transmitted, absorbed = solar_of(panes)
+    outward = R_GLASS_OUTSIDE + np.cumsum([0, *r_gap]) + np.cumsum(r_pane) - np.array(r_pane) / 2
+    return 1 / total, transmitted + float(np.dot(absorbed, outward / total))
+
+
+def solar_of(panes):
+    """(transmitted, absorbed by each pane) of a beam at normal incidence, by its flows between the panes."""
+    t, front, back = (np.array([pane.number(f"{key}_at_normal_incidence", usual, 0, 1) for pane in panes])
+                      for key, usual in (("solar_transmittance", 0.8), ("front_side_solar_reflectance", 0.07),
+                                         ("back_side_solar_reflectance", 0.07)))
+    n = len(panes)
+    # Unknowns: inward flows behind panes 0..n-1, and outward flows before them.
+    system, known = np.eye(2 * n), np.zeros(2 * n)
+    for k in range(n):
+        if k:
+            system[k, k - 1] -= t[k]
+            system[n + k, k - 1] -= front[k]
+        else:
+            known[k], known[n + k] = t[0], front[0]
+        if k + 1 < n:
+            system[k, n + k + 1] -= back[k]
+            system[n + k, n + k + 1] -= t[k]
+    flows = np.linalg.solve(system, known)
+    inward, outward = np.array([1, *flows[:n]]), np.array([*flows[n:], 0])
+    return float(inward[n]), [float(inward[k] + outward[k + 1] - inward[k + 1] - outward[k]) for k in range(n)]
+
+
+def glazing_of(model, opening):
+    construction = model.need(opening, "construction_name", "Construction")
+    layers = layers_of(model, construction)
+    kinds = [layer.kind.lower() for layer in layers]
+    if kinds == [GLASS[0].lower()]:
+        return Glazing(construction.name, need_number(layers[0], "u_factor", 0.01, 10),
+                       need_number(layers[0], "solar_heat_gain_coefficient", 0.01, 1), "simple glazing system")
+    glass, gas = {GLASS[1].lower()}, {kind.lower() for kind in GAPS}
+    if not layers or set(kinds[::2]) != glass or not set(kinds[1::2]) <= gas or len(kinds) % 2 == 0:
+        construction.refuse("outside_layer", f"layers {', '.join(kinds)} are no window that is read; expected "
+                            "WindowMaterial:SimpleGlazingSystem, or :Glazing with :Gas between")
+    return Glazing(construction.name, *panes_value(layers), "of its panes and gaps: EN 673, EN 410")
+
+
+def mass_of(model, surface):
+    """[J/(m2 K)] of its inner face."""
+    construction = model.find(surface.text("construction_name"), "Construction")
+    total, depth = 0, 0
+    if construction is None:
+        return 0
+    layers = layers_of(model, construction)
+    thickness = sum(layer.number("thickness", 0) for layer in layers if layer.kind.lower() == "material")
+    limit = min(MASS_DEPTH, thickness / 2)
+    for layer in reversed(layers):
+        is_solid = layer.kind.lower() == "material"
+        if resistance(layer) > INSULATION_R and (not is_solid or layer.number("conductivity", 1) < INSULATION):
+            break
+        if is_solid:
+            taken = min(layer.number("thickness", 0), limit - depth)
+            total += taken * layer.number("density", 0, 0, 1e5) * layer.number("specific_heat", 0, 0, 1e5)
+            depth += taken
+    return total
+
+
+class Reader:
+    """Puts surfaces together into a Shell; `told` lines of what it leaves out go to `left_out`."""
+
+    def __init__(self, model, zones, left_out, air_flows):
+        self.model, self.zones, self.left_out = model, zones, left_out
+        self.air_flows = air_flows                 # {zone: m3/h of infiltration}
+        self.owner = {s.given.name.lower(): zone for zone in zones.values() for s in zone.surfaces}
+        self.shell, self.adiabatic, self.buffer = Shell(), 0.0, {}
+
+    def read(self):
+        ground = next(iter(self.model.all("Site:GroundTemperature:BuildingSurface")), None)
+        if ground:
+            self.shell.ground = float(np.mean([ground.number(key, GROUND_TEMPERATURE, -50, 60) for key in
+                                               (k for k in ground.fields if k.endswith("_ground_temperature"))]))
+        for zone in self.zones.values():
+            if zone.is_conditioned:
+                for surface in zone.surfaces:
+                    self.add(surface)
+        for mass in self.model.all("InternalMass"):
+            zone = self.zones.get(mass.word("zone_or_zonelist_name"))
+            if zone and zone.is_conditioned:
+                self.shell.heat_capacity += mass_of(self.model, mass) * zone.multiplier * \
+                    mass.number("surface_area", 0, 0, 1e7)
+        if self.adiabatic:
+            self.left_out.append(f"{self.adiabatic:.0f} m2 of adiabatic surfaces: nothing passes them")
+        return self.shell
+
+    def behind(self, surface):
+        """(boundary, b, outer film), or None of what nothing passes."""
+        outside, r = surface.outside, film(surface.tilt)
+        if outside == "outdoors":
+            return "outdoors", 1, R_OUTSIDE
+        if outside in GROUNDS:
+            return "ground", 1, 0
+        if outside == "groundfcfactormethod":
+            return "outdoors", 1, 0
+        other = self.neighbour(surface)
+        if outside == "adiabatic" or other is surface.zone:
+            self.adiabatic += surface.gross * surface.zone.multiplier
+            return None
+        if outside in ("surface", "zone", "space"):
+            if other is None:
+                surface.given.refuse("outside_boundary_condition_object",
+                                     f"{surface.given.text('outside_boundary_condition_object')!r} is no surface or zone "
+                                     "of the file; expected the name of one")
+            return None if other.is_conditioned else ("outdoors", self.factor_of(other), r)
+        self.left_out.append(f'surface "{surface.given.name}": outside boundary condition '
+                             f'"{surface.given.text("outside_boundary_condition")}"; taken as adiabatic')
+        return None
+
+    def neighbour(self, surface):
+        name = surface.given.word("outside_boundary_condition_object")
+        space = self.model.find(name, "Space") if name else None
+        return self.owner.get(name) or self.zones.get(name) or (self.zones.get(space.word("zone_name")) if space else None)
+
+    def factor_of(self, zone):
+        """b of a zone without a thermostat: H to outdoors over all H."""
+        if zone.name not in self.buffer:
+            inner, outer = 0.0, AIR * self.air_flows.get(zone.name, 0)
+            for s in zone.surfaces:
+                other, r = self.neighbour(s), film(s.tilt)
+                if s.outside in ("outdoors", "groundfcfactormethod", *GROUNDS):
+                    r_out = R_OUTSIDE if s.outside == "outdoors" else 0
+                    outer += s.net * opaque_of(self.model, s.given, r, r_out).u_value
+                    outer += sum(o.area * glazing_of(self.model, o.given).u_value for o in s.openings if o.is_glass)
+                elif other is not None and other.is_conditioned:
+                    inner += s.net * opaque_of(self.model, s.given, r, r).u_value
+            self.buffer[zone.name] = outer / (outer + inner) if outer else 0.0
+        return self.buffer[zone.name]
+
+    def add(self, surface):
+        model, zone, given = self.model, surface.zone, surface.given
+        self.shell.heat_capacity += mass_of(model, given) * surface.net * zone.multiplier
+        found = self.behind(surface)
+        if found is None:
+            return
+        boundary, b, r_outside = found
+        self.add_opaque(given, surface, surface.net, boundary, b, r_outside)
+        for opening in surface.openings:
+            if not opening.is_glass:
+                self.add_opaque(opening.given, surface, opening.area, boundary, b, r_outside)
+            elif surface.outside == "outdoors":
+                self.add_window(opening, surface)
+            else:
+                self.left_out.append(f'window "{opening.given.name}": it is not outdoors')
+
+    def add_opaque(self, given, surface, area, boundary, b, r_outside):
+        made = opaque_of(self.model, given, film(surface.tilt), r_outside)
+        is_f_factor = self.model.find(made.name, F_FACTOR) is not None
+        made.name = "ground floor (F factor)" if is_f_factor else made.name
+        in_sun = surface.outside == "outdoors" and given.word("sun_exposure", "sunexposed") != "nosun"
+        azimuth = round(surface.azimuth) % 360 if 0.5 < surface.tilt < 179.5 else 0
+        if is_f_factor:
+            self.add_f_factor(made, area * surface.zone.multiplier)
+        else:
+            made.name = self.name_of(made)
+        self.put(self.shell.surfaces, made.name, (azimuth, round(surface.tilt)) if in_sun else (None, None), boundary,
+                 round(b, 4), area * surface.zone.multiplier)
+
+    def name_of(self, made):
+        """A construction has a name for each of its films."""
+        names = (made.name if k == 1 else f"{made.name} ({k})" for k in range(1, 99))
+        for name in names:
+            known = self.shell.opaque.get(name)
+            if known is None or abs(known.u_value - made.u_value) < 1e-9 and known.r_outside == made.r_outside:
+                self.shell.opaque.setdefault(name, made)
+                return name
+        return made.name
+
+    def add_f_factor(self, made, area):
+        """One construction for all: the mean by area."""
+        known = self.shell.opaque.setdefault(made.name, made)
+        before = sum(p.area for p in self.shell.surfaces.values() if p.construction == made.name)
+        known.u_value = known.bare = (known.u_value * before + made.u_value * area) / max(before + area, 1e-9)
+
+    def add_window(self, opening, surface):
+        name = opening.given.text("construction_name").lower()
+        made = next((g for g in self.shell.glazing.values() if g.name.lower() == name), None) or \
+            glazing_of(self.model, opening.given)
+        self.shell.glazing[made.name] = made
+        if opening.given.text("frame_and_divider_name"):
+            self.left_out.append("frames and dividers of windows (WindowProperty:FrameAndDivider)")
+        tilt = round(surface.tilt)
+        self.put(self.shell.windows, made.name, (round(surface.azimuth) % 360 if tilt else 0, tilt), "outdoors", 1,
+                 opening.area * surface.zone.multiplier)
+
+    @staticmethod
+    def put(parts, name, direction, boundary, b, area):
+        part = parts.setdefault((name, direction, boundary, b), Part(name, *direction, boundary, b))
+        part.area += area

@@ -1,0 +1,125 @@
+"""Fields of the EnergyPlus classes that `new --idf` reads, in their order in an IDF file, up to the last that is used.
+
+Source: EnergyPlus Input Output Reference and Energy+.schema.epJSON, 8.9 to 26.1. REST names what repeats behind them.
+"""
+_DETAILED = "name surface_type construction_name zone_name space_name outside_boundary_condition " \
+            "outside_boundary_condition_object sun_exposure wind_exposure view_factor_to_ground number_of_vertices"
+_OF_KIND = _DETAILED.replace("surface_type ", "")
+_EQUIPMENT = "name zone_or_zonelist_or_space_or_spacelist_name schedule_name design_level_calculation_method " \
+             "design_level watts_per_floor_area watts_per_person fraction_latent fraction_radiant fraction_lost"
+_FLOW = "name zone_or_zonelist_or_space_or_spacelist_name schedule_name design_flow_rate_calculation_method " \
+        "design_flow_rate flow_rate_per_floor_area "
+_SIMPLE = "name construction_name building_surface_name {} multiplier starting_x_coordinate starting_z_coordinate " \
+          "length height"
+_WEEK = "name sunday monday tuesday wednesday thursday friday saturday holiday"
+_HOURS = " ".join(f"hour_{hour}" for hour in range(1, 25))
+
+_TABLE = {
+    "version": "version_identifier",
+    "building": "name north_axis terrain",
+    "globalgeometryrules": "starting_vertex_position vertex_entry_direction coordinate_system",
+    "zone": "name direction_of_relative_north x_origin y_origin z_origin type multiplier ceiling_height volume "
+            "floor_area zone_inside_convection_algorithm zone_outside_convection_algorithm part_of_total_floor_area",
+    "zonelist": "name", "zonegroup": "name zone_list_name zone_list_multiplier",
+    "space": "name zone_name", "spacelist": "name",
+    "buildingsurface:detailed": _DETAILED,
+    "wall:detailed": _OF_KIND, "roofceiling:detailed": _OF_KIND, "floor:detailed": _OF_KIND,
+    "fenestrationsurface:detailed":
+        "name surface_type construction_name building_surface_name outside_boundary_condition_object "
+        "view_factor_to_ground shading_control_name frame_and_divider_name multiplier number_of_vertices " + " ".join(
+            f"vertex_{k}_{axis}_coordinate" for k in range(1, 5) for axis in "xyz"),
+    "window": _SIMPLE.format("frame_and_divider_name"), "glazeddoor": _SIMPLE.format("frame_and_divider_name"),
+    "door": _SIMPLE.format("").replace("  ", " "),
+    "internalmass": "name construction_name zone_or_zonelist_name space_or_spacelist_name surface_area",
+    "material": "name roughness thickness conductivity density specific_heat thermal_absorptance solar_absorptance",
+    "material:nomass": "name roughness thermal_resistance thermal_absorptance solar_absorptance",
+    "material:airgap": "name thermal_resistance",
+    "windowmaterial:simpleglazingsystem": "name u_factor solar_heat_gain_coefficient",
+    "windowmaterial:glazing":
+        "name optical_data_type window_glass_spectral_data_set_name thickness solar_transmittance_at_normal_incidence "
+        "front_side_solar_reflectance_at_normal_incidence back_side_solar_reflectance_at_normal_incidence "
+        "visible_transmittance_at_normal_incidence front_side_visible_reflectance_at_normal_incidence "
+        "back_side_visible_reflectance_at_normal_incidence infrared_transmittance_at_normal_incidence "
+        "front_side_infrared_hemispherical_emissivity back_side_infrared_hemispherical_emissivity conductivity",
+    "windowmaterial:gas": "name gas_type thickness",
+    "windowmaterial:gasmixture": "name thickness number_of_gases_in_mixture gas_1_type gas_1_fraction",
+    "construction": "name outside_layer " + " ".join(f"layer_{k}" for k in range(2, 11)),
+    "construction:ffactorgroundfloor": "name f_factor area perimeterexposed",
+    "construction:cfactorundergroundwall": "name c_factor height",
+    "site:groundtemperature:buildingsurface": " ".join(
+        f"{month}_ground_temperature" for month in "january february march april may june july august september "
+        "october november december".split()),
+    "people": "name zone_or_zonelist_or_space_or_spacelist_name number_of_people_schedule_name "
+              "number_of_people_calculation_method number_of_people people_per_floor_area floor_area_per_person "
+              "fraction_radiant sensible_heat_fraction activity_level_schedule_name",
+    "lights": "name zone_or_zonelist_or_space_or_spacelist_name schedule_name design_level_calculation_method "
+              "lighting_level watts_per_floor_area watts_per_person",
+    "electricequipment": _EQUIPMENT, "gasequipment": _EQUIPMENT,
+    "zoneinfiltration:designflowrate": _FLOW + "flow_rate_per_exterior_surface_area air_changes_per_hour "
+        "constant_term_coefficient temperature_term_coefficient velocity_term_coefficient "
+        "velocity_squared_term_coefficient",
+    "zoneventilation:designflowrate": _FLOW + "flow_rate_per_person air_changes_per_hour",
+    "designspecification:outdoorair":
+        "name outdoor_air_method outdoor_air_flow_per_person outdoor_air_flow_per_zone_floor_area "
+        "outdoor_air_flow_per_zone outdoor_air_flow_air_changes_per_hour outdoor_air_schedule_name",
+    "sizing:zone":
+        "zone_or_zonelist_name zone_cooling_design_supply_air_temperature_input_method "
+        "zone_cooling_design_supply_air_temperature zone_cooling_design_supply_air_temperature_difference "
+        "zone_heating_design_supply_air_temperature_input_method zone_heating_design_supply_air_temperature "
+        "zone_heating_design_supply_air_temperature_difference zone_cooling_design_supply_air_humidity_ratio "
+        "zone_heating_design_supply_air_humidity_ratio design_specification_outdoor_air_object_name",
+    "controller:outdoorair":
+        "name relief_air_outlet_node_name return_air_node_name mixed_air_node_name actuator_node_name "
+        "minimum_outdoor_air_flow_rate maximum_outdoor_air_flow_rate economizer_control_type "
+        "economizer_control_action_type economizer_maximum_limit_dry_bulb_temperature "
+        "economizer_maximum_limit_enthalpy economizer_maximum_limit_dewpoint_temperature "
+        "electronic_enthalpy_limit_curve_name economizer_minimum_limit_dry_bulb_temperature lockout_type "
+        "minimum_limit_type minimum_outdoor_air_schedule_name",
+    "zonecontrol:thermostat": "name zone_or_zonelist_name control_type_schedule_name " + " ".join(
+        f"control_{k}_object_type control_{k}_name" for k in range(1, 5)),
+    "thermostatsetpoint:dualsetpoint":
+        "name heating_setpoint_temperature_schedule_name cooling_setpoint_temperature_schedule_name",
+    "thermostatsetpoint:singleheating": "name setpoint_temperature_schedule_name",
+    "thermostatsetpoint:singlecooling": "name setpoint_temperature_schedule_name",
+    "thermostatsetpoint:singleheatingorcooling": "name setpoint_temperature_schedule_name",
+    "hvactemplate:thermostat": "name heating_setpoint_schedule_name constant_heating_setpoint "
+                               "cooling_setpoint_schedule_name constant_cooling_setpoint",
+    "hvactemplate:zone:idealloadsairsystem": "zone_name template_thermostat_name",
+    "zonehvac:equipmentconnections": "zone_name",
+    "coil:heating:fuel": "name availability_schedule_name fuel_type burner_efficiency",
+    "coil:heating:gas": "name availability_schedule_name burner_efficiency",
+    "coil:heating:electric": "name availability_schedule_name efficiency",
+    "coil:heating:dx:singlespeed": "name availability_schedule_name gross_rated_heating_capacity "
+                                   "gross_rated_heating_cop",
+    "boiler:hotwater": "name fuel_type nominal_capacity nominal_thermal_efficiency",
+    "coil:cooling:dx:singlespeed": "name availability_schedule_name gross_rated_total_cooling_capacity "
+                                   "gross_rated_sensible_heat_ratio gross_rated_cooling_cop",
+    "chiller:electric:eir": "name reference_capacity reference_cop",
+    "chiller:electric:reformulatedeir": "name reference_capacity reference_cop",
+    "schedule:constant": "name schedule_type_limits_name hourly_value",
+    "schedule:compact": "name schedule_type_limits_name",
+    "schedule:year": "name schedule_type_limits_name",
+    "schedule:week:daily": " ".join(word if word == "name" else f"{word}_schedule_day_name"
+                                    for word in _WEEK.split()),
+    "schedule:week:compact": "name",
+    "schedule:day:hourly": "name schedule_type_limits_name " + _HOURS,
+    "schedule:day:interval": "name schedule_type_limits_name interpolate_to_timestep",
+    "schedule:day:list": "name schedule_type_limits_name interpolate_to_timestep minutes_per_item",
+}
+FIELDS = {kind: names.split() for kind, names in _TABLE.items()}
+
+_VERTICES = ("vertices", ("vertex_x_coordinate", "vertex_y_coordinate", "vertex_z_coordinate"))
+REST = {
+    **dict.fromkeys(("buildingsurface:detailed", "wall:detailed", "roofceiling:detailed", "floor:detailed"), _VERTICES),
+    "zonelist": ("zones", ("zone_name",)), "spacelist": ("spaces", ("space_name",)),
+    "schedule:compact": ("data", ("field",)),
+    "schedule:year": ("schedule_weeks", ("schedule_week_name", "start_month", "start_day", "end_month", "end_day")),
+    "schedule:week:compact": ("data", ("daytype_list", "schedule_day_name")),
+    "schedule:day:interval": ("data", ("time", "value_until_time")),
+    "schedule:day:list": ("extensions", ("value",)),
+}
+# Fields that a version brought, and the last version of those that went.
+SINCE = {(kind, "space_name"): (9, 6) for kind in ("buildingsurface:detailed", "wall:detailed", "roofceiling:detailed",
+                                                  "floor:detailed")} | \
+    {("internalmass", "space_or_spacelist_name"): (9, 6)}
+UNTIL = {("fenestrationsurface:detailed", "shading_control_name"): (8, 9)}

@@ -1,0 +1,171 @@
+"""Areas, directions and volumes of an EnergyPlus file's zones.
+
+Area and normal of a polygon by Newell's sum; volume by the divergence theorem, or floor times height where the
+surfaces do not close. Source: EnergyPlus Input Output Reference, Group Thermal Zone Description. Leaves out surfaces by
+length and height (Wall:Exterior and its kin), which are refused, and the origin of zones, which moves but does not turn.
+"""
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from new_job.idf import number_of
+
+DETAILED = ("BuildingSurface:Detailed", "Wall:Detailed", "RoofCeiling:Detailed", "Floor:Detailed")
+BY_LENGTH = ("Wall:Exterior", "Wall:Adiabatic", "Wall:Underground", "Wall:Interzone", "Roof", "Ceiling:Adiabatic",
+             "Ceiling:Interzone", "Floor:GroundContact", "Floor:Adiabatic", "Floor:Interzone")
+OPENINGS = ("FenestrationSurface:Detailed", "Window", "GlazedDoor", "Door")
+MOST_OPEN = 0.02               # of a zone's surface, by which its normals may fail to close
+
+
+@dataclass
+class Zone:
+    """Areas in m2 and volumes in m3 of one; `multiplier` zones are alike."""
+    name: str
+    given: object
+    turn: float                # deg, of its y axis from north
+    multiplier: float
+    surfaces: list = field(default_factory=list)
+    area: float = 0
+    volume: float = 0
+    height: float = 0
+    middle: float = 0          # m above ground
+    is_conditioned: bool = False
+    counts: bool = True        # part of the total floor area
+
+
+@dataclass
+class Surface:
+    given: object
+    zone: Zone
+    points: np.ndarray         # (n, 3) m
+    vector: np.ndarray         # area times outward normal, m2, in the zone's axes
+    openings: list = field(default_factory=list)
+
+    @property
+    def gross(self):
+        return float(np.linalg.norm(self.vector))
+
+    @property
+    def net(self):
+        return max(0.0, self.gross - sum(opening.area for opening in self.openings))
+
+    @property
+    def tilt(self):
+        """[deg] 0 faces up."""
+        return math.degrees(math.acos(max(-1, min(1, self.vector[2] / self.gross)))) if self.gross else 90
+
+    @property
+    def azimuth(self):
+        """[deg] clockwise from north."""
+        return (math.degrees(math.atan2(self.vector[0], self.vector[1])) + self.zone.turn) % 360
+
+    @property
+    def kind(self):
+        said = self.given.word("surface_type")
+        return said or self.given.kind.lower().partition(":")[0]
+
+    @property
+    def outside(self):
+        return self.given.word("outside_boundary_condition")
+
+
+@dataclass
+class Opening:
+    given: object
+    area: float
+    is_glass: bool
+
+
+def vector_of(points):
+    return 0.5 * np.cross(points, np.roll(points, -1, axis=0)).sum(axis=0)
+
+
+def points_of(given, groups):
+    found = [[number_of(given, "vertices", said, -1e5, 1e5) for said in group] for group in groups if any(group)]
+    if len(found) < 3 or any(len(point) != 3 for point in found):
+        given.refuse("vertices", f"has {len(found)} vertices, or one without its three coordinates; expected three or "
+                                 "more of x, y, z")
+    return np.array(found)
+
+
+def list_of_zones(model):
+    """{name: multiplier} of the groups."""
+    factors = {}
+    for group in model.all("ZoneGroup"):
+        of_list = model.need(group, "zone_list_name", "ZoneList")
+        for (name,) in of_list.rest:
+            factors[name.lower()] = group.number("zone_list_multiplier", 1, 0, 1e4)
+    return factors
+
+
+def read_zones(model):
+    """{name: Zone} with surfaces and openings; areas and volumes are set."""
+    rules = next(iter(model.all("GlobalGeometryRules")), None)
+    building = next(iter(model.all("Building")), None)
+    is_relative = rules is None or rules.word("coordinate_system", "relative") != "world"
+    is_clockwise = rules is not None and rules.word("vertex_entry_direction").startswith("clockwise")
+    north = building.number("north_axis", 0) if building and is_relative else 0
+    groups = list_of_zones(model)
+    zones = {}
+    for each in model.all("Zone"):
+        turn = north + (each.number("direction_of_relative_north", 0) if is_relative else 0)
+        factor = each.number("multiplier", 1, 0, 1e4) * groups.get(each.name.lower(), 1)
+        zones[each.name.lower()] = Zone(each.name, each, turn, factor,
+                                        counts=each.word("part_of_total_floor_area", "yes") != "no")
+    add_surfaces(model, zones, -1 if is_clockwise else 1)
+    for zone in zones.values():
+        measure(zone)
+    return zones
+
+
+def add_surfaces(model, zones, sign):
+    by_length = [each for kind in BY_LENGTH for each in model.all(kind)]
+    if by_length:
+        by_length[0].refuse("class", "surfaces by length and height are not read; expected BuildingSurface:Detailed")
+    surfaces = {}
+    for each in model.all(*DETAILED):
+        zone = zones.get(each.word("zone_name"))
+        if zone is None:
+            each.refuse("zone_name", f"{each.text('zone_name')!r} is no Zone of the file; expected one of its zones")
+        points = points_of(each, each.rest)
+        surfaces[each.name.lower()] = made = Surface(each, zone, points, sign * vector_of(points))
+        zone.surfaces.append(made)
+    for each in model.all(*OPENINGS):
+        owner = surfaces.get(each.word("building_surface_name"))
+        if owner is None:
+            each.refuse("building_surface_name", f"{each.text('building_surface_name')!r} is no surface of the file; "
+                                                 "expected the name of a BuildingSurface:Detailed")
+        owner.openings.append(opening_of(each))
+
+
+def opening_of(each):
+    factor = each.number("multiplier", 1, 0, 1e4)
+    kind = each.word("surface_type") or each.kind.lower()
+    if each.kind.lower() == "fenestrationsurface:detailed":
+        groups = [[each.text(f"vertex_{k}_{axis}_coordinate") for axis in "xyz"] for k in range(1, 5)]
+        area = float(np.linalg.norm(vector_of(points_of(each, groups))))
+    else:
+        area = each.number("length", 0, 0, 1e4) * each.number("height", 0, 0, 1e4)
+    return Opening(each, area * factor, kind != "door")
+
+
+def measure(zone):
+    """Floor area, height and volume, as given or by the surfaces."""
+    if not zone.surfaces:
+        return
+    height = np.array([(s.points[:, 2].min(), s.points[:, 2].max()) for s in zone.surfaces])
+    low, high = height[:, 0].min(), height[:, 1].max()
+    zone.middle = (low + high) / 2 + zone.given.number("z_origin", 0)
+    floors = sum(s.gross for s in zone.surfaces if s.kind == "floor")
+    zone.area = zone.given.number("floor_area", floors, 0, 1e7)
+    zone.height = zone.given.number("ceiling_height", high - low, 0, 1e4)
+    zone.volume = zone.given.number("volume", volume_of(zone, floors), 0, 1e8)
+
+
+def volume_of(zone, floors):
+    vectors = sum(s.vector for s in zone.surfaces)
+    if np.linalg.norm(vectors) > MOST_OPEN * sum(s.gross for s in zone.surfaces):
+        return floors * zone.height
+    middle = np.mean([s.points.mean(axis=0) for s in zone.surfaces], axis=0)
+    return abs(sum(float(np.dot(s.vector, s.points[0] - middle)) for s in zone.surfaces)) / 3

@@ -1,0 +1,213 @@
+"""Schedules of an EnergyPlus file as numbers by day of the year, kind of day and hour.
+
+A profile is an array (365, 8, 24): days of the year, Monday to Sunday and holidays, hours. Source: EnergyPlus Input
+Output Reference, Group Schedules. Leaves out design days, custom days, 29 February, and Schedule:File, which is 1.
+"""
+import re
+
+import numpy as np
+
+from new_job.idf import number_of
+
+DAYS, KINDS, HOURS = 365, 8, 24
+MONTH_DAYS = (31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31)
+KIND_OF = {"monday": 0, "tuesday": 1, "wednesday": 2, "thursday": 3, "friday": 4, "saturday": 5, "sunday": 6,
+           "holiday": 7, "holidays": 7}
+GROUPS = {"weekdays": range(5), "weekday": range(5), "weekends": (5, 6), "weekend": (5, 6), "alldays": range(KINDS)}
+NOT_USED = ("summerdesignday", "winterdesignday", "customday1", "customday2")
+MINUTES = 24 * 60
+
+
+def constant(value):
+    return np.full((DAYS, KINDS, HOURS), float(value))
+
+
+def day_of_year(thing, key, month, day):
+    """From 0; 29 February is the 28th."""
+    if not 1 <= month <= 12 or not 1 <= day <= 31:
+        thing.refuse(key, f"{month}/{day} is no date; expected month/day")
+    return sum(MONTH_DAYS[:month - 1]) + min(day, MONTH_DAYS[month - 1]) - 1
+
+
+def minute(thing, key, said):
+    match = re.fullmatch(r"(\d{1,2}):(\d{1,2})", said.strip())
+    if not match or int(match[1]) * 60 + int(match[2]) > MINUTES:
+        thing.refuse(key, f"{said!r} is no time; expected hours:minutes up to 24:00")
+    return int(match[1]) * 60 + int(match[2])
+
+
+def kinds_of(thing, key, said, taken):
+    """Kinds of day that a "For:" names; AllOtherDays are those that none named before."""
+    found = set()
+    for word in said.lower().replace(",", " ").split():
+        if word == "allotherdays":
+            found |= set(range(KINDS)) - taken
+        elif word in GROUPS:
+            found |= set(GROUPS[word])
+        elif word in KIND_OF:
+            found.add(KIND_OF[word])
+        elif word not in NOT_USED:
+            thing.refuse(key, f"{word!r} is no kind of day; expected AllDays, Weekdays, Weekends, Monday, ...")
+    return found
+
+
+def hours_until(thing, key, steps):
+    """24 means of [(minute, value until it)]."""
+    values, begin = np.zeros(MINUTES), 0
+    for end, value in steps:
+        values[begin:end] = value
+        begin = max(begin, end)
+    if begin < MINUTES:
+        thing.refuse(key, f"ends at {begin // 60}:{begin % 60:02}; expected values until 24:00")
+    return values.reshape(HOURS, 60).mean(axis=1)
+
+
+class CompactReader:
+    """Through, For and Until lines, one after the other."""
+
+    def __init__(self, thing):
+        self.thing, self.profile = thing, constant(np.nan)
+        self.first = self.last = 0
+        self.kinds, self.taken, self.steps, self.until = set(), set(), [], None
+
+    def close_day(self):
+        if self.steps and self.kinds:
+            hours = hours_until(self.thing, "data", self.steps)
+            self.profile[self.first:self.last, sorted(self.kinds)] = hours
+        self.steps = []
+
+    def read(self, said):
+        word, _, rest = said.partition(":")
+        word = word.strip().lower()
+        if word.startswith("through"):
+            self.through(said[len("through"):].lstrip(": "))
+        elif word.startswith("for"):
+            self.close_day()
+            self.kinds = kinds_of(self.thing, said, said[len("for"):].lstrip(": "), self.taken)
+            self.taken |= self.kinds
+        elif word.startswith("until"):
+            self.until = minute(self.thing, said, said[len("until"):].lstrip(": "))
+        elif word.startswith("interpolate"):
+            pass
+        elif self.until is None:
+            self.thing.refuse("data", f"{said!r} stands where Through:, For: or Until: is expected")
+        else:
+            self.steps.append((self.until, number_of(self.thing, "data", said)))
+            self.until = None
+
+    def through(self, said):
+        self.close_day()
+        match = re.match(r"(\d+)\s*/\s*(\d+)", said)
+        if not match:
+            self.thing.refuse("data", f"Through: {said!r} is no date; expected month/day")
+        self.first = self.last
+        self.last = day_of_year(self.thing, "data", int(match[1]), int(match[2])) + 1
+        self.kinds, self.taken = set(), set()
+
+
+def without_holes(thing, profile):
+    """Holidays that none names are Sundays; other days have to be there."""
+    profile[:, 7] = np.where(np.isnan(profile[:, 7]), profile[:, 6], profile[:, 7])
+    if np.isnan(profile).any():
+        day = int(np.argwhere(np.isnan(profile).any(axis=(1, 2)))[0, 0])
+        thing.refuse("data", f"has no values on day {day + 1} of the year for some kind of day; expected all days, "
+                             "as by For: AllOtherDays")
+    return profile
+
+
+def compact(_, thing):
+    reader = CompactReader(thing)
+    for (said,) in thing.rest:
+        if said:
+            reader.read(said)
+    reader.close_day()
+    return without_holes(thing, reader.profile)
+
+
+def year(model, thing):
+    profile = constant(np.nan)
+    for week_name, *dates in (group for group in thing.rest if group[0]):
+        if len(dates) != 4:
+            thing.refuse("schedule_weeks", f"{week_name!r} has no four numbers of dates behind it; expected start "
+                                           "month and day, end month and day")
+        begin_month, begin_day, end_month, end_day = (int(number_of(thing, "schedule_weeks", said)) for said in dates)
+        first = day_of_year(thing, "schedule_weeks", begin_month, begin_day)
+        last = day_of_year(thing, "schedule_weeks", end_month, end_day)
+        week = model.find(week_name, "Schedule:Week:Daily", "Schedule:Week:Compact")
+        if week is None:
+            thing.refuse("schedule_weeks", f"names {week_name!r}, which is not in the file; expected the name of a "
+                                           "Schedule:Week:Daily or Schedule:Week:Compact")
+        profile[first:last + 1] = week_of(model, week)
+    return without_holes(thing, profile)
+
+
+def week_of(model, week):
+    """(8, 24)"""
+    values = np.full((KINDS, HOURS), np.nan)
+    if week.kind.lower() == "schedule:week:daily":
+        for word in (word for word in KIND_OF if word != "holidays"):
+            key = f"{word}_schedule_day_name"
+            values[KIND_OF[word]] = day_of(model, model.need(week, key, *DAY_CLASSES))
+        return values
+    taken = set()
+    for said, name in week.rest:
+        kinds = kinds_of(week, "daytype_list", re.sub(r"^\s*for\b:?", "", said, flags=re.I), taken)
+        taken |= kinds
+        day = model.find(name, *DAY_CLASSES)
+        if day is None:
+            week.refuse("data", f"names {name!r}, which is not in the file; expected the name of a Schedule:Day:Hourly")
+        values[sorted(kinds)] = day_of(model, day)
+    return values
+
+
+DAY_CLASSES = ("Schedule:Day:Hourly", "Schedule:Day:Interval", "Schedule:Day:List")
+
+
+def day_of(_, day):
+    """24 values."""
+    kind = day.kind.lower()
+    if kind == "schedule:day:hourly":
+        return [day.number(f"hour_{hour}", 0) for hour in range(1, HOURS + 1)]
+    if kind == "schedule:day:list":
+        step = int(day.number("minutes_per_item", 60, 1, 60))
+        return hours_until(day, "values", [(step * (k + 1), number_of(day, "values", said))
+                                           for k, (said,) in enumerate(day.rest)])
+    flat = [said for group in day.rest for said in group]
+    times = [re.sub(r"^\s*until\s*:?\s*", "", said, flags=re.I) for said in flat[::2]]
+    return hours_until(day, "data", [(minute(day, "time", time), number_of(day, "data", value))
+                                     for time, value in zip(times, flat[1::2])])
+
+
+READERS = {"Schedule:Compact": compact, "Schedule:Year": year,
+           "Schedule:Constant": lambda _, thing: constant(thing.number("hourly_value", 0))}
+
+
+class Schedules:
+    """Profiles by name, each read once; what cannot be read is 1, and told."""
+
+    def __init__(self, model, left_out):
+        self.model, self.left_out, self.known = model, left_out, {}
+
+    def of(self, thing, key):
+        """1 at all hours where the field is empty."""
+        name = thing.text(key)
+        if not name:
+            return constant(1)
+        if name.lower() not in self.known:
+            self.known[name.lower()] = self.read(thing, key, name)
+        return self.known[name.lower()]
+
+    def read(self, thing, key, name):
+        found = self.model.find(name, *READERS)
+        if found is not None:
+            return next(read for kind, read in READERS.items() if kind.lower() == found.kind.lower())(self.model, found)
+        if self.model.find(name, "Schedule:File", "Schedule:File:Shading"):
+            self.left_out.append(f'Schedule:File "{name}", taken as 1')
+            return constant(1)
+        thing.refuse(key, f"names {name!r}, which is not in the file; expected the name of a schedule")
+
+
+def runs_of(profile):
+    """[(first day, last day, (8, 24))] of alike days, from 0."""
+    changes = [day for day in range(1, DAYS) if not np.allclose(profile[day], profile[day - 1], atol=1e-6)]
+    return [(a, b - 1, profile[a]) for a, b in zip([0, *changes], [*changes, DAYS])]

@@ -1,0 +1,299 @@
+"""Loads, air, set-points and plant of an EnergyPlus file, of all its conditioned zones together.
+
+Each is a sum of power or flow times schedule, or a mean of set-points by floor area. Infiltration's coefficients are
+taken at usual differences of temperature and wind, wind at the zone's height by EnergyPlus's terrain. Sensible heat of
+people: EnergyPlus Engineering Reference, People. Leaves out sizes that EnergyPlus finds, controls and air networks.
+"""
+from dataclasses import dataclass
+
+import numpy as np
+
+from new_job import idf_schedules
+from new_job.refused import Refused
+
+USUAL_DIFFERENCE, USUAL_WIND = 10, 4     # K and m/s at 10 m, for coefficients of infiltration
+# Wind at a height: exponent and boundary layer [m], EnergyPlus Engineering Reference; the weather's is country.
+TERRAINS = {"country": (0.14, 270), "suburbs": (0.22, 370), "city": (0.33, 460), "urban": (0.22, 370),
+            "ocean": (0.10, 210)}
+WIND_HEIGHT = 10               # m
+ROOM = 22                      # degC, at which people's sensible heat is taken
+PER_PERSON = 0.00944           # m3/s, EnergyPlus's default of DesignSpecification:OutdoorAir
+TARGET = "zone_or_zonelist_or_space_or_spacelist_name"
+LOADS = (("lights", "Lights", "lighting_level", "electricity"),
+         ("equipment", "ElectricEquipment", "design_level", "electricity"),
+         ("gas_equipment", "GasEquipment", "design_level", "gas"))
+HEATERS = (("Coil:Heating:DX:SingleSpeed", "gross_rated_heating_cop", 3, "electricity"),
+           ("Coil:Heating:Fuel", "burner_efficiency", 0.8, ""), ("Coil:Heating:Gas", "burner_efficiency", 0.8, "gas"),
+           ("Boiler:HotWater", "nominal_thermal_efficiency", 0.8, ""), ("DistrictHeating", "", 1, "district"),
+           ("DistrictHeating:Water", "", 1, "district"), ("Coil:Heating:Electric", "efficiency", 1, "electricity"),
+           ("ZoneHVAC:Baseboard:Convective:Electric", "efficiency", 1, "electricity"))
+COOLERS = (("Chiller:Electric:EIR", "reference_cop", 3, "electricity"),
+           ("Chiller:Electric:ReformulatedEIR", "reference_cop", 3, "electricity"),
+           ("Coil:Cooling:DX:SingleSpeed", "gross_rated_cooling_cop", 3, "electricity"),
+           ("Coil:Cooling:DX:TwoSpeed", "", 3, "electricity"), ("Coil:Cooling:DX:TwoStageWithHumidityControlMode", "", 3,
+                                                               "electricity"),
+           ("Coil:Cooling:DX", "", 3, "electricity"), ("DistrictCooling", "", 1, "none"))
+FUELS = {"naturalgas": "gas", "gas": "gas", "propane": "gas", "fueloilno1": "gas", "fueloilno2": "gas",
+         "electricity": "electricity"}
+
+
+@dataclass
+class Profile:
+    """(365, 8, 24) values; `share`: of a load's power that heats the zone."""
+    values: np.ndarray
+    share: float = 1
+    carrier: str = ""
+
+
+class Reader:
+    def __init__(self, model, zones, left_out):
+        self.model, self.zones, self.left_out = model, zones, left_out
+        self.schedules = idf_schedules.Schedules(model, left_out)
+        self.people = {}       # {zone: number at the most}
+
+    def conditioned(self):
+        return [zone for zone in self.zones.values() if zone.is_conditioned]
+
+    def targets(self, thing, key):
+        """[(zone, its floor area or that of the space)] which a field names."""
+        name = thing.word(key)
+        if name in self.zones:
+            zone = self.zones[name]
+            return [(zone, zone.area)]
+        of_list = self.model.find(name, "ZoneList", "SpaceList")
+        if of_list is not None:
+            return [pair for (each,) in of_list.rest if each for pair in self.one(thing, key, each.lower())]
+        return self.one(thing, key, name)
+
+    def one(self, thing, key, name):
+        if name in self.zones:
+            return [(self.zones[name], self.zones[name].area)]
+        space = self.model.find(name, "Space")
+        if space is None or space.word("zone_name") not in self.zones:
+            thing.refuse(key, f"{thing.text(key)!r} is no zone, space or list of the file; expected the name of one")
+        zone = self.zones[space.word("zone_name")]
+        floors = [s for s in zone.surfaces if s.kind == "floor" and s.given.word("space_name") == name]
+        return [(zone, sum(s.gross for s in floors) or zone.area)]
+
+    def conditioned_targets(self, thing, key=TARGET):
+        """Those that count; others are told."""
+        found = self.targets(thing, key)
+        for zone, _ in found:
+            if not zone.is_conditioned:
+                self.left_out.append(f'{thing.kind} of zone "{zone.name}", which has no thermostat')
+        return [(zone, area) for zone, area in found if zone.is_conditioned]
+
+    def count_people(self, thing, area):
+        method = thing.word("number_of_people_calculation_method", "people")
+        if method == "people/area":
+            return area * thing.number("people_per_floor_area", 0, 0, 1e3)
+        if method == "area/person":
+            return area / thing.number("floor_area_per_person", 1e9, 1e-3, 1e12)
+        return thing.number("number_of_people", 0, 0, 1e6)
+
+    def read_people(self):
+        """[W], sensible."""
+        total = idf_schedules.constant(0)
+        for thing in self.model.all("People"):
+            for zone, area in self.conditioned_targets(thing):
+                number = self.count_people(thing, area)
+                self.people[zone.name] = self.people.get(zone.name, 0) + number
+                activity = self.schedules.of(thing, "activity_level_schedule_name")
+                share = thing.number("sensible_heat_fraction", None, 0, 1)
+                heat = sensible(activity) if share is None else share * activity
+                total += zone.multiplier * number * heat * self.schedules.of(thing, "number_of_people_schedule_name")
+        return total
+
+    def power(self, thing, level, zone, area):
+        """[W] of one zone."""
+        method = thing.word("design_level_calculation_method")
+        if method in ("watts/area",):
+            return area * thing.number("watts_per_floor_area", 0, 0, 1e5)
+        if method in ("watts/person",):
+            return self.people.get(zone.name, 0) * thing.number("watts_per_person", 0, 0, 1e6)
+        return thing.number(level, 0, 0, 1e9)
+
+    def read_load(self, kind, level, carrier):
+        total, heat = idf_schedules.constant(0), 0.0
+        for thing in self.model.all(kind):
+            share = 1 - thing.number("fraction_latent", 0, 0, 1) - thing.number("fraction_lost", 0, 0, 1)
+            for zone, area in self.conditioned_targets(thing):
+                added = zone.multiplier * self.power(thing, level, zone, area) * self.schedules.of(thing, "schedule_name")
+                total += added
+                heat += share * added.mean()
+        return Profile(total, heat / total.mean() if total.any() else 1, carrier)
+
+    def loads(self):
+        """{name: Profile in W}"""
+        found = {"people": Profile(self.read_people())}
+        found |= {name: self.read_load(kind, level, carrier) for name, kind, level, carrier in LOADS}
+        return {name: profile for name, profile in found.items() if profile.values.max() > 0}
+
+    def infiltration_of(self, thing, zone, area):
+        """[m3/h] at a schedule of 1 and usual weather."""
+        method = thing.word("design_flow_rate_calculation_method", "flow/zone")
+        outer = [s for s in zone.surfaces if s.outside == "outdoors"]
+        walls = [s for s in outer if 60 <= s.tilt <= 120]
+        per_outer = thing.number("flow_rate_per_exterior_surface_area", 0, 0, 100)
+        flows = {"flow/zone": lambda: thing.number("design_flow_rate", 0, 0, 1e5),
+                 "flow/area": lambda: area * thing.number("flow_rate_per_floor_area", 0, 0, 100),
+                 "flow/exteriorarea": lambda: per_outer * sum(s.gross for s in outer),
+                 "flow/exteriorwallarea": lambda: per_outer * sum(s.gross for s in walls),
+                 "airchanges/hour": lambda: zone.volume * thing.number("air_changes_per_hour", 0, 0, 1e3) / 3600}
+        if method not in flows:
+            thing.refuse("design_flow_rate_calculation_method", f"{method!r} is none; expected {', '.join(flows)}")
+        wind = self.wind_at(zone.middle)
+        factor = thing.number("constant_term_coefficient", 1) + \
+            thing.number("temperature_term_coefficient", 0) * USUAL_DIFFERENCE + \
+            thing.number("velocity_term_coefficient", 0) * wind + \
+            thing.number("velocity_squared_term_coefficient", 0) * wind**2
+        return 3600 * flows[method]() * max(factor, 0)
+
+    def wind_at(self, height):
+        building = next(iter(self.model.all("Building")), None)
+        exponent, layer = TERRAINS.get(building.word("terrain", "suburbs") if building else "suburbs",
+                                       TERRAINS["suburbs"])
+        of_weather, its_layer = TERRAINS["country"]
+        return USUAL_WIND * (its_layer / WIND_HEIGHT)**of_weather * (max(height, 0.1) / layer)**exponent
+
+    def infiltration(self):
+        """(profile of the conditioned zones, {zone without a thermostat: mean}) [m3/h]"""
+        total, others = idf_schedules.constant(0), {}
+        for thing in self.model.all("ZoneInfiltration:DesignFlowRate"):
+            for zone, area in self.targets(thing, TARGET):
+                flow = self.infiltration_of(thing, zone, area) * self.schedules.of(thing, "schedule_name")
+                if zone.is_conditioned:
+                    total += zone.multiplier * flow
+                else:
+                    others[zone.name] = others.get(zone.name, 0) + float(flow.mean())
+        return total, others
+
+    def outdoor_air(self, thing, zone):
+        """[m3/h] of a DesignSpecification:OutdoorAir."""
+        method = thing.word("outdoor_air_method", "flow/person")
+        parts = {"flow/person": self.people.get(zone.name, 0) * thing.number("outdoor_air_flow_per_person", PER_PERSON
+                                                                             if method == "flow/person" else 0, 0, 10),
+                 "flow/area": zone.area * thing.number("outdoor_air_flow_per_zone_floor_area", 0, 0, 10),
+                 "flow/zone": thing.number("outdoor_air_flow_per_zone", 0, 0, 1e4),
+                 "airchanges/hour": zone.volume * thing.number("outdoor_air_flow_air_changes_per_hour", 0, 0, 1e3) / 3600}
+        if method == "maximum":
+            return 3600 * max(parts.values())
+        return 3600 * (parts[method] if method in parts else sum(parts.values()))
+
+    def ventilation(self):
+        """[m3/h] by systems and by ZoneVentilation."""
+        total = idf_schedules.constant(0)
+        openings = [self.schedules.of(each, "minimum_outdoor_air_schedule_name")
+                    for each in self.model.all("Controller:OutdoorAir") if each.text("minimum_outdoor_air_schedule_name")]
+        damper = sum(openings) / len(openings) if openings else 1
+        for sizing in self.model.all("Sizing:Zone"):
+            if not sizing.text("design_specification_outdoor_air_object_name"):
+                continue
+            thing = self.model.find(sizing.text("design_specification_outdoor_air_object_name"),
+                                    "DesignSpecification:OutdoorAir")
+            if thing is None:
+                self.left_out.append(f'outdoor air "{sizing.text("design_specification_outdoor_air_object_name")}"')
+                continue
+            for zone, _ in self.conditioned_targets(sizing, "zone_or_zonelist_name"):
+                total += zone.multiplier * self.outdoor_air(thing, zone) * damper * \
+                    self.schedules.of(thing, "outdoor_air_schedule_name")
+        for thing in self.model.all("ZoneVentilation:DesignFlowRate"):
+            for zone, area in self.conditioned_targets(thing):
+                total += zone.multiplier * self.own_flow(thing, zone, area) * self.schedules.of(thing, "schedule_name")
+        return total
+
+    def own_flow(self, thing, zone, area):
+        method = thing.word("design_flow_rate_calculation_method", "flow/zone")
+        if method == "flow/area":
+            return 3600 * area * thing.number("flow_rate_per_floor_area", 0, 0, 100)
+        if method == "flow/person":
+            return 3600 * self.people.get(zone.name, 0) * thing.number("flow_rate_per_person", 0, 0, 100)
+        if method == "airchanges/hour":
+            return zone.volume * thing.number("air_changes_per_hour", 0, 0, 1e3)
+        return 3600 * thing.number("design_flow_rate", 0, 0, 1e5)
+
+    def set_points(self):
+        """(heating, cooling) profiles [degC], means by floor area; None where no thermostat is there."""
+        sums, areas = [0, 0], [0.0, 0.0]
+        for zone, pair in self.thermostats():
+            for k, profile in enumerate(pair):
+                if profile is not None:
+                    weight = zone.area * zone.multiplier
+                    sums[k] = sums[k] + weight * profile
+                    areas[k] += weight
+        return tuple(total / area if area else None for total, area in zip(sums, areas))
+
+    def thermostats(self):
+        """(zone, (heating, cooling)) of each."""
+        for control in self.model.all("ZoneControl:Thermostat"):
+            pair = self.pair_of(control)
+            for zone, _ in self.targets(control, "zone_or_zonelist_name"):
+                yield zone, pair
+        for each in self.model.all("HVACTemplate:Zone:IdealLoadsAirSystem"):
+            thing = self.model.need(each, "template_thermostat_name", "HVACTemplate:Thermostat")
+            for zone, _ in self.targets(each, "zone_name"):
+                yield zone, tuple(
+                    self.schedules.of(thing, f"{mode}_setpoint_schedule_name")
+                    if thing.text(f"{mode}_setpoint_schedule_name")
+                    else idf_schedules.constant(thing.number(f"constant_{mode}_setpoint", usual, -50, 100))
+                    for mode, usual in (("heating", 20), ("cooling", 26)))
+
+    def pair_of(self, control):
+        heating = cooling = None
+        for k in range(1, 5):
+            kind, name = control.text(f"control_{k}_object_type"), control.text(f"control_{k}_name")
+            if not name:
+                continue
+            thing = self.model.need(control, f"control_{k}_name", kind)
+            kind = kind.lower()
+            if kind.endswith("dualsetpoint"):
+                heating = self.schedules.of(thing, "heating_setpoint_temperature_schedule_name")
+                cooling = self.schedules.of(thing, "cooling_setpoint_temperature_schedule_name")
+            if kind.endswith(("singleheating", "singleheatingorcooling")):
+                heating = self.schedules.of(thing, "setpoint_temperature_schedule_name")
+            if kind.endswith(("singlecooling", "singleheatingorcooling")):
+                cooling = self.schedules.of(thing, "setpoint_temperature_schedule_name")
+        return heating, cooling
+
+    def machines(self, rows):
+        """[(class, carrier, mean efficiency or COP)] of those in the file."""
+        found = []
+        for kind, key, usual, carrier in rows:
+            things = self.model.all(kind)
+            if things:
+                values = [thing.number(key, usual, 0.01, 20) if key else usual for thing in things]
+                fuel = carrier or FUELS.get(things[0].word("fuel_type"), "none")
+                found.append((things[0].kind, fuel, float(np.mean(values))))
+        return found
+
+
+def sensible(activity):
+    """[W] of a person's activity [W]."""
+    m, t = activity, ROOM
+    return np.clip(6.461927 + 0.946892 * m + 0.0000255737 * m**2 + 7.139322 * t - 0.0627909 * t * m
+                   + 0.0000589172 * t * m**2 - 0.198550 * t**2 + 0.000940018 * t**2 * m
+                   - 0.00000149532 * t**2 * m**2, 0, m)
+
+
+def mark_conditioned(model, zones, told):
+    """Zones with a thermostat; with none in the file those with equipment, else all."""
+    named = set()
+    for kind, key in (("ZoneControl:Thermostat", "zone_or_zonelist_name"), ("HVACTemplate:Zone:IdealLoadsAirSystem",
+                                                                            "zone_name"),
+                      ("ZoneHVAC:EquipmentConnections", "zone_name")):
+        if kind.startswith("ZoneHVAC") and named:
+            break
+        for thing in model.all(kind):
+            of_list = model.find(thing.text(key), "ZoneList")
+            named |= {name.lower() for (name,) in of_list.rest} if of_list else {thing.word(key)}
+    for name, zone in zones.items():
+        zone.is_conditioned = not named or name in named
+    if not any(zone.is_conditioned and zone.area for zone in zones.values()):
+        raise no_zone(model, "no zone with a floor")
+    without = [zone.name for zone in zones.values() if not zone.is_conditioned]
+    if without:
+        told.append(f"zones without a thermostat: {', '.join(without)}; a factor on the loss through them is kept")
+
+
+def no_zone(model, why):
+    return Refused(f"{model.file}: has {why}; expected Zone and BuildingSurface:Detailed with floors and outer walls")
