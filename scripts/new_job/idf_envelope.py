@@ -95,7 +95,7 @@ def resistance(layer):
     """[m2 K/W]"""
     if layer.kind.lower() != "material":
         return need_number(layer, "thermal_resistance", 0, 1e3)
-    return need_number(layer, "thickness", 1e-6, 100) / need_number(layer, "conductivity", 1e-4, 1e4)
+    return need_number(layer, "thickness", 1e-9, 100) / need_number(layer, "conductivity", 1e-4, 1e4)
 
 
 def need_number(thing, key, least, most):
@@ -207,6 +207,11 @@ def mass_of(model, surface):
     return total
 
 
+def plain(name):
+    """Without what means something in a parameter's target."""
+    return name.replace(".", "_").replace("*", "_")
+
+
 class Reader:
     """Puts surfaces together into a Shell; `told` lines of what it leaves out go to `left_out`."""
 
@@ -265,17 +270,25 @@ class Reader:
     def factor_of(self, zone):
         """b of a zone without a thermostat: H to outdoors over all H."""
         if zone.name not in self.buffer:
-            inner, outer = 0.0, AIR * self.air_flows.get(zone.name, 0)
-            for s in zone.surfaces:
-                other, r = self.neighbour(s), film(s.tilt)
-                if s.outside in ("outdoors", "groundfcfactormethod", *GROUNDS):
-                    r_out = R_OUTSIDE if s.outside == "outdoors" else 0
-                    outer += s.net * opaque_of(self.model, s.given, r, r_out).u_value
-                    outer += sum(o.area * glazing_of(self.model, o.given).u_value for o in s.openings if o.is_glass)
-                elif other is not None and other.is_conditioned:
-                    inner += s.net * opaque_of(self.model, s.given, r, r).u_value
-            self.buffer[zone.name] = outer / (outer + inner) if outer else 0.0
+            inner, outer = self.inner_loss(zone), self.outer_loss(zone) + AIR * self.air_flows.get(zone.name, 0)
+            self.buffer[zone.name] = outer / (outer + inner / max(zone.multiplier, 1)) if outer else 0.0
         return self.buffer[zone.name]
+
+    def inner_loss(self, zone):
+        """[W/K] from all zones with a thermostat into one without."""
+        return sum(s.net * s.zone.multiplier * opaque_of(self.model, s.given, film(s.tilt), film(s.tilt)).u_value
+                   for other in self.zones.values() if other.is_conditioned for s in other.surfaces
+                   if self.neighbour(s) is zone)
+
+    def outer_loss(self, zone):
+        """[W/K] of its surfaces and windows to outdoors and ground."""
+        total = 0.0
+        for s in zone.surfaces:
+            if s.outside in ("outdoors", "groundfcfactormethod", *GROUNDS):
+                r_outside = R_OUTSIDE if s.outside == "outdoors" else 0
+                total += s.net * opaque_of(self.model, s.given, film(s.tilt), r_outside).u_value
+                total += sum(o.area * glazing_of(self.model, o.given).u_value for o in s.openings if o.is_glass)
+        return total
 
     def add(self, surface):
         model, zone, given = self.model, surface.zone, surface.given
@@ -308,7 +321,8 @@ class Reader:
 
     def name_of(self, made):
         """A construction has a name for each of its films."""
-        names = (made.name if k == 1 else f"{made.name} ({k})" for k in range(1, 99))
+        base = plain(made.name)
+        names = (base if k == 1 else f"{base} ({k})" for k in range(1, 99))
         for name in names:
             known = self.shell.opaque.get(name)
             if known is None or abs(known.u_value - made.u_value) < 1e-9 and known.r_outside == made.r_outside:
@@ -324,8 +338,9 @@ class Reader:
 
     def add_window(self, opening, surface):
         name = opening.given.text("construction_name").lower()
-        made = next((g for g in self.shell.glazing.values() if g.name.lower() == name), None) or \
+        made = next((g for g in self.shell.glazing.values() if g.name.lower() == plain(name)), None) or \
             glazing_of(self.model, opening.given)
+        made.name = plain(made.name)
         self.shell.glazing[made.name] = made
         if opening.given.text("frame_and_divider_name"):
             self.left_out.append("frames and dividers of windows (WindowProperty:FrameAndDivider)")

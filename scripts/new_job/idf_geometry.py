@@ -158,9 +158,15 @@ def measure(zone):
     low, high = height[:, 0].min(), height[:, 1].max()
     zone.middle = (low + high) / 2 + zone.given.number("z_origin", 0)
     floors = sum(s.gross for s in zone.surfaces if s.kind == "floor")
-    zone.area = zone.given.number("floor_area", floors, 0, 1e7)
-    zone.height = zone.given.number("ceiling_height", high - low, 0, 1e4)
-    zone.volume = zone.given.number("volume", volume_of(zone, floors), 0, 1e8)
+    zone.area = given_or(zone, "floor_area", floors)
+    zone.height = given_or(zone, "ceiling_height", high - low)
+    zone.volume = given_or(zone, "volume", volume_of(zone, floors))
+
+
+def given_or(zone, key, found):
+    """What the zone's own field says, if it is above 0: -9999 is EnergyPlus's own "not given"."""
+    given = zone.given.number(key, 0)
+    return given if given > 0 else found
 
 
 def volume_of(zone, floors):

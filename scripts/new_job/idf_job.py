@@ -11,6 +11,7 @@ from new_job.job import NOT_COOLED, Raw, section
 MOST_RUNS = 26                 # parts of the year with schedules of their own; more are one mean
 WEEKDAYS = ("monday", "tuesday", "wednesday", "thursday", "friday")
 HEAT_CAPACITIES = (80000, 600000)  # J/(m2 K), to which the capacity of the layers is cut
+MOST_AIR = 20                  # 1/h, that a job takes
 MOST_G, LEAST_SHARE = 0.95, 0.3
 
 
@@ -27,11 +28,17 @@ def header(first):
     yield from (f"# - left out: {line}" for line in first.told.left_out)
 
 
+def flows(found):
+    """Profiles of air changes, by name."""
+    return (("infiltration", np.minimum(found.infiltration, MOST_AIR)),
+            ("ventilation", np.minimum(found.ventilation, MOST_AIR)))
+
+
 def profiles(first):
     """{name of schedule: profile} of all that is scheduled."""
     found = first.model
     named = {name: profile.values for name, profile in found.loads.items()}
-    named |= {"infiltration": found.infiltration, "ventilation": found.ventilation}
+    named |= dict(flows(found))
     named |= {name: profile for name, profile in (("heating", found.heating), ("cooling", found.cooling))
               if profile is not None}
     return named
@@ -149,7 +156,7 @@ def zone(first):
         ("cooling_set_point", cooling, "" if is_cooled else first.plant.cooling_says),
         ("cooling_capacity", (90 if first.is_hourly else None) if is_cooled else 0))
     yield from surfaces(found.shell)
-    for name, profile in (("infiltration", found.infiltration), ("ventilation", found.ventilation)):
+    for name, profile in flows(found):
         yield section("[[zone.flow]]", ("name", name), ("air_change", value_of(name, profile), "1/h, of the volume"))
     for load in first.loads:
         profile = found.loads.get(load.name)
@@ -182,10 +189,10 @@ def priors_of(first):
     if first.is_hourly and found.shell.glazing:
         yield priors.factor("g_window", ["glazing.*.solar_transmittance"], LEAST_SHARE,
                             min(1.3, MOST_G / first.envelope.g), 0.2, "blinds and shade")
-    for name, profile in (("infiltration", found.infiltration), ("ventilation", found.ventilation)):
+    for name, profile in flows(found):
         most = float(profile.max())
         yield priors.level(name, f"{zone_name}.flow.{name}.air_change", most, 0.4 * most + 0.1, "[1/h]",
-                           0.02 if name == "infiltration" else 0)
+                           most=MOST_AIR)
     names = [load.name for load in first.loads if load.name not in ("people", "hot_water")]
     if names:
         yield priors.factor("lights_and_equipment", [f"{zone_name}.load.{name}.density" for name in names], 0.2, 3, 0.3,

@@ -12,7 +12,7 @@ from new_job.idf import number_of
 DAYS, KINDS, HOURS = 365, 8, 24
 MONTH_DAYS = (31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31)
 KIND_OF = {"monday": 0, "tuesday": 1, "wednesday": 2, "thursday": 3, "friday": 4, "saturday": 5, "sunday": 6,
-           "holiday": 7, "holidays": 7}
+           "holiday": 7}
 GROUPS = {"weekdays": range(5), "weekday": range(5), "weekends": (5, 6), "weekend": (5, 6), "alldays": range(KINDS)}
 NOT_USED = ("summerdesignday", "winterdesignday", "customday1", "customday2")
 MINUTES = 24 * 60
@@ -44,8 +44,8 @@ def kinds_of(thing, key, said, taken):
             found |= set(range(KINDS)) - taken
         elif word in GROUPS:
             found |= set(GROUPS[word])
-        elif word in KIND_OF:
-            found.add(KIND_OF[word])
+        elif word.removesuffix("s") in KIND_OF:
+            found.add(KIND_OF[word.removesuffix("s")])
         elif word not in NOT_USED:
             thing.refuse(key, f"{word!r} is no kind of day; expected AllDays, Weekdays, Weekends, Monday, ...")
     return found
@@ -145,7 +145,7 @@ def week_of(model, week):
     """(8, 24)"""
     values = np.full((KINDS, HOURS), np.nan)
     if week.kind.lower() == "schedule:week:daily":
-        for word in (word for word in KIND_OF if word != "holidays"):
+        for word in KIND_OF:
             key = f"{word}_schedule_day_name"
             values[KIND_OF[word]] = day_of(model, model.need(week, key, *DAY_CLASSES))
         return values

@@ -88,7 +88,8 @@ def plant_priors(first, zone):
         if first.is_hourly:
             yield level("cooling_capacity", f"{zone}.cooling_capacity", 90, 30, "[W/m2]", 20)
     if plant.cooling == "electricity":
-        yield level("cooling_cop", "plant.cooling_cop", plant.cop, 0.8, "with pumps and fans of the plant", 1.2, most=6)
+        yield level("cooling_cop", "plant.cooling_cop", plant.cop, 0.8, "with pumps and fans of the plant", 1.2,
+                    most=max(6, 1.3 * plant.cop))
     if first.is_hourly:
         least, most, mean, sd = HEAT_CAPACITIES
         yield Prior("heat_capacity", (f"{zone}.heat_capacity",), least, most, mean, sd, "[J/(m2 K)]")

@@ -1,0 +1,344 @@
+#!/usr/bin/python3
+"""`bemcal-batch new --idf` reads a building of ours from an EnergyPlus file: areas, directions, U-values, glazing,
+schedules, loads, air, set-points and plant, alike from IDF and epJSON; what is wrong in it ends in one message.
+
+The layout of fields is checked against EnergyPlus's own schema where that is there (tests/energyplus/idf.py).
+"""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import tomllib
+import unittest
+
+sys.dont_write_bytecode = True
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests" / "scripts"), str(ROOT / "tests" / "energyplus")]
+
+import idf as energyplus  # noqa: E402  (found above)
+import test_new as usual  # noqa: E402
+from new_job import idf, idf_building, idf_envelope, idf_fields, idf_geometry, idf_schedules  # noqa: E402
+from new_job.refused import Refused  # noqa: E402
+
+DATA, NO_INPUT, USAGE = 65, 66, 64
+LENGTH, DEPTH, HEIGHT, NORTH, ALIKE = 10, 8, 3, 30, 2
+# Corners of each face, seen from outside against the clock.
+FACES = {
+    "south": ("Wall", "Wall", "Outdoors", "0,0,3, 0,0,0, 10,0,0, 10,0,3"),
+    "east": ("Wall", "Wall", "Outdoors", "10,0,3, 10,0,0, 10,8,0, 10,8,3"),
+    "north": ("Wall", "Wall", "Outdoors", "10,8,3, 10,8,0, 0,8,0, 0,8,3"),
+    "west": ("Wall", "Wall", "Adiabatic", "0,8,3, 0,8,0, 0,0,0, 0,0,3"),
+    "roof": ("Roof", "Roof", "Outdoors", "0,8,3, 0,0,3, 10,0,3, 10,8,3"),
+    "floor": ("Floor", "Slab", "Ground", "0,0,0, 0,8,0, 10,8,0, 10,0,0"),
+}
+HOUSE = f"""! A box of two zones that are alike
+Version, 25.2;
+Building, Box, {NORTH}, Suburbs;   ! its y axis points to 30 deg
+GlobalGeometryRules, UpperLeftCorner, Counterclockwise, Relative;
+Zone, Room, 0, 5, 5, 0, 1, {ALIKE}, autocalculate, autocalculate, ;
+Material, Brick, Rough, 0.24, 0.8, 1800, 900, 0.9, 0.65, 0.65;
+Material, Concrete, Rough, 0.2, 2, 2400, 1000;
+Material:NoMass, Wool, Rough, 2.5;
+Construction, Wall, Brick, Wool, Brick;
+Construction, Roof, Wool, Concrete;
+Construction, Slab, Concrete;
+Construction, Window, Pane;
+WindowMaterial:SimpleGlazingSystem, Pane, 1.8, 0.45;
+FenestrationSurface:Detailed, South window, Window, Window, south, , , , 3, 4, 1,0,2.5, 1,0,1, 2,0,1, 2,0,2.5;
+Schedule:Constant, Activity, , 120;
+Schedule:Compact, Work, Fraction, Through: 6/30, For: Weekdays SummerDesignDay, Until: 8:00, 0, Until: 17:30, 1,
+  Until: 24:00, 0, For: Saturday, Until: 24:00, 0.25, For: AllOtherDays, Until: 24:00, 0,
+  Through: 12/31, For: AllDays, Until: 24:00, 0.5;
+Schedule:Day:Hourly, Day, , 16,16,16,16,16,16,21,21,21,21,21,21,21,21,21,21,21,21,21,21,16,16,16,16;
+Schedule:Day:Interval, Off, , No, 24:00, 16;
+Schedule:Week:Daily, Week, Off, Day, Day, Day, Day, Day, Off, Off, Day, Day, Day, Day;
+Schedule:Year, Heat, , Week, 1, 1, 12, 31;
+Schedule:Constant, Cool, , 26;
+People, People, Room, Work, Area/Person, , , 10, 0.3, 0.5, Activity;
+Lights, Lights, Room, Work, Watts/Area, , 8;
+ElectricEquipment, Plugs, Room, Work, EquipmentLevel, 400, , , 0.1, 0.3, 0.2;
+ZoneInfiltration:DesignFlowRate, Leaks, Room, , AirChanges/Hour, , , , 0.5, 0.6, 0.04, 0, 0;
+DesignSpecification:OutdoorAir, Fresh, Sum, 0.005, 0.0005;
+Sizing:Zone, Room, SupplyAirTemperature, 13, , SupplyAirTemperature, 40, , 0.008, 0.008, Fresh;
+ZoneControl:Thermostat, Control, Room, Activity, ThermostatSetpoint:DualSetpoint, Both;
+ThermostatSetpoint:DualSetpoint, Both, Heat, Cool;
+Coil:Heating:Fuel, Burner, , NaturalGas, 0.82;
+Coil:Cooling:DX:SingleSpeed, Cooler, , autosize, autosize, 3.4;
+Shading:Site:Detailed, Tree, , 4, 0,0,0, 0,1,0, 0,1,1;
+"""
+
+
+def faces(version_has_space=True):
+    space = " ," if version_has_space else ""
+    return "".join(f"BuildingSurface:Detailed, {name}, {kind}, {construction}, Room,{space} {outside}, , "
+                   f"{'SunExposed' if outside == 'Outdoors' else 'NoSun'}, NoWind, , 4, {corners};\n"
+                   for name, (kind, construction, outside, corners) in FACES.items())
+
+
+BOX = HOUSE + faces()
+
+
+def as_json(path):
+    """The same objects as EnergyPlus lays them out in JSON."""
+    made = {}
+    for several in idf.read_model(str(path)).objects.values():
+        for k, each in enumerate(several):
+            kind = each.kind.lower()
+            fields = {name: value for name, value in each.fields.items() if value and name != "name"}
+            if each.rest and kind in idf_fields.REST:
+                key, columns = idf_fields.REST[kind]
+                fields[key] = [dict(zip(columns, group)) for group in each.rest]
+            made.setdefault(each.kind, {})[each.name or f"{each.kind} {k + 1}"] = fields
+    return json.dumps(made)
+
+
+class Box(unittest.TestCase):
+    """Parts, without the program."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def read(self, text, name="box.idf"):
+        path = self.folder / name
+        path.write_text(text)
+        return idf_building.read_building(str(path))
+
+    def refused(self, old, new, *words):
+        """What a changed file is told."""
+        self.assertIn(old, BOX)
+        with self.assertRaises(Refused) as caught:
+            self.read(BOX.replace(old, new))
+        for word in ("box.idf", *words):
+            self.assertIn(word, str(caught.exception))
+
+    def test_areas_directions_and_multipliers(self):
+        found = self.read(BOX)
+        self.assertAlmostEqual(found.area, ALIKE * LENGTH * DEPTH)
+        self.assertAlmostEqual(found.volume, ALIKE * LENGTH * DEPTH * HEIGHT)
+        walls = {p.azimuth: p.area for p in found.shell.surfaces.values() if p.construction == "Wall"}
+        glass = 3 * 1 * 1.5
+        self.assertEqual(set(walls), {210, 120, 30})
+        self.assertAlmostEqual(walls[210], ALIKE * (LENGTH * HEIGHT - glass))
+        self.assertAlmostEqual(walls[120], ALIKE * DEPTH * HEIGHT)
+        (window,) = found.shell.windows.values()
+        self.assertEqual((window.azimuth, window.tilt), (210, 90))
+        self.assertAlmostEqual(window.area, ALIKE * glass)
+        roof = next(p for p in found.shell.surfaces.values() if p.construction == "Roof")
+        self.assertEqual((roof.tilt, roof.area), (0, ALIKE * LENGTH * DEPTH))
+        slab = next(p for p in found.shell.surfaces.values() if p.construction == "Slab")
+        self.assertEqual((slab.boundary, slab.azimuth), ("ground", None))
+
+    def test_clockwise_vertices_and_world_coordinates(self):
+        turned = BOX.replace("Counterclockwise, Relative", "Clockwise, World")
+        walls = {p.azimuth for p in self.read(turned).shell.surfaces.values() if p.construction == "Wall"}
+        self.assertEqual(walls, {0, 270, 180})     # inside out, and north stays where it is
+
+    def test_u_values_have_films(self):
+        shell = self.read(BOX).shell
+        brick = 0.24 / 0.8
+        self.assertAlmostEqual(shell.opaque["Wall"].u_value, 1 / (0.04 + 2 * brick + 2.5 + 0.13))
+        self.assertAlmostEqual(shell.opaque["Roof"].u_value, 1 / (0.04 + 2.5 + 0.1 + 0.10))
+        self.assertAlmostEqual(shell.opaque["Slab"].u_value, 1 / (0.1 + 0.17))
+        self.assertAlmostEqual(shell.opaque["Wall"].absorptance, 0.65)
+        glazing = shell.glazing["Window"]
+        self.assertEqual((glazing.u_value, glazing.solar), (1.8, 0.45))
+
+    def test_panes_and_gaps(self):
+        """Clear glass, 4 mm, 12 mm of air between: 2.9 W/(m2 K) and 0.78 by EN 673 and EN 410; one pane 5.8."""
+        panes = "WindowMaterial:Glazing, Clear, SpectralAverage, , 0.004, 0.82, 0.075, 0.075, 0.89, 0.08, 0.08, 0, " \
+                "0.84, 0.84, 1;\nWindowMaterial:Gas, Gap, Air, 0.012;\n"
+        double = BOX.replace("Window, Pane;", "Window, Clear, Gap, Clear;") + panes
+        glazing = self.read(double).shell.glazing["Window"]
+        self.assertAlmostEqual(glazing.u_value, 2.86, delta=0.06)
+        self.assertAlmostEqual(glazing.solar, 0.76, delta=0.02)
+        single = self.read(BOX.replace("Window, Pane;", "Window, Clear;") + panes).shell.glazing["Window"]
+        self.assertAlmostEqual(single.u_value, 5.75, delta=0.1)
+
+    def test_light_is_kept_in_panes(self):
+        model = idf.Model("x", [])
+        panes = [idf.Object("x", "WindowMaterial:Glazing", {
+            "solar_transmittance_at_normal_incidence": t, "front_side_solar_reflectance_at_normal_incidence": r,
+            "back_side_solar_reflectance_at_normal_incidence": r}) for t, r in (("0.7", "0.1"), ("0.6", "0.2"))]
+        transmitted, absorbed = idf_envelope.solar_of(panes)
+        self.assertAlmostEqual(transmitted, 0.7 * 0.6 / (1 - 0.1 * 0.2))
+        reflected = 0.1 + 0.7**2 * 0.2 / (1 - 0.1 * 0.2)
+        self.assertAlmostEqual(sum(absorbed), 1 - transmitted - reflected)
+        self.assertIsNone(model.find("a", "Zone"))
+
+    def test_schedules_by_day_and_season(self):
+        profile = self.read(BOX).loads["lights"].values
+        density = 8
+        spring, autumn = profile[10], profile[300]
+        self.assertAlmostEqual(spring[0, 9], density)
+        self.assertAlmostEqual(spring[0, 17], density / 2)         # until half past five
+        self.assertAlmostEqual(spring[5, 3], density / 4)
+        self.assertAlmostEqual(spring[6, 12], 0)
+        self.assertAlmostEqual(spring[7, 12], 0)                   # a holiday
+        self.assertAlmostEqual(autumn[2, 3], density / 2)
+        self.assertEqual([run[:2] for run in idf_schedules.runs_of(profile)], [(0, 180), (181, 364)])
+
+    def test_loads_air_and_set_points(self):
+        found = self.read(BOX)
+        people = LENGTH * DEPTH / 10
+        self.assertAlmostEqual(found.loads["people"].values.max(), people * 120 * 0.5 * ALIKE / found.area)
+        self.assertAlmostEqual(found.loads["equipment"].values.max(), 400 * ALIKE / found.area)
+        self.assertAlmostEqual(found.loads["equipment"].share, 0.7)
+        self.assertAlmostEqual(found.infiltration.mean(), 0.5 * (0.6 + 0.04 * 10))
+        fresh = people * 0.005 + LENGTH * DEPTH * 0.0005
+        self.assertAlmostEqual(found.ventilation.max(), 3600 * fresh / (LENGTH * DEPTH * HEIGHT))
+        self.assertEqual((found.heating[0, 0, 12], found.heating[0, 0, 2], found.heating[0, 6, 12]), (21, 16, 16))
+        self.assertEqual(found.cooling.mean(), 26)
+        self.assertEqual(found.heaters, [("Coil:Heating:Fuel", "gas", 0.82)])
+        self.assertEqual(found.coolers, [("Coil:Cooling:DX:SingleSpeed", "electricity", 3.4)])
+
+    def test_methods_of_infiltration(self):
+        outer = LENGTH * DEPTH + LENGTH * HEIGHT * 2 + DEPTH * HEIGHT
+        walls = outer - LENGTH * DEPTH
+        volume = LENGTH * DEPTH * HEIGHT
+        for method, flow in (("Flow/Zone, 0.02, , ,", 0.02), ("Flow/Area, , 0.0003, ,", 0.0003 * LENGTH * DEPTH),
+                             ("Flow/ExteriorArea, , , 0.0002,", 0.0002 * outer),
+                             ("Flow/ExteriorWallArea, , , 0.0002,", 0.0002 * walls)):
+            with self.subTest(method=method):
+                text = BOX.replace("AirChanges/Hour, , , , 0.5, 0.6, 0.04, 0, 0;", f"{method} ;")
+                self.assertAlmostEqual(self.read(text).infiltration.mean(), 3600 * flow / volume)
+
+    def test_a_zone_without_a_thermostat_is_a_factor(self):
+        """A loft of 1 m behind the roof: b is its loss to outdoors over all."""
+        corners = {"loft roof": ("Roof", "Roof", "Outdoors", "", "0,8,4, 0,0,4, 10,0,4, 10,8,4"),
+                   "loft floor": ("Floor", "Roof", "Surface", "roof", "0,0,3, 0,8,3, 10,8,3, 10,0,3")}
+        loft = "Zone, Loft, 0, 5, 5, 0, 1, 2;\n" + "".join(
+            f"BuildingSurface:Detailed, {name}, {kind}, {of}, Loft, , {outside}, {other}, SunExposed, , , 4, {points};\n"
+            for name, (kind, of, outside, other, points) in corners.items())
+        text = BOX.replace("roof, Roof, Roof, Room, , Outdoors, ,", "roof, Roof, Roof, Room, , Surface, loft floor,")
+        found = self.read(text + loft)
+        (part,) = (p for p in found.shell.surfaces.values() if p.construction == "Roof")
+        outer, inner = 1 / (2.6 + 0.14), 1 / (2.6 + 0.2)
+        self.assertAlmostEqual(part.adjustment, outer / (outer + inner), 3)
+        self.assertAlmostEqual(found.area, ALIKE * LENGTH * DEPTH)
+        self.assertTrue(any("Loft" in line for line in found.left_out))
+
+    def test_json_says_the_same(self):
+        one = self.read(BOX)
+        other = self.read(as_json(self.folder / "box.idf"), "box.epJSON")
+        self.assertEqual((one.area, one.volume, one.shell.conductance, one.left_out),
+                         (other.area, other.volume, other.shell.conductance, other.left_out))
+        for name in one.loads:
+            self.assertTrue((one.loads[name].values == other.loads[name].values).all())
+        self.assertTrue((one.heating == other.heating).all())
+
+    def test_older_files_have_other_fields(self):
+        old = HOUSE.replace("25.2", "8.9").replace("south, , , , 3, 4,", "south, , , , , 3, 4,") + faces(False)
+        one, other = self.read(BOX), self.read(old)
+        self.assertEqual((one.area, one.shell.conductance), (other.area, other.shell.conductance))
+
+    def test_what_is_left_out_is_told(self):
+        said = "\n".join(self.read(BOX).left_out)
+        self.assertIn("Shading:Site:Detailed", said)
+        self.assertIn("48 m2 of adiabatic surfaces", said)
+
+    def test_messages(self):
+        self.refused("Version, 25.2", "Version, 7.2", "Version", "'7.2'", "8.9 to 26.x")
+        self.refused("Version, 25.2;", "", "no object Version")
+        self.refused("0.24, 0.8", "thick, 0.8", 'Material "Brick": thickness', "'thick'", "expected one from")
+        self.refused("Wall, Brick, Wool", "Wall, Brick, Wol", 'Construction "Wall": layer_2', "'Wol'")
+        self.refused("Through: 12/31", "Through: 11/30", 'Schedule:Compact "Work"', "day 335")
+        self.refused("For: Saturday", "For: Caturday", "'caturday'", "Weekdays")
+        self.refused("Until: 17:30", "Until: 17h30", "'17h30'", "24:00")
+        self.refused("Leaks, Room", "Leaks, Rom", "'Rom'", "zone")
+        self.refused("south, , , , 3", "suoth, , , , 3", "building_surface_name", "'suoth'")
+        self.refused("AirChanges/Hour", "AirChange", "design_flow_rate_calculation_method", "'airchange'")
+        self.refused("0,8,3, 0,0,3, 10,0,3, 10,8,3", "0,8,3, 0,0,3", "vertices")
+        self.refused("10,8,0, 10,0,0;\n", "10,8,0, 10,0,0\n", "ends within")
+        for text, name in (("{", "x.epJSON"), ("[1]", "x.epJSON"), ('{"Version": {"a": {"version_identifier": "25.1"}},'
+                                                                    ' "Zone": 3}', "x.epJSON"), ("", "x.idf")):
+            with self.assertRaises(Refused):
+                self.read(text, name)
+
+    def test_damaged_files_end_in_a_message(self):
+        """Cut anywhere, or a word of it exchanged: a Refused or a building, nothing else."""
+        words = BOX.split(",")
+        damaged = [BOX[:k] for k in range(0, len(BOX), 61)]
+        damaged += [",".join([*words[:k], bad, *words[k + 1:]]) for k in range(0, len(words), 3)
+                    for bad in (" x", " -1", " 1e99", " ;")]
+        for text in damaged:
+            try:
+                self.read(text)
+            except Refused as error:
+                self.assertIn("box.idf", str(error))
+
+    def test_fields_are_those_of_energyplus(self):
+        program = energyplus.program()
+        if program is None:
+            self.skipTest(energyplus.HOW)
+        classes = energyplus.Schema(program).classes
+        by_kind = {kind.lower(): each["legacy_idd"] for kind, each in classes.items()}
+        for kind in idf_fields.FIELDS:
+            if kind in by_kind and kind != "coil:heating:gas":
+                known = by_kind[kind]["fields"]
+                ours = idf.fields_in(kind, (25, 2))
+                self.assertEqual(ours, known[:len(ours)], kind)
+
+
+class Job(usual.New):
+    """Through the program; the tests of `new` itself are elsewhere."""
+
+    def box(self, text=BOX, name="box.idf"):
+        path = self.folder / name
+        path.write_text(text)
+        return path
+
+    def from_file(self, path, code=0, **options):
+        return self.new(code=code, idf=path, **{"area": None, "use": None, "built": None, **options})
+
+    def test_a_job_is_checked(self):
+        said = self.from_file(self.box()).stdout
+        self.assertIn("left out: 1 Shading:Site:Detailed", said)
+        job = self.checked()
+        zone = job["zone"][0]
+        self.assertEqual((zone["floor_area"], zone["volume"]), (160, 480))
+        self.assertEqual(zone["heating_set_point"], {"value": 21, "low": 16, "schedule": "heating"})
+        self.assertEqual(zone["cooling_set_point"], 26)
+        self.assertEqual(job["plant"], {"heating_carrier": "gas", "heating_efficiency": 0.82,
+                                        "cooling_carrier": "electricity", "cooling_cop": 3.4})
+        heating = next(s for s in job["schedule"] if s["name"] == "heating")
+        self.assertEqual(sum(heating["weekdays"]), 14)
+        lights = next(s for s in job["schedule"] if s["name"] == "lights")
+        self.assertEqual([p["dates"] for p in lights["period"]], ["01-01/06-30"])
+        self.assertEqual({c["name"] for c in job["construction"]}, {"Wall", "Roof", "Slab"})
+        names = {p["name"] for p in job["parameter"]}
+        self.assertLessEqual({"envelope", "infiltration", "ventilation", "lights_and_equipment", "people",
+                              "heating_set_point", "heating_set_back", "cooling_set_point"}, names)
+        self.assertNotIn("cooling_set_back", names)
+
+    def test_json_gives_the_same_job(self):
+        path = self.box()
+        self.from_file(path)
+        one = self.checked()
+        self.from_file(self.box(as_json(path), "box.epJSON"), force=True)
+        self.assertEqual(one, self.checked())
+
+    def test_a_box_without_windows_loads_and_systems(self):
+        gone = ("FenestrationSurface", "People", "Lights", "ElectricEquipment", "Coil", "ZoneControl", "ZoneInf", "Sizing")
+        text = "".join(line + "\n" for line in BOX.splitlines() if not line.startswith(gone))
+        self.from_file(self.box(text))
+        self.checked()
+
+    def test_options(self):
+        self.assertIn("leave it out beside --idf", self.from_file(self.box(), USAGE, area=100).stderr)
+        self.assertIn("--area", self.new(code=USAGE, area=None).stderr)
+        self.assertIn("expected an EnergyPlus file", self.from_file(self.folder / "none.idf", NO_INPUT).stderr)
+        path = self.box(name="box.toml")
+        self.assertIn("is an input", self.from_file(path, usual.EXISTS, job=path, force=True).stderr)
+
+
+if __name__ == "__main__":
+    tests = unittest.TestSuite()
+    for case in (Box, Job):
+        names = [name for name in vars(case) if name.startswith("test_")]
+        tests.addTests(case(name) for name in names)
+    done = unittest.TextTestRunner().run(tests)
+    sys.exit(not done.wasSuccessful())
