@@ -8,7 +8,7 @@ import json
 import re
 from dataclasses import dataclass, field
 
-from new_job.idf_fields import FIELDS, REST, SINCE, UNTIL
+from new_job.idf_fields import FIELDS, FORMER, REST, SINCE, UNTIL
 from new_job.refused import DATA, NO_INPUT, Refused
 
 OLDEST, NEWEST = (8, 9), (26, 9)   # versions whose fields are known here
@@ -111,7 +111,8 @@ def version_of(path, said):
 
 def fields_in(kind, version):
     """Names of a class's fields in their order, in that version."""
-    return [name for name in FIELDS[kind] if SINCE.get((kind, name), OLDEST) <= version <= UNTIL.get((kind, name), NEWEST)]
+    return [name for name in FIELDS[kind]
+            if SINCE.get((kind, name), OLDEST) <= version <= UNTIL.get((kind, name), NEWEST)]
 
 
 def of_row(path, row, version):
@@ -140,6 +141,9 @@ def text_of(value):
 def of_json(path, kind, name, given):
     key, columns = REST.get(kind.lower(), ("", ()))
     fields = {"name": name} | {each: text_of(value) for each, value in given.items() if not isinstance(value, list)}
+    for ours, others in FORMER.items():
+        if ours in FIELDS.get(kind.lower(), ()) and ours not in fields:
+            fields[ours] = next((fields[other] for other in others if other in fields), "")
     groups = given.get(key, [])
     return Object(path, kind, fields, [[text_of(group.get(column)) for column in columns] for group in groups])
 
@@ -149,7 +153,8 @@ def objects_of_json(path):
         given = json.loads(read_text(path))
         said = next(iter(given["Version"].values()))["version_identifier"]
     except (ValueError, LookupError, AttributeError, TypeError, StopIteration, RecursionError) as error:
-        raise Refused(f"{path}: is no epJSON file ({type(error).__name__}: {error}); expected JSON with Version") from None
+        raise Refused(f"{path}: is no epJSON file ({type(error).__name__}: {error}); expected JSON with "
+                      "Version") from None
     version_of(path, said)
     try:
         return [of_json(path, kind, name, fields) for kind, named in given.items() for name, fields in named.items()]

@@ -1,4 +1,4 @@
-"""A building of one zone from an EnergyPlus file: form, envelope, loads, air, set-points and plant, and what was left out.
+"""A building of one zone from an EnergyPlus file: envelope, loads, air, set-points, plant, and what was left out.
 
 Zones with a thermostat are put together; multipliers count. Leaves out zones one by one, and what LEFT_OUT names.
 """
@@ -21,11 +21,13 @@ LEFT_OUT = (
     ("zoneventilation:windandstackopenarea", "air through openings; venting_air_change may stand for it"),
     ("heatexchanger:airtoair", "heat recovery; write heat_recovery in the flow"),
     ("zonehvac:energyrecoveryventilator", "heat recovery; write heat_recovery in the flow"),
-    ("wateruse:equipment", "hot water; a load may stand for it"), ("waterheater:", "hot water; a load may stand for it"),
+    ("wateruse:equipment", "hot water; a load may stand for it"),
+    ("waterheater:", "hot water; a load may stand for it"),
     ("exterior:lights", "lights outside"), ("otherequipment", "other equipment"),
     ("hotwaterequipment", "equipment by hot water"), ("steamequipment", "equipment by steam"),
     ("daylighting:", "lights that daylight dims"), ("energymanagementsystem:program", "programs of EnergyPlus"),
-    ("refrigeration:", "refrigeration"), ("generator:", "generators"), ("zonehvac:lowtemperatureradiant", "radiant systems"),
+    ("refrigeration:", "refrigeration"), ("generator:", "generators"),
+    ("zonehvac:lowtemperatureradiant", "radiant systems"),
     ("fan:", "fans; an [[air_system]] may stand for them"),
     ("runperiodcontrol:specialdays", "holidays; those of --place hold"))
 HVAC_TEMPLATES = "hvactemplate:"
@@ -90,8 +92,8 @@ def envelope_of(found):
     opaque, glazing = found.shell.opaque.values(), found.shell.glazing.values()
     most = max(each.u_value for each in opaque)
     return Envelope(most, most, most, max((g.u_value for g in glazing), default=0),
-                    max((g.solar for g in glazing), default=0), float(found.infiltration.mean()), found.file, SD_OF_FILE,
-                    False)
+                    max((g.solar for g in glazing), default=0), float(found.infiltration.mean()), found.file,
+                    SD_OF_FILE, False)
 
 
 def loads_of(found, others):

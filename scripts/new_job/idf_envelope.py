@@ -1,7 +1,7 @@
 """The envelope of an EnergyPlus file: U-values, glazing, and surfaces that are alike in construction and direction.
 
-U-values have the films of ISO 6946, as a job's `u_value` holds them; a simple glazing system has its own. Panes: gaps by
-EN 673, solar energy by EN 410 with what each pane absorbs. Mass: ISO 13790, 12.3.1, up to 0.1 m, the middle, or
+U-values have the films of ISO 6946, as a job's `u_value` holds them; a simple glazing system has its own. Panes: gaps
+by EN 673, solar energy by EN 410 with what each pane absorbs. Mass: ISO 13790, 12.3.1, up to 0.1 m, the middle, or
 insulation. F factors: U = F P / A. Zones without a thermostat are a factor b on what lies before them (ISO 13789).
 Leaves out shading objects, frames and dividers, blinds, moisture, and materials that change.
 """
@@ -18,6 +18,7 @@ SIGMA = 5.67e-8                # W/(m2 K4)
 # Conductivity [W/(m K)], density [kg/m3], viscosity [kg/(m s)], heat [J/(kg K)] at 10 degC: EN 673 Table 1.
 GASES = {"air": (0.02496, 1.232, 1.761e-5, 1008), "argon": (0.01684, 1.699, 2.164e-5, 519),
          "krypton": (0.0090, 3.560, 2.400e-5, 245), "xenon": (0.00529, 5.689, 2.226e-5, 161)}
+ABSORPTANCE, EMISSIVITY = 0.7, 0.9   # EnergyPlus's where none is given
 PANE_CONDUCTIVITY = 0.9        # W/(m K), EnergyPlus's default
 MASS_DEPTH = 0.1               # m
 INSULATION, INSULATION_R = 0.1, 0.3   # W/(m K) and m2 K/W, from which a layer is insulation
@@ -112,18 +113,19 @@ def opaque_of(model, surface, r_inside, r_outside):
     if kind == F_FACTOR.lower():
         area = need_number(construction, "area", 0.01, 1e7)
         u = need_number(construction, "f_factor", 0, 100) * construction.number("perimeterexposed", 0, 0, 1e6) / area
-        return Opaque(construction.name, u, u, 0.7, 0.9, 0)
+        return Opaque(construction.name, u, u, ABSORPTANCE, EMISSIVITY, 0)
     if kind == C_FACTOR.lower():
         depth = need_number(construction, "height", 0.01, 100)
         bare = 1 / (1 / need_number(construction, "c_factor", 0.001, 100) + SOIL_R[0] + SOIL_R[1] * depth)
-        return Opaque(construction.name, 1 / (1 / bare + r_inside), bare, 0.7, 0.9, 0)
+        return Opaque(construction.name, 1 / (1 / bare + r_inside), bare, ABSORPTANCE, EMISSIVITY, 0)
     layers = layers_of(model, construction)
     if any(layer.kind.lower().startswith("windowmaterial") for layer in layers) or not layers:
         construction.refuse("outside_layer", "has no opaque layers, but a surface or door is of it; expected Material")
     total = sum(resistance(layer) for layer in layers)
     outer = layers[0]
     return Opaque(construction.name, 1 / (total + r_inside + r_outside), 1 / max(total, 1e-9),
-                  outer.number("solar_absorptance", 0.7, 0, 1), outer.number("thermal_absorptance", 0.9, 0, 1), r_outside)
+                  outer.number("solar_absorptance", ABSORPTANCE, 0, 1),
+                  outer.number("thermal_absorptance", EMISSIVITY, 0, 1), r_outside)
 
 
 def gap_conductance(gap, emissivity, other):
@@ -254,9 +256,9 @@ class Reader:
             return None
         if outside in ("surface", "zone", "space"):
             if other is None:
-                surface.given.refuse("outside_boundary_condition_object",
-                                     f"{surface.given.text('outside_boundary_condition_object')!r} is no surface or zone "
-                                     "of the file; expected the name of one")
+                key = "outside_boundary_condition_object"
+                surface.given.refuse(key, f"{surface.given.text(key)!r} is no surface or zone of the file; expected "
+                                          "the name of one")
             return None if other.is_conditioned else ("outdoors", self.factor_of(other), r)
         self.left_out.append(f'surface "{surface.given.name}": outside boundary condition '
                              f'"{surface.given.text("outside_boundary_condition")}"; taken as adiabatic')
@@ -265,7 +267,7 @@ class Reader:
     def neighbour(self, surface):
         name = surface.given.word("outside_boundary_condition_object")
         space = self.model.find(name, "Space") if name else None
-        return self.owner.get(name) or self.zones.get(name) or (self.zones.get(space.word("zone_name")) if space else None)
+        return self.owner.get(name) or self.zones.get(space.word("zone_name") if space else name)
 
     def factor_of(self, zone):
         """b of a zone without a thermostat: H to outdoors over all H."""

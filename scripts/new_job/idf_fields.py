@@ -54,7 +54,7 @@ _TABLE = {
               "fraction_radiant sensible_heat_fraction activity_level_schedule_name",
     "lights": "name zone_or_zonelist_or_space_or_spacelist_name schedule_name design_level_calculation_method "
               "lighting_level watts_per_floor_area watts_per_person",
-    "electricequipment": _EQUIPMENT, "gasequipment": _EQUIPMENT,
+    "electricequipment": _EQUIPMENT, "gasequipment": _EQUIPMENT.replace("watts_per", "power_per"),
     "zoneinfiltration:designflowrate": _FLOW + "flow_rate_per_exterior_surface_area air_changes_per_hour "
         "constant_term_coefficient temperature_term_coefficient velocity_term_coefficient "
         "velocity_squared_term_coefficient",
@@ -122,4 +122,6 @@ REST = {
 SINCE = {(kind, "space_name"): (9, 6) for kind in ("buildingsurface:detailed", "wall:detailed", "roofceiling:detailed",
                                                   "floor:detailed")} | \
     {("internalmass", "space_or_spacelist_name"): (9, 6)}
+# Names in epJSON files before 9.6.
+FORMER = {"zone_or_zonelist_or_space_or_spacelist_name": ("zone_or_zonelist_name", "zone_name")}
 UNTIL = {("fenestrationsurface:detailed", "shading_control_name"): (8, 9)}

@@ -2,7 +2,7 @@
 
 Area and normal of a polygon by Newell's sum; volume by the divergence theorem, or floor times height where the
 surfaces do not close. Source: EnergyPlus Input Output Reference, Group Thermal Zone Description. Leaves out surfaces by
-length and height (Wall:Exterior and its kin), which are refused, and the origin of zones, which moves but does not turn.
+length and height (Wall:Exterior and its kin), which are refused, and the origin of zones, which turns nothing.
 """
 import math
 from dataclasses import dataclass, field

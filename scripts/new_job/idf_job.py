@@ -1,4 +1,4 @@
-"""The text of a first job from an EnergyPlus file: its own sections of schedules, constructions and zone, and priors."""
+"""The text of a first job from an EnergyPlus file: its own schedules, constructions, zone and priors."""
 import os
 
 import numpy as np
@@ -6,7 +6,7 @@ import numpy as np
 from cases.toml import number
 from new_job import building, job, priors
 from new_job.idf_schedules import KINDS, MONTH_DAYS, runs_of
-from new_job.job import NOT_COOLED, Raw, section
+from new_job.job import NOT_COOLED, section
 
 MOST_RUNS = 26                 # parts of the year with schedules of their own; more are one mean
 WEEKDAYS = ("monday", "tuesday", "wednesday", "thursday", "friday")
@@ -17,8 +17,8 @@ MOST_G, LEAST_SHARE = 0.95, 0.3
 
 def header(first):
     found = first.model
-    yield f"# A first job, written by bemcal-batch new from {os.path.basename(found.file)}: {number(round(found.area, 1))} m2, " \
-          f"{number(round(found.volume, 1))} m3, one zone, {first.place.name}."
+    yield f"# A first job, written by bemcal-batch new from {os.path.basename(found.file)}: " \
+          f"{number(round(found.area, 1))} m2, {number(round(found.volume, 1))} m3, one zone, {first.place.name}."
     yield "# Numbers are the file's; priors say how far they are trusted."
     yield "#"
     yield "# Look first at:"
@@ -45,7 +45,7 @@ def profiles(first):
 
 
 def span_of(name, profile):
-    """(value where the schedule is 1, value where it is 0): loads and air are nothing there, set-points are set back."""
+    """(value where the schedule is 1, value where it is 0): there loads and air are nothing, set-points set back."""
     least, most = float(profile.min()), float(profile.max())
     return (most, least) if name == "heating" else (least, most) if name == "cooling" else (most, 0.0)
 

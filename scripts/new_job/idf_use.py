@@ -30,8 +30,8 @@ HEATERS = (("Coil:Heating:DX:SingleSpeed", "gross_rated_heating_cop", 3, "electr
 COOLERS = (("Chiller:Electric:EIR", "reference_cop", 3, "electricity"),
            ("Chiller:Electric:ReformulatedEIR", "reference_cop", 3, "electricity"),
            ("Coil:Cooling:DX:SingleSpeed", "gross_rated_cooling_cop", 3, "electricity"),
-           ("Coil:Cooling:DX:TwoSpeed", "", 3, "electricity"), ("Coil:Cooling:DX:TwoStageWithHumidityControlMode", "", 3,
-                                                               "electricity"),
+           ("Coil:Cooling:DX:TwoSpeed", "", 3, "electricity"),
+           ("Coil:Cooling:DX:TwoStageWithHumidityControlMode", "", 3, "electricity"),
            ("Coil:Cooling:DX", "", 3, "electricity"), ("DistrictCooling", "", 1, "none"))
 FUELS = {"naturalgas": "gas", "gas": "gas", "propane": "gas", "fueloilno1": "gas", "fueloilno2": "gas",
          "electricity": "electricity"}
@@ -107,10 +107,11 @@ class Reader:
     def power(self, thing, level, zone, area):
         """[W] of one zone."""
         method = thing.word("design_level_calculation_method")
-        if method in ("watts/area",):
-            return area * thing.number("watts_per_floor_area", 0, 0, 1e5)
-        if method in ("watts/person",):
-            return self.people.get(zone.name, 0) * thing.number("watts_per_person", 0, 0, 1e6)
+        unit = "power" if thing.kind.lower() == "gasequipment" else "watts"
+        if method in ("watts/area", "power/area"):
+            return area * thing.number(f"{unit}_per_floor_area", 0, 0, 1e5)
+        if method in ("watts/person", "power/person"):
+            return self.people.get(zone.name, 0) * thing.number(f"{unit}_per_person", 0, 0, 1e6)
         return thing.number(level, 0, 0, 1e9)
 
     def read_load(self, kind, level, carrier):
@@ -118,7 +119,8 @@ class Reader:
         for thing in self.model.all(kind):
             share = 1 - thing.number("fraction_latent", 0, 0, 1) - thing.number("fraction_lost", 0, 0, 1)
             for zone, area in self.conditioned_targets(thing):
-                added = zone.multiplier * self.power(thing, level, zone, area) * self.schedules.of(thing, "schedule_name")
+                power = zone.multiplier * self.power(thing, level, zone, area)
+                added = power * self.schedules.of(thing, "schedule_name")
                 total += added
                 heat += share * added.mean()
         return Profile(total, heat / total.mean() if total.any() else 1, carrier)
@@ -171,11 +173,12 @@ class Reader:
     def outdoor_air(self, thing, zone):
         """[m3/h] of a DesignSpecification:OutdoorAir."""
         method = thing.word("outdoor_air_method", "flow/person")
+        changes = thing.number("outdoor_air_flow_air_changes_per_hour", 0, 0, 1e3)
         parts = {"flow/person": self.people.get(zone.name, 0) * thing.number("outdoor_air_flow_per_person", PER_PERSON
                                                                              if method == "flow/person" else 0, 0, 10),
                  "flow/area": zone.area * thing.number("outdoor_air_flow_per_zone_floor_area", 0, 0, 10),
                  "flow/zone": thing.number("outdoor_air_flow_per_zone", 0, 0, 1e4),
-                 "airchanges/hour": zone.volume * thing.number("outdoor_air_flow_air_changes_per_hour", 0, 0, 1e3) / 3600}
+                 "airchanges/hour": zone.volume * changes / 3600}
         if method == "maximum":
             return 3600 * max(parts.values())
         return 3600 * (parts[method] if method in parts else sum(parts.values()))
@@ -183,8 +186,8 @@ class Reader:
     def ventilation(self):
         """[m3/h] by systems and by ZoneVentilation."""
         total = idf_schedules.constant(0)
-        openings = [self.schedules.of(each, "minimum_outdoor_air_schedule_name")
-                    for each in self.model.all("Controller:OutdoorAir") if each.text("minimum_outdoor_air_schedule_name")]
+        key = "minimum_outdoor_air_schedule_name"
+        openings = [self.schedules.of(each, key) for each in self.model.all("Controller:OutdoorAir") if each.text(key)]
         damper = sum(openings) / len(openings) if openings else 1
         for sizing in self.model.all("Sizing:Zone"):
             if not sizing.text("design_specification_outdoor_air_object_name"):

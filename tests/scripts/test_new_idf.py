@@ -5,13 +5,10 @@ schedules, loads, air, set-points and plant, alike from IDF and epJSON; what is 
 The layout of fields is checked against EnergyPlus's own schema where that is there (tests/energyplus/idf.py).
 """
 import json
-import os
 import pathlib
 import shutil
-import subprocess
 import sys
 import tempfile
-import tomllib
 import unittest
 
 sys.dont_write_bytecode = True
@@ -20,7 +17,7 @@ sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests" / "scripts"), str(ROOT
 
 import idf as energyplus  # noqa: E402  (found above)
 import test_new as usual  # noqa: E402
-from new_job import idf, idf_building, idf_envelope, idf_fields, idf_geometry, idf_schedules  # noqa: E402
+from new_job import idf, idf_building, idf_envelope, idf_fields, idf_schedules  # noqa: E402
 from new_job.refused import Refused  # noqa: E402
 
 DATA, NO_INPUT, USAGE = 65, 66, 64
@@ -211,7 +208,7 @@ class Box(unittest.TestCase):
         corners = {"loft roof": ("Roof", "Roof", "Outdoors", "", "0,8,4, 0,0,4, 10,0,4, 10,8,4"),
                    "loft floor": ("Floor", "Roof", "Surface", "roof", "0,0,3, 0,8,3, 10,8,3, 10,0,3")}
         loft = "Zone, Loft, 0, 5, 5, 0, 1, 2;\n" + "".join(
-            f"BuildingSurface:Detailed, {name}, {kind}, {of}, Loft, , {outside}, {other}, SunExposed, , , 4, {points};\n"
+            f"BuildingSurface:Detailed, {name}, {kind}, {of}, Loft, , {outside}, {other}, , , , 4, {points};\n"
             for name, (kind, of, outside, other, points) in corners.items())
         text = BOX.replace("roof, Roof, Roof, Room, , Outdoors, ,", "roof, Roof, Roof, Room, , Surface, loft floor,")
         found = self.read(text + loft)
@@ -322,7 +319,8 @@ class Job(usual.New):
         self.assertEqual(one, self.checked())
 
     def test_a_box_without_windows_loads_and_systems(self):
-        gone = ("FenestrationSurface", "People", "Lights", "ElectricEquipment", "Coil", "ZoneControl", "ZoneInf", "Sizing")
+        gone = ("FenestrationSurface", "People", "Lights", "ElectricEquipment", "Coil", "ZoneControl", "ZoneInf",
+                "Sizing")
         text = "".join(line + "\n" for line in BOX.splitlines() if not line.startswith(gone))
         self.from_file(self.box(text))
         self.checked()
