@@ -164,8 +164,8 @@ constexpr NewOption new_options[] = {
      "Green Button XML; once for each file or column",
      true, true},
     {"--idf", "FILE",
-     "EnergyPlus input, .idf or .epJSON: geometry, constructions, use and set-points; "
-     "then area, use and year may be left out"},
+     "EnergyPlus's .idf or .epJSON, in place of area, year, storeys and height; use may be "
+     "left out"},
     {"--area", "M2", "heated or cooled floor area"},
     {"--use", "USE", "office, school, house, apartments, retail, hotel, ..."},
     {"--built", "YEAR", "when it was built, or its envelope renewed"},
@@ -176,8 +176,7 @@ constexpr NewOption new_options[] = {
 
 void add_new(CLI::App& app, CommandLine& line) {
     CLI::App* first = app.add_subcommand(
-        "new",
-        "write a first job from weather, meters, place, and area, use and age or an EnergyPlus file");
+        "new", "write a first job from weather, meters, area, use, age and place");
     first->add_option("JOB", line.job, "the job to be written, with .toml")->required();
     for (const NewOption& option : new_options)
         first->add_option(option.name, line.words_of[option.name], option.says)

@@ -178,6 +178,11 @@ class Box(unittest.TestCase):
         self.assertAlmostEqual(autumn[2, 3], density / 2)
         self.assertEqual([run[:2] for run in idf_schedules.runs_of(profile)], [(0, 180), (181, 364)])
 
+    def test_holidays_that_none_names_are_sundays(self):
+        text = BOX.replace("For: AllOtherDays, Until: 24:00, 0,", "For: Sunday, Until: 24:00, 0.1,")
+        profile = self.read(text).loads["lights"].values
+        self.assertAlmostEqual(profile[10, 7, 12], 0.8)
+
     def test_loads_air_and_set_points(self):
         found = self.read(BOX)
         people = LENGTH * DEPTH / 10
@@ -191,6 +196,20 @@ class Box(unittest.TestCase):
         self.assertEqual(found.cooling.mean(), 26)
         self.assertEqual(found.heaters, [("Coil:Heating:Fuel", "gas", 0.82)])
         self.assertEqual(found.coolers, [("Coil:Cooling:DX:SingleSpeed", "electricity", 3.4)])
+
+    def test_ideal_loads_of_a_template(self):
+        text = "".join(line + "\n" for line in BOX.splitlines() if not line.startswith(("ZoneControl", "Coil")))
+        found = self.read(text + "HVACTemplate:Thermostat, Stat, , 19, , 27;\n"
+                                 "HVACTemplate:Zone:IdealLoadsAirSystem, Room, Stat;\n")
+        self.assertEqual((found.heating.mean(), found.cooling.mean(), found.is_ideal), (19, 27, True))
+
+    def test_lists_and_spaces(self):
+        """Loads of a list of zones, and of a space by its own floor."""
+        text = BOX + "ZoneList, All, Room;\nSpace, Corner, Room;\n"
+        listed = self.read(text.replace("Lights, Lights, Room", "Lights, Lights, All"))
+        self.assertAlmostEqual(listed.loads["lights"].values.max(), 8)
+        spaced = self.read(text.replace("Lights, Lights, Room", "Lights, Lights, Corner"))
+        self.assertAlmostEqual(spaced.loads["lights"].values.max(), 8)
 
     def test_methods_of_infiltration(self):
         outer = LENGTH * DEPTH + LENGTH * HEIGHT * 2 + DEPTH * HEIGHT
@@ -243,6 +262,7 @@ class Box(unittest.TestCase):
         self.refused("0.24, 0.8", "thick, 0.8", 'Material "Brick": thickness', "'thick'", "expected one from")
         self.refused("Wall, Brick, Wool", "Wall, Brick, Wol", 'Construction "Wall": layer_2', "'Wol'")
         self.refused("Through: 12/31", "Through: 11/30", 'Schedule:Compact "Work"', "day 335")
+        self.refused("Until: 17:30, 1,\n  Until: 24:00, 0, For: Sat", "Until: 17:30, 1, For: Sat", "ends at 17:30")
         self.refused("For: Saturday", "For: Caturday", "'caturday'", "Weekdays")
         self.refused("Until: 17:30", "Until: 17h30", "'17h30'", "24:00")
         self.refused("Leaks, Room", "Leaks, Rom", "'Rom'", "zone")
