@@ -24,6 +24,7 @@
 #include "run/signals.hpp"
 #include "run/threads.hpp"
 #include "run/together.hpp"
+#include "run/watch.hpp"
 #include "store/layout.hpp"
 
 #include <algorithm>
@@ -59,7 +60,8 @@ struct CommandLine {
     double item_seconds = 0;  ///< 0 = no limit
     double stop_after_s = 0;  ///< 0 = no limit
     int first_chain = 0;
-    bool slurm = false;
+    bool slurm = false, watch = false;
+    double every_s = 0;  ///< 0 = as fits a terminal or a log
     plan::SlurmRequest slurm_request;
 };
 
@@ -188,6 +190,23 @@ void add_new(CLI::App& app, CommandLine& line) {
     first->add_flag("--force", line.force, "write over the job");
 }
 
+void add_status(CLI::App& app, CommandLine& line) {
+    CLI::App* status =
+        app.add_subcommand("status", "print whether a result is complete, and its hash");
+    status
+        ->add_option("FILE", line.file, "result file, also of a run that is not complete")
+        ->required();
+    auto* watch =
+        status->add_flag("--watch", line.watch,
+                         "first print the progress of its run until that has ended");
+    status
+        ->add_option("--every", line.every_s,
+                     "between lines; default: 1 on a terminal, else 10")
+        ->type_name("SECONDS")
+        ->needs(watch)
+        ->check(CLI::PositiveNumber);
+}
+
 void add_others(CLI::App& app, CommandLine& line) {
     CLI::App* check =
         app.add_subcommand("check", "read everything, simulate nothing, print the plan");
@@ -206,9 +225,7 @@ void add_others(CLI::App& app, CommandLine& line) {
         ->needs(slurm)
         ->check(CLI::Range(1, 4096));
     add_describe(app, line);
-    app.add_subcommand("status", "print whether a result is complete, and its hash")
-        ->add_option("FILE", line.file, "result file, also of a run that is not complete")
-        ->required();
+    add_status(app, line);
     add_new(app, line);
     add_adopt(app, line);
     CLI::App* report = app.add_subcommand("report", "print results as tables");
@@ -408,7 +425,15 @@ ExitCode describe_command(const CLI::App& app, const CommandLine& line) {
     return ExitCode::ok;
 }
 
+/// Nothing where no run writes it.
+void watch(const CommandLine& line) {
+    std::optional<std::chrono::duration<double>> every;
+    if (line.every_s > 0) every.emplace(std::min(line.every_s, 1e6));
+    run::watch_run(line.file, every);
+}
+
 ExitCode status_command(const CommandLine& line) {
+    if (line.watch) watch(line);
     if (run::is_unfinished(line.file)) {
         print(stdout, fmt::format("{}: {}", line.file.string(),
                                   run::part_status(run::part_folder_of(line.file))));

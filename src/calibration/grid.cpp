@@ -68,6 +68,7 @@ class GridStudy : public study::Stage {
             n += size_of(grid_of(simulator_->parameters(), named));
         return static_cast<long long>(n);
     }
+    bool has_rounds() const override { return options().grids.size() > 1; }
     std::size_t answer_bytes() const override {
         return options().points_per_item * columns_.size() * sizeof(double);
     }

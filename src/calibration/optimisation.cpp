@@ -17,6 +17,8 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace bemcal::calibration {
 namespace {
 
@@ -61,6 +63,8 @@ class Optimisation : public study::Stage {
     std::size_t answer_bytes() const override {
         return sizeof(double) * options_.points_per_item * goal_->objectives().size();
     }
+    bool has_rounds() const override { return true; }
+    study::Activity activity() const override;
     study::ItemAnswer run(int item) const override;
     std::optional<study::Round> next_round(
         const std::vector<study::ItemAnswer>& answers) const override;
@@ -132,6 +136,16 @@ void Optimisation::follow(const std::vector<study::ItemAnswer>& answers,
         if (values.cols == 1)
             history.round_best.push_back(history.optimiser.found()[0].objectives[0]);
     }
+}
+
+/// Of the rounds before, which rank 0 alone knows.
+study::Activity Optimisation::activity() const {
+    if (!history_) return {};
+    std::string text = fmt::format("{} of at most {} evaluations", history_->points.rows,
+                                   budget_of(options_));
+    if (!history_->round_best.empty())
+        text += fmt::format(", best {:.4g}", history_->round_best.back());
+    return {0, text};
 }
 
 std::optional<study::Round> Optimisation::next_round(

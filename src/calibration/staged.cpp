@@ -153,6 +153,7 @@ class StagedCalibration : public study::Stage {
     void see(const std::vector<study::Summary>& found) override;
     int n_items() const override { return static_cast<int>(items_of(points_.rows)); }
     long long n_simulations() const override;
+    bool has_rounds() const override { return true; }
     std::size_t answer_bytes() const override { return sizeof(double) * points_per_item; }
     study::ItemAnswer run(int item) const override;
     std::optional<study::Round> next_round(

@@ -16,9 +16,12 @@
 #include "study/packed_conclusion.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
+
+#include <fmt/format.h>
 
 namespace bemcal::loop {
 namespace {
@@ -40,17 +43,44 @@ void log_step(const Step& step, std::vector<LoggedStep>& log) {
     }
 }
 
+/// Which step of a building's search is under way, for whoever looks.
+class UnderWay {
+  public:
+    explicit UnderWay(std::string building) : building_(std::move(building)) {}
+
+    /// \param what  a literal \param number  from 1; 0 = of a step that comes once
+    void begin(const char* what, int number = 0) {
+        number_ = number;
+        what_ = what;
+    }
+    /// "office: effect 3"
+    std::string text() const {
+        const int number = number_;
+        return fmt::format("{}: {}{}", building_, what_.load(),
+                           number > 0 ? fmt::format(" {}", number) : "");
+    }
+
+  private:
+    std::string building_;
+    std::atomic<const char*> what_ = "reading";
+    std::atomic<int> number_ = 0;
+};
+
 class Search {
   public:
-    Search(const LoopData& data, LoopResult& result) : data_(data), result_(result) {}
+    Search(const LoopData& data, LoopResult& result, UnderWay& under_way)
+        : data_(data), result_(result), under_way_(under_way) {}
 
     void run() {
         const Place& place = result_.baseline.place;
         const auto most = static_cast<std::size_t>(data_.options.most_effects);
         // What is accepted may leave again, and must not come and go for ever.
-        for (std::size_t step = 0; step < 3 * most; ++step)
+        for (std::size_t step = 0; step < 3 * most; ++step) {
+            under_way_.begin("effect", static_cast<int>(step) + 1);
             if (result_.last.model.effects.size() >= most || !accept_one(place)) break;
+        }
         if (late_clock_) return;
+        under_way_.begin("effects that do not stand out");
         if (result_.last.model.effects.size() >= most)
             result_.log.push_back({"", "as many effects as were asked for", 0, 0, 0, {}});
         else
@@ -256,6 +286,7 @@ class Search {
 
     const LoopData& data_;
     LoopResult& result_;
+    UnderWay& under_way_;
     double threshold_ = 0;  ///< of the last step
     std::optional<LateClock> late_clock_;
     std::vector<std::string> barred_;
@@ -265,8 +296,11 @@ class Search {
 /// learned in the standard's model, and again in the structure that is then chosen.
 class WithHours {
   public:
-    explicit WithHours(const LoopData& written)
-        : written_(written), hours_(usual_hours_of(written.building)) {
+    WithHours(const LoopData& written, UnderWay& under_way)
+        : written_(written),
+          under_way_(under_way),
+          hours_(usual_hours_of(written.building)) {
+        under_way_.begin(hours_.empty() ? calibrating : "calibrating");
         if (hours_.empty()) {
             baseline_ = make_baseline(written);
             return;
@@ -289,15 +323,20 @@ class WithHours {
     std::vector<LearnedHours> take_hours() { return std::move(hours_); }
 
   private:
+    static constexpr const char* calibrating = "calibrating, choosing the structure";
+
     void learn(const Standing& standing) {
         const auto before = hours_;
+        under_way_.begin("learning hours");
         hours_ = learn_hours(data(), standing, std::move(hours_));
         if (data_ && have_same_hours(before, hours_)) return;
         data_.emplace(with_hours(written_.building, hours_), written_.options);
+        under_way_.begin(calibrating);
         baseline_ = make_baseline(*data_);
     }
 
     const LoopData& written_;
+    UnderWay& under_way_;
     std::optional<LoopData> data_;  ///< where hours were learned
     std::optional<Standing> plain_;
     std::vector<LearnedHours> hours_;
@@ -306,8 +345,8 @@ class WithHours {
 
 /// Everything of one building; empty where it cannot be simulated as described.
 study::Conclusion searched(const std::string& name, const LoopData& written,
-                           int hours_late = 0) {
-    WithHours start(written);
+                           UnderWay& under_way, int hours_late = 0) {
+    WithHours start(written, under_way);
     const LoopData& data = start.data();
     LoopResult result;
     result.hours_late = hours_late;
@@ -316,18 +355,21 @@ study::Conclusion searched(const std::string& name, const LoopData& written,
     result.hours = start.take_hours();
     know_loads(result.baseline.place, result.baseline.chosen);
     const Place& place = result.baseline.place;
+    under_way.begin("power of the readings");
     result.power = power_of(data, place, result.baseline.chosen);
     result.before = localise(data, place, result.baseline.chosen);
     result.last = result.baseline.chosen;
-    Search search(data, result);
+    Search search(data, result, under_way);
     search.run();
     if (const auto& late = search.late_clock()) {
         const study::Case set = with_clock_set(written.building, *late);
-        return searched(name, LoopData(set, data.options), late->hours);
+        return searched(name, LoopData(set, data.options), under_way, late->hours);
     }
     if (result.last.model.effects.empty()) result.last = result.baseline.chosen;
+    under_way.begin("functions");
     if (data.options.functions)
         result.functions = find_functions(data, result.baseline.place, result.last);
+    under_way.begin("intervals");
     result.after = localise(data, place, result.last);
     result.unexplained = unexplained_of(data, result.last);
     return conclude_loop(data.building.name + "/" + name, written, data, result);
@@ -355,10 +397,19 @@ class Loop : public study::Stage {
     long long n_simulations() const override { return usual_simulations * n_items(); }
     std::size_t answer_bytes() const override { return 6'000'000; }
 
+    study::Activity activity() const override {
+        study::Activity activity;
+        under_way_.each([&](const UnderWay& each) {
+            activity.text += (activity.text.empty() ? "" : "; ") + each.text();
+        });
+        return activity;
+    }
+
     study::ItemAnswer run(int item) const override {
         study::ItemAnswer answer;
         const LoopData data(buildings_[static_cast<std::size_t>(item)], options_);
-        const study::Conclusion conclusion = searched(name_, data);
+        const study::Running<UnderWay>::Item under_way(under_way_, data.building.name);
+        const study::Conclusion conclusion = searched(name_, data, *under_way);
         if (conclusion.datasets.empty())
             answer.error = data.building.name + " cannot be simulated as described";
         else
@@ -382,6 +433,7 @@ class Loop : public study::Stage {
     std::string name_;
     const std::vector<study::Case>& buildings_;  ///< the job's
     LoopOptions options_;
+    mutable study::Running<UnderWay> under_way_;
 };
 
 }  // namespace

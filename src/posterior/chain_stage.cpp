@@ -8,12 +8,44 @@
 #include "posterior/chain_draws.hpp"
 #include "posterior/chain_results.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
 namespace bemcal::posterior {
 namespace {
+
+/// The chains of an item that runs.
+struct ChainsAtWork {
+    ChainsAtWork(std::size_t its_chains, int its_round, int its_transitions)
+        : n_chains(static_cast<double>(its_chains)),
+          round(its_round),
+          n_transitions(its_transitions) {}
+
+    double n_chains;
+    int round, n_transitions;  ///< of each chain
+    sampling::Tally tally;
+};
+
+/// Over all chains that run here.
+struct TallySum {
+    double transitions = 0, steps = 0, acceptance = 0, n_chains = 0;
+    int round = 0, of_each = 0;
+
+    void add(const ChainsAtWork& item) {
+        transitions += static_cast<double>(item.tally.transitions.load());
+        steps += static_cast<double>(item.tally.steps.load());
+        acceptance += item.tally.acceptance.load();
+        n_chains += item.n_chains;
+        round = item.round;
+        of_each = item.n_transitions;
+    }
+    double share() const {
+        const double planned = n_chains * of_each;
+        return planned > 0 ? transitions / planned : 0;
+    }
+};
 
 class ChainStage : public study::Stage {
   public:
@@ -39,6 +71,7 @@ class ChainStage : public study::Stage {
     void begin_round(int, const study::Round& round) override {
         states_ = unpack_states(round.needed);
     }
+    study::Activity activity() const override;
     study::Conclusion conclude(
         const std::vector<study::ItemAnswer>& answers) const override {
         const ChainDraws draws = draws_of(answers);
@@ -54,12 +87,15 @@ class ChainStage : public study::Stage {
         return gather_draws(layout_, options_.first_chain, answers);
     }
     std::vector<sampling::ChainTask> tasks_of(int item) const;
+    ConvergenceTable converging(const ChainDraws& draws) const;
 
     std::string name_;
     std::shared_ptr<const Posterior> posterior_;
     ChainOptions options_;
     ChainLayout layout_;
     std::vector<std::vector<double>> states_;  ///< [chains] that this round starts from
+    mutable study::Running<ChainsAtWork> at_work_;
+    mutable std::string so_far_;  ///< rank 0: what the rounds before have reached
 };
 
 /// The chains of an item that are still alive.
@@ -81,8 +117,13 @@ std::vector<sampling::ChainTask> ChainStage::tasks_of(int item) const {
 study::ItemAnswer ChainStage::run(int item) const {
     const auto density = posterior_->make_density();
     const auto tasks = tasks_of(item);
-    const auto parts =
-        sampling::run_chains(*density, options_.sampler, tasks, options_.draws_per_round);
+    const int round = layout_.round_of(item);
+    const study::Running<ChainsAtWork>::Item at_work(
+        at_work_, tasks.size(), round,
+        round == 0 ? options_.sampler.n_warm_up
+                   : options_.draws_per_round * options_.sampler.thin);
+    const auto parts = sampling::run_chains(*density, options_.sampler, tasks,
+                                            options_.draws_per_round, &at_work->tally);
     study::ItemAnswer answer;
     std::vector<sampling::ChainPart> all(
         static_cast<std::size_t>(layout_.n_chains_of(item)));
@@ -100,13 +141,38 @@ study::ItemAnswer ChainStage::run(int item) const {
     return answer;
 }
 
+study::Activity ChainStage::activity() const {
+    TallySum sum;
+    at_work_.each([&](const ChainsAtWork& item) { sum.add(item); });
+    if (sum.n_chains == 0) return {0, so_far_};
+    const int thin = sum.round == 0 ? 1 : options_.sampler.thin;
+    std::string text = fmt::format("{} {:.0f} of {}", sum.round == 0 ? "warm-up" : "draw",
+                                   std::floor(sum.transitions / (sum.n_chains * thin)),
+                                   sum.of_each / thin);
+    if (sum.transitions > 0) {
+        text += fmt::format(", acceptance {:.2f}", sum.acceptance / sum.transitions);
+        if (options_.sampler.method == sampling::Method::nuts)
+            text += fmt::format(", {:.1f} steps", sum.steps / sum.transitions);
+    }
+    if (!so_far_.empty()) text += "; " + so_far_;
+    return {sum.share(), text};
+}
+
+/// Of all draws so far, which is also told.
+ConvergenceTable ChainStage::converging(const ChainDraws& draws) const {
+    ConvergenceTable table = convergence_table(*posterior_, draws);
+    so_far_ = fmt::format("after {} draws R-hat {:.3f}, ESS {:.0f}", draws.n_draws,
+                          table.worst_rhat(), table.least_ess());
+    return table;
+}
+
 std::optional<study::Round> ChainStage::next_round(
     const std::vector<study::ItemAnswer>& answers) const {
     const ChainDraws draws = draws_of(answers);
     if (draws.n_chains == 0) return std::nullopt;
     const auto n_draws = static_cast<int>(draws.n_draws);
-    if (n_draws > 0 && (n_draws >= options_.most_draws ||
-                        convergence_table(*posterior_, draws).meets(options_)))
+    if (n_draws > 0 &&
+        (n_draws >= options_.most_draws || converging(draws).meets(options_)))
         return std::nullopt;
     auto states = last_states(layout_, answers);
     if (n_draws == 0)

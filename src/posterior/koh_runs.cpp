@@ -123,6 +123,11 @@ class KohRunsStage : public study::Stage {
     long long n_simulations() const override {
         return static_cast<long long>(design_.n_runs());
     }
+    bool has_rounds() const override { return true; }
+    const char* items_are() const override { return chains_ ? "items" : "runs"; }
+    study::Activity activity() const override {
+        return chains_ ? chains_->activity() : study::Activity{};
+    }
     std::size_t answer_bytes() const override { return sizeof(double); }
     study::ItemAnswer run(int item) const override {
         if (item < n_items()) return design_.run(static_cast<std::size_t>(item));

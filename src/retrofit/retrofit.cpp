@@ -84,6 +84,7 @@ class Retrofit : public study::Stage {
     long long n_simulations() const override {
         return static_cast<long long>(variants_.size()) * (1 + options_.n_points);
     }
+    bool has_rounds() const override { return true; }
     std::size_t answer_bytes() const override {
         return sizeof(double) * points_per_item * width();
     }

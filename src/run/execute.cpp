@@ -7,6 +7,7 @@
 #include "run/output_place.hpp"
 #include "run/part_files.hpp"
 #include "run/progress.hpp"
+#include "run/progress_file.hpp"
 #include "run/rounds.hpp"
 #include "run/run_record.hpp"
 #include "run/signals.hpp"
@@ -191,6 +192,10 @@ class Execution {
                                 ": rank 0 made it, but it cannot be seen here; the "
                                 "output must lie on a disk that all hosts share");
         log_.emplace(folder(), comm_.rank(), mark_of(work_.identity));
+        if (is_first())
+            progress_.emplace(folder());
+        else
+            progress_.emplace();
     }
 
     /// What others did to the run's files; empty = nothing.
@@ -268,7 +273,7 @@ class Execution {
     bool run_stage(int index) {
         study::Stage& stage = *work_.stages[static_cast<std::size_t>(index)];
         if (is_first()) stage.see(found_);
-        ProgressLine line(stage.name(), stage.n_simulations());
+        ProgressLine line(stage, threads_.n_threads_total, *progress_);
         RoundOptions rounds;
         rounds.distribute = distribute_options(index, line);
         rounds.known = [&](int first, int count) {
@@ -293,6 +298,7 @@ class Execution {
     void conclude(const study::Stage& stage,
                   const std::vector<study::ItemAnswer>& answers) {
         const Timer timer(spent_.conclude);
+        progress_->write(stage.name() + ": all items are done, concluding");
         verdict_.count(stage, answers);
         store::ResultFile part;
         part.attributes = result_.attributes;
@@ -313,6 +319,7 @@ class Execution {
         together(comm_, [&] {
             check_part();
             log_->close();
+            progress_.reset();
         });
         say(fmt::format("stopped; what is finished is kept in {}; go on with {}",
                         folder().string(), how_to_go_on()));
@@ -341,6 +348,7 @@ class Execution {
         });
         const std::string said = trouble();
         log_.reset();
+        progress_.reset();
         comm_.barrier();
         if (is_first()) close_place(outcome.hash, said);
         outcome.code = agreed_code();
@@ -398,6 +406,7 @@ class Execution {
     OutputPlace place_;
     bool is_intact_ = true;  ///< the run's files, as far as is known
     std::optional<SyncedLog> log_;
+    std::optional<ProgressFile> progress_;
     ThreadPlan threads_;
     store::ResultFile result_;
     std::vector<study::Summary> found_;  ///< rank 0's

@@ -5,6 +5,7 @@
 
 #include "base/disk.hpp"
 #include "base/error.hpp"
+#include "run/progress_file.hpp"
 #include "store/item_log.hpp"
 
 #include <algorithm>
@@ -63,6 +64,7 @@ bool is_ours(const fs::path& file, bool has_identity) {
     const std::string name = file.filename().string();
     if (!fs::is_regular_file(fs::symlink_status(file))) return false;
     if (name == identity_name) return has_identity;
+    if (name == progress_name) return is_progress_file(file);
     if (store::is_log_name(name)) return has_identity || is_log(file);
     return is_left_by_writer(name);
 }

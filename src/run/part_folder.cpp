@@ -10,6 +10,7 @@
 #include "base/terminal.hpp"
 #include "run/part_files.hpp"
 #include "run/part_lock.hpp"
+#include "run/progress_file.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -178,8 +179,10 @@ std::string part_status(const std::filesystem::path& folder) {
     if (!identity.is_sound) fail_status(folder, "is damaged");
     const store::LogContent logs = store::read_logs(folder, mark_of(identity.entries));
     std::map<int, StageDone> done = items_by_stage(logs);
+    const bool is_going_on = is_running(folder);
+    const std::string now = is_going_on ? read_progress(folder) : "";
     std::string text =
-        is_running(folder)
+        is_going_on
             ? "not complete: a run is writing it now\n"
             : fmt::format("not complete: `bemcal-batch run JOB -o {} --resume` goes on\n",
                           (folder.parent_path() / folder.stem()).string());
@@ -189,6 +192,7 @@ std::string part_status(const std::filesystem::path& folder) {
             text += fmt::format("  {}: {}\n", key.substr(stage_prefix.size()),
                                 stage_status(done[stage++], value));
     text += last_written(folder);
+    if (!now.empty()) text += fmt::format("  now {}\n", now);
     if (logs.n_damaged > 0)
         text += fmt::format("  {} damaged record{} in the logs: to be done again\n",
                             logs.n_damaged, logs.n_damaged == 1 ? "" : "s");

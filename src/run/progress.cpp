@@ -1,5 +1,5 @@
-/// Progress of a stage on stderr: counts, rate, and remaining time from the rate of this
-/// run.
+/// Progress of a stage on stderr and in a file: counts, rate, and remaining time from the
+/// rate of this run.
 /// Plain arithmetic without a source: items are taken to be equally long. A log gets a
 /// line every ten seconds, a terminal one that is written over.
 #include "run/progress.hpp"
@@ -9,15 +9,41 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <utility>
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace bemcal::run {
 namespace {
 
-constexpr std::chrono::seconds log_interval{10};
+constexpr std::chrono::seconds log_interval{10}, file_interval{1};
+
+/// Characters that fit into a line.
+int width_of(int stream) {
+    winsize size{};
+    const bool is_told = ::ioctl(stream, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+    return is_told ? size.ws_col - 1 : 100;
+}
+
+/// Items that this run has done, parts of those that run included.
+double done_here(const StageWords& words, const Progress& progress, double share) {
+    const int left = progress.items_total - progress.items_done;
+    return progress.items_done - progress.items_known +
+           share * std::min(left, words.n_threads);
+}
+
+std::string rate_text(const StageWords& words, const Progress& progress, double done) {
+    const double per_second = done / progress.seconds;
+    if (words.n_simulations > 0)
+        return fmt::format(
+            ", {:.0f}/s",
+            words.n_simulations / std::max(1, progress.items_total) * per_second);
+    const bool are_just_items = words.items == std::string_view("items");
+    return are_just_items
+               ? ""
+               : fmt::format(", {:.3g} {} a minute", 60 * per_second, words.items);
+}
 
 }  // namespace
 
@@ -28,44 +54,69 @@ std::string format_duration(double seconds) {
     return fmt::format("{}:{:02}:{:02}", total / 3600, total / 60 % 60, total % 60);
 }
 
-std::string progress_text(const std::string& stage, double n_simulations,
-                          const Progress& progress, int round) {
-    const bool is_known = n_simulations > 0;
-    const double per_item = n_simulations / std::max(1, progress.items_total);
-    const double done = progress.items_done - progress.items_known;
-    const double left = progress.items_total - progress.items_done;
+std::string progress_text(const StageWords& words, const Progress& progress,
+                          const study::Activity& activity) {
+    const bool is_known = words.n_simulations > 0;
+    const double per_item = words.n_simulations / std::max(1, progress.items_total);
     const auto n_failed = static_cast<double>(progress.points_failed);
-    std::string text = stage + ": ";
-    if (!is_known) text += fmt::format("round {}: ", round);
-    text += fmt::format("{} of {} items, ", progress.items_done, progress.items_total);
+    std::string text = words.stage + ": ";
+    if (!is_known) text += fmt::format("round {}: ", words.round);
+    text += fmt::format("{} of {} {}, ", progress.items_done, progress.items_total,
+                        words.items);
     if (is_known)
         text += fmt::format("{:.0f} ok, ",
                             std::max(0.0, per_item * progress.items_done - n_failed));
     text += fmt::format("{:.0f} failed", n_failed);
-    if (!(done > 0 && progress.seconds > 0)) return text;
-    if (is_known) text += fmt::format(", {:.0f}/s", per_item * done / progress.seconds);
-    text += fmt::format(", {} left", format_duration(progress.seconds * left / done));
-    return is_known ? text : text + " in this round";
+    const double share = std::clamp(activity.share, 0.0, 1.0);
+    const double done = done_here(words, progress, share);
+    if (done > 0 && progress.seconds > 0) {
+        const double left = progress.items_total - progress.items_known - done;
+        text += rate_text(words, progress, done);
+        text += fmt::format(", {} left", format_duration(progress.seconds * left / done));
+        if (!is_known) text += " in this round";
+    }
+    return activity.text.empty() ? text : text + "; " + activity.text;
 }
 
-ProgressLine::ProgressLine(std::string stage, long long n_simulations)
-    : stage_(std::move(stage)),
-      n_simulations_(static_cast<double>(n_simulations)),
-      is_terminal_(::isatty(STDERR_FILENO) != 0) {}
+RewrittenLine::RewrittenLine(int stream)
+    : stream_(stream == STDOUT_FILENO ? stdout : stderr),
+      is_terminal_(::isatty(stream) != 0) {}
+
+void RewrittenLine::show(const std::string& text) {
+    if (is_terminal_)
+        print_raw(stream_, fmt::format("\r\x1b[K{:.{}}", in_one_line(text),
+                                       width_of(::fileno(stream_))));
+    else
+        print(stream_, in_one_line(text) + "\n");
+}
+
+void RewrittenLine::clear() {
+    if (is_terminal_) print_raw(stream_, "\r\x1b[K");
+}
+
+ProgressLine::ProgressLine(const study::Stage& stage, int n_threads, ProgressFile& file)
+    : stage_(stage), file_(file), line_(STDERR_FILENO) {
+    words_.stage = stage.name();
+    words_.n_threads = n_threads;
+    if (!stage.has_rounds())
+        words_.n_simulations = static_cast<double>(stage.n_simulations());
+}
 
 void ProgressLine::show(const Progress& progress) {
-    const auto now = std::chrono::steady_clock::now();
-    if (!is_terminal_ && now - shown_ < log_interval) return;
-    shown_ = now;
-    const std::string text = progress_text(stage_, n_simulations_, progress, round_);
-    if (is_terminal_)
-        print_raw(stderr, fmt::format("\r\x1b[K{:.100}", in_one_line(text)));
-    else
-        print(stderr, text + "\n");
-}
-
-void ProgressLine::clear() {
-    if (is_terminal_) print_raw(stderr, "\r\x1b[K");
+    const auto now = Clock::now();
+    const bool is_to_show = line_.is_terminal() || now - shown_ >= log_interval;
+    const bool is_to_file = now - filed_ >= file_interval;
+    if (!is_to_show && !is_to_file) return;
+    words_.items = stage_.items_are();
+    const std::string text = progress_text(words_, progress, stage_.activity());
+    if (is_to_show) {
+        shown_ = now;
+        line_.show(text);
+    }
+    if (is_to_file) {
+        filed_ = now;
+        file_.write(text);
+    }
 }
 
 }  // namespace bemcal::run

@@ -64,11 +64,12 @@ void share_metric(const Density& density, const SamplerOptions& options,
 }
 
 std::vector<ChainPart> run_chains(Density& density, const SamplerOptions& options,
-                                  const std::vector<ChainTask>& tasks, int n_draws) {
+                                  const std::vector<ChainTask>& tasks, int n_draws,
+                                  Tally* tally) {
     check(options, n_draws);
     Company company(density, options.method == Method::nuts);
     const Coordinates coordinates = coordinates_of(density);
-    const Setting setting{density, company, coordinates, options, n_draws};
+    const Setting setting{density, company, coordinates, options, n_draws, tally};
     std::deque<Ladder> ladders;
     for (const ChainTask& task : tasks) ladders.emplace_back(setting, task);
     for (Ladder& ladder : ladders) ladder.start();

@@ -7,6 +7,7 @@
 
 #include "sampling/chain.hpp"
 #include "sampling/density.hpp"
+#include "sampling/tally.hpp"
 
 #include <vector>
 
@@ -21,7 +22,9 @@ void share_metric(const Density& density, const SamplerOptions& options,
                   std::vector<std::vector<double>>& states);
 
 /// Round 0 ignores n_draws. One density serves all chains of the call.
+/// \param tally  counts the transitions as they are made; nullptr = nobody looks
 std::vector<ChainPart> run_chains(Density& density, const SamplerOptions& options,
-                                  const std::vector<ChainTask>& tasks, int n_draws);
+                                  const std::vector<ChainTask>& tasks, int n_draws,
+                                  Tally* tally = nullptr);
 
 }  // namespace bemcal::sampling

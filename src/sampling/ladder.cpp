@@ -138,7 +138,8 @@ Task<> Ladder::warm_up(Walker& walker) {
     Adaptation adaptation(walker, setting_.options);
     adaptation.restart(walker);
     for (int i = 0; i < setting_.options.n_warm_up; ++i) {
-        co_await transition_of(walker);
+        const Transition transition = co_await transition_of(walker);
+        count(walker, transition);
         const bool is_new_metric = adaptation.learn(walker);
         if (is_new_metric && is_nuts) {
             co_await find_step_size(walker);
@@ -156,10 +157,16 @@ Task<> Ladder::draw(Walker& walker) {
         for (int k = 0; k < setting_.options.thin; ++k) {
             const Transition transition = co_await transition_of(walker);
             add_to(sum, transition);
+            count(walker, transition);
             co_await meet();
         }
         if (&walker == &walkers_.front()) record(i, sum);
     }
+}
+
+void Ladder::count(const Walker& walker, const Transition& transition) {
+    if (setting_.tally != nullptr && &walker == &walkers_.front())
+        setting_.tally->add(transition.acceptance, transition.n_steps);
 }
 
 void Ladder::record(std::size_t draw, const Transition& sum) {

@@ -5,6 +5,7 @@
 /// Bouchard-Cote, Deligiannidis and Doucet 2022 (JRSS B 84(2), arXiv:1905.02939).
 #pragma once
 
+#include "sampling/tally.hpp"
 #include "sampling/walker.hpp"
 
 #include <coroutine>
@@ -22,6 +23,7 @@ struct Setting {
     const Coordinates& coordinates;
     const SamplerOptions& options;
     int n_draws;
+    Tally* tally;  ///< nullptr = none
 };
 
 class Ladder {
@@ -52,6 +54,7 @@ class Ladder {
     Task<> find_start(Walker& walker);
     Task<> warm_up(Walker& walker);
     Task<> draw(Walker& walker);
+    void count(const Walker& walker, const Transition& transition);
     void record(std::size_t draw, const Transition& transition);
 
     /// All that the next round starts from.

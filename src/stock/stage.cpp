@@ -48,6 +48,10 @@ class StockStage : public study::Stage {
     /// Buildings, of which some may fail; each is many simulations.
     long long n_simulations() const override { return n_lines(); }
     const char* counts() const override { return "buildings"; }
+    bool has_rounds() const override { return true; }
+    const char* items_are() const override {
+        return due_.empty() ? "items" : "buildings";
+    }
     bool failures_may_pass() const override { return true; }
     std::size_t answer_bytes() const override { return 4096; }
 

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "base/matrix.hpp"
+#include "study/activity.hpp"
 #include "study/summary.hpp"
 
 #include <memory>
@@ -74,6 +75,13 @@ class Stage {
         static_cast<void>(first_item);
         static_cast<void>(round);
     }
+    /// Whether n_simulations are spread over rounds, or not known.
+    virtual bool has_rounds() const { return n_simulations() == 0; }
+    /// What the items of this round are.
+    virtual const char* items_are() const { return "items"; }
+    /// Of the items that run here, and of the rounds before. Called by the main thread
+    /// while items run, never with next_round or begin_round.
+    virtual Activity activity() const { return {}; }
     virtual Conclusion conclude(const std::vector<ItemAnswer>& answers) const = 0;
     /// Whether a failed point may succeed when it is done again: not where its input
     /// alone decides. (A whole item that fails always may.)
