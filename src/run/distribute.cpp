@@ -50,6 +50,7 @@ class Master {
         progress_.items_known = static_cast<int>(std::ranges::count(items.has, true));
         progress_.items_done = progress_.items_known;
         for (const auto& answer : answers_) count_failures(answer);
+        schedule_.join(0, options.n_threads);  // first: it shows how far its items are
     }
 
     void receive(const Comm::Message& message) {
@@ -154,7 +155,8 @@ class Talker {
 
     /// Until rank 0 says finish. \return why it ended
     Stop talk() {
-        send(comm_, 0, Tag::hello, to_bytes(std::vector<int>{options_.n_threads}));
+        if (!master_)
+            send(comm_, 0, Tag::hello, to_bytes(std::vector<int>{options_.n_threads}));
         microseconds wait = shortest_wait;
         while (!is_over_) {
             const bool received = receive_all();

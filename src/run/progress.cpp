@@ -17,6 +17,7 @@
 namespace bemcal::run {
 namespace {
 
+constexpr std::chrono::milliseconds terminal_interval{200};  ///< rounds may be shorter
 constexpr std::chrono::seconds log_interval{10}, file_interval{1};
 
 /// Characters that fit into a line.
@@ -104,7 +105,9 @@ ProgressLine::ProgressLine(const study::Stage& stage, int n_threads, ProgressFil
 
 void ProgressLine::show(const Progress& progress) {
     const auto now = Clock::now();
-    const bool is_to_show = line_.is_terminal() || now - shown_ >= log_interval;
+    const Clock::duration pause =
+        line_.is_terminal() ? Clock::duration(terminal_interval) : log_interval;
+    const bool is_to_show = now - shown_ >= pause;
     const bool is_to_file = now - filed_ >= file_interval;
     if (!is_to_show && !is_to_file) return;
     words_.items = stage_.items_are();
