@@ -141,10 +141,11 @@ void Optimisation::follow(const std::vector<study::ItemAnswer>& answers,
 /// Of the rounds before, which rank 0 alone knows.
 study::Activity Optimisation::activity() const {
     if (!history_) return {};
-    std::string text = fmt::format("{} of at most {} evaluations", history_->points.rows,
-                                   budget_of(options_));
+    std::string text;
     if (!history_->round_best.empty())
-        text += fmt::format(", best {:.4g}", history_->round_best.back());
+        text = fmt::format("best {:.4g} after ", history_->round_best.back());
+    text += fmt::format("{} of at most {} evaluations", history_->points.rows,
+                        budget_of(options_));
     return {0, text};
 }
 
