@@ -138,6 +138,7 @@ double largest_mean(const LoopData& data) {
 std::vector<double> shares_of(const LoopData& data) {
     const double largest = largest_mean(data);
     std::vector<double> shares;
+    shares.reserve(data.targets.n_channels());
     for (std::size_t c = 0; c < data.targets.n_channels(); ++c)
         shares.push_back(is_air(data.targets.channels[c])
                              ? 1

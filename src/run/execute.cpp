@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -192,10 +193,8 @@ class Execution {
                                 ": rank 0 made it, but it cannot be seen here; the "
                                 "output must lie on a disk that all hosts share");
         log_.emplace(folder(), comm_.rank(), mark_of(work_.identity));
-        if (is_first())
-            progress_.emplace(folder());
-        else
-            progress_.emplace();
+        progress_ = is_first() ? std::make_unique<ProgressFile>(folder())
+                               : std::make_unique<ProgressFile>();
     }
 
     /// What others did to the run's files; empty = nothing.
@@ -406,7 +405,7 @@ class Execution {
     OutputPlace place_;
     bool is_intact_ = true;  ///< the run's files, as far as is known
     std::optional<SyncedLog> log_;
-    std::optional<ProgressFile> progress_;
+    std::unique_ptr<ProgressFile> progress_;
     ThreadPlan threads_;
     store::ResultFile result_;
     std::vector<study::Summary> found_;  ///< rank 0's
