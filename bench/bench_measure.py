@@ -11,24 +11,26 @@ to fall most is measured as advised: its deviation in the loop that has these re
 `name value unit reference ratio`.
 """
 import argparse
+import calendar
+import copy
 import csv
 import pathlib
 import sys
 from types import SimpleNamespace
 
-import h5py
 import numpy as np
 
 sys.dont_write_bytecode = True
 import bench_loop                   # noqa: E402  (also finds the generator and scripts/cases)
 import loop_scores                  # noqa: E402
 from cases.meters import CHANNELS   # noqa: E402
+from loop_names import names_of     # noqa: E402
+from report.result import AFTER, read as read_loop   # noqa: E402
 
 CARRIERS = ("electricity", "gas")
 CHANNEL_OF = {"room temperature by the hour": "air", "heat meter of the rooms' heating": "heat",
               "heat meter of the rooms' cooling": "cold"}
-MONTHS = ("January", "February", "March", "April", "May", "June", "July", "August", "September", "October",
-          "November", "December")
+MONTHS = tuple(calendar.month_name)[1:]
 
 
 def meters_in(case):
@@ -49,67 +51,59 @@ def run_loops(cases, meters, folder, ranks):
 
 
 def rows_of(result, case):
-    """What the loop says of every measurement."""
-    with h5py.File(result) as file:
-        loop = file[case]["loop"]
-        if "measurement" not in loop:
-            return []
-        columns = {"measure": loop["measurement"], **{key: loop[f"measurement_{key}"] for key in (
-            "question", "kind", "from", "weeks", "now", "then", "advised")}}
-        values = [column.asstr()[:] if column.dtype.kind == "O" else column[:] for column in columns.values()]
-    return [row for row in (dict(zip(columns, row)) for row in zip(*values)) if row["measure"] in CHANNEL_OF]
+    """What the loop says of every measurement that a case has readings of."""
+    return [row for row in read_loop(result, f"{case}/loop").measurements if row.measure in CHANNEL_OF]
 
 
 def question_of(rows, names):
     """The rows of the first open question about one of these names; [] = none."""
-    asked = [row["question"] for row in rows
-             if row["kind"] == "name" and any(name in row["question"] for name in names)]
-    return [row for row in rows if asked and row["question"] == asked[0]]
+    asked = [row.question for row in rows if row.kind == "name" and any(name in row.question for name in names)]
+    return [row for row in rows if asked and row.question == asked[0]]
 
 
 def widest_of(rows):
     """The advised row of the parameter whose deviation falls most; None where there is none."""
-    advised = [row for row in rows if row["kind"] == "parameter" and row["advised"] == 1]
-    return min(advised, key=lambda row: row["then"] / row["now"], default=None)
+    advised = [row for row in rows if row.kind == "parameter" and row.advised == 1]
+    return min(advised, key=lambda row: row.then / row.now, default=None)
 
 
 def deviation_of(result, case, parameter):
     """Of the last model, as a share of the prior's."""
-    with h5py.File(result) as file:
-        loop = file[case]["loop"]
-        at = list(loop["parameter"].asstr()[:]).index(parameter)
-        return float(loop["parameter_sd"][2, at] / loop["parameter_prior_sd"][at])
+    loop = read_loop(result, f"{case}/loop")
+    at = loop.parameters.index(parameter)
+    return loop.sd_of(AFTER, at) / loop.of_parameters[at].sd
 
 
 def drawn(row, offered, rng):
     """Another kind or month, for as many weeks."""
     choices = [(measure, f"1 {month}") for measure in offered for month in MONTHS
-               if (measure, f"1 {month}") != (row["measure"], row["from"])
-               and MONTHS.index(month) * 30 + 7 * row["weeks"] <= 360]
-    measure, begin = choices[rng.integers(len(choices))]
-    return {**row, "measure": measure, "from": begin}
+               if (measure, f"1 {month}") != (row.measure, row.begin)
+               and MONTHS.index(month) * 30 + 7 * row.weeks <= 360]   # within the year
+    other = copy.copy(row)
+    other.measure, other.begin = choices[rng.integers(len(choices))]
+    return other
 
 
 def with_readings(case, row, folder):
     """A copy of the case whose readings of the added meter are those of these weeks alone."""
-    copy = folder / case.name
-    copy.mkdir(parents=True, exist_ok=True)
+    own = folder / case.name
+    own.mkdir(parents=True, exist_ok=True)
     for path in case.iterdir():
-        if path.name != "measured.csv" and not (copy / path.name).exists():
-            (copy / path.name).symlink_to(path.resolve())
-    column = meters_in(case)[CHANNEL_OF[row["measure"]]]
-    month = MONTHS.index(row["from"].split()[1]) + 1
+        if path.name != "measured.csv" and not (own / path.name).exists():
+            (own / path.name).symlink_to(path.resolve())
+    column = meters_in(case)[CHANNEL_OF[row.measure]]
+    month = MONTHS.index(row.begin.split()[1]) + 1
     with open(case / "measured.csv", newline="") as file:
         lines = list(csv.reader(file))
     at, stamps = lines[0].index(column), np.array([line[0] for line in lines[1:]], dtype="datetime64[h]")
     first = np.datetime64(f"{str(stamps[0])[:4]}-{month:02}-01T00")
-    inside = (stamps > first) & (stamps <= first + np.timedelta64(int(7 * 24 * row["weeks"]), "h"))
+    inside = (stamps > first) & (stamps <= first + np.timedelta64(int(7 * 24 * row.weeks), "h"))
     for line, is_inside in zip(lines[1:], inside):
         if not is_inside:
             line[at] = ""
-    with open(copy / "measured.csv", "w", newline="") as file:
+    with open(own / "measured.csv", "w", newline="") as file:
         csv.writer(file, lineterminator="\n").writerows(lines)
-    return copy
+    return own
 
 
 def is_told(scored, planted):
@@ -118,20 +112,16 @@ def is_told(scored, planted):
                and loop_scores.is_right(effect, planted, scored.details.get(planted)) for effect in scored.found)
 
 
-def names_right(planted):
-    return loop_scores.RIGHT[planted].names
-
-
 def loop_with(case, row, folder, ranks):
     """The loop that has the readings of a measurement, too: its score (None where it failed) and its result."""
-    copy = with_readings(case, row, folder / case.name)
-    meters = [*(m for m in CARRIERS if m in meters_in(case)), CHANNEL_OF[row["measure"]]]
-    scored, result = run_loops({copy: "single"}, meters, folder / case.name / "run", ranks)
+    own = with_readings(case, row, folder / case.name)
+    meters = [*(m for m in CARRIERS if m in meters_in(case)), CHANNEL_OF[row.measure]]
+    scored, result = run_loops({own: "single"}, meters, folder / case.name / "run", ranks)
     return scored.get(case.name), result
 
 
 def said(case, row, outcome):
-    print(f"# {case.name}: {row['question']}: {row['measure']}, {row['weeks']:.0f} weeks from {row['from']}: {outcome}",
+    print(f"# {case.name}: {row.question}: {row.measure}, {row.weeks:.0f} weeks from {row.begin}: {outcome}",
           flush=True)
 
 
@@ -152,9 +142,9 @@ def tried_parameters(rows, folder, ranks):
         scored, result = loop_with(case, row, folder, ranks)
         if scored is None:
             continue
-        then = deviation_of(result, case.name, row["question"])
-        ratios.append(then / row["then"])
-        said(case, row, f"deviation {row['now']:.2f}, foretold {row['then']:.2f}, was {then:.2f} of the prior's")
+        then = deviation_of(result, case.name, row.question)
+        ratios.append(then / row.then)
+        said(case, row, f"deviation {row.now:.2f}, foretold {row.then:.2f}, was {then:.2f} of the prior's")
     return ratios
 
 
@@ -185,11 +175,11 @@ def main():
         rows = rows_of(result, case.name)
         if widest_of(rows):
             wide[case] = widest_of(rows)
-        asked = question_of(rows, names_right(planted))
-        best = [row for row in asked if row["advised"] == 1]
+        asked = question_of(rows, names_of(planted, scored.details.get(planted)))
+        best = [row for row in asked if row.advised == 1]
         if best:
             open_cases[case], advised[case] = planted, best[0]
-            other[case] = drawn(best[0], sorted({row["measure"] for row in asked}), rng)
+            other[case] = drawn(best[0], sorted({row.measure for row in asked}), rng)
     bench_loop.line("measure_open_names", len(open_cases), f"of_{len(first)}", 40)
     for name, rows, reference in (("advised", advised, 75), ("random", other, 0)):
         told = tried_names(open_cases, rows, options.folder.resolve() / name, options.ranks)

@@ -11,7 +11,6 @@ SUMMER_PEAK = 1.1              # electricity of the warmest months over that of 
 MILD = (8, 16)                 # degC, mean of a mild month
 WARM = 18                      # degC, of a warm one
 L_S_TO_M3_H = 3.6
-MONTH_H = 730
 
 
 @dataclass

@@ -10,17 +10,16 @@ import numpy as np
 
 from report import theme
 from report.picture import and_more, picture
-from report.pictures import DAYS, name_days
+from report.pictures import DAY, DAYS, LEAST_SHARE, name_days, weeks_of
 from report.stored import join
 from report.words import fixed, number
 
-DAY, WEEK = 86400, 7 * 86400   # [s]
+WEEK = 7 * DAY                 # [s]
 BILL = 20 * DAY                # longer steps are bills
 LEAST_DAYS, LEAST_STEPS = 20, 24
 MOST_METERS = 6
 CURVE = 200                    # points of a curve
 BIN = 2                        # [K] of outdoor temperature
-LEAST_SHARE = 0.9              # of a week that is read
 LEAST_OF_WEEK = 28             # steps: one in six hours
 BAND = ("predicted_q05", "predicted_q95")
 TRAINING, JUDGED = "training", "validation"
@@ -132,7 +131,8 @@ def meter_in(study, group):
     last = owner.rpartition("/")[2]
     shown = f"{name}, {last}" if last else name
     time, measured = study.numbers(join(group, "time")), study.numbers(join(group, "measured"))
-    models = {label: values for label, values in models_of(study, group).items() if values.shape == time.shape and np.isfinite(values).any()}
+    models = {label: values for label, values in models_of(study, group).items()
+              if values.shape == time.shape and np.isfinite(values).any()}
     band = [study.numbers(join(group, leaf)) for leaf in BAND]
     has_band = all(end.shape == time.shape for end in band)
     if measured.shape != time.shape or not models or np.isfinite(measured).sum() == 0:
@@ -239,10 +239,7 @@ def typical_week(meter):
     steps = int(round(WEEK / meter.step))
     if steps < LEAST_OF_WEEK:
         return None
-    monday = ((meter.time // DAY + 3) % 7 == 0) & (meter.time % DAY == 0)
-    weeks = [slice(k, k + steps) for k in np.flatnonzero(monday) if k + steps <= meter.time.size and
-             np.isfinite(meter.measured[k:k + steps]).mean() >= LEAST_SHARE and
-             meter.time[k + steps - 1] - meter.time[k] < WEEK]
+    weeks = weeks_of(meter, steps)
     if not weeks:
         return None
     errors = [np.sqrt(np.nanmean((meter.last[part] - meter.measured[part]) ** 2)) for part in weeks]

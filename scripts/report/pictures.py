@@ -8,6 +8,7 @@ from report.result import AFTER, BEFORE, HOURLY, PLAIN
 from report.words import fixed, number, percent
 
 LAGS, LEAST_SHARE = 200, 0.9
+DAY = 86400                    # [s]
 SEASONS = ("winter", "spring", "summer", "autumn")     # from December on
 DAYS = ["Mo", "Tu", "We", "Th", "Fr", "Sa", "Su"]
 CLASSES_OF_DAYS = ("working days", "Saturdays", "Sundays, holidays")
@@ -122,12 +123,12 @@ def memory(series, channel):
                    "How far a residual goes on. Grey: where chance alone would leave it.")
 
 
-def weeks_of(series):
-    """First hours of weeks that begin on a Monday and are nearly all measured."""
-    day = (series.time // 86400 + 3) % 7
-    starts = np.flatnonzero((day == 0) & (series.time // 3600 % 24 == 0))
-    return [k for k in starts if k + HOURS_OF_WEEK <= series.time.size and
-            np.isfinite(series.measured[k:k + HOURS_OF_WEEK]).mean() >= LEAST_SHARE]
+def weeks_of(series, steps=HOURS_OF_WEEK):
+    """Weeks that begin on a Monday, have all of their steps and are nearly all measured, as slices."""
+    monday = ((series.time // DAY + 3) % 7 == 0) & (series.time % DAY == 0)
+    return [slice(k, k + steps) for k in np.flatnonzero(monday) if k + steps <= series.time.size and
+            np.isfinite(series.measured[k:k + steps]).mean() >= LEAST_SHARE and
+            series.time[k + steps - 1] - series.time[k] < 7 * DAY]
 
 
 def rmse(residual):
@@ -137,10 +138,9 @@ def rmse(residual):
 def good_and_bad(series, is_temperature):
     """Among weeks in which as much happens as in a middling one: the smallest and the largest
     error after (relative to the mean where it is no temperature)."""
-    weeks = weeks_of(series)
-    if len(weeks) < 2:
+    parts = weeks_of(series)
+    if len(parts) < 2:
         return []
-    parts = [slice(k, k + HOURS_OF_WEEK) for k in weeks]
     means = np.array([1.0 if is_temperature else np.nanmean(np.abs(series.measured[part]))
                       for part in parts])
     errors = np.array([rmse(series.residual(AFTER)[part]) for part in parts])

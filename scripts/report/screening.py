@@ -194,6 +194,6 @@ def over_ranges(study, shares, names, values, what, title, first="best point"):
     said = listed(f"{names[p]} ({number(np.nanmin(values[:, p]))} to {number(np.nanmax(values[:, p]))})"
                   for p in narrow)
     return picture(figure, title, f"Values of {what} in the ranges of the parameters; they agree most on {said}.",
-                   f"Each line is a parameter's range" + (
+                   "Each line is a parameter's range" + (
                        f", each dot one of {what}. Where dots lie all over a line, the readings do not tell that "
                        "parameter." if len(shares) > 1 else "."))

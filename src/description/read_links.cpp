@@ -19,11 +19,6 @@ using physics::Field;
 using physics::Link;
 using physics::Target;
 
-std::vector<Target> resolved(const schema::Section& section, const char* key,
-                             const Building& building, const std::string& path) {
-    return resolved_at(section, key, building, path);
-}
-
 /// A link follows what stands still, and sets what nothing else does.
 void check_target(const schema::Section& section, const Building& building,
                   const Target& target) {
@@ -101,13 +96,13 @@ Link read_link(const schema::Section& section, const Building& building) {
     Link link;
     std::vector<std::size_t> n_each;
     for (const std::string& path : section.texts("target")) {
-        const std::vector<Target> found = resolved(section, "target", building, path);
+        const std::vector<Target> found = resolved_at(section, "target", building, path);
         for (const Target& target : found) check_target(section, building, target);
         link.targets.insert(link.targets.end(), found.begin(), found.end());
         n_each.push_back(found.size());
     }
     for (const std::string& path : section.texts("of")) {
-        const std::vector<Target> found = resolved(section, "of", building, path);
+        const std::vector<Target> found = resolved_at(section, "of", building, path);
         if (found.size() != 1)
             section.fail("of", fmt::format("{} is {} numbers; expected the path of one",
                                            path, found.size()));

@@ -47,16 +47,24 @@ std::vector<double> weights_by(const LoopData& data, const Standing& standing,
     return weights;
 }
 
+Matrix information_by(const Standing& standing, const std::vector<double>& weights) {
+    return stats::normal_equations(standing.fit.at.derivatives, standing.residuals,
+                                   weights)
+        .matrix;
+}
+
 /// Of unknowns in their scales.
 Matrix covariance_of(const Standing& standing, const std::vector<double>& weights,
                      const std::vector<double>& diagonal) {
-    const auto equations =
-        stats::normal_equations(standing.fit.at.derivatives, standing.residuals, weights);
-    return stats::inverse(equations.matrix, diagonal,
+    return stats::inverse(information_by(standing, weights), diagonal,
                           std::vector<char>(diagonal.size(), 0));
 }
 
 }  // namespace
+
+Matrix information_of(const LoopData& data, const Standing& standing, double misfit) {
+    return information_by(standing, weights_by(data, standing, misfit));
+}
 
 Matrix correlations_of(const LoopData& data, const Standing& standing, double misfit) {
     Matrix all = covariance_of(standing, weights_by(data, standing, misfit),

@@ -14,6 +14,10 @@ namespace bemcal::loop {
 std::vector<double> deviations_of(const LoopData& data, const Standing& standing,
                                   double misfit);
 
+/// What the readings say of a model's unknowns, in their scales and without priors:
+/// J w J^T. [unknowns x unknowns]
+Matrix information_of(const LoopData& data, const Standing& standing, double misfit);
+
 /// How its unknowns go together, by the normal equations. [unknowns x unknowns]
 Matrix correlations_of(const LoopData& data, const Standing& standing, double misfit);
 

@@ -66,27 +66,6 @@ std::vector<effects::Effect> moved_shapes(const effects::Effect& effect, double 
 /// Whether a moved shape is a better one.
 constexpr study::FitOptions quick{2, 1e-3, study::without_derivatives};
 
-/// The model with an effect in place of another; fit.failed where that cannot be.
-struct InPlace {
-    std::size_t index;
-    effects::Effect effect;
-    std::vector<double> start;
-    study::FitOptions options;
-};
-Standing with_in_place(const LoopData& data, const Place& place, const Standing& standing,
-                       const InPlace& change) {
-    Standing tried = standing;
-    tried.model.effects[change.index] = change.effect;
-    try {
-        tried.built = build(place, tried.model.effects);
-    } catch (const CannotSimulate&) {
-        tried.fit.failed = true;
-        return tried;
-    }
-    refit(data, tried, change.start, change.options);
-    return tried;
-}
-
 /// Takes the moves that help; says whether any did.
 bool move_shape(const LoopData& data, const Place& place, Standing& standing,
                 std::size_t index, double part) {
@@ -103,6 +82,27 @@ bool move_shape(const LoopData& data, const Place& place, Standing& standing,
 }
 
 }  // namespace
+
+Standing with_in_place(const LoopData& data, const Place& place, const Standing& standing,
+                       const InPlace& change) {
+    Standing tried = standing;
+    tried.model.effects[change.index] = change.effect;
+    try {
+        tried.built = build(place, tried.model.effects);
+    } catch (const CannotSimulate&) {
+        tried.fit.failed = true;
+        return tried;
+    }
+    refit(data, tried, change.start, change.options);
+    return tried;
+}
+
+std::vector<double> start_of_rival(const Standing& standing, std::size_t effect,
+                                   const effects::Effect& rival) {
+    std::vector<double> start = standing.fit.at.x;
+    start[standing.built.first_effect() + effect] = rival.most > 0 ? 0.5 : -0.5;
+    return start;
+}
 
 bool is_dated(const effects::Effect& effect) {
     return effect.driver == effects::Driver::day_of_year ||
@@ -190,11 +190,11 @@ int swap(const LoopData& data, const Place& place, Standing& standing, std::size
     const bool has_name = standing.model.effects[effect].is_named();
     for (std::size_t k = 0; k < rivals.size(); ++k) {
         if (has_name && !rivals[k].is_named()) continue;  // says less
-        std::vector<double> start = standing.fit.at.x;
-        start[unknown] = rivals[k].most > 0 ? 0.5 : -0.5;
-        Standing tried = with_in_place(
-            data, place, standing,
-            {effect, rivals[k], std::move(start), {6, 1e-3, study::without_derivatives}});
+        Standing tried = with_in_place(data, place, standing,
+                                       {effect,
+                                        rivals[k],
+                                        start_of_rival(standing, effect, rivals[k]),
+                                        {6, 1e-3, study::without_derivatives}});
         if (tried.fit.failed || tried.fit.bound[unknown] != 0 ||
             !is_plausible(rivals[k], tried.coefficient(effect)))
             continue;

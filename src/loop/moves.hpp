@@ -42,6 +42,20 @@ Standing refine_shape(const LoopData& data, const Place& place, Standing standin
 double deviation_over_shapes(const LoopData& data, const Place& place,
                              const Standing& standing, std::size_t effect, double misfit);
 
+/// An effect that takes the place of another, and the fit from there.
+struct InPlace {
+    std::size_t index;
+    effects::Effect effect;
+    std::vector<double> start;
+    study::FitOptions options;
+};
+/// The model with it, by the noise of the standing one; fit.failed where that cannot be.
+Standing with_in_place(const LoopData& data, const Place& place, const Standing& standing,
+                       const InPlace& change);
+/// Where such a fit starts: at half of the rival's typical size, all else as it stands.
+std::vector<double> start_of_rival(const Standing& standing, std::size_t effect,
+                                   const effects::Effect& rival);
+
 /// The model with the best of the rivals in place of an effect, where that explains
 /// clearly more; else as it was. Says which: -1 = none.
 int swap(const LoopData& data, const Place& place, Standing& standing, std::size_t effect,

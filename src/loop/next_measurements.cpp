@@ -9,6 +9,8 @@
 #include "loop/next_measurements.hpp"
 
 #include "base/error.hpp"
+#include "loop/intervals.hpp"
+#include "loop/open_questions.hpp"
 #include "physics/calendar.hpp"
 #include "stats/distributions.hpp"
 #include "stats/least_squares.hpp"
@@ -202,12 +204,8 @@ class Knowledge {
   public:
     Knowledge(const LoopData& data, const Standing& last, double misfit)
         : diagonal_(study::prior_diagonal(last.built.unknowns)),
-          none_(diagonal_.size(), 0) {
-        auto weights = weights_of(data.targets, last.noise);
-        for (double& weight : weights) weight /= misfit;
-        information_ =
-            stats::normal_equations(last.fit.at.derivatives, last.residuals, weights)
-                .matrix;
+          none_(diagonal_.size(), 0),
+          information_(information_of(data, last, misfit)) {
         for (double& entry : diagonal_) entry += 1e-6;
     }
 
@@ -285,12 +283,13 @@ class Questions {
             all.push_back({other.question, "name", "", "", 0,
                            chance_to_tell(other.evidence, 0),
                            chance_to_tell(other.evidence,
-                                          then.not_followed(squares[q], products[q]))});
+                                          then.not_followed(squares[q], products[q])),
+                           0});
         }
         const auto sds = then.deviations();
         for (const std::size_t k : wide_)
-            all.push_back(
-                {last_.built.unknowns[k].name, "parameter", "", "", 0, sds_[k], sds[k]});
+            all.push_back({last_.built.unknowns[k].name, "parameter", "", "", 0, sds_[k],
+                           sds[k], 0});
         return all;
     }
 

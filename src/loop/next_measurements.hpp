@@ -6,25 +6,27 @@
 /// readings have.
 #pragma once
 
-#include "loop/open_questions.hpp"
+#include "base/nan.hpp"
+#include "loop/baseline.hpp"
+#include "loop/found.hpp"
 
 #include <string>
 #include <vector>
 
 namespace bemcal::loop {
 
-/// What a measurement would answer.
+/// What a measurement would answer; it is stored as it is. What is not known is NaN.
 struct Answer {
     std::string question;  ///< "night purge, or windows open in warm weather?", "U_wall"
     std::string kind;      ///< "name" or "parameter"
     std::string measure;   ///< "room temperature by the hour"
     std::string from;      ///< "1 January": when these weeks tell most
-    double weeks = 0;
+    double weeks = nan;
     /// Of a name: the chance that the likelier one is right, today and with it. Of a
     /// parameter: its standard deviation, as a share of its prior's.
-    double now = 0, then = 0;
-    double is_advised = 0;  ///< 1: the cheapest that is enough, or else the best; none
-                            ///< where the best tells hardly more
+    double now = nan, then = nan;
+    double is_advised = nan;  ///< 1: the cheapest that is enough, or else the best; none
+                              ///< where the best tells hardly more
 };
 
 /// \param misfit  errors count so many times, as in `deviations_of`

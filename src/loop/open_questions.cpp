@@ -3,11 +3,9 @@
 /// have no name to tell; effects that are one with a parameter, which no reading tells.
 #include "loop/open_questions.hpp"
 
-#include "base/error.hpp"
+#include "loop/moves.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 
 #include <fmt/format.h>
 
@@ -20,23 +18,9 @@ const effects::Effect* rival_named(const Found& found, const std::string& name) 
     return rival == found.rivals.end() ? nullptr : &*rival;
 }
 
-/// The rival in the place of an effect, calibrated; nothing where it cannot be simulated.
-std::optional<Standing> in_place_of(const LoopData& data, const Place& place,
-                                    const Standing& last, std::size_t effect,
-                                    const effects::Effect& rival) {
-    Standing other = last;
-    other.model.effects[effect] = rival;
-    try {
-        other.built = build(place, other.model.effects);
-    } catch (const CannotSimulate&) {
-        return std::nullopt;
-    }
-    std::vector<double> start = last.fit.at.x;
-    start[last.built.first_effect() + effect] = rival.most > 0 ? 0.5 : -0.5;
-    refit(data, other, std::move(start), to_settle);
-    if (other.fit.failed) return std::nullopt;
-    return other;
-}
+/// Nobody asks for slopes where it ends.
+constexpr study::FitOptions settled{to_settle.most_steps, to_settle.tolerance,
+                                    study::without_derivatives};
 
 void add_rivals(const LoopData& data, const Place& place, const Standing& last,
                 std::size_t effect, const Found& found, std::vector<OtherAnswer>& all) {
@@ -44,12 +28,12 @@ void add_rivals(const LoopData& data, const Place& place, const Standing& last,
     for (const std::string& name : found.equivalents) {
         const effects::Effect* rival = rival_named(found, name);
         if (rival == nullptr || name == own) continue;
-        auto other = in_place_of(data, place, last, effect, *rival);
-        if (!other) continue;
-        const double so_far = evidence(data, *other, last);
-        all.push_back({fmt::format("{}, or {}?", own, name),
-                       std::move(other->model.effects), std::move(other->fit.at.x),
-                       so_far});
+        const Standing other = with_in_place(
+            data, place, last,
+            {effect, *rival, start_of_rival(last, effect, *rival), settled});
+        if (other.fit.failed) continue;
+        all.push_back({fmt::format("{}, or {}?", own, name), other.model.effects,
+                       other.fit.at.x, evidence(data, other, last)});
     }
 }
 

@@ -327,12 +327,8 @@ class Writer {
     }
 
     void measurements() {
-        for (const Answer& answer :
-             next_measurements(data_, result_.baseline.place, result_.last, result_.found,
-                               result_.misfit))
-            loop_.measurements.push_back({answer.question, answer.kind, answer.measure,
-                                          answer.from, answer.weeks, answer.now,
-                                          answer.then, answer.is_advised});
+        loop_.measurements = next_measurements(
+            data_, result_.baseline.place, result_.last, result_.found, result_.misfit);
     }
 
     void unusual_ends() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/nan.hpp"
+#include "loop/next_measurements.hpp"
 #include "loop/power.hpp"
 #include "physics/calendar.hpp"
 #include "study/array.hpp"
@@ -94,11 +95,7 @@ struct StoredLoop {
         std::string of;  ///< "structure", "hours", "functions"
         std::string section;
     };
-    /// What a measurement would answer: see Answer.
-    struct Measurement {
-        std::string question, kind, measure, from;
-        double weeks = nan, now = nan, then = nan, is_advised = nan;
-    };
+    using Measurement = Answer;
     struct Decision {
         std::string series, finding, action, kind;
         /// Of effects that are one with parameters, not of data.

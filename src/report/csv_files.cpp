@@ -86,21 +86,27 @@ class Cells {
     std::string unit_;
 };
 
+/// Whether it names the places of its dimension.
+bool is_coordinate(const Dataset& dataset) {
+    return dataset.dims.size() == 1 && store::leaf_of(dataset.path) == dataset.dims[0];
+}
+
+std::string joined(const std::string& group, const std::string& name) {
+    return group.empty() ? name : fmt::format("{}/{}", group, name);
+}
+
 /// Names of the places on dimensions, by the coordinate nearest above a group.
 class Coordinates {
   public:
     explicit Coordinates(const store::ResultFile& result) {
         for (const Dataset& dataset : result.datasets)
-            if (dataset.dims.size() == 1 &&
-                store::leaf_of(dataset.path) == dataset.dims[0])
-                by_path_[dataset.path] = &dataset;
+            if (is_coordinate(dataset)) by_path_[dataset.path] = &dataset;
     }
     /// The coordinate's cell, or the number of the place from 1.
     std::string place(std::string group, const std::string& dimension,
                       std::size_t k) const {
         for (;; group = store::group_of(group)) {
-            const auto found = by_path_.find(
-                group.empty() ? dimension : fmt::format("{}/{}", group, dimension));
+            const auto found = by_path_.find(joined(group, dimension));
             if (found != by_path_.end() && k < product(found->second->shape))
                 return Cells(*found->second)[k];
             if (group.empty()) return std::to_string(k + 1);
@@ -137,7 +143,7 @@ std::map<std::string, Sheet> sheets_of(const store::ResultFile& result) {
                    {}};
         const std::string name =
             made.dims.empty() ? "values" : fmt::format("{}", fmt::join(made.dims, "-"));
-        Sheet& sheet = sheets.try_emplace(made.group + "/" + name, made).first->second;
+        Sheet& sheet = sheets.try_emplace(joined(made.group, name), made).first->second;
         if (sheet.shape != made.shape)
             store::refuse_dataset(&dataset, dataset.path,
                                   "others of its group have another number of places");
@@ -177,11 +183,6 @@ std::string heads_of(const Sheet& sheet, const Dataset& dataset,
     return heads;
 }
 
-/// The dimension's own coordinate is the first column already.
-bool is_coordinate(const Dataset& dataset) {
-    return dataset.dims.size() == 1 && store::leaf_of(dataset.path) == dataset.dims[0];
-}
-
 std::string sheet_text(const Sheet& sheet, const Coordinates& coordinates) {
     if (sheet.dims.empty()) return values_text(sheet);
     std::string text = fmt::format("{}", fmt::join(sheet.dims, ","));
@@ -189,7 +190,7 @@ std::string sheet_text(const Sheet& sheet, const Coordinates& coordinates) {
     std::vector<std::size_t> widths;
     const std::size_t n_rows = product(sheet.shape);
     for (const Dataset* dataset : sheet.datasets) {
-        if (is_coordinate(*dataset)) continue;
+        if (is_coordinate(*dataset)) continue;  // the first column already
         text += heads_of(sheet, *dataset, coordinates);
         columns.emplace_back(*dataset);
         widths.push_back(product(
@@ -239,12 +240,10 @@ void make_empty_folder(const fs::path& folder) {
 int write_csv_files(const store::ResultFile& result, const fs::path& folder) {
     const std::map<std::string, Sheet> sheets = sheets_of(result);
     const Coordinates coordinates(result);
-    for (const auto& [name, sheet] : sheets)
-        check_path(name.starts_with('/') ? name.substr(1) : name);
+    for (const auto& [name, sheet] : sheets) check_path(name);
     make_empty_folder(folder);
     for (const auto& [name, sheet] : sheets) {
-        const fs::path file =
-            folder / fs::path((name.starts_with('/') ? name.substr(1) : name) + ".csv");
+        const fs::path file = folder / fs::path(name + ".csv");
         fs::create_directories(file.parent_path());
         replace_file(file, sheet_text(sheet, coordinates));
     }

@@ -1,6 +1,7 @@
 /// What a measurement would tell, against the same found in another way.
 #include "loop/intervals.hpp"
 #include "loop/next_measurements.hpp"
+#include "loop/open_questions.hpp"
 #include "loop/windy_model.hpp"
 #include "stats/least_squares.hpp"
 

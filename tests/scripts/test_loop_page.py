@@ -3,7 +3,6 @@
 import html.parser
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 import types
@@ -279,7 +278,7 @@ class Numbers(unittest.TestCase):
     def test_a_weeks_first_day_is_a_monday(self):
         time = np.datetime64("2021-01-01", "s").astype(float) + 3600 * np.arange(24 * 30.0)
         series = result.Series(time, np.ones(720), np.ones((3, 720)), np.array([]))
-        days = [np.datetime64(int(time[k]), "s").astype("datetime64[D]") for k in
+        days = [np.datetime64(int(time[week.start]), "s").astype("datetime64[D]") for week in
                 pictures.weeks_of(series)]
         self.assertEqual(str(days[0]), "2021-01-04")
         self.assertEqual(len(days), 3)

@@ -302,7 +302,9 @@ def data_of(page):
     return json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S).group(1))
 
 
-class Page(unittest.TestCase):
+class ManyBuildings(unittest.TestCase):
+    """A made night of so many buildings, and its page."""
+
     @classmethod
     def setUpClass(cls):
         cls.holder = tempfile.TemporaryDirectory()
@@ -322,6 +324,8 @@ class Page(unittest.TestCase):
                        capture_output=True)
         return (cls.folder / page).read_text(encoding="utf-8")
 
+
+class Page(ManyBuildings):
     def test_it_is_small_made_soon_and_the_same_again(self):
         print(f"page of {MANY} buildings: {len(self.page.encode()) / 1e6:.2f} MB in {self.seconds:.1f} s")
         self.assertLessEqual(len(self.page.encode()), MOST_BYTES)
@@ -398,22 +402,13 @@ BROWSER = shutil.which("chromium")
 
 
 @unittest.skipUnless(BROWSER, "no chromium is installed")
-class Browser(unittest.TestCase):
+class Browser(ManyBuildings):
     @classmethod
     def setUpClass(cls):
-        cls.holder = tempfile.TemporaryDirectory()
-        cls.folder = pathlib.Path(cls.holder.name)
-        cls.names, cls.recent = made_night(cls.folder / "many.h5", MANY)
-        page = cls.folder / "many.html"
-        subprocess.run([ROOT / "scripts" / "stock_report", cls.folder / "many.h5", page], check=True,
-                       capture_output=True)
-        cls.page = page.read_text(encoding="utf-8").replace("</body>", f"<script>{MEASURE}</script></body>")
+        super().setUpClass()
+        cls.page = cls.page.replace("</body>", f"<script>{MEASURE}</script></body>")
         # The page's policy lets no script but its own run: the one that measures needs it taken away.
         cls.told = cls.opened(re.sub(r'<meta http-equiv="Content-Security-Policy"[^>]*>', "", cls.page))
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.holder.cleanup()
 
     @classmethod
     def opened(cls, text):
