@@ -29,15 +29,6 @@ std::vector<int> facades_of(const physics::Building& building) {
     return facades;
 }
 
-std::string name_of_facade(const physics::Plane& plane) {
-    constexpr double pi = std::numbers::pi;
-    constexpr const char* sides[] = {"north", "north-east", "east", "south-east",
-                                     "south", "south-west", "west", "north-west"};
-    if (plane.tilt < pi / 8) return "roof";
-    const auto sector = std::lround(plane.azimuth / (pi / 4)) % 8;
-    return fmt::format("{} facade", sides[(sector + 8) % 8]);
-}
-
 std::vector<Effect> on_facades(const Effect& effect, const physics::Building& building) {
     std::vector<Effect> all{effect};
     const std::vector<int> facades = facades_of(building);
@@ -102,6 +93,15 @@ std::vector<Effect> variants(const Effect& effect, Each each, const Surroundings
         default:
             return {};
     }
+}
+
+std::string name_of_facade(const physics::Plane& plane) {
+    constexpr double pi = std::numbers::pi;
+    constexpr const char* sides[] = {"north", "north-east", "east", "south-east",
+                                     "south", "south-west", "west", "north-west"};
+    if (plane.tilt < pi / 8) return "roof";
+    const auto sector = std::lround(plane.azimuth / (pi / 4)) % 8;
+    return fmt::format("{} facade", sides[(sector + 8) % 8]);
 }
 
 }  // namespace bemcal::effects

@@ -10,4 +10,7 @@ std::vector<Effect> variants(const Effect& effect, Each each,
                              const Surroundings& surroundings,
                              std::span<const physics::Quantity> meters);
 
+/// "south facade", "roof"
+std::string name_of_facade(const physics::Plane& plane);
+
 }  // namespace bemcal::effects

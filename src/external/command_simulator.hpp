@@ -7,6 +7,7 @@
 
 #include "external/output_rule.hpp"
 #include "external/text_template.hpp"
+#include "study/hourly_simulator.hpp"
 #include "study/simulator.hpp"
 
 #include <filesystem>
@@ -31,6 +32,7 @@ struct InputFile {
 struct CommandOptions {
     std::vector<physics::Parameter> parameters;
     std::vector<OutputRule> outputs;
+    std::vector<OutputRule> hours;  ///< columns, called by their meters
     std::vector<InputFile> inputs;
     std::vector<std::filesystem::path> links;  ///< absolute paths
     std::string program;                       ///< absolute path
@@ -43,5 +45,8 @@ struct CommandOptions {
 
 /// The points' folders are called point-HASH, by the point's values.
 std::shared_ptr<const study::Simulator> make_command_simulator(CommandOptions options);
+/// The same of hours: what is missing in the building is handed over as effect_files.
+std::shared_ptr<const study::HourlySimulator> make_hourly_simulator(
+    CommandOptions options);
 
 }  // namespace bemcal::external

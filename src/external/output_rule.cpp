@@ -92,17 +92,11 @@ Words cells_of(std::string_view line, char separator) {
     }
 }
 
-/// The numbers that a rule finds, or why there are none.
-struct Found {
-    std::vector<double> values;
-    std::string failure;
-};
-
-Found failed(const OutputRule& rule, const std::string& why) {
+Readings failed(const OutputRule& rule, const std::string& why) {
     return {{}, fmt::format("{}: {}", rule.file, why)};
 }
 
-Found in_column(const OutputRule& rule, const std::string& text) {
+Readings in_column(const OutputRule& rule, const std::string& text) {
     const Words lines = lines_of(text);
     const auto header = static_cast<std::size_t>(rule.header_line);
     if (lines.size() < header)
@@ -116,7 +110,7 @@ Found in_column(const OutputRule& rule, const std::string& text) {
         return failed(rule,
                       fmt::format("has no column \"{}\", but {}", rule.column,
                                   shortened(fmt::format("{}", fmt::join(names, ", ")))));
-    Found found;
+    Readings found;
     for (std::size_t k = header + static_cast<std::size_t>(rule.skipped);
          k < lines.size(); ++k) {
         const Words cells = cells_of(lines[k], separator);
@@ -167,14 +161,14 @@ class Pattern {
     regex_t compiled_{};
 };
 
-Found by_pattern(const OutputRule& rule, const std::string& text) {
+Readings by_pattern(const OutputRule& rule, const std::string& text) {
     const Pattern pattern(rule.pattern);
     std::vector<std::string> words;
     for (std::string_view line : lines_of(text)) {
         if (line.ends_with('\r')) line.remove_suffix(1);
         pattern.find_in(std::string(line.substr(0, longest_line)), words);
     }
-    Found found;
+    Readings found;
     found.values.reserve(words.size());
     for (const std::string& word : words) {
         const auto value = number_of(word);
@@ -216,7 +210,7 @@ double taken(const OutputRule& rule, const std::vector<double>& values) {
     return values.front();
 }
 
-Reading reduce(const OutputRule& rule, const Found& found) {
+Reading reduce(const OutputRule& rule, const Readings& found) {
     if (!found.failure.empty()) return {0, found.failure};
     const std::size_t n = found.values.size();
     const auto fail = [&](const std::string& why) {
@@ -257,6 +251,21 @@ Reading WrittenFiles::read(const OutputRule& rule) {
         return {0, fmt::format("{}: {}", rule.file, written.failure)};
     return reduce(rule, rule.column.empty() ? by_pattern(rule, written.text)
                                             : in_column(rule, written.text));
+}
+
+Readings WrittenFiles::read_all(const OutputRule& rule) {
+    const FileText& written = text(rule.file);
+    if (!written.failure.empty())
+        return {{}, fmt::format("{}: {}", rule.file, written.failure)};
+    Readings found = in_column(rule, written.text);
+    for (double& value : found.values) {
+        value = rule.factor * value + rule.offset;
+        if (!std::isfinite(value))
+            return {{},
+                    fmt::format("{}: the column \"{}\" has {}, not a finite number",
+                                rule.file, rule.column, value)};
+    }
+    return found;
 }
 
 }  // namespace bemcal::external

@@ -40,6 +40,12 @@ struct Reading {
     std::string failure;
 };
 
+/// All numbers of a column, or why there are none.
+struct Readings {
+    std::vector<double> values;
+    std::string failure;
+};
+
 /// The files that one run has written, each read once.
 class WrittenFiles {
   public:
@@ -47,6 +53,8 @@ class WrittenFiles {
     explicit WrittenFiles(std::filesystem::path folder, double most_bytes = 1e9)
         : folder_(std::move(folder)), most_bytes_(most_bytes) {}
     Reading read(const OutputRule& rule);
+    /// Of a rule with a column; `take` has no say.
+    Readings read_all(const OutputRule& rule);
 
   private:
     const FileText& text(const std::string& file);

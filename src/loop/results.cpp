@@ -14,17 +14,13 @@
 #include "loop/intervals.hpp"
 #include "loop/job_parts.hpp"
 #include "loop/late_clock.hpp"
-#include "loop/level_change.hpp"
 #include "loop/loads.hpp"
-#include "loop/months.hpp"
 #include "loop/next_measurements.hpp"
-#include "loop/reading_bands.hpp"
+#include "loop/stored_fits.hpp"
 #include "loop/stored_loop.hpp"
 #include "loop/unusual_end.hpp"
 #include "physics/simulate.hpp"
 #include "stats/distributions.hpp"
-#include "stats/metrics.hpp"
-#include "study/bias.hpp"
 
 #include <algorithm>
 #include <array>
@@ -117,7 +113,7 @@ class Writer {
         unusual_ends();
         fits();
         decisions();
-        return {datasets_of(stage_, loop_, periods_), {summary()}};
+        return {datasets_of(stage_, loop_, periods_), {summary_of(stage_, data_, loop_)}};
     }
 
   private:
@@ -375,143 +371,26 @@ class Writer {
     }
 
     void fits() {
-        const auto& periods = data_.building.periods;
-        loop_.fit.resize({StoredLoop::n_models, periods.size(), StoredLoop::n_resolutions,
-                          n_channels(), StoredLoop::n_metrics});
-        loop_.coverage.resize({periods.size(), StoredLoop::n_resolutions, n_channels()});
-        learn_bands();
-        for (std::size_t p = 0; p < periods.size(); ++p) fits_of(p);
+        FitsWriter writer(data_, data_.building, unseen_of(data_, result_.last),
+                          result_.hours_late, loop_);
+        for (const study::Period& period : data_.building.periods)
+            periods_.push_back(writer.add(period, hours_over(period)));
     }
 
-    /// Of hourly channels, from what was left out.
-    void learn_bands() {
-        const study::Targets& targets = data_.targets;
-        const Standing& last = result_.last;
-        const physics::TimeAxis axis = study::axis_of(data_.building, data_.training());
-        const auto begins = study::begins_of(axis, physics::Interval::hourly);
-        for (std::size_t c = 0; c < n_channels(); ++c) {
-            const auto measured = targets.of(c, targets.measured),
-                       predicted = targets.of(c, last.fit.at.predicted),
-                       left_out = targets.of(c, last.left_out);
-            UnseenHours unseen;
-            if (measured.size() == begins.size())
-                unseen = {begins,
-                          {predicted.begin(), predicted.end()},
-                          {left_out.begin(), left_out.end()}};
-            for (std::size_t k = 0; k < unseen.begins.size(); ++k)
-                if (std::isnan(measured[k])) unseen.residuals[k] = nan;
-            bands_.emplace_back(unseen,
-                                physics::is_temperature(targets.channels[c].quantity));
-        }
-    }
-
-    /// By how much a channel's level may differ from what is predicted, as a share.
-    double level_of(const study::Period& period, std::size_t channel) const {
-        const auto quantity = data_.targets.channels[channel].quantity;
-        if (period.from == data_.training().from) return 0;
-        const double usual = usual_level_change(quantity);
-        return usual == 0 ? 0 : data_.options.level_change.value_or(usual);
-    }
-
-    void fits_of(std::size_t p) {
-        const study::Period& period = data_.building.periods[p];
+    ModelHours hours_over(const study::Period& period) {
         const auto drive = data_.drive_over(period);
         const auto plain_drive =
             result_.hours.empty() ? drive : written_.drive_over(period);
-        const physics::TimeAxis axis = study::axis_of(data_.building, period);
-        const auto begins = study::begins_of(axis, physics::Interval::hourly);
-        Hours hours;
+        const std::size_t n_hours =
+            study::begins_of(study::axis_of(data_.building, period),
+                             physics::Interval::hourly)
+                .size();
+        ModelHours hours;
         for (std::size_t m = 0; m < StoredLoop::n_models; ++m)
-            hours.push_back(predicted(
-                m, period, m == StoredLoop::plain ? plain_drive : drive, begins.size()));
-        const auto readings = study::readings_of(data_.building, period);
-        StoredPeriod& stored = periods_.emplace_back();
-        stored.name = period.name;
-        stored.begins = begins;
-        stored.months = study::begins_of(axis, physics::Interval::monthly);
-        stored.outdoor_temperature =
-            by_late_clock_throughout(outdoors_of(*drive), result_.hours_late);
-        for (std::size_t c = 0; c < n_channels(); ++c) {
-            const kernel::Readings& meter = readings[data_.meters[c]];
-            const bool is_hourly = meter.values.size() == begins.size();
-            const std::vector<double> measured =
-                is_hourly ? meter.values : std::vector<double>(begins.size(), nan);
-            const bool is_mean = meter.quantity == physics::Quantity::air_temperature;
-            const double level = level_of(period, c);
-            for (std::size_t m = 0; m < hours.size(); ++m) {
-                const auto& own = hours[m][c];
-                const Months months = is_hourly
-                                          ? months_of(begins, own, measured, is_mean)
-                                          : read_by_month(begins, own, meter, axis);
-                set_fit({m, p, StoredLoop::hourly, c}, stats::metrics_of(own, measured));
-                set_fit({m, p, StoredLoop::monthly, c},
-                        stats::metrics_of(months.simulated, months.measured));
-                if (m == StoredLoop::after)
-                    loop_.coverage.set(
-                        {p, StoredLoop::monthly, c},
-                        share_within(bands_[c].months(months.simulated, level),
-                                     months.measured));
-            }
-            stored.channels.push_back(channel_of(c, measured, hours));
-            const auto& after = hours.back()[c];
-            const auto bands = bands_[c].hours(after, begins, level);
-            loop_.coverage.set({p, StoredLoop::hourly, c}, share_within(bands, measured));
-            add_hours(bands, stored.channels.back());
-            const auto whole = months_of(begins, after, after, is_mean).simulated;
-            add_months(whole, bands_[c].months(whole, level), stored.channels.back());
-        }
-    }
-
-    /// [models][channels][hours]
-    using Hours = std::vector<std::vector<std::vector<double>>>;
-
-    /// By the meters' clocks.
-    StoredPeriod::Channel channel_of(std::size_t c, const std::vector<double>& measured,
-                                     const Hours& hours) const {
-        StoredPeriod::Channel channel{loop_.channels[c].name,
-                                      by_late_clock(measured, result_.hours_late)};
-        channel.simulated.shape = {hours.size(), measured.size()};
-        for (const auto& model : hours) {
-            const auto stamped = by_late_clock_throughout(model[c], result_.hours_late);
-            auto& all = channel.simulated.values;
-            all.insert(all.end(), stamped.begin(), stamped.end());
-        }
-        return channel;
-    }
-
-    /// After's intervals, by the meters' clocks.
-    void add_hours(const std::vector<Band>& bands, StoredPeriod::Channel& channel) const {
-        std::vector<double> least, most;
-        for (const Band& band : bands) {
-            least.push_back(band.least);
-            most.push_back(band.most);
-        }
-        channel.q05 = by_late_clock_throughout(least, result_.hours_late);
-        channel.q95 = by_late_clock_throughout(most, result_.hours_late);
-    }
-
-    static void add_months(const std::vector<double>& predicted,
-                           const std::vector<Band>& bands,
-                           StoredPeriod::Channel& channel) {
-        channel.month = predicted;
-        for (const Band& band : bands) {
-            channel.month_q05.push_back(band.least);
-            channel.month_q95.push_back(band.most);
-        }
-    }
-
-    struct FitPlace {
-        std::size_t model, period, resolution, channel;
-    };
-    void set_fit(const FitPlace& at, const stats::FitMetrics& metrics) {
-        const auto set = [&](StoredLoop::Metric metric, double value) {
-            loop_.fit.set({at.model, at.period, at.resolution, at.channel, metric},
-                          value);
-        };
-        set(StoredLoop::n_readings, metrics.n);
-        set(StoredLoop::cv_rmse, metrics.cv_rmse);
-        set(StoredLoop::nmbe, metrics.nmbe);
-        set(StoredLoop::rmse, metrics.rmse);
+            hours.models.push_back(predicted(
+                m, period, m == StoredLoop::plain ? plain_drive : drive, n_hours));
+        hours.outdoors = outdoors_of(*drive);
+        return hours;
     }
 
     /// A model's hours of a period; NaN where it follows something that is missing there,
@@ -539,40 +418,6 @@ class Writer {
                                        study::name_of(decision.kind)});
     }
 
-    /// What the last model says, and by the hour its errors beside the plain model's.
-    study::Summary summary() const {
-        study::Summary summary;
-        summary.study = stage_;
-        for (std::size_t k = 0; k < loop_.parameters.size(); ++k) {
-            const double value = loop_.parameter_value.at({StoredLoop::after, k});
-            const double half =
-                stats::z_90_two_sided * loop_.parameter_sd.at({StoredLoop::after, k});
-            summary.values.push_back(
-                {loop_.parameters[k].name, value, value - half, value + half});
-        }
-        for (std::size_t p = 0; p < loop_.periods.size(); ++p)
-            for (std::size_t c = 0; c < n_channels(); ++c) {
-                const auto error = [&](StoredLoop::Model model,
-                                       StoredLoop::Metric metric) {
-                    return loop_.fit.at({model, p, StoredLoop::hourly, c, metric});
-                };
-                summary.fits.push_back({p, data_.meters[c],
-                                        error(StoredLoop::plain, StoredLoop::cv_rmse),
-                                        error(StoredLoop::after, StoredLoop::cv_rmse),
-                                        error(StoredLoop::after, StoredLoop::nmbe)});
-            }
-        const auto period =
-            static_cast<std::size_t>(&data_.training() - data_.building.periods.data());
-        summary.shortfall = study::bias_beyond(data_.building, period, summary.fits);
-        for (const StoredLoop::Effect& effect : loop_.effects)
-            summary.findings.push_back(
-                {"loop",
-                 fmt::format("found: {}, {:.3g} {}", effect.name, effect.coefficient,
-                             effect.unit),
-                 effect.is_adequate() ? "accepted" : "accepted, not adequate"});
-        return summary;
-    }
-
     std::size_t n_channels() const { return data_.meters.size(); }
 
     std::string stage_;
@@ -584,7 +429,6 @@ class Writer {
         decisions_;  ///< of the data, of effects, then of periods
     StoredLoop loop_;
     std::vector<StoredPeriod> periods_;
-    std::vector<ReadingBands> bands_;  ///< [channels] of the last model
 };
 
 }  // namespace

@@ -37,6 +37,9 @@ std::vector<Target> resolve(const Building& building, const std::string& path);
 /// "zone.office.mass_area_ratio".
 std::string path_of(const Building& building, const Target& target);
 
+/// Places of all inputs.
+std::vector<Target> inputs_of(const Building& building);
+
 /// Places of the inputs that follow a row of Drive::profiles.
 std::vector<Target> inputs_that_follow(const Building& building, int profile);
 

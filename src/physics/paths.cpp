@@ -217,14 +217,19 @@ std::string path_of(const Building& building, const Target& target) {
     throw std::invalid_argument("a number without a path");
 }
 
-std::vector<Target> inputs_that_follow(const Building& building, int profile) {
+std::vector<Target> inputs_of(const Building& building) {
     std::vector<Target> targets;
+    for (const Entry& entry : entries_of(building))
+        if (field_of(entry.target).input != nullptr) targets.push_back(entry.target);
+    return targets;
+}
+
+std::vector<Target> inputs_that_follow(const Building& building, int profile) {
     Building copy = building;  // input_at() takes what may be written to
-    for (const Entry& entry : entries_of(building)) {
-        const Input* input = input_at(copy, entry.target);
-        if (input != nullptr && input->profile == profile)
-            targets.push_back(entry.target);
-    }
+    std::vector<Target> targets = inputs_of(building);
+    std::erase_if(targets, [&](const Target& target) {
+        return input_at(copy, target)->profile != profile;
+    });
     return targets;
 }
 

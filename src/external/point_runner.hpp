@@ -1,0 +1,47 @@
+/// Runs points of a command, each in a folder of its own.
+#pragma once
+
+#include "external/command_simulator.hpp"
+#include "external/process.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace bemcal::external {
+
+/// A file that a point has beside those of the job.
+struct HandedFile {
+    std::string name, text;
+};
+
+class PointRunner {
+  public:
+    explicit PointRunner(CommandOptions options);
+    /// The folder of the points' folders goes if none of them stayed.
+    ~PointRunner();
+    PointRunner(const PointRunner&) = delete;
+    PointRunner& operator=(const PointRunner&) = delete;
+
+    const CommandOptions& options() const { return options_; }
+
+    /// Reads what the command wrote. \return why there is nothing, or ""
+    using Read = std::function<std::string(const std::filesystem::path& folder)>;
+
+    /// \return why it failed, or ""
+    std::string run(std::span<const double> point, const std::vector<HandedFile>& files,
+                    const Read& read) const;
+
+  private:
+    std::string run_in(const std::filesystem::path& folder, std::span<const double> point,
+                       const std::vector<HandedFile>& files, const Read& read) const;
+    Command command_of(const std::filesystem::path& folder,
+                       std::span<const double> point) const;
+
+    CommandOptions options_;
+    std::vector<std::string> environment_;
+};
+
+}  // namespace bemcal::external

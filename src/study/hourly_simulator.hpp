@@ -1,0 +1,40 @@
+/// Another program's model of a building: the hours of its meters at a point, with what a
+/// description lacks as series at hooks.
+#pragma once
+
+#include "effects/hook_series.hpp"
+#include "physics/parameters.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace bemcal::study {
+
+/// An effect as another program is given it.
+struct GivenEffect {
+    std::string name;
+    std::vector<effects::HookSeries> at;  ///< all that it changes
+};
+
+/// Hours of all periods of the building, one period after the other.
+struct SimulatedHours {
+    std::vector<std::vector<double>> meters;  ///< [meters][hours] kWh; temperatures degC
+    std::vector<std::string> left_out;        ///< effects that it could not take, and why
+    std::string failure;                      ///< why there is nothing; "" = there is
+};
+
+/// Const means shareable: `hours` is called by many threads at once.
+class HourlySimulator {
+  public:
+    virtual ~HourlySimulator() = default;
+    virtual const std::vector<physics::Parameter>& parameters() const = 0;
+    virtual const std::vector<std::string>& meters() const = 0;  ///< by the job's names
+    /// \param point    [parameters]
+    /// \param n_hours  that are asked for
+    virtual SimulatedHours hours(std::span<const double> point,
+                                 std::span<const GivenEffect> effects,
+                                 std::size_t n_hours) const = 0;
+};
+
+}  // namespace bemcal::study
