@@ -111,9 +111,31 @@ std::vector<OutputRule> read_outputs(const schema::Section& simulator) {
         add_name(section, outputs.back().name, names);
     };
     if (!simulator.each("output", "simulator.output", read_one)) throw schema::Follows();
-    if (outputs.empty())
-        simulator.fail("output", "is missing; expected sections [[simulator.output]]");
     return outputs;
+}
+
+OutputRule read_hours_of_meter(const schema::Section& section) {
+    OutputRule rule;
+    rule.name = section.text("meter");
+    rule.file = section.text("file");
+    rule.column = section.has("column") ? section.text("column") : rule.name;
+    rule.header_line = static_cast<int>(section.integer("header"));
+    rule.skipped = static_cast<int>(section.integer("skip"));
+    rule.factor = section.number("factor");
+    rule.offset = section.number("offset");
+    return rule;
+}
+
+std::vector<OutputRule> read_hours(const schema::Section& simulator) {
+    std::vector<OutputRule> hours;
+    const auto read_one = [&](const schema::Section& section) {
+        OutputRule rule = read_hours_of_meter(section);
+        if (std::ranges::find(hours, rule.name, &OutputRule::name) != hours.end())
+            section.fail_value("meter", "stands twice; expected another meter");
+        hours.push_back(std::move(rule));
+    };
+    if (!simulator.each("hourly", "simulator.hourly", read_one)) throw schema::Follows();
+    return hours;
 }
 
 /// "house.idf.in" and "house.template.idf" are templates of "house.idf".
@@ -228,7 +250,12 @@ CommandOptions read_simulator(const schema::Section& simulator, input::InputFile
     bool is_whole =
         simulator.attempt([&] { options.parameters = read_parameters(simulator); });
     is_whole &= simulator.attempt([&] { options.outputs = read_outputs(simulator); });
+    is_whole &= simulator.attempt([&] { options.hours = read_hours(simulator); });
     if (!is_whole) throw schema::Follows();
+    if (options.outputs.empty() && options.hours.empty())
+        simulator.fail("output",
+                       "is missing; expected sections [[simulator.output]], for a loop "
+                       "[[simulator.hourly]]");
     read_inputs(simulator, files, options);
     read_command(simulator, options);
     check_use(simulator, options);

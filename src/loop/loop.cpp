@@ -13,6 +13,7 @@
 #include "loop/moves.hpp"
 #include "loop/results.hpp"
 #include "loop/rivals.hpp"
+#include "loop/search_building.hpp"
 #include "study/packed_conclusion.hpp"
 
 #include <algorithm>
@@ -43,33 +44,14 @@ void log_step(const Step& step, std::vector<LoggedStep>& log) {
     }
 }
 
-/// Which step of a building's search is under way, for whoever looks.
-class UnderWay {
-  public:
-    explicit UnderWay(std::string building) : building_(std::move(building)) {}
-
-    /// \param what  a literal \param number  from 1; 0 = of a step that comes once
-    void begin(const char* what, int number = 0) {
-        number_ = number;
-        what_ = what;
-    }
-    /// "office: effect 3"
-    std::string text() const {
-        const int number = number_;
-        return fmt::format("{}: {}{}", building_, what_.load(),
-                           number > 0 ? fmt::format(" {}", number) : "");
-    }
-
-  private:
-    std::string building_;
-    std::atomic<const char*> what_ = "reading";
-    std::atomic<int> number_ = 0;
-};
-
 class Search {
   public:
-    Search(const LoopData& data, LoopResult& result, UnderWay& under_way)
-        : data_(data), result_(result), under_way_(under_way) {}
+    Search(const LoopData& data, LoopResult& result, UnderWay& under_way,
+           bool may_set_clock)
+        : data_(data),
+          result_(result),
+          under_way_(under_way),
+          may_set_clock_(may_set_clock) {}
 
     void run() {
         const Place& place = result_.baseline.place;
@@ -123,7 +105,7 @@ class Search {
             result_.log.push_back({name, "calibrated anew with it", 0, 0, 0, {}});
             result_.last = refine_shape(data_, place, std::move(result_.last), newest);
         }
-        if (result_.hours_late == 0)
+        if (may_set_clock_ && result_.hours_late == 0)
             late_clock_ = late_clock_in_place_of(data_, result_.last, newest);
         if (late_clock_) return false;
         const double needed = 0.5 * step.threshold;
@@ -287,6 +269,7 @@ class Search {
     const LoopData& data_;
     LoopResult& result_;
     UnderWay& under_way_;
+    bool may_set_clock_;
     double threshold_ = 0;  ///< of the last step
     std::optional<LateClock> late_clock_;
     std::vector<std::string> barred_;
@@ -346,39 +329,16 @@ class WithHours {
 /// Everything of one building; empty where it cannot be simulated as described.
 study::Conclusion searched(const std::string& name, const LoopData& written,
                            UnderWay& under_way, int hours_late = 0) {
-    WithHours start(written, under_way);
-    const LoopData& data = start.data();
-    LoopResult result;
-    result.hours_late = hours_late;
-    result.baseline = start.take_baseline();
-    if (result.baseline.plain.fit.failed || result.baseline.chosen.fit.failed) return {};
-    result.hours = start.take_hours();
-    know_loads(result.baseline.place, result.baseline.chosen);
-    const Place& place = result.baseline.place;
-    under_way.begin("power of the readings");
-    result.power = power_of(data, place, result.baseline.chosen);
-    result.before = localise(data, place, result.baseline.chosen);
-    result.last = result.baseline.chosen;
-    Search search(data, result, under_way);
-    search.run();
-    if (const auto& late = search.late_clock()) {
+    Begin begin = begin_search(written, under_way);
+    if (begin.failed()) return {};
+    const Ended ended = search_from(*begin.data, std::move(begin.baseline),
+                                    std::move(begin.hours), under_way, hours_late);
+    if (const auto& late = ended.late_clock) {
         const study::Case set = with_clock_set(written.building, *late);
-        return searched(name, LoopData(set, data.options), under_way, late->hours);
+        return searched(name, LoopData(set, written.options), under_way, late->hours);
     }
-    if (result.last.model.effects.empty()) result.last = result.baseline.chosen;
-    under_way.begin("functions");
-    if (data.options.functions)
-        result.functions = find_functions(data, result.baseline.place, result.last);
-    under_way.begin("intervals");
-    result.after = localise(data, place, result.last);
-    result.unexplained = unexplained_of(data, result.last);
-    return conclude_loop(data.building.name + "/" + name, written, data, result);
-}
-
-bool has_training(const study::Case& building, const LoopOptions& options) {
-    return std::ranges::any_of(
-        training_readings(building, study::period_of(building, options.period)),
-        [](const kernel::Readings& meter) { return study::has_reading(meter.values); });
+    return conclude_loop(written.building.name + "/" + name, written, *begin.data,
+                         ended.result);
 }
 
 class Loop : public study::Stage {
@@ -437,6 +397,49 @@ class Loop : public study::Stage {
 };
 
 }  // namespace
+
+Begin begin_search(const LoopData& written, UnderWay& under_way) {
+    WithHours start(written, under_way);
+    Begin begin;
+    begin.data = std::make_unique<const LoopData>(start.data());
+    begin.baseline = start.take_baseline();
+    begin.hours = start.take_hours();
+    return begin;
+}
+
+Ended search_from(const LoopData& data, Baseline baseline,
+                  std::vector<LearnedHours> hours, UnderWay& under_way, int hours_late,
+                  bool may_set_clock) {
+    Ended ended;
+    LoopResult& result = ended.result;
+    result.hours_late = hours_late;
+    result.baseline = std::move(baseline);
+    result.hours = std::move(hours);
+    know_loads(result.baseline.place, result.baseline.chosen);
+    const Place& place = result.baseline.place;
+    under_way.begin("power of the readings");
+    result.power = power_of(data, place, result.baseline.chosen);
+    result.before = localise(data, place, result.baseline.chosen);
+    result.last = result.baseline.chosen;
+    Search search(data, result, under_way, may_set_clock);
+    search.run();
+    ended.late_clock = search.late_clock();
+    if (ended.late_clock) return ended;
+    if (result.last.model.effects.empty()) result.last = result.baseline.chosen;
+    under_way.begin("functions");
+    if (data.options.functions)
+        result.functions = find_functions(data, result.baseline.place, result.last);
+    under_way.begin("intervals");
+    result.after = localise(data, place, result.last);
+    result.unexplained = unexplained_of(data, result.last);
+    return ended;
+}
+
+bool has_training(const study::Case& building, const LoopOptions& options) {
+    return std::ranges::any_of(
+        training_readings(building, study::period_of(building, options.period)),
+        [](const kernel::Readings& meter) { return study::has_reading(meter.values); });
+}
 
 std::unique_ptr<study::Stage> make_loop(std::string name,
                                         const std::vector<study::Case>& buildings,

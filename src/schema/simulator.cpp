@@ -23,7 +23,10 @@ constexpr Key simulator_table[] = {
      "Other files that it reads: they are linked into the folder of every point."},
     {"simulator", "parameter", Type::tables, "", required, 0, 0,
      "[[simulator.parameter]]"},
-    {"simulator", "output", Type::tables, "", required, 0, 0, "[[simulator.output]]"},
+    {"simulator", "output", Type::tables, "", "", 0, 0,
+     "[[simulator.output]]: numbers; all studies but a loop need them."},
+    {"simulator", "hourly", Type::tables, "", "", 0, 0,
+     "[[simulator.hourly]]: hours of a building's meters, which a loop needs."},
     {"simulator", "keep", Type::choice, "failed|all|none", "failed", 0, 0,
      "The folders of which points stay."},
     {"simulator", "folder", Type::text, "", "", 0, 0,
@@ -61,6 +64,20 @@ constexpr Key simulator_table[] = {
     {"simulator.output", "factor", Type::number, "-", "1", -1e300, 1e300,
      "value x factor + offset."},
     {"simulator.output", "offset", Type::number, "", "0", -1e300, 1e300, ""},
+    {"simulator.hourly", "meter", Type::text, "", required, 0, 0,
+     "Name of the building's [[meter]] that it stands beside."},
+    {"simulator.hourly", "file", Type::text, "", "hours.csv", 0, 0,
+     "CSV that the program writes, in its folder: a row for each hour of the periods, one "
+     "period after the other as the job has them, in local standard time."},
+    {"simulator.hourly", "column", Type::text, "", "", 0, 0,
+     "By its name in the header; default: the meter's name."},
+    {"simulator.hourly", "header", Type::integer, "", "1", 1, 1e6,
+     "Line of the file with the names of its columns."},
+    {"simulator.hourly", "skip", Type::integer, "", "0", 0, 1e6,
+     "Lines below the header that are left out (units)."},
+    {"simulator.hourly", "factor", Type::number, "-", "1", -1e300, 1e300,
+     "value x factor + offset is kWh in the hour, or degC."},
+    {"simulator.hourly", "offset", Type::number, "", "0", -1e300, 1e300, ""},
 };
 
 }  // namespace

@@ -1,0 +1,80 @@
+/// Compares the last model with the same without one of its effects, input by input, in
+/// every period.
+/// Follows from `effects::changes_between`.
+/// Effects of the structure stay: they say how the standard's hour falls short, not what
+/// the building does.
+#include "loop/given_effects.hpp"
+
+#include "effects/driver_functions.hpp"
+#include "loop/find_functions.hpp"
+#include "loop/loads.hpp"
+
+namespace bemcal::loop {
+namespace {
+
+std::vector<double> values_at(const BuiltModel& built, const Standing& last) {
+    std::vector<double> values;
+    values.reserve(built.unknowns.size());
+    for (std::size_t k = 0; k < built.unknowns.size(); ++k)
+        values.push_back(built.unknowns[k].within(last.fit.at.x[k]));
+    return values;
+}
+
+Place place_of(const LoopData& data, const LoopResult& result,
+               const study::Period& period) {
+    const Baseline& baseline = result.baseline;
+    Place place = make_place(data, result.last.model.structure, data.drive_over(period));
+    know_loads(place, baseline.chosen, baseline.place.surroundings->model);
+    if (!result.functions.empty())
+        add_columns(result.functions, effects::function_drivers(surroundings_of(place)),
+                    place);
+    return place;
+}
+
+/// What the model does at its hooks because of one effect. Other hours than declared are
+/// there or not; every other effect is taken out by a coefficient of 0, which leaves all
+/// parts where they are.
+std::vector<effects::HookSeries> changes_by(const Place& place, const BuiltModel& with,
+                                            const std::vector<double>& values,
+                                            const std::vector<effects::Effect>& all,
+                                            std::size_t effect) {
+    const physics::Building whole = building_at(with, values);
+    const std::size_t k = with.first_effect() + effect;
+    std::vector<double> fewer_values = values;
+    if (!all[effect].other_hours) {
+        fewer_values[k] = 0;
+        const physics::Building less = building_at(with, fewer_values);
+        return effects::changes_between({less, with.placed->drive},
+                                        {whole, with.placed->drive});
+    }
+    auto fewer = all;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(effect));
+    fewer_values.erase(fewer_values.begin() + static_cast<std::ptrdiff_t>(k));
+    const BuiltModel without = place_only(place, fewer);
+    const physics::Building less = building_at(without, fewer_values);
+    return effects::changes_between({less, without.placed->drive},
+                                    {whole, with.placed->drive});
+}
+
+}  // namespace
+
+std::vector<study::GivenEffect> given_effects(const LoopData& data,
+                                              const LoopResult& result) {
+    const auto& found = result.last.model.effects;
+    std::vector<study::GivenEffect> given(found.size());
+    for (std::size_t k = 0; k < found.size(); ++k) given[k].name = found[k].name;
+    std::size_t n_before = 0;
+    for (const study::Period& period : data.building.periods) {
+        const Place place = place_of(data, result, period);
+        const BuiltModel built = place_only(place, found);
+        const std::vector<double> values = values_at(built, result.last);
+        const auto n_hours = static_cast<std::size_t>(study::hours_of(period));
+        for (std::size_t k = 0; k < found.size(); ++k)
+            effects::append(given[k].at, n_before,
+                            changes_by(place, built, values, found, k), n_hours);
+        n_before += n_hours;
+    }
+    return given;
+}
+
+}  // namespace bemcal::loop
