@@ -9,6 +9,9 @@
 #include "loop/find_functions.hpp"
 #include "loop/loads.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace bemcal::loop {
 namespace {
 
@@ -56,6 +59,16 @@ std::vector<effects::HookSeries> changes_by(const Place& place, const BuiltModel
                                     {whole, with.placed->drive});
 }
 
+/// What stands behind the effects found are functions: they are given as one.
+void join_functions(std::size_t n_found, std::vector<study::GivenEffect>& given) {
+    if (given.size() <= n_found) return;
+    study::GivenEffect all{"functions", {}};
+    for (std::size_t k = n_found; k < given.size(); ++k)
+        std::ranges::move(given[k].at, std::back_inserter(all.at));
+    given.resize(n_found);
+    given.push_back(std::move(all));
+}
+
 }  // namespace
 
 std::vector<study::GivenEffect> given_effects(const LoopData& data,
@@ -74,6 +87,7 @@ std::vector<study::GivenEffect> given_effects(const LoopData& data,
                             changes_by(place, built, values, found, k), n_hours);
         n_before += n_hours;
     }
+    join_functions(result.found.size(), given);
     return given;
 }
 

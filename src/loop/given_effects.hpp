@@ -9,9 +9,9 @@
 
 namespace bemcal::loop {
 
-/// Effects found, then functions by hook, at the last fit's values; an effect without any
-/// change at a hook has an empty `at`. Throws CannotSimulate where a period lacks what an
-/// effect follows.
+/// Effects found, then all functions as one, at the last fit's values; an effect without
+/// any change at a hook has an empty `at`. Throws CannotSimulate where a period lacks
+/// what an effect follows.
 std::vector<study::GivenEffect> given_effects(const LoopData& data,
                                               const LoopResult& result);
 

@@ -72,20 +72,6 @@ std::vector<std::vector<double>> hours_of(
     return hours;
 }
 
-/// Mean outdoor temperature of each hour of the drive's period.
-std::vector<double> outdoors_of(const physics::Drive& drive) {
-    const auto per_hour = static_cast<std::size_t>(3600 / drive.axis.step_s);
-    std::vector<double> hours;
-    hours.reserve(drive.theta_e.size() / per_hour);
-    for (auto k = static_cast<std::size_t>(drive.n_warm_up);
-         k + per_hour <= drive.theta_e.size(); k += per_hour) {
-        double sum = 0;
-        for (std::size_t s = 0; s < per_hour; ++s) sum += drive.theta_e[k + s];
-        hours.push_back(sum / static_cast<double>(per_hour));
-    }
-    return hours;
-}
-
 /// Fills what is stored, part by part.
 class Writer {
   public:
@@ -99,6 +85,20 @@ class Writer {
           decisions_(data.building.decisions) {}
 
     study::Conclusion write() {
+        say();
+        fits();
+        decisions();
+        return {datasets_of(stage_, loop_, periods_), {summary_of(stage_, data_, loop_)}};
+    }
+
+    StoredLoop without_predictions() {
+        say();
+        decisions();
+        return std::move(loop_);
+    }
+
+  private:
+    void say() {
         names();
         parameters();
         structures();
@@ -111,12 +111,8 @@ class Writer {
         power();
         measurements();
         unusual_ends();
-        fits();
-        decisions();
-        return {datasets_of(stage_, loop_, periods_), {summary_of(stage_, data_, loop_)}};
     }
 
-  private:
     void names() {
         for (std::size_t c = 0; c < data_.meters.size(); ++c) {
             const study::Meter& meter = data_.building.meters[data_.meters[c]];
@@ -371,8 +367,10 @@ class Writer {
     }
 
     void fits() {
-        FitsWriter writer(data_, data_.building, unseen_of(data_, result_.last),
-                          result_.hours_late, loop_);
+        FitsWriter writer(
+            data_, data_.building,
+            unseen_of(data_, result_.last.fit.at.predicted, result_.last.left_out),
+            result_.hours_late, loop_);
         for (const study::Period& period : data_.building.periods)
             periods_.push_back(writer.add(period, hours_over(period)));
     }
@@ -432,6 +430,11 @@ class Writer {
 };
 
 }  // namespace
+
+StoredLoop without_predictions(const std::string& stage, const LoopData& written,
+                               const LoopData& data, const LoopResult& result) {
+    return Writer(stage, written, data, result).without_predictions();
+}
 
 study::Conclusion conclude_loop(const std::string& stage, const LoopData& written,
                                 const LoopData& data, const LoopResult& result) {

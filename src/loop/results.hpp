@@ -6,6 +6,7 @@
 #include "loop/learn_hours.hpp"
 #include "loop/portrait.hpp"
 #include "loop/power.hpp"
+#include "loop/stored_loop.hpp"
 #include "study/stage.hpp"
 
 namespace bemcal::loop {
@@ -34,7 +35,11 @@ struct LoopResult {
     int hours_late = 0;  ///< of the meters' clocks, which predictions follow
 };
 
+/// All that is stored of it but what models predict: no errors, no coverage.
 /// \param stage  "BUILDING/STUDY"
+StoredLoop without_predictions(const std::string& stage, const LoopData& written,
+                               const LoopData& data, const LoopResult& result);
+
 /// \param written  the building as the job has it, which is the plain one
 study::Conclusion conclude_loop(const std::string& stage, const LoopData& written,
                                 const LoopData& data, const LoopResult& result);

@@ -19,13 +19,11 @@
 namespace bemcal::loop {
 namespace {
 
-UnseenHours unseen_of_channel(const LoopData& data, const Standing& last,
-                              const std::vector<physics::Seconds>& begins,
-                              std::size_t channel) {
-    const study::Targets& targets = data.targets;
-    const auto measured = targets.of(channel, targets.measured),
-               predicted = targets.of(channel, last.fit.at.predicted),
-               left_out = targets.of(channel, last.left_out);
+/// \param predicted, left_out  of the channel
+UnseenHours unseen_of_channel(std::span<const double> measured,
+                              std::span<const double> predicted,
+                              std::span<const double> left_out,
+                              const std::vector<physics::Seconds>& begins) {
     UnseenHours unseen;
     if (measured.size() == begins.size())
         unseen = {begins,
@@ -47,12 +45,31 @@ void add_months(const std::vector<double>& predicted, const std::vector<Band>& b
 
 }  // namespace
 
-std::vector<UnseenHours> unseen_of(const LoopData& data, const Standing& last) {
+/// Mean outdoor temperature of each hour of the drive's period.
+std::vector<double> outdoors_of(const physics::Drive& drive) {
+    const auto per_hour = static_cast<std::size_t>(3600 / drive.axis.step_s);
+    std::vector<double> hours;
+    hours.reserve(drive.theta_e.size() / per_hour);
+    for (auto k = static_cast<std::size_t>(drive.n_warm_up);
+         k + per_hour <= drive.theta_e.size(); k += per_hour) {
+        double sum = 0;
+        for (std::size_t s = 0; s < per_hour; ++s) sum += drive.theta_e[k + s];
+        hours.push_back(sum / static_cast<double>(per_hour));
+    }
+    return hours;
+}
+
+std::vector<UnseenHours> unseen_of(const LoopData& data,
+                                   std::span<const double> predicted,
+                                   std::span<const double> left_out) {
+    const study::Targets& targets = data.targets;
     const physics::TimeAxis axis = study::axis_of(data.building, data.training());
     const auto begins = study::begins_of(axis, physics::Interval::hourly);
     std::vector<UnseenHours> all;
     for (std::size_t c = 0; c < data.meters.size(); ++c)
-        all.push_back(unseen_of_channel(data, last, begins, c));
+        all.push_back(unseen_of_channel(targets.of(c, targets.measured),
+                                        targets.of(c, predicted), targets.of(c, left_out),
+                                        begins));
     return all;
 }
 

@@ -8,6 +8,7 @@
 #include "stats/metrics.hpp"
 #include "study/summary.hpp"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,14 @@ struct ModelHours {
     std::vector<double> outdoors;  ///< [hours] mean outdoor temperature
 };
 
-/// Of training, from blocks that the model had not seen. [channels]
-std::vector<UnseenHours> unseen_of(const LoopData& data, const Standing& last);
+/// Mean outdoor temperature of each hour of the drive's period.
+std::vector<double> outdoors_of(const physics::Drive& drive);
+
+/// Of training. [channels] \param predicted, left_out  [targets.size()] what a model
+/// says, and its residuals in blocks that it had not seen
+std::vector<UnseenHours> unseen_of(const LoopData& data,
+                                   std::span<const double> predicted,
+                                   std::span<const double> left_out);
 
 class FitsWriter {
   public:

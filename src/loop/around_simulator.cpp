@@ -1,0 +1,326 @@
+/// Rounds of runs and one search between them:
+///
+///     design        the nominal point, then Sobol points of the parameters' ranges
+///     calibration   points about the optimum of an emulator of the runs, three times
+///     search        one item: effects in the residual of the best run
+///     effects       each effect alone and all together, at the best point
+///     refinement    parameters and scales of the effects, twice
+///
+/// The search sees readings as a twin would have them: what the twin says of the best
+/// run, plus what was measured, less that run. What the twin cannot say of the program is
+/// in both, and is not taken for an effect. Source: the difference method of Kennedy and
+/// O'Hagan's discrepancy with a reduced model in the place of a Gaussian process;
+/// judgement: how the budget is shared.
+#include "loop/around_simulator.hpp"
+
+#include "base/error.hpp"
+#include "loop/given_effects.hpp"
+#include "loop/search_building.hpp"
+#include "loop/simulator_plan.hpp"
+#include "loop/simulator_readings.hpp"
+#include "loop/simulator_results.hpp"
+#include "loop/simulator_runs.hpp"
+#include "stats/sobol_sequence.hpp"
+#include "study/packed_conclusion.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace bemcal::loop {
+namespace {
+
+/// How many runs each round has, of a budget. A share is for effects, which are known
+/// only when they are found.
+class Budget {
+  public:
+    static constexpr int n_calibrations = 3, n_refinements = 2;
+
+    explicit Budget(int n_runs)
+        : of_calibration_(std::max(2, n_runs / 20)),
+          of_refinement_(of_calibration_),
+          design_(std::max(4, n_runs - n_calibrations * of_calibration_ -
+                                  n_refinements * of_refinement_ - for_effects)) {}
+
+    int design() const { return design_; }
+    int of_calibration() const { return of_calibration_; }
+    int of_refinement() const { return of_refinement_; }
+    int before_search() const { return design_ + n_calibrations * of_calibration_; }
+
+  private:
+    static constexpr int for_effects = 8;
+    int of_calibration_, of_refinement_, design_;
+};
+
+/// How readings of the twin follow from the program's: found for one run.
+struct Twin {
+    std::unique_ptr<const LoopData> data;  ///< with readings as the twin would have them
+    Baseline baseline;
+    std::vector<LearnedHours> hours;
+};
+
+/// Fits the twin to a run, and its readings to what that run leaves; nothing where the
+/// twin cannot be simulated.
+std::optional<Twin> twin_of(const LoopData& written, std::span<const double> run,
+                            UnderWay& under_way) {
+    const LoopData of_run(with_readings(written, run), written.options);
+    Begin begin = begin_search(of_run, under_way);
+    if (begin.failed()) return std::nullopt;
+    const Standing& fitted = begin.baseline.chosen;
+    std::vector<double> readings = fitted.fit.at.predicted;
+    for (std::size_t k = 0; k < readings.size(); ++k)
+        readings[k] += written.targets.measured[k] - run[k];
+    Twin twin;
+    twin.data = std::make_unique<const LoopData>(with_readings(*begin.data, readings),
+                                                 written.options);
+    twin.hours = std::move(begin.hours);
+    Baseline& baseline = twin.baseline;
+    baseline.tried = std::move(begin.baseline.tried);
+    baseline.gained = begin.baseline.gained;
+    baseline.place = make_place(*twin.data, fitted.model.structure, twin.data->drive);
+    baseline.chosen =
+        calibrate(*twin.data, baseline.place, fitted.model, fitted.fit.at.x);
+    if (baseline.chosen.fit.failed) return std::nullopt;
+    baseline.plain = baseline.chosen;
+    return twin;
+}
+
+class LoopAround : public study::Stage {
+  public:
+    LoopAround(std::string name, const study::Case& twin,
+               std::shared_ptr<const study::HourlySimulator> simulator,
+               const LoopOptions& options)
+        : name_(std::move(name)),
+          written_(twin, options),
+          simulator_(std::move(simulator)),
+          budget_(options.simulator_runs),
+          n_hours_(hours_of_periods(twin)) {
+        for (const std::size_t m : written_.meters) column_.push_back(column_of(m));
+    }
+
+    std::string name() const override { return name_; }
+    int n_items() const override { return budget_.design(); }
+    long long n_simulations() const override { return written_.options.simulator_runs; }
+    const char* counts() const override { return "runs"; }
+    bool has_rounds() const override { return true; }
+    const char* items_are() const override {
+        return plan_.is_search() ? "search" : "runs";
+    }
+    std::size_t answer_bytes() const override {
+        return sizeof(double) * n_hours_ * column_.size();
+    }
+    bool failures_may_pass() const override { return true; }
+
+    study::Activity activity() const override {
+        study::Activity activity;
+        under_way_.each([&](const UnderWay& each) { activity.text = each.text(); });
+        return activity;
+    }
+
+    study::ItemAnswer run(int item) const override {
+        if (plan_.is_search()) return search();
+        const auto row = static_cast<std::size_t>(item - first_item_);
+        if (plan_.points.rows == 0) return simulate(design_point(item), {});
+        const auto point = plan_.points.row(row), scales = plan_.scales.row(row);
+        return simulate({point.begin(), point.end()}, {scales.begin(), scales.end()});
+    }
+
+    std::optional<study::Round> next_round(
+        const std::vector<study::ItemAnswer>& answers) const override {
+        const SimulatorPlan plan = next_plan(answers);
+        if (plan.n_items() == 0) return std::nullopt;
+        return study::Round{plan.n_items(), pack(plan)};
+    }
+    void begin_round(int first_item, const study::Round& round) override {
+        first_item_ = first_item;
+        plan_ = unpack_plan(round.needed);
+    }
+
+    study::Conclusion conclude(
+        const std::vector<study::ItemAnswer>& answers) const override {
+        const auto runs = runs_in(answers);
+        const auto searched = search_in(answers);
+        const auto kinds = kinds_of(runs.size());
+        return conclude_around({written_.building.name + "/" + name_, written_,
+                                *simulator_, runs, kinds, searched});
+    }
+
+    std::string shortfall(const std::vector<study::ItemAnswer>& answers) const override {
+        const std::size_t at = before_search();
+        if (answers.size() <= at)
+            return "too few runs of the simulator succeeded for a calibration";
+        return answers[at].error;
+    }
+
+  private:
+    std::size_t before_search() const {
+        return static_cast<std::size_t>(budget_.before_search());
+    }
+
+    std::size_t column_of(std::size_t meter) const {
+        const std::string& name = written_.building.meters[meter].name;
+        const auto& known = simulator_->meters();
+        const auto found = std::ranges::find(known, name);
+        if (found == known.end())
+            throw std::invalid_argument(
+                fmt::format("the meter {} has no hours of the simulator; expected a "
+                            "[[simulator.hourly]] of it, or meters without it",
+                            name));
+        return static_cast<std::size_t>(found - known.begin());
+    }
+
+    std::vector<double> design_point(int item) const {
+        const auto& parameters = simulator_->parameters();
+        if (item > 0) {
+            const Matrix points = stats::scrambled_sobol_points(
+                static_cast<std::size_t>(item), 1, static_cast<int>(parameters.size()),
+                written_.options.seed);
+            return {points.values.begin(), points.values.end()};
+        }
+        std::vector<double> nominal;
+        nominal.reserve(parameters.size());
+        for (const physics::Parameter& parameter : parameters)
+            nominal.push_back((parameter.nominal - parameter.least) /
+                              (parameter.most - parameter.least));
+        return nominal;
+    }
+
+    study::ItemAnswer simulate(std::vector<double> point,
+                               std::vector<double> scales) const {
+        const auto& parameters = simulator_->parameters();
+        std::vector<double> values(point.size());
+        for (std::size_t k = 0; k < values.size(); ++k)
+            values[k] = parameters[k].least +
+                        point[k] * (parameters[k].most - parameters[k].least);
+        study::SimulatedHours simulated =
+            simulator_->hours(values, scaled(plan_.effects, scales), n_hours_);
+        study::ItemAnswer answer;
+        SimulatorRun run{std::move(point), std::move(scales), {}, {}, {}};
+        run.left_out = std::move(simulated.left_out);
+        if (simulated.failure.empty())
+            for (const std::size_t column : column_)
+                run.hours.push_back(simulated.meters[column]);
+        else
+            answer.failures.push_back({0, simulated.failure});
+        answer.values = pack(run);
+        return answer;
+    }
+
+    study::ItemAnswer search() const {
+        study::ItemAnswer answer;
+        const study::Running<UnderWay>::Item under_way(under_way_,
+                                                       written_.building.name);
+        auto twin =
+            twin_of(written_, readings_from(written_, plan_.searched), *under_way);
+        if (!twin) {
+            answer.error = "the twin cannot be simulated as described";
+            return answer;
+        }
+        const Ended ended = search_from(*twin->data, std::move(twin->baseline),
+                                        std::move(twin->hours), *under_way, 0, false);
+        answer.values = study::pack(conclude_search(written_.building.name + "/" + name_,
+                                                    written_, *twin->data, ended.result));
+        return answer;
+    }
+
+    /// All but the search's, in their order. [items]
+    std::vector<SimulatorRun> runs_in(
+        const std::vector<study::ItemAnswer>& answers) const {
+        std::vector<SimulatorRun> runs;
+        for (std::size_t k = 0; k < answers.size(); ++k) {
+            if (k == before_search()) continue;
+            SimulatorRun run;
+            if (!answers[k].values.empty()) run = unpack_run(answers[k].values);
+            if (!answers[k].error.empty()) run.failure = answers[k].error;
+            if (!answers[k].failures.empty()) run.failure = answers[k].failures[0].reason;
+            runs.push_back(std::move(run));
+        }
+        return runs;
+    }
+
+    /// What each run is of.
+    std::vector<std::string> kinds_of(std::size_t n_runs) const {
+        const std::size_t design = n_of(budget_.design()), found = before_search(),
+                          refined = n_of(Budget::n_refinements * budget_.of_refinement());
+        const std::size_t refinement =
+            n_runs > found + refined ? n_runs - refined : n_runs;
+        std::vector<std::string> kinds(n_runs, "design");
+        for (std::size_t k = design; k < n_runs; ++k)
+            kinds[k] = k < found        ? "calibration"
+                       : k < refinement ? "effects"
+                                        : "refinement";
+        return kinds;
+    }
+
+    /// Nothing before it, or where it failed.
+    study::Conclusion search_in(const std::vector<study::ItemAnswer>& answers) const {
+        if (answers.size() <= before_search() || !answers[before_search()].error.empty())
+            return {};
+        return study::unpack_conclusion(answers[before_search()].values);
+    }
+
+    SimulatorPlan next_plan(const std::vector<study::ItemAnswer>& answers) const {
+        const auto runs = runs_in(answers);
+        const RunsSoFar without(written_, runs, 0);
+        if (!without.are_enough()) return {};
+        if (answers.size() < before_search())
+            return plan_of(without.next(n_of(budget_.of_calibration())), {});
+        const std::size_t best = without.best(false).value_or(0);
+        if (answers.size() == before_search()) return {{}, {}, {}, runs[best].hours};
+        const auto effects = effects_in(search_in(answers).datasets, given_group);
+        if (effects.empty()) return {};
+        const std::size_t n_alone = effects.size() > 1 ? effects.size() : 0;
+        const std::size_t n_done = answers.size() - before_search() - 1;
+        if (n_done == 0) return trials(runs[best].point, effects, n_alone);
+        if (n_done >= n_alone + 1 + n_of(Budget::n_refinements * budget_.of_refinement()))
+            return {};
+        const RunsSoFar with(written_, runs, effects.size());
+        return plan_of(with.next(n_of(budget_.of_refinement())), effects);
+    }
+
+    static std::size_t n_of(int n) { return static_cast<std::size_t>(n); }
+
+    static SimulatorPlan plan_of(NextRuns next, std::vector<study::GivenEffect> effects) {
+        return {std::move(next.points), std::move(next.scales), std::move(effects), {}};
+    }
+
+    /// Each alone, then all together.
+    static SimulatorPlan trials(const std::vector<double>& point,
+                                const std::vector<study::GivenEffect>& effects,
+                                std::size_t n_alone) {
+        Matrix points(n_alone + 1, point.size()), scales(n_alone + 1, effects.size());
+        for (std::size_t r = 0; r < points.rows; ++r) {
+            std::ranges::copy(point, points.row(r).begin());
+            for (std::size_t k = 0; k < effects.size(); ++k)
+                scales(r, k) = r == n_alone || r == k ? 1 : 0;
+        }
+        return {std::move(points), std::move(scales), effects, {}};
+    }
+
+    std::string name_;
+    LoopData written_;
+    std::shared_ptr<const study::HourlySimulator> simulator_;
+    Budget budget_;
+    std::size_t n_hours_;
+    std::vector<std::size_t> column_;  ///< [channels] of the simulator's meters
+    SimulatorPlan plan_;               ///< of this round; empty = the design
+    int first_item_ = 0;
+    mutable study::Running<UnderWay> under_way_;
+};
+
+}  // namespace
+
+std::unique_ptr<study::Stage> make_loop_around(
+    std::string name, const study::Case& twin,
+    std::shared_ptr<const study::HourlySimulator> simulator, LoopOptions options) {
+    if (options.meters.empty()) options.meters = simulator->meters();
+    if (!has_training(twin, options))
+        throw std::invalid_argument("building " + twin.name +
+                                    " has no reading in its training period");
+    return std::make_unique<LoopAround>(std::move(name), twin, std::move(simulator),
+                                        options);
+}
+
+}  // namespace bemcal::loop

@@ -1,0 +1,27 @@
+/// Hours that another program simulated, as the meters of a building would have read
+/// them in training; and a building with other readings there.
+#pragma once
+
+#include "loop/model.hpp"
+
+#include <vector>
+
+namespace bemcal::loop {
+
+/// Hours of all periods of the building, one after the other.
+std::size_t hours_of_periods(const study::Case& building);
+
+/// The part that is of a period. [hours]
+std::vector<double> hours_in(const study::Case& building, const study::Period& period,
+                             const std::vector<double>& all);
+
+/// What the channels would have read in training. [targets.size()]
+/// \param hours  [channels][hours of all periods]
+std::vector<double> readings_from(const LoopData& data,
+                                  const std::vector<std::vector<double>>& hours);
+
+/// The data's building with these readings in training, where it has readings. \param
+/// readings  [targets.size()]
+study::Case with_readings(const LoopData& data, std::span<const double> readings);
+
+}  // namespace bemcal::loop

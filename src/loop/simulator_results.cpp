@@ -1,0 +1,178 @@
+/// Puts the program's runs in the place of a model's predictions.
+/// Follows from `FitsWriter`; intervals are those of what the search left of unseen
+/// blocks.
+/// Sections for a job are left out: what was found belongs into the program's model.
+#include "loop/simulator_results.hpp"
+
+#include "loop/given_effects.hpp"
+#include "loop/simulator_plan.hpp"
+#include "loop/simulator_readings.hpp"
+#include "loop/stored_fits.hpp"
+#include "loop/stored_simulator.hpp"
+#include "study/datasets.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace bemcal::loop {
+namespace {
+
+std::vector<double> vector_in(const study::Conclusion& all, const char* leaf) {
+    const study::Dataset* found =
+        study::find_dataset(all.datasets, fmt::format("{}/{}", given_group, leaf));
+    return found == nullptr ? std::vector<double>{} : found->values;
+}
+
+/// Which runs are plain, before and after; nothing where none succeeded.
+using Chosen = std::array<std::optional<std::size_t>, StoredLoop::n_models>;
+
+std::string hooks_of(const study::GivenEffect& effect) {
+    std::vector<std::string> hooks;
+    for (const effects::HookSeries& at : effect.at)
+        if (std::ranges::find(hooks, at.hook) == hooks.end()) hooks.push_back(at.hook);
+    return fmt::format("{}", fmt::join(hooks, ", "));
+}
+
+class Concluder {
+  public:
+    explicit Concluder(const Around& around)
+        : around_(around), so_far_(around.written, around.runs, 0) {
+        const bool has_plain = around.runs[0].failure.empty();
+        chosen_[StoredLoop::plain] =
+            has_plain ? std::optional<std::size_t>(0) : so_far_.best(false);
+        chosen_[StoredLoop::before] = so_far_.best(false);
+        chosen_[StoredLoop::after] = so_far_.best(true);
+    }
+
+    study::Conclusion conclude() {
+        study::Conclusion all;
+        if (!around_.searched.datasets.empty() && chosen_[StoredLoop::before])
+            with_search(all);
+        std::ranges::move(datasets_of(around_.stage, simulator()),
+                          std::back_inserter(all.datasets));
+        study::DatasetBuilder failures(around_.stage);
+        failures.failures(failures_of_runs());
+        std::ranges::move(failures.take(), std::back_inserter(all.datasets));
+        return all;
+    }
+
+  private:
+    const SimulatorRun& run_of(std::size_t model) const {
+        return around_.runs[chosen_[model].value_or(0)];
+    }
+
+    void with_search(study::Conclusion& all) {
+        StoredLoop stored = stored_loop(around_.searched.datasets, around_.stage);
+        const LoopData& data = around_.written;
+        const auto unseen = unseen_of(data, vector_in(around_.searched, "predicted"),
+                                      vector_in(around_.searched, "left_out"));
+        FitsWriter writer(data, data.building, unseen, 0, stored);
+        std::vector<StoredPeriod> periods;
+        for (const study::Period& period : data.building.periods)
+            periods.push_back(writer.add(period, hours_in_period(period)));
+        all.summaries.push_back(summary_of(around_.stage, data, stored));
+        all.datasets = datasets_of(around_.stage, stored, periods);
+    }
+
+    ModelHours hours_in_period(const study::Period& period) const {
+        const LoopData& data = around_.written;
+        ModelHours hours;
+        for (std::size_t m = 0; m < StoredLoop::n_models; ++m) {
+            auto& channels = hours.models.emplace_back();
+            for (const auto& channel : run_of(m).hours)
+                channels.push_back(hours_in(data.building, period, channel));
+        }
+        hours.outdoors = outdoors_of(*data.drive_over(period));
+        return hours;
+    }
+
+    StoredSimulator simulator() const {
+        StoredSimulator stored;
+        const auto& parameters = around_.simulator.parameters();
+        for (std::size_t k = 0; k < parameters.size(); ++k) {
+            const physics::Parameter& own = parameters[k];
+            const auto at = [&](std::size_t model) {
+                return own.least + run_of(model).point[k] * (own.most - own.least);
+            };
+            stored.parameters.push_back({own.name, own.unit, own.least, own.most,
+                                         at(StoredLoop::plain), at(StoredLoop::before),
+                                         at(StoredLoop::after)});
+        }
+        add_given(stored);
+        add_runs(stored);
+        add_channels(stored);
+        return stored;
+    }
+
+    void add_given(StoredSimulator& stored) const {
+        const auto given = effects_in(around_.searched.datasets, given_group);
+        const SimulatorRun& after = run_of(StoredLoop::after);
+        for (std::size_t k = 0; k < given.size(); ++k)
+            stored.given.push_back({given[k].name, hooks_of(given[k]),
+                                    k < after.scales.size() ? after.scales[k] : 0});
+        std::vector<std::string> told;
+        for (const SimulatorRun& run : around_.runs)
+            for (const std::string& why : run.left_out)
+                if (std::ranges::find(told, why) == told.end()) told.push_back(why);
+        for (std::string& why : told) stored.left_out.push_back({std::move(why)});
+    }
+
+    void add_runs(StoredSimulator& stored) const {
+        const auto best = so_far_.best(true);
+        for (std::size_t k = 0; k < around_.runs.size(); ++k) {
+            const bool failed = !around_.runs[k].failure.empty();
+            stored.runs.push_back(
+                {around_.runs_are_of[k], around_.runs[k].failure,
+                 failed || !best ? nan
+                                 : so_far_.deviance_at(k) - so_far_.deviance_at(*best)});
+        }
+    }
+
+    void add_channels(StoredSimulator& stored) const {
+        if (!so_far_.are_enough()) return;
+        const auto errors = so_far_.emulator_error();
+        for (std::size_t c = 0; c < errors.size(); ++c)
+            stored.channels.push_back(
+                {around_.written.building.meters[around_.written.meters[c]].name,
+                 errors[c]});
+    }
+
+    std::vector<study::Failure> failures_of_runs() const {
+        std::vector<study::Failure> failures;
+        for (std::size_t k = 0; k < around_.runs.size(); ++k)
+            if (!around_.runs[k].failure.empty())
+                failures.push_back({static_cast<long long>(k), around_.runs[k].failure});
+        return failures;
+    }
+
+    const Around& around_;
+    RunsSoFar so_far_;
+    Chosen chosen_;
+};
+
+}  // namespace
+
+study::Conclusion conclude_search(const std::string& stage, const LoopData& written,
+                                  const LoopData& data, const LoopResult& result) {
+    StoredLoop stored = without_predictions(stage, written, data, result);
+    stored.job_parts.clear();
+    study::Conclusion all;
+    all.datasets = datasets_of(stage, stored, {});
+    std::ranges::move(datasets_of(given_group, given_effects(data, result)),
+                      std::back_inserter(all.datasets));
+    study::DatasetBuilder unseen(given_group);
+    unseen.vector("predicted", "reading", result.last.fit.at.predicted);
+    unseen.vector("left_out", "reading", result.last.left_out);
+    std::ranges::move(unseen.take(), std::back_inserter(all.datasets));
+    return all;
+}
+
+study::Conclusion conclude_around(const Around& around) {
+    return Concluder(around).conclude();
+}
+
+}  // namespace bemcal::loop

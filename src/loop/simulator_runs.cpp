@@ -1,0 +1,159 @@
+/// Reads runs as meters would, ranks them by the deviance that the loop uses, and fits
+/// parameters and scales of effects through an emulator of the readings.
+/// Sources: emulator/series_emulator and series_fit. An effect's scale is one more
+/// coordinate of the emulator: 0 in runs without it.
+/// Parameters have no prior but their ranges.
+#include "loop/simulator_runs.hpp"
+
+#include "emulator/series_fit.hpp"
+#include "loop/simulator_readings.hpp"
+#include "study/datasets.hpp"
+#include "study/packed_conclusion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bemcal::loop {
+namespace {
+
+constexpr const char* run_group = "run";
+
+/// An effect was found by the twin, whose building is another: half as large to half as
+/// large again is usual (judgement), twice as large the most.
+constexpr double largest_scale = 2, usual_scale = 1, sd_of_scale = 0.5;
+
+const study::Dataset& dataset_of(const study::Conclusion& all, const char* leaf) {
+    return *study::find_dataset(all.datasets, std::string(run_group) + "/" + leaf);
+}
+
+std::vector<emulator::ChannelRange> ranges_of(const study::Targets& targets) {
+    std::vector<emulator::ChannelRange> ranges;
+    for (std::size_t c = 0; c < targets.n_channels(); ++c)
+        ranges.push_back({targets.first[c], targets.first[c + 1] - targets.first[c]});
+    return ranges;
+}
+
+}  // namespace
+
+bool SimulatorRun::has_effects() const {
+    return std::ranges::any_of(scales, [](double scale) { return scale != 0; });
+}
+
+std::vector<double> pack(const SimulatorRun& run) {
+    study::DatasetBuilder datasets(run_group);
+    datasets.vector("point", "parameter", run.point);
+    datasets.vector("scale", "effect", run.scales);
+    datasets.texts("left_out", "left_out", run.left_out);
+    std::vector<double> hours;
+    for (const auto& channel : run.hours)
+        hours.insert(hours.end(), channel.begin(), channel.end());
+    const std::size_t n = run.hours.size();
+    datasets.array("hours", {"channel", "time"}, {n, n > 0 ? run.hours[0].size() : 0},
+                   std::move(hours));
+    return study::pack({datasets.take()});
+}
+
+SimulatorRun unpack_run(std::span<const double> packed) {
+    const study::Conclusion all = study::unpack_conclusion(packed);
+    SimulatorRun run{dataset_of(all, "point").values,
+                     dataset_of(all, "scale").values,
+                     {},
+                     dataset_of(all, "left_out").texts,
+                     {}};
+    const study::Dataset& hours = dataset_of(all, "hours");
+    for (std::size_t c = 0; c < hours.shape[0]; ++c) {
+        const auto begin =
+            hours.values.begin() + static_cast<std::ptrdiff_t>(c * hours.shape[1]);
+        run.hours.emplace_back(begin,
+                               begin + static_cast<std::ptrdiff_t>(hours.shape[1]));
+    }
+    return run;
+}
+
+RunsSoFar::RunsSoFar(const LoopData& data, const std::vector<SimulatorRun>& runs,
+                     std::size_t n_effects)
+    : data_(data), runs_(runs), n_effects_(n_effects) {
+    std::vector<ChannelNoise> noise;  // of the first run: all are compared by one
+    for (const SimulatorRun& run : runs) {
+        readings_.emplace_back();
+        deviances_.push_back(std::numeric_limits<double>::infinity());
+        if (!run.failure.empty()) continue;
+        readings_.back() = readings_from(data, run.hours);
+        const auto residuals =
+            study::residuals_of(data.targets.measured, readings_.back());
+        if (noise.empty()) noise = noise_of(data, residuals);
+        deviances_.back() = deviance(data.targets, noise, residuals);
+    }
+}
+
+std::vector<std::size_t> RunsSoFar::usable() const {
+    std::vector<std::size_t> all;
+    for (std::size_t k = 0; k < runs_.size(); ++k)
+        if (std::isfinite(deviances_[k])) all.push_back(k);
+    return all;
+}
+
+bool RunsSoFar::are_enough() const {
+    const std::size_t n = usable().size();
+    return n > 0 && n >= runs_[0].point.size() + 2;
+}
+
+std::optional<std::size_t> RunsSoFar::best(bool with_effects) const {
+    std::optional<std::size_t> best;
+    for (const std::size_t k : usable())
+        if ((with_effects || !runs_[k].has_effects()) &&
+            (!best || deviances_[k] < deviances_[*best]))
+            best = k;
+    return best;
+}
+
+/// By the residuals of the best run. [targets] 1 / standard deviation
+std::vector<double> RunsSoFar::weights() const {
+    const auto residuals =
+        study::residuals_of(data_.targets.measured, readings_[best(true).value_or(0)]);
+    std::vector<double> weights = weights_of(data_.targets, noise_of(data_, residuals));
+    for (double& weight : weights) weight = std::sqrt(weight);
+    return weights;
+}
+
+/// Of these runs. \param n_effects  whose scales are coordinates, too
+emulator::SeriesEmulator RunsSoFar::emulator_of(const std::vector<std::size_t>& used,
+                                                std::size_t n_effects) const {
+    const std::size_t p = runs_[0].point.size();
+    Matrix points(used.size(), p + n_effects), series(used.size(), data_.targets.size());
+    for (std::size_t r = 0; r < used.size(); ++r) {
+        const SimulatorRun& run = runs_[used[r]];
+        std::ranges::copy(run.point, points.row(r).begin());
+        for (std::size_t k = 0; k < n_effects && k < run.scales.size(); ++k)
+            points(r, p + k) = run.scales[k] / largest_scale;
+        std::ranges::copy(readings_[used[r]], series.row(r).begin());
+    }
+    return {points, std::move(series), weights()};
+}
+
+NextRuns RunsSoFar::next(std::size_t n) const {
+    const std::size_t p = runs_[0].point.size();
+    std::vector<emulator::ScaledPrior> priors(
+        p, {0.5, std::numeric_limits<double>::infinity()});
+    priors.resize(p + n_effects_,
+                  {usual_scale / largest_scale, sd_of_scale / largest_scale});
+    const auto fit = emulator::fit_series(emulator_of(usable(), n_effects_),
+                                          data_.targets.measured, weights(), priors);
+    const Matrix proposed = emulator::next_points(fit, n);
+    NextRuns next{Matrix(n, p), Matrix(n, n_effects_)};
+    for (std::size_t r = 0; r < n; ++r) {
+        for (std::size_t k = 0; k < p; ++k) next.points(r, k) = proposed(r, k);
+        for (std::size_t k = 0; k < n_effects_; ++k)
+            next.scales(r, k) = largest_scale * proposed(r, p + k);
+    }
+    return next;
+}
+
+std::vector<double> RunsSoFar::emulator_error() const {
+    std::vector<std::size_t> used = usable();
+    std::erase_if(used, [&](std::size_t k) { return runs_[k].has_effects(); });
+    return emulator_of(used, 0).leave_one_out(ranges_of(data_.targets));
+}
+
+}  // namespace bemcal::loop

@@ -1,0 +1,66 @@
+/// Turns what is stored of a simulator into datasets and back, by one list of names.
+/// Follows from `StoredSimulator`: a struct is a row, its fields are columns.
+/// Units and meanings are the store's layout's.
+#include "loop/stored_simulator.hpp"
+
+#include "study/columns.hpp"
+
+namespace bemcal::loop {
+namespace {
+
+/// Calls `table` with the dimension, rows and fields of each list.
+template <class Simulator, class Table>
+void visit_lists(Simulator& simulator, Table&& table) {
+    table("simulator_parameter", simulator.parameters, [](auto& row, auto&& see) {
+        see("simulator_parameter", row.name);
+        see("simulator_parameter_unit", row.unit);
+        see("simulator_parameter_least", row.least);
+        see("simulator_parameter_most", row.most);
+        see("simulator_parameter_plain", row.plain);
+        see("simulator_parameter_before", row.before);
+        see("simulator_parameter_after", row.after);
+    });
+    table("simulator_given", simulator.given, [](auto& row, auto&& see) {
+        see("simulator_given", row.name);
+        see("simulator_given_hooks", row.hooks);
+        see("simulator_given_scale", row.scale);
+    });
+    table("simulator_left_out", simulator.left_out,
+          [](auto& row, auto&& see) { see("simulator_left_out", row.why); });
+    table("simulator_run", simulator.runs, [](auto& row, auto&& see) {
+        see("simulator_run", row.of);
+        see("simulator_run_failure", row.failure);
+        see("simulator_run_distance", row.distance);
+    });
+    table("simulator_channel", simulator.channels, [](auto& row, auto&& see) {
+        see("simulator_channel", row.name);
+        see("simulator_emulator_error", row.emulator_error);
+    });
+}
+
+}  // namespace
+
+std::vector<study::Dataset> datasets_of(const std::string& group,
+                                        const StoredSimulator& simulator) {
+    std::vector<study::Dataset> datasets;
+    visit_lists(simulator, [&](const char* dim, const auto& rows, const auto& visit) {
+        using Row = std::ranges::range_value_t<decltype(rows)>;
+        study::ColumnWriter columns(group, dim);
+        columns.template declare<Row>(visit);
+        for (const Row& row : rows) columns.add(row, visit);
+        columns.take(datasets);
+    });
+    return datasets;
+}
+
+StoredSimulator stored_simulator(const std::vector<study::Dataset>& datasets,
+                                 const std::string& group) {
+    StoredSimulator simulator;
+    visit_lists(simulator, [&](const char*, auto& rows, const auto& visit) {
+        using Row = std::ranges::range_value_t<decltype(rows)>;
+        rows = study::rows_in<Row>(datasets, group, visit);
+    });
+    return simulator;
+}
+
+}  // namespace bemcal::loop

@@ -1,0 +1,55 @@
+/// What a loop around another program stores beside what every loop does: the program's
+/// parameters, its runs, and the effects as they were given to it.
+#pragma once
+
+#include "base/nan.hpp"
+#include "study/stage.hpp"
+
+#include <string>
+#include <vector>
+
+namespace bemcal::loop {
+
+/// A number that is not known is NaN.
+struct StoredSimulator {
+    /// Of the program, at the runs that are plain, before and after.
+    struct Parameter {
+        std::string name, unit;
+        double least = nan, most = nan, plain = nan, before = nan, after = nan;
+    };
+    /// An effect, times what the program's runs speak for.
+    struct Given {
+        std::string name;
+        std::string hooks;  ///< that it changes: "infiltration, heating set-point"
+        double scale = nan;
+    };
+    struct LeftOut {
+        std::string why;  ///< as the program says it
+    };
+    /// A run, in their order.
+    struct Run {
+        std::string of;         ///< "design", "calibration", "effects", "refinement"
+        std::string failure;    ///< "" = none
+        double distance = nan;  ///< from the readings: deviance less that of the best run
+    };
+    /// A meter that is learned from.
+    struct Channel {
+        std::string name;
+        double emulator_error = nan;  ///< CV(RMSE) of its readings in unseen runs [%]
+    };
+
+    std::vector<Parameter> parameters;
+    std::vector<Given> given;
+    std::vector<LeftOut> left_out;
+    std::vector<Run> runs;
+    std::vector<Channel> channels;
+};
+
+/// \param group  "BUILDING/STUDY"
+std::vector<study::Dataset> datasets_of(const std::string& group,
+                                        const StoredSimulator& simulator);
+/// Without parameters where the study is of no other program.
+StoredSimulator stored_simulator(const std::vector<study::Dataset>& datasets,
+                                 const std::string& group);
+
+}  // namespace bemcal::loop
