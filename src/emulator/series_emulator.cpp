@@ -1,0 +1,144 @@
+/// A series from its scores, and back from the runs to the processes of the scores.
+/// Source: Higdon, Gattiker, Williams and Rightley 2008; scores are taken one by one, not
+/// jointly. Left out: what the components leave out has no process of its own.
+#include "emulator/series_emulator.hpp"
+
+#include "emulator/eigen_views.hpp"
+#include "emulator/refusals.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace bemcal::emulator {
+namespace {
+
+constexpr std::size_t least_runs = 2;  ///< one run tells nothing of any parameter
+
+void check_series_runs(const Matrix& points, const Matrix& series,
+                       std::span<const double> weights) {
+    refuse_if(points.rows < least_runs,
+              "{} runs of the simulator: an emulator needs at least {}", points.rows,
+              least_runs);
+    refuse_if(points.cols == 0, "the runs have no parameters: expected at least 1");
+    refuse_if(series.rows != points.rows, "{} points of runs, but {} series", points.rows,
+              series.rows);
+    refuse_if(series.cols == 0, "the series are empty");
+    refuse_if(weights.size() != series.cols, "{} weights for {} numbers of a series",
+              weights.size(), series.cols);
+    refuse_not_finite(points.values, points.cols, "points");
+    refuse_not_finite(series.values, series.cols, "series");
+    refuse_not_finite(weights, weights.size(), "weights");
+}
+
+void check_scales(const Matrix& points, std::span<const double> weights) {
+    for (std::size_t i = 0; i < points.values.size(); ++i)
+        refuse_if(points.values[i] < 0 || points.values[i] > 1,
+                  "points: row {}, column {} is {}: expected a number from 0 to 1",
+                  i / points.cols + 1, i % points.cols + 1, points.values[i]);
+    double most = 0;
+    for (std::size_t j = 0; j < weights.size(); ++j) {
+        refuse_if(weights[j] < 0, "weight {} is {}: expected 0 or more", j + 1,
+                  weights[j]);
+        most = std::max(most, weights[j]);
+    }
+    refuse_if(most == 0, "all weights are 0: no number of the series is of interest");
+}
+
+}  // namespace
+
+SeriesEmulator::SeriesEmulator(const Matrix& points, Matrix series,
+                               std::span<const double> weights)
+    : points_(points) {
+    check_series_runs(points, series, weights);
+    check_scales(points, weights);
+    parts_ = components_of(std::move(series), weights);
+    processes_.reserve(parts_.scores.rows);
+    for (std::size_t c = 0; c < parts_.scores.rows; ++c) {
+        const auto of_runs = std::as_const(parts_.scores).row(c);
+        processes_.emplace_back(points, of_runs, learn_scales(points, of_runs));
+    }
+}
+
+void SeriesEmulator::check_point(std::span<const double> point) const {
+    refuse_if(point.size() != n_parameters(), "a point of {} parameters, expected {}",
+              point.size(), n_parameters());
+    refuse_not_finite(point, point.size(), "point");
+}
+
+std::vector<double> SeriesEmulator::scores(std::span<const double> point) const {
+    check_point(point);
+    std::vector<double> made;
+    made.reserve(n_components());
+    for (const ScoreProcess& process : processes_) made.push_back(process.mean(point));
+    return made;
+}
+
+Matrix SeriesEmulator::score_jacobian(std::span<const double> point) const {
+    check_point(point);
+    Matrix made(n_components(), n_parameters());
+    for (std::size_t c = 0; c < n_components(); ++c)
+        std::ranges::copy(processes_[c].gradient(point), made.row(c).begin());
+    return made;
+}
+
+std::vector<double> SeriesEmulator::variance(std::span<const double> point) const {
+    check_point(point);
+    std::vector<double> made;
+    made.reserve(n_components());
+    for (const ScoreProcess& process : processes_)
+        made.push_back(process.variance(point));
+    return made;
+}
+
+std::vector<double> SeriesEmulator::predict(std::span<const double> point) const {
+    const std::vector<double> at_point = scores(point);
+    std::vector<double> series = parts_.mean;
+    eigen_view(std::span<double>(series)).noalias() +=
+        eigen_view(parts_.components).transpose() *
+        eigen_view(std::span<const double>(at_point));
+    return series;
+}
+
+Matrix SeriesEmulator::jacobian(std::span<const double> point) const {
+    const Matrix of_scores = score_jacobian(point);
+    Matrix made(n_numbers(), n_parameters());
+    eigen_view(made).noalias() =
+        eigen_view(parts_.components).transpose() * eigen_view(of_scores);
+    return made;
+}
+
+std::vector<double> SeriesEmulator::leave_one_out(
+    std::span<const ChannelRange> channels) const {
+    for (const ChannelRange& channel : channels)
+        refuse_if(channel.size == 0 || channel.first > n_numbers() ||
+                      channel.size > n_numbers() - channel.first,
+                  "a channel of {} numbers from {} on, in a series of {}", channel.size,
+                  channel.first, n_numbers());
+    Matrix errors(n_components(), n_runs());
+    for (std::size_t c = 0; c < n_components(); ++c)
+        std::ranges::copy(processes_[c].leave_one_out(), errors.row(c).begin());
+    const auto mean = eigen_view(std::span<const double>(parts_.mean));
+    std::vector<double> squares(channels.size()), sizes(channels.size());
+    for (std::size_t i = 0; i < n_runs(); ++i) {
+        const Eigen::Index run = eigen_index(i);
+        const auto rest = eigen_view(parts_.remainder).row(run).transpose();
+        const auto components = eigen_view(parts_.components).transpose();
+        const Eigen::VectorXd error = rest + components * eigen_view(errors).col(run);
+        const Eigen::VectorXd shown =
+            mean + rest + components * eigen_view(parts_.scores).col(run);
+        for (std::size_t k = 0; k < channels.size(); ++k) {
+            const Eigen::Index first = eigen_index(channels[k].first),
+                               size = eigen_index(channels[k].size);
+            squares[k] += error.segment(first, size).squaredNorm();
+            sizes[k] += shown.segment(first, size).lpNorm<1>();
+        }
+    }
+    std::vector<double> percents(channels.size(), 0.0);
+    for (std::size_t k = 0; k < channels.size(); ++k) {
+        const double n = static_cast<double>(n_runs() * channels[k].size);
+        if (sizes[k] > 0) percents[k] = 100 * std::sqrt(squares[k] / n) / (sizes[k] / n);
+    }
+    return percents;
+}
+
+}  // namespace bemcal::emulator
