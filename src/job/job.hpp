@@ -4,6 +4,7 @@
 
 #include "input/input_files.hpp"
 #include "study/case.hpp"
+#include "study/hourly_simulator.hpp"
 #include "study/simulator.hpp"
 
 #include <any>
@@ -47,6 +48,8 @@ struct Job {
     std::vector<study::Case> buildings;
     std::shared_ptr<const Stock> stock;  ///< in place of buildings, or nullptr
     SimulatorPointer simulator;  ///< what is studied in place of a building, or nullptr
+    /// The hours of the same, whose building stands beside it as a twin; or nullptr.
+    std::shared_ptr<const study::HourlySimulator> hourly_simulator;
     std::vector<StudySpec> studies;  ///< in the order of the file
     int first_chain = 0;  ///< number of the first one: arrays of a job differ in it
     std::vector<input::InputFile> inputs;  ///< every file read, the job's own first

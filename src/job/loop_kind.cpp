@@ -8,6 +8,7 @@
 #include "job/kind.hpp"
 #include "job/learning.hpp"
 #include "kernel/response.hpp"
+#include "loop/around_simulator.hpp"
 #include "loop/loop.hpp"
 
 #include <fmt/format.h>
@@ -58,6 +59,9 @@ constexpr schema::Key keys[] = {
      "By so much, as a standard deviation, the level of an energy meter in another period "
      "than training may differ from what is predicted: use and operation change. It "
      "widens the 90 % intervals there; default: 0.06 of electricity, 0.18 of others."},
+    {"study", "runs", Type::integer, "", "80", 20, 100000,
+     "Of a [simulator], at most: half to two thirds are spread over its parameters' "
+     "ranges, then come those near the optimum, with each effect found, and with all."},
     {"study", "columns", Type::texts, "", "", 0, 0,
      "Names of [[series]] that an effect beside the catalogue's may follow: rain, carbon "
      "dioxide, a tariff."},
@@ -82,6 +86,7 @@ void read(const StudySource& source, StudySpec& study) {
     options.generic = section.flag("generic");
     options.functions = section.flag("functions");
     options.columns = section.texts("columns");
+    options.simulator_runs = static_cast<int>(section.integer("runs"));
     study.options = std::move(options);
 }
 
@@ -118,15 +123,47 @@ void check_building(const schema::Section& section, const LoopOptions& options,
     check_columns(section, options, building);
 }
 
+/// The twin's meters that the simulator has hours of.
+void check_simulator(const StudyPlace& place, const LoopOptions& options) {
+    const schema::Section& section = place.section;
+    if (place.job.buildings.size() != 1)
+        section.fail("kind",
+                     "is of a [simulator], which has one building beside it as its "
+                     "twin; expected the building's sections in this file");
+    if (!place.job.hourly_simulator)
+        section.fail_value("kind",
+                           "needs hours of the [simulator]; expected a "
+                           "[[simulator.hourly]] for each meter");
+    const study::Case& twin = place.job.buildings[0];
+    const auto& meters = place.job.hourly_simulator->meters();
+    const schema::Section simulator = place.root.table("simulator", "simulator");
+    const auto hours = simulator.tables("hourly", "simulator.hourly");
+    for (std::size_t k = 0; k < meters.size(); ++k)
+        description::check_word(hours[k], "meter", meters[k],
+                                description::names_of(twin.meters),
+                                "meter of " + twin.name);
+    for (const std::string& meter : options.meters)
+        description::check_word(section, "meters", meter, meters,
+                                "meter of a [[simulator.hourly]]");
+}
+
 void check(const StudyPlace& place, StudySpec& study) {
     const auto& options = study.as<LoopOptions>();
+    if (place.job.simulator)
+        check_simulator(place, options);
+    else if (place.section.has("runs"))
+        place.section.fail("runs", "is of a [simulator], and the job has none");
     check_exclude(place.section, options);
     for (const study::Case& building : place.job.buildings)
         check_building(place.section, options, building);
 }
 
-/// One stage, an item for each building.
+/// One stage, an item for each building; of a simulator an item for each run.
 Stages stages(const StudySpec& study, const Job& job) {
+    if (job.hourly_simulator)
+        return only(loop::make_loop_around(study.name, job.buildings.at(0),
+                                           job.hourly_simulator,
+                                           study.as<LoopOptions>()));
     return only(loop::make_loop(study.name, job.buildings, study.as<LoopOptions>()));
 }
 
@@ -171,6 +208,7 @@ void cost(const StudyStage& stage, Effort& effort) {
 extern const Kind loop_kind{.word = "loop",
                             .sections = {sections},
                             .keys = {learning_keys, keys},
+                            .takes_twin = true,
                             .takes_stock = true,
                             .read = read,
                             .check = check,

@@ -65,9 +65,15 @@ bool needs_building(const Job& job, bool has_mistakes) {
            });
 }
 
-/// Building or buildings; where there is a simulator, sections of one have no effect.
+bool has_twin(const Job& job) {
+    return std::ranges::any_of(
+        job.studies, [](const StudySpec& study) { return study.kind->takes_twin; });
+}
+
+/// Building or buildings; where there is a simulator, sections of one have an effect as
+/// its twin only.
 void read_buildings(const schema::Section& root, input::InputFiles& files, Job& job) {
-    if (root.has("simulator")) return;
+    if (root.has("simulator") && !has_twin(job)) return;
     if (root.has("buildings"))
         read_building_files(root, files, job);
     else if (needs_building(job, root.n_failures() > 0) || root.has("zone"))
@@ -94,8 +100,11 @@ void check_as_a_whole(const schema::Section& root, Job& job) {
 
 void read_job_simulator(const schema::Section& root, input::InputFiles& files, Job& job) {
     if (!root.has("simulator")) return;
-    job.simulator = external::make_command_simulator(description::read_simulator(
-        root.table("simulator", "simulator"), files, job.name));
+    const external::CommandOptions options = description::read_simulator(
+        root.table("simulator", "simulator"), files, job.name);
+    job.simulator = external::make_command_simulator(options);
+    if (!options.hours.empty())
+        job.hourly_simulator = external::make_hourly_simulator(options);
 }
 
 void read_output(const schema::Section& root, Job& job) {

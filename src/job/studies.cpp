@@ -54,12 +54,17 @@ void check_buildings(const schema::Section& section, const StudySpec& study,
     }
 }
 
-void check_simulator(const schema::Section& section, const StudySpec& study) {
+void check_simulator(const schema::Section& section, const StudySpec& study,
+                     const study::Simulator& simulator) {
     if (!study.kind->takes_simulator)
         section.fail_value(
             "kind",
             "needs a building, and the job has a [simulator] in its place; expected " +
                 words_of_kinds([](const Kind& kind) { return kind.takes_simulator; }));
+    if (simulator.outputs().empty())
+        section.fail_value("kind",
+                           "needs numbers of the [simulator]; expected a "
+                           "[[simulator.output]]");
     description::check_name(section, "name", description::Named::building, study.name);
     for (const char* key : {"period", "quantities"})
         if (section.has(key))
@@ -69,8 +74,8 @@ void check_simulator(const schema::Section& section, const StudySpec& study) {
 
 void check_study(const StudyPlace& place, StudySpec& study) {
     const Kind& kind = *study.kind;
-    if (place.job.simulator)
-        check_simulator(place.section, study);
+    if (place.job.simulator && !kind.takes_twin)
+        check_simulator(place.section, study, *place.job.simulator);
     else if (kind.is_of_buildings)
         check_buildings(place.section, study, place.job);
     if (kind.check != nullptr) kind.check(place, study);

@@ -92,14 +92,19 @@ constexpr SectionInfo section_table[] = {
      "loop is done with every one of them. Sections that a building leaves out are the "
      "job's."},
     {"simulator", "[simulator]", "",
-     "A program that is studied in place of a building: it runs once for each point, in "
-     "a folder of its own."},
+     "A program that is studied in place of a building, or in a loop beside it: it runs "
+     "once for each point, in a folder of its own."},
     {"simulator.template", "[[simulator.template]]", "",
      "An input file of the program with @NAME@ where a parameter's value belongs."},
     {"simulator.parameter", "[[simulator.parameter]]", "",
      "A number that is varied: @NAME@ in a template or in the command."},
     {"simulator.output", "[[simulator.output]]", "",
      "A number that the program has written."},
+    {"simulator.hourly", "[[simulator.hourly]]", "",
+     "Hours of a meter that the program has written, of a building that stands in the "
+     "same job as its twin: for a loop. Effects that were found are handed to the program "
+     "as effects.toml and effects.csv in the point's folder; what it cannot take it says "
+     "in effects_left_out.txt."},
     {"input", "{value, low, schedule}", "",
      "A number that changes with time: low + (value - low) x schedule, or value x "
      "series."},
