@@ -23,6 +23,9 @@ constexpr const char* run_group = "run";
 /// large again is usual (judgement), twice as large the most.
 constexpr double largest_scale = 2, usual_scale = 1, sd_of_scale = 0.5;
 
+/// Nothing is known of a parameter but its range, which is 1 long.
+constexpr emulator::ScaledPrior of_parameter{0.5, 1};
+
 const study::Dataset& dataset_of(const study::Conclusion& all, const char* leaf) {
     return *study::find_dataset(all.datasets, std::string(run_group) + "/" + leaf);
 }
@@ -134,8 +137,7 @@ emulator::SeriesEmulator RunsSoFar::emulator_of(const std::vector<std::size_t>& 
 
 NextRuns RunsSoFar::next(std::size_t n) const {
     const std::size_t p = runs_[0].point.size();
-    std::vector<emulator::ScaledPrior> priors(
-        p, {0.5, std::numeric_limits<double>::infinity()});
+    std::vector<emulator::ScaledPrior> priors(p, of_parameter);
     priors.resize(p + n_effects_,
                   {usual_scale / largest_scale, sd_of_scale / largest_scale});
     const auto fit = emulator::fit_series(emulator_of(usable(), n_effects_),
