@@ -908,6 +908,41 @@ output = "gas"
 measured = 21000
 )toml"},
 
+{"twin.toml", R"toml(plant = {heating_carrier = "gas", heating_efficiency = 0.9}
+construction = [{name = "wall", u_value = 0.8}]
+zone = [{name = "house", floor_area = 100, volume = 250, surface = [{construction = "wall", area = 200, azimuth = 0}]}]
+meter = [{name = "gas", quantity = "gas", file = "meters.csv", column = "gas_kwh", unit = "kWh"}]
+parameter = [{name = "walls", target = "construction.wall.u_value", min = 0.4, max = 1.6}]
+weather = {files = ["2021.epw"], year = 2021}
+periods = {training = ["2021-01-01", "2021-01-31"], held_out = ["2021-02-01", "2021-02-28"]}
+
+[simulator]                           # the user's own model of the same house
+command = ["python3", "house.py", "house.json"]
+files = ["house.py"]
+
+[[simulator.template]]
+file = "house.json.in"                # with @u_value@ in it
+as = "house.json"
+
+[[simulator.parameter]]
+name = "u_value"
+min = 0.4
+max = 1.6
+
+[[simulator.hourly]]
+meter = "gas"
+file = "hours.csv"                    # a row for each hour of both periods
+column = "gas"
+header = 1
+skip = 1                              # a line of units
+factor = 0.001                        # Wh to kWh
+offset = 0
+
+[[study]]
+kind = "loop"
+runs = 60
+)toml"},
+
 {"office_hour.toml", R"toml([[study]]
 kind = "office_hour_sensitivity"
 n_base = 1024

@@ -4,6 +4,7 @@
 /// An older result may lack datasets; what version 0.1.0 has in words is taken from them.
 #include "loop/stored_loop.hpp"
 
+#include "loop/stored_simulator.hpp"
 #include "study/columns.hpp"
 #include "study/datasets.hpp"
 #include "study/decision.hpp"
@@ -305,6 +306,7 @@ std::vector<std::string> stored_names() {
         names.push_back(dataset.path.substr(1));
         names.insert(names.end(), dataset.dims.begin(), dataset.dims.end());
     }
+    std::ranges::move(stored_simulator_names(), std::back_inserter(names));
     return names;
 }
 

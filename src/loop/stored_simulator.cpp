@@ -53,6 +53,15 @@ std::vector<study::Dataset> datasets_of(const std::string& group,
     return datasets;
 }
 
+std::vector<std::string> stored_simulator_names() {
+    std::vector<std::string> names;
+    for (const study::Dataset& dataset : datasets_of("", {})) {
+        names.push_back(dataset.path.substr(1));
+        names.insert(names.end(), dataset.dims.begin(), dataset.dims.end());
+    }
+    return names;
+}
+
 StoredSimulator stored_simulator(const std::vector<study::Dataset>& datasets,
                                  const std::string& group) {
     StoredSimulator simulator;

@@ -52,4 +52,7 @@ std::vector<study::Dataset> datasets_of(const std::string& group,
 StoredSimulator stored_simulator(const std::vector<study::Dataset>& datasets,
                                  const std::string& group);
 
+/// The datasets, and their dimensions.
+std::vector<std::string> stored_simulator_names();
+
 }  // namespace bemcal::loop

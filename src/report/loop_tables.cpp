@@ -5,6 +5,7 @@
 #include "base/nan.hpp"
 #include "report/loop_parts.hpp"
 #include "report/sections.hpp"
+#include "report/simulator_tables.hpp"
 #include "report/text_table.hpp"
 
 #include <algorithm>
@@ -332,11 +333,14 @@ std::string text_of(const TextTable& table, std::size_t widest) {
 /// What is read first stands last, where a terminal ends.
 std::string loop_section(const Group& study) {
     const StoredLoop loop = loop::stored_loop(study.result().datasets, study.path());
+    const loop::StoredSimulator simulator =
+        loop::stored_simulator(study.result().datasets, study.path());
+    const bool is_around = !simulator.parameters.empty();
     std::string effects = effect_table(loop);
     for (const StoredLoop::Effect& effect : loop.effects) effects += effect_lines(effect);
     if (const std::string worth = worth_table(loop); !worth.empty())
         effects += "\n" + worth;
-    effects += sections_of(loop);
+    effects += is_around ? simulator_given_table(simulator) : sections_of(loop);
     const std::string building = study.path().substr(0, study.path().rfind('/'));
     const Texts of_data = study.elsewhere(building + "/data").texts("finding");
     std::string text = fmt::format("\n{}: {}\n", study.path(), count_of(loop));
@@ -344,9 +348,9 @@ std::string loop_section(const Group& study) {
          {failure_lines(study), loop_decision_table(loop, of_data),
           loop_structure_table(loop), loop_power_table(loop),
           loop_unexplained_table(loop), loop_localisation_table(loop), hours_table(loop),
-          parameter_table(loop), step_table(loop) + end_lines(loop), effects,
-          function_table(loop), next_measurement_tables(loop),
-          loop_headline(loop) + loop_fit_table(loop)})
+          parameter_table(loop), simulator_tables(simulator),
+          step_table(loop) + end_lines(loop), effects, function_table(loop),
+          next_measurement_tables(loop), loop_headline(loop) + loop_fit_table(loop)})
         if (!part.empty()) text += "\n" + part;
     return text;
 }

@@ -1,0 +1,82 @@
+/// Tables of the program in a loop: parameters at the runs that count, runs by what they
+/// are of, effects as they were given.
+/// Made from stored datasets alone.
+#include "report/simulator_tables.hpp"
+
+#include "report/loop_parts.hpp"
+#include "report/text_table.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace bemcal::report {
+namespace {
+
+using loop::StoredSimulator;
+
+std::string parameters_of_program(const StoredSimulator& simulator) {
+    TextTable table(
+        {"parameter of the program", "unit", "range", "plain", "before", "after"});
+    for (const StoredSimulator::Parameter& parameter : simulator.parameters)
+        table.add({parameter.name, parameter.unit,
+                   fmt::format("{} to {}", three_digits(parameter.least),
+                               three_digits(parameter.most)),
+                   three_digits(parameter.plain), three_digits(parameter.before),
+                   three_digits(parameter.after)});
+    return text_of(table, 30);
+}
+
+/// "62 runs: 45 design, 12 calibration, 5 effects; 1 failed"
+std::string run_line(const StoredSimulator& simulator) {
+    std::vector<std::string> kinds;
+    long n_failed = 0;
+    for (const StoredSimulator::Run& run : simulator.runs) {
+        if (std::ranges::find(kinds, run.of) == kinds.end()) kinds.push_back(run.of);
+        if (!run.failure.empty()) ++n_failed;
+    }
+    std::vector<std::string> parts;
+    for (const std::string& kind : kinds)
+        parts.push_back(fmt::format(
+            "{} {}", std::ranges::count(simulator.runs, kind, &StoredSimulator::Run::of),
+            kind));
+    std::string line = fmt::format("{} runs of the program: {}", simulator.runs.size(),
+                                   fmt::join(parts, ", "));
+    if (n_failed > 0) line += fmt::format("; {} failed", n_failed);
+    return wrapped(line);
+}
+
+std::string emulator_line(const StoredSimulator& simulator) {
+    std::vector<std::string> parts;
+    for (const StoredSimulator::Channel& channel : simulator.channels)
+        parts.push_back(
+            fmt::format("{} {} %", channel.name, three_digits(channel.emulator_error)));
+    if (parts.empty()) return "";
+    return wrapped(
+        fmt::format("runs that the emulator had not seen are foretold within "
+                    "(CV(RMSE) of readings): {}",
+                    fmt::join(parts, ", ")));
+}
+
+}  // namespace
+
+std::string simulator_tables(const StoredSimulator& simulator) {
+    if (simulator.parameters.empty()) return "";
+    return parameters_of_program(simulator) + run_line(simulator) +
+           emulator_line(simulator);
+}
+
+std::string simulator_given_table(const StoredSimulator& simulator) {
+    TextTable table({"given to the program", "changes", "times what was found"});
+    for (const StoredSimulator::Given& given : simulator.given)
+        table.add({given.name, given.hooks.empty() ? "nothing it knows" : given.hooks,
+                   three_digits(given.scale)});
+    std::string text = text_of(table, 40);
+    for (const StoredSimulator::LeftOut& left_out : simulator.left_out)
+        text += wrapped("it could not take: " + left_out.why);
+    return text.empty() ? text : "\n" + text;
+}
+
+}  // namespace bemcal::report

@@ -1,0 +1,16 @@
+/// What a loop says of the program that it was around.
+#pragma once
+
+#include "loop/stored_simulator.hpp"
+
+#include <string>
+
+namespace bemcal::report {
+
+/// Its parameters, its runs, how well the emulator foretold them; "" of other loops.
+std::string simulator_tables(const loop::StoredSimulator& simulator);
+
+/// What was given to it, and what it could not take; "" where nothing was found.
+std::string simulator_given_table(const loop::StoredSimulator& simulator);
+
+}  // namespace bemcal::report

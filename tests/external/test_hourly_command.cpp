@@ -1,0 +1,115 @@
+#include "external/command_simulator.hpp"
+#include "external/effect_files.hpp"
+#include "external/folder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace bemcal::external {
+namespace {
+
+using study::GivenEffect;
+
+/// A shell script that is to write hours.csv.
+CommandOptions hourly(const Folder& folder, const std::string& text) {
+    folder.write("run.sh", text);
+    CommandOptions options;
+    physics::Parameter parameter;
+    parameter.name = "a";
+    options.parameters = {parameter};
+    OutputRule gas;
+    gas.name = "gas";
+    gas.file = "hours.csv";
+    gas.column = "gas";
+    gas.factor = 0.001;
+    options.hours = {gas};
+    options.links = {folder / "run.sh"};
+    options.program = "/bin/sh";
+    for (const char* word : {"sh", "run.sh", "@a@"})
+        options.arguments.emplace_back(word, "job", std::vector<std::string>{"a"});
+    options.time_limit_s = 20;
+    options.folder = folder / "points";
+    return options;
+}
+
+study::SimulatedHours hours_of(const CommandOptions& options,
+                               const std::vector<GivenEffect>& effects = {},
+                               std::size_t n_hours = 2) {
+    return make_hourly_simulator(options)->hours(std::vector{3.0}, effects, n_hours);
+}
+
+std::string without_folder(const std::string& failure) {
+    return failure.substr(0, failure.find(" (in point-"));
+}
+
+/// An effect of two hours at two hooks.
+std::vector<GivenEffect> some_effect() {
+    return {{"a \"name\"",
+             {{"infiltration", "1/h", false, "", "", {0.25, 0.5}},
+              {"aperture", "-", true, "south facade", "", {-0.1, 0}}}}};
+}
+
+TEST(HourlyCommand, ReadsARowForEachHour) {
+    const Folder folder;
+    const auto simulated = hours_of(
+        hourly(folder, "printf 'hour,gas\\n1,%s000\\n2,4000\\n' $1 > hours.csv"));
+    EXPECT_EQ(simulated.failure, "");
+    ASSERT_EQ(simulated.meters.size(), 1U);
+    EXPECT_EQ(simulated.meters[0], (std::vector<double>{3, 4}));
+    EXPECT_TRUE(simulated.left_out.empty());
+}
+
+TEST(HourlyCommand, SaysHowManyHoursAreExpected) {
+    const Folder folder;
+    const auto simulated =
+        hours_of(hourly(folder, "printf 'gas\\n1\\n' > hours.csv"), {}, 8760);
+    EXPECT_EQ(without_folder(simulated.failure),
+              "no hours of gas: hours.csv: the column \"gas\" has 1 numbers; expected "
+              "8760, one for each hour of the periods");
+    EXPECT_TRUE(simulated.meters.empty());
+}
+
+TEST(HourlyCommand, SaysWhyThereIsNothing) {
+    const Folder folder;
+    EXPECT_EQ(without_folder(hours_of(hourly(folder, "true")).failure),
+              "no hours of gas: hours.csv: it has not been written");
+    EXPECT_EQ(without_folder(
+                  hours_of(hourly(folder, "printf 'heat\\n1\\n' > hours.csv")).failure),
+              "no hours of gas: hours.csv: has no column \"gas\", but heat");
+    EXPECT_EQ(without_folder(hours_of(hourly(folder, "echo severe >&2; exit 3")).failure),
+              "exit code 3: severe");
+    EXPECT_EQ(
+        without_folder(
+            hours_of(hourly(folder, "printf 'gas\\n1\\ninf\\n' > hours.csv")).failure),
+        "no hours of gas: hours.csv: the column \"gas\" has inf, not a finite "
+        "number");
+}
+
+TEST(HourlyCommand, EffectsAreHandedOverAsFiles) {
+    const Folder folder;
+    CommandOptions options =
+        hourly(folder,
+               "printf 'gas\\n1\\n2\\n' > hours.csv; cp effects.toml effects.csv ../..;"
+               "echo 'aperture: no shades' > effects_left_out.txt");
+    const auto simulated = hours_of(options, some_effect());
+    EXPECT_EQ(simulated.failure, "");
+    EXPECT_EQ(simulated.left_out, std::vector<std::string>{"aperture: no shades"});
+    EXPECT_EQ(
+        folder.text("effects.toml"),
+        "[[effect]]\nname = \"a \\\"name\\\"\"\nhook = \"infiltration\"\nunit = "
+        "\"1/h\"\nenters = \"add\"\ncolumn = \"effect_1\"\n\n"
+        "[[effect]]\nname = \"a \\\"name\\\"\"\nhook = \"aperture\"\nunit = \"-\"\n"
+        "enters = \"factor\"\nfacade = \"south facade\"\ncolumn = \"effect_2\"\n\n");
+    EXPECT_EQ(folder.text("effects.csv"), "effect_1,effect_2\n0.25,-0.1\n0.5,0\n");
+}
+
+TEST(HourlyCommand, WithoutEffectsThereAreNoFiles) {
+    const Folder folder;
+    EXPECT_TRUE(files_of({}).empty());
+    EXPECT_TRUE(files_of(std::vector<GivenEffect>{{"nothing it knows", {}}}).empty());
+    const auto simulated = hours_of(
+        hourly(folder, "test -e effects.toml || printf 'gas\\n1\\n2\\n' > hours.csv"));
+    EXPECT_EQ(simulated.failure, "");
+}
+
+}  // namespace
+}  // namespace bemcal::external
