@@ -3,8 +3,10 @@
 ///     design        the nominal point, then Sobol points of the parameters' ranges
 ///     calibration   points about the optimum of an emulator of the runs, three times
 ///     search        one item: effects in the residual of the best run
-///     effects       each effect alone and all together, at the best point
-///     refinement    parameters and scales of the effects, twice
+///     effects       one after the other, at the nearest run and at the optimum with it;
+///                   those stay with which the program comes nearer to the readings than
+///                   chance would
+///     refinement    parameters and scales of the effects that stayed, twice
 ///
 /// The search sees readings as a twin would have them: what the twin says of the best
 /// run, plus what was measured, less that run. What the twin cannot say of the program is
@@ -36,7 +38,7 @@ namespace {
 /// only when they are found.
 class Budget {
   public:
-    static constexpr int n_calibrations = 3, n_refinements = 2;
+    static constexpr int n_calibrations = 3, n_refinements = 2, most_effects = 6;
 
     explicit Budget(int n_runs)
         : of_calibration_(std::max(2, n_runs / 20)),
@@ -50,7 +52,8 @@ class Budget {
     int before_search() const { return design_ + n_calibrations * of_calibration_; }
 
   private:
-    static constexpr int for_effects = 8;
+    /// A search finds some three.
+    static constexpr int for_effects = 3 * static_cast<int>(runs_of_trial);
     int of_calibration_, of_refinement_, design_;
 };
 
@@ -142,9 +145,11 @@ class LoopAround : public study::Stage {
         const std::vector<study::ItemAnswer>& answers) const override {
         const auto runs = runs_in(answers);
         const auto searched = search_in(answers);
-        const auto kinds = kinds_of(runs.size());
+        const std::size_t n_effects = effects_in(searched.datasets, given_group).size();
+        const auto kinds = kinds_of(runs.size(), n_effects);
+        const auto kept = kept_of(runs, n_effects);
         return conclude_around({written_.building.name + "/" + name_, written_,
-                                *simulator_, runs, kinds, searched});
+                                *simulator_, runs, kinds, kept, searched});
     }
 
     std::string shortfall(const std::vector<study::ItemAnswer>& answers) const override {
@@ -241,16 +246,13 @@ class LoopAround : public study::Stage {
     }
 
     /// What each run is of.
-    std::vector<std::string> kinds_of(std::size_t n_runs) const {
-        const std::size_t design = n_of(budget_.design()), found = before_search(),
-                          refined = n_of(Budget::n_refinements * budget_.of_refinement());
-        const std::size_t refinement =
-            n_runs > found + refined ? n_runs - refined : n_runs;
+    std::vector<std::string> kinds_of(std::size_t n_runs, std::size_t n_effects) const {
+        const std::size_t design = n_of(budget_.design()), found = before_search();
         std::vector<std::string> kinds(n_runs, "design");
         for (std::size_t k = design; k < n_runs; ++k)
-            kinds[k] = k < found        ? "calibration"
-                       : k < refinement ? "effects"
-                                        : "refinement";
+            kinds[k] = k < found                               ? "calibration"
+                       : k < found + runs_of_trial * n_effects ? "effects"
+                                                               : "refinement";
         return kinds;
     }
 
@@ -263,21 +265,36 @@ class LoopAround : public study::Stage {
 
     SimulatorPlan next_plan(const std::vector<study::ItemAnswer>& answers) const {
         const auto runs = runs_in(answers);
-        const RunsSoFar without(written_, runs, 0);
+        const RunsSoFar without(written_, runs);
         if (!without.are_enough()) return {};
         if (answers.size() < before_search())
             return plan_of(without.next(n_of(budget_.of_calibration())), {});
         const std::size_t best = without.best(false).value_or(0);
         if (answers.size() == before_search()) return {{}, {}, {}, runs[best].hours};
-        const auto effects = effects_in(search_in(answers).datasets, given_group);
-        if (effects.empty()) return {};
-        const std::size_t n_alone = effects.size() > 1 ? effects.size() : 0;
-        const std::size_t n_done = answers.size() - before_search() - 1;
-        if (n_done == 0) return trials(runs[best].point, effects, n_alone);
-        if (n_done >= n_alone + 1 + n_of(Budget::n_refinements * budget_.of_refinement()))
+        auto effects = effects_of(search_in(answers));
+        const std::vector<char> kept = kept_of(runs, effects.size());
+        const std::size_t n_done = runs.size() - before_search(),
+                          of_trials = runs_of_trial * effects.size();
+        if (n_done < of_trials)
+            return trial(runs, kept, n_done % runs_of_trial == 0, std::move(effects));
+        if (std::ranges::count(kept, 1) == 0 ||
+            n_done >= of_trials + n_of(Budget::n_refinements * budget_.of_refinement()))
             return {};
-        const RunsSoFar with(written_, runs, effects.size());
-        return plan_of(with.next(n_of(budget_.of_refinement())), effects);
+        const RunsSoFar with(written_, runs, kept);
+        return plan_of(with.next(n_of(budget_.of_refinement())), std::move(effects));
+    }
+
+    /// As many as can be tried; those found later have less evidence.
+    static std::vector<study::GivenEffect> effects_of(const study::Conclusion& search) {
+        auto effects = effects_in(search.datasets, given_group);
+        effects.resize(std::min(effects.size(), n_of(Budget::most_effects)));
+        return effects;
+    }
+
+    /// Of the trials so far. \param n_effects  that are tried
+    std::vector<char> kept_of(const std::vector<SimulatorRun>& runs,
+                              std::size_t n_effects) const {
+        return kept_effects(written_, runs, before_search(), n_effects);
     }
 
     static std::size_t n_of(int n) { return static_cast<std::size_t>(n); }
@@ -286,17 +303,21 @@ class LoopAround : public study::Stage {
         return {std::move(next.points), std::move(next.scales), std::move(effects), {}};
     }
 
-    /// Each alone, then all together.
-    static SimulatorPlan trials(const std::vector<double>& point,
-                                const std::vector<study::GivenEffect>& effects,
-                                std::size_t n_alone) {
-        Matrix points(n_alone + 1, point.size()), scales(n_alone + 1, effects.size());
-        for (std::size_t r = 0; r < points.rows; ++r) {
-            std::ranges::copy(point, points.row(r).begin());
-            for (std::size_t k = 0; k < effects.size(); ++k)
-                scales(r, k) = r == n_alone || r == k ? 1 : 0;
-        }
-        return {std::move(points), std::move(scales), effects, {}};
+    /// The next effect beside those kept: where the nearest run is, or at the optimum.
+    SimulatorPlan trial(const std::vector<SimulatorRun>& runs, std::vector<char> kept,
+                        bool is_first, std::vector<study::GivenEffect> effects) const {
+        const std::size_t tried = kept.size();
+        kept.resize(effects.size(), 0);
+        const auto nearest = RunsSoFar(written_, runs, kept).best(true);
+        const SimulatorRun& from = runs[nearest.value_or(0)];
+        kept[tried] = 1;
+        if (!is_first)
+            return plan_of(RunsSoFar(written_, runs, kept).next(1), std::move(effects));
+        Matrix points(1, from.point.size()), scales(1, effects.size());
+        std::ranges::copy(from.point, points.row(0).begin());
+        std::ranges::copy(from.scales, scales.row(0).begin());
+        scales(0, tried) = 1;
+        return {std::move(points), std::move(scales), std::move(effects), {}};
     }
 
     std::string name_;

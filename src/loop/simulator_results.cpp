@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -37,10 +38,13 @@ std::string hooks_of(const study::GivenEffect& effect) {
     return fmt::format("{}", fmt::join(hooks, ", "));
 }
 
+constexpr const char* no_help =
+    "left: the program's own runs are no nearer to the readings with it";
+
 class Concluder {
   public:
     explicit Concluder(const Around& around)
-        : around_(around), so_far_(around.written, around.runs, 0) {
+        : around_(around), so_far_(around.written, around.runs, around.kept) {
         const bool has_plain = around.runs[0].failure.empty();
         chosen_[StoredLoop::plain] =
             has_plain ? std::optional<std::size_t>(0) : so_far_.best(false);
@@ -70,12 +74,55 @@ class Concluder {
         const LoopData& data = around_.written;
         const auto unseen = unseen_of(data, vector_in(around_.searched, "predicted"),
                                       vector_in(around_.searched, "left_out"));
+        leave_what_does_not_help(stored);
         FitsWriter writer(data, data.building, unseen, 0, stored);
         std::vector<StoredPeriod> periods;
         for (const study::Period& period : data.building.periods)
             periods.push_back(writer.add(period, hours_in_period(period)));
         all.summaries.push_back(summary_of(around_.stage, data, stored));
         all.datasets = datasets_of(around_.stage, stored, periods);
+    }
+
+    bool is_kept(std::size_t effect) const {
+        return effect < around_.kept.size() && around_.kept[effect] != 0;
+    }
+
+    /// Effects and functions without which the program is as near to the readings are no
+    /// findings; the log of the search says so. Coefficients are those that were given.
+    void leave_what_does_not_help(StoredLoop& stored) const {
+        const std::size_t n = stored.effects.size();
+        const SimulatorRun& after = run_of(StoredLoop::after);
+        const auto of_index = [](double index) {
+            return static_cast<std::size_t>(index);
+        };
+        std::vector<double> new_index(n, nan);
+        std::vector<StoredLoop::Effect> kept;
+        for (std::size_t k = 0; k < n; ++k) {
+            StoredLoop::Effect& effect = stored.effects[k];
+            if (!is_kept(k)) {
+                stored.steps.push_back({effect.name, no_help, effect.gain, nan, nan});
+                continue;
+            }
+            new_index[k] = static_cast<double>(kept.size());
+            const double scale = k < after.scales.size() ? after.scales[k] : 1;
+            for (double* number : {&effect.coefficient, &effect.least, &effect.most})
+                *number *= scale;
+            kept.push_back(std::move(effect));
+        }
+        stored.effects = std::move(kept);
+        std::erase_if(stored.effect_values, [&](const StoredLoop::EffectValue& value) {
+            return std::isnan(new_index[of_index(value.effect)]);
+        });
+        for (StoredLoop::EffectValue& value : stored.effect_values)
+            value.effect = new_index[of_index(value.effect)];
+        if (!stored.functions.empty() && !is_kept(n)) {
+            stored.steps.push_back({"functions", no_help, nan, nan, nan});
+            stored.functions.clear();
+            stored.function_points.clear();
+        }
+        stored.step_error.shape = {stored.steps.size(), stored.channels.size()};
+        stored.step_error.values.resize(stored.steps.size() * stored.channels.size(),
+                                        nan);
     }
 
     ModelHours hours_in_period(const study::Period& period) const {

@@ -25,7 +25,8 @@ struct Around {
     const study::HourlySimulator& simulator;
     const std::vector<SimulatorRun>& runs;
     const std::vector<std::string>& runs_are_of;  ///< [runs] "design", ...
-    const study::Conclusion& searched;            ///< empty where there was no search
+    const std::vector<char>& kept;      ///< [effects] that the program is better with
+    const study::Conclusion& searched;  ///< empty where there was no search
 };
 study::Conclusion conclude_around(const Around& around);
 

@@ -37,6 +37,18 @@ std::vector<emulator::ChannelRange> ranges_of(const study::Targets& targets) {
     return ranges;
 }
 
+/// Of those that are 1.
+std::vector<std::size_t> places_of(const std::vector<char>& flags) {
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < flags.size(); ++k)
+        if (flags[k] != 0) places.push_back(k);
+    return places;
+}
+
+/// Fall of the deviance that chance alone brings about once in a thousand candidates,
+/// which is how many a search looks at: 2 log 1000.
+constexpr double least_fall = 13.8;
+
 }  // namespace
 
 bool SimulatorRun::has_effects() const {
@@ -75,25 +87,40 @@ SimulatorRun unpack_run(std::span<const double> packed) {
 }
 
 RunsSoFar::RunsSoFar(const LoopData& data, const std::vector<SimulatorRun>& runs,
-                     std::size_t n_effects)
-    : data_(data), runs_(runs), n_effects_(n_effects) {
-    std::vector<ChannelNoise> noise;  // of the first run: all are compared by one
-    for (const SimulatorRun& run : runs) {
-        readings_.emplace_back();
-        deviances_.push_back(std::numeric_limits<double>::infinity());
-        if (!run.failure.empty()) continue;
-        readings_.back() = readings_from(data, run.hours);
-        const auto residuals =
-            study::residuals_of(data.targets.measured, readings_.back());
-        if (noise.empty()) noise = noise_of(data, residuals);
-        deviances_.back() = deviance(data.targets, noise, residuals);
-    }
+                     std::vector<char> kept)
+    : data_(data), runs_(runs), kept_(std::move(kept)) {
+    for (const SimulatorRun& run : runs)
+        readings_.push_back(run.failure.empty() ? readings_from(data, run.hours)
+                                                : std::vector<double>{});
+    // All are compared by the noise of one: of the first, then of the best by that.
+    rank_by(0);
+    if (const auto nearest = best(true)) rank_by(*nearest);
+}
+
+std::vector<double> RunsSoFar::residuals_of(std::size_t run) const {
+    return study::residuals_of(data_.targets.measured, readings_[run]);
+}
+
+void RunsSoFar::rank_by(std::size_t run) {
+    deviances_.assign(runs_.size(), std::numeric_limits<double>::infinity());
+    std::vector<ChannelNoise> noise;
+    for (std::size_t k = run; k < runs_.size() && noise.empty(); ++k)
+        if (!readings_[k].empty()) noise = noise_of(data_, residuals_of(k));
+    for (std::size_t k = 0; k < runs_.size(); ++k)
+        if (!readings_[k].empty())
+            deviances_[k] = deviance(data_.targets, noise, residuals_of(k));
+}
+
+bool RunsSoFar::has_others(const SimulatorRun& run) const {
+    for (std::size_t k = 0; k < run.scales.size(); ++k)
+        if (run.scales[k] != 0 && (k >= kept_.size() || kept_[k] == 0)) return true;
+    return false;
 }
 
 std::vector<std::size_t> RunsSoFar::usable() const {
     std::vector<std::size_t> all;
     for (std::size_t k = 0; k < runs_.size(); ++k)
-        if (std::isfinite(deviances_[k])) all.push_back(k);
+        if (std::isfinite(deviances_[k]) && !has_others(runs_[k])) all.push_back(k);
     return all;
 }
 
@@ -113,23 +140,24 @@ std::optional<std::size_t> RunsSoFar::best(bool with_effects) const {
 
 /// By the residuals of the best run. [targets] 1 / standard deviation
 std::vector<double> RunsSoFar::weights() const {
-    const auto residuals =
-        study::residuals_of(data_.targets.measured, readings_[best(true).value_or(0)]);
-    std::vector<double> weights = weights_of(data_.targets, noise_of(data_, residuals));
+    std::vector<double> weights =
+        weights_of(data_.targets, noise_of(data_, residuals_of(best(true).value_or(0))));
     for (double& weight : weights) weight = std::sqrt(weight);
     return weights;
 }
 
-/// Of these runs. \param n_effects  whose scales are coordinates, too
+/// Of these runs. \param with_effects  whose scales are coordinates, too
 emulator::SeriesEmulator RunsSoFar::emulator_of(const std::vector<std::size_t>& used,
-                                                std::size_t n_effects) const {
+                                                bool with_effects) const {
     const std::size_t p = runs_[0].point.size();
-    Matrix points(used.size(), p + n_effects), series(used.size(), data_.targets.size());
+    const auto fitted = with_effects ? places_of(kept_) : std::vector<std::size_t>{};
+    Matrix points(used.size(), p + fitted.size()),
+        series(used.size(), data_.targets.size());
     for (std::size_t r = 0; r < used.size(); ++r) {
         const SimulatorRun& run = runs_[used[r]];
         std::ranges::copy(run.point, points.row(r).begin());
-        for (std::size_t k = 0; k < n_effects && k < run.scales.size(); ++k)
-            points(r, p + k) = run.scales[k] / largest_scale;
+        for (std::size_t k = 0; k < fitted.size() && !run.scales.empty(); ++k)
+            points(r, p + k) = run.scales[fitted[k]] / largest_scale;
         std::ranges::copy(readings_[used[r]], series.row(r).begin());
     }
     return {points, std::move(series), weights()};
@@ -137,25 +165,44 @@ emulator::SeriesEmulator RunsSoFar::emulator_of(const std::vector<std::size_t>& 
 
 NextRuns RunsSoFar::next(std::size_t n) const {
     const std::size_t p = runs_[0].point.size();
+    const auto fitted = places_of(kept_);
     std::vector<emulator::ScaledPrior> priors(p, of_parameter);
-    priors.resize(p + n_effects_,
+    priors.resize(p + fitted.size(),
                   {usual_scale / largest_scale, sd_of_scale / largest_scale});
-    const auto fit = emulator::fit_series(emulator_of(usable(), n_effects_),
+    const auto fit = emulator::fit_series(emulator_of(usable(), true),
                                           data_.targets.measured, weights(), priors);
     const Matrix proposed = emulator::next_points(fit, n);
-    NextRuns next{Matrix(n, p), Matrix(n, n_effects_)};
+    NextRuns next{Matrix(n, p), Matrix(n, kept_.size())};
     for (std::size_t r = 0; r < n; ++r) {
         for (std::size_t k = 0; k < p; ++k) next.points(r, k) = proposed(r, k);
-        for (std::size_t k = 0; k < n_effects_; ++k)
-            next.scales(r, k) = largest_scale * proposed(r, p + k);
+        for (std::size_t k = 0; k < fitted.size(); ++k)
+            next.scales(r, fitted[k]) = largest_scale * proposed(r, p + k);
     }
     return next;
+}
+
+std::vector<char> kept_effects(const LoopData& data,
+                               const std::vector<SimulatorRun>& trials, std::size_t first,
+                               std::size_t n_effects) {
+    const RunsSoFar all(data, trials);
+    const auto best = all.best(false);
+    std::vector<char> kept;
+    if (!best) return kept;
+    double least = all.deviance_at(*best);
+    for (std::size_t k = 0; k < n_effects; ++k) {
+        const std::size_t own = first + runs_of_trial * k;
+        if (own + runs_of_trial > trials.size()) break;
+        const double nearest = std::min(all.deviance_at(own), all.deviance_at(own + 1));
+        kept.push_back(least - nearest < least_fall ? 0 : 1);
+        if (kept.back() != 0) least = nearest;
+    }
+    return kept;
 }
 
 std::vector<double> RunsSoFar::emulator_error() const {
     std::vector<std::size_t> used = usable();
     std::erase_if(used, [&](std::size_t k) { return runs_[k].has_effects(); });
-    return emulator_of(used, 0).leave_one_out(ranges_of(data_.targets));
+    return emulator_of(used, false).leave_one_out(ranges_of(data_.targets));
 }
 
 }  // namespace bemcal::loop

@@ -36,10 +36,11 @@ struct NextRuns {
 
 class RunsSoFar {
   public:
-    /// \param runs       that did not fail count; `data` and they must outlive this
-    /// \param n_effects  whose scales are fitted with the parameters
+    /// \param runs  that did not fail count; `data` and they must outlive this
+    /// \param kept  [effects] 1 = its scale is fitted with the parameters; runs with
+    ///              others do not count
     RunsSoFar(const LoopData& data, const std::vector<SimulatorRun>& runs,
-              std::size_t n_effects);
+              std::vector<char> kept = {});
 
     /// Whether there are enough of them to go on.
     bool are_enough() const;
@@ -55,16 +56,31 @@ class RunsSoFar {
     std::vector<double> emulator_error() const;
 
   private:
+    std::vector<double> residuals_of(std::size_t run) const;
+    /// Deviances by the noise of that run, or of the next one that did not fail.
+    void rank_by(std::size_t run);
     std::vector<std::size_t> usable() const;
     std::vector<double> weights() const;
+    bool has_others(const SimulatorRun& run) const;
     emulator::SeriesEmulator emulator_of(const std::vector<std::size_t>& used,
-                                         std::size_t n_effects) const;
+                                         bool with_effects) const;
 
     const LoopData& data_;
     const std::vector<SimulatorRun>& runs_;
-    std::size_t n_effects_;
+    std::vector<char> kept_;
     std::vector<std::vector<double>> readings_;  ///< [runs]; empty of those that failed
     std::vector<double> deviances_;              ///< [runs]; infinite of those
 };
+
+/// An effect is tried by two runs: at the best point so far, which shows what it does
+/// there, then where the emulator has the optimum with it.
+constexpr std::size_t runs_of_trial = 2;
+
+/// Which effects the program's own runs speak for. They were tried one after the other,
+/// each beside those kept before it. [effects whose runs are all there]
+/// \param trials  the runs, and those before them  \param first  index of the first trial
+std::vector<char> kept_effects(const LoopData& data,
+                               const std::vector<SimulatorRun>& trials, std::size_t first,
+                               std::size_t n_effects);
 
 }  // namespace bemcal::loop

@@ -20,8 +20,8 @@ using study::SimulatedHours;
 /// parameters. It can take infiltration and nothing else.
 class OtherBuilding : public study::HourlySimulator {
   public:
-    explicit OtherBuilding(const Case& twin, int fails_each = 0)
-        : case_(twin), fails_each_(fails_each) {
+    explicit OtherBuilding(const Case& twin, int fails_each = 0, bool is_deaf = false)
+        : case_(twin), fails_each_(fails_each), is_deaf_(is_deaf) {
         physics::Zone& zone = case_.building.zones[0];
         zone.heat_capacity *= 0.7;
         zone.surface_film *= 1.2;
@@ -49,7 +49,7 @@ class OtherBuilding : public study::HourlySimulator {
         std::vector<double> air(n_hours, 0.0);
         for (const GivenEffect& effect : effects)
             for (const effects::HookSeries& at : effect.at)
-                if (at.hook == "infiltration")
+                if (at.hook == "infiltration" && !is_deaf_)
                     for (std::size_t h = 0; h < n_hours; ++h) air[h] += at.values[h];
                 else
                     simulated.left_out.push_back(effect.name + " at " + at.hook);
@@ -92,6 +92,7 @@ class OtherBuilding : public study::HourlySimulator {
 
     Case case_;
     int fails_each_;
+    bool is_deaf_;
     std::vector<physics::Parameter> parameters_;
     std::vector<std::string> meters_{"gas"};
 };
@@ -195,6 +196,22 @@ TEST(LoopAroundSimulator, FindsNothingWhereNothingIs) {
     EXPECT_EQ(run.simulator().given.size(), 0U);
     EXPECT_EQ(run.error(StoredLoop::after), run.error(StoredLoop::before));
     EXPECT_LT(run.error(StoredLoop::after), 4.5);
+}
+
+// What the program cannot take, or is no nearer to the readings with, is no finding.
+TEST(LoopAroundSimulator, LeavesWhatTheSimulatorIsNoBetterWith) {
+    const Case twin = measured(0.08);
+    const AllRounds run = run_of(twin, std::make_shared<OtherBuilding>(twin, 0, true));
+    const StoredLoop loop = run.loop();
+    EXPECT_EQ(loop.effects.size(), 0U);
+    EXPECT_TRUE(loop.effect_values.empty());
+    ASSERT_FALSE(loop.steps.empty());
+    EXPECT_EQ(loop.steps.back().effect, "wind infiltration");
+    EXPECT_EQ(loop.steps.back().verdict,
+              "left: the program's own runs are no nearer to the readings with it");
+    ASSERT_EQ(run.simulator().left_out.size(), 1U);
+    EXPECT_EQ(run.simulator().left_out[0].why, "wind infiltration at infiltration");
+    EXPECT_EQ(run.error(StoredLoop::after), run.error(StoredLoop::before));
 }
 
 TEST(LoopAroundSimulator, RunsThatFailAreToldAndLeftOut) {
