@@ -24,9 +24,10 @@ struct ScoreScales {
     double nugget = 0;
 };
 
-/// Those of the highest posterior density, given the scores.
-/// \param points  [runs x parameters], at least 2 runs   \param scores  [runs]
-ScoreScales learn_scales(const Matrix& points, std::span<const double> scores);
+/// Those of the highest posterior density, given scores that share them: each has its
+/// own variance.
+/// \param points  [runs x parameters], at least 2 runs   \param scores  [scores x runs]
+ScoreScales learn_scales(const Matrix& points, const Matrix& scores);
 
 class ScoreProcess {
   public:
@@ -41,6 +42,8 @@ class ScoreProcess {
     std::vector<double> gradient(std::span<const double> point) const;
     /// Of the score without its nugget.
     double variance(std::span<const double> point) const;
+    /// Where it is known to promise too much.
+    void multiply_variance(double factor) { variance_ *= factor; }
     /// [runs] each run's score less its mean from the other runs, by the same scales.
     std::vector<double> leave_one_out() const;
 

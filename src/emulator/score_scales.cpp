@@ -1,4 +1,4 @@
-/// A score's lengths, slopes and nugget by the restricted marginal likelihood, in which
+/// Scores' lengths, slopes and nugget by the restricted marginal likelihood, in which
 /// constant and variance are integrated out and at their best, times weak priors of
 /// the scales' logarithms: few runs alone do not tell a dozen lengths.
 /// Sources: Rasmussen and Williams 2006, eq. 2.45, 5.9; the lengths' prior: Hvarfner,
@@ -42,7 +42,7 @@ constexpr double short_length = 0.5;
 /// the least one.
 class ScaleDensity {
   public:
-    ScaleDensity(const Matrix& points, std::span<const double> scores);
+    ScaleDensity(const Matrix& points, const Matrix& scores);
 
     Eigen::Index n_unknowns() const { return squares_.cols() + 2; }
     Eigen::VectorXd prior_mean() const { return mean_; }
@@ -54,7 +54,7 @@ class ScaleDensity {
     double add_priors(const Eigen::VectorXd& at, Eigen::VectorXd& gradient) const;
 
     Eigen::Index n_;
-    Eigen::VectorXd scores_;
+    Eigen::MatrixXd scores_;    ///< [runs x scores]
     Eigen::MatrixXd squares_;   ///< [pairs x parameters] (a - b)^2, by columns of K
     Eigen::MatrixXd products_;  ///< [runs x runs] from the middle
     Eigen::VectorXd mean_, sd_;
@@ -62,9 +62,9 @@ class ScaleDensity {
     Eigen::VectorXd slopes_;  ///< [pairs] of the correlation, by the squared distance
 };
 
-ScaleDensity::ScaleDensity(const Matrix& points, std::span<const double> scores)
+ScaleDensity::ScaleDensity(const Matrix& points, const Matrix& scores)
     : n_(eigen_index(points.rows)),
-      scores_(eigen_view(scores)),
+      scores_(eigen_view(scores).transpose()),
       squares_(n_ * (n_ - 1) / 2, eigen_index(points.cols)),
       covariance_(n_, n_) {
     const Eigen::MatrixXd x = eigen_view(points).array() - 0.5;
@@ -109,13 +109,17 @@ double ScaleDensity::evaluate(const Eigen::VectorXd& at, Eigen::VectorXd& gradie
     const Eigen::MatrixXd inverse = factor.solve(Eigen::MatrixXd::Identity(n_, n_));
     const Eigen::VectorXd of_one = inverse.rowwise().sum();
     const double of_constant = of_one.sum();
-    const Eigen::VectorXd solved =
-        inverse * scores_ - of_one * (of_one.dot(scores_) / of_constant);
-    const double dof = static_cast<double>(n_ - 1);
-    const double variance = scores_.dot(solved) / dof;
+    const Eigen::MatrixXd solved =
+        inverse * scores_ - of_one * (of_one.transpose() * scores_ / of_constant);
+    const double dof = static_cast<double>(n_ - 1),
+                 n_scores = static_cast<double>(scores_.cols());
+    const Eigen::VectorXd variances =
+        scores_.cwiseProduct(solved).colwise().sum().transpose() / dof;
     // d log density = sum of W dK / 2
-    Eigen::MatrixXd W = solved * (solved / variance).transpose() - inverse;
-    W += of_one * (of_one / of_constant).transpose();
+    Eigen::MatrixXd W =
+        solved * variances.cwiseInverse().asDiagonal() * solved.transpose();
+    W -= n_scores * inverse;
+    W += of_one * (n_scores / of_constant * of_one).transpose();
     Eigen::VectorXd of_pairs(squares_.rows());
     for (Eigen::Index j = 0, first = 0; j < n_; first += n_ - 1 - j, ++j)
         of_pairs.segment(first, n_ - 1 - j) = W.col(j).tail(n_ - 1 - j);
@@ -125,12 +129,13 @@ double ScaleDensity::evaluate(const Eigen::VectorXd& at, Eigen::VectorXd& gradie
     gradient[p + 1] = std::exp(at[p + 1]) / 2 * W.trace();
     const double log_determinant =
         2 * factor.matrixLLT().diagonal().array().log().sum() + std::log(of_constant);
-    return add_priors(at, gradient) - (dof * std::log(variance) + log_determinant) / 2;
+    return add_priors(at, gradient) -
+           (dof * variances.array().log().sum() + n_scores * log_determinant) / 2;
 }
 
 }  // namespace
 
-ScoreScales learn_scales(const Matrix& points, std::span<const double> scores) {
+ScoreScales learn_scales(const Matrix& points, const Matrix& scores) {
     ScaleDensity density(points, scores);
     const auto function = [&](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
         return density.evaluate(at, gradient);

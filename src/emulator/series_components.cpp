@@ -42,7 +42,7 @@ Eigen::MatrixXd gram_matrix(const Matrix& centred, std::span<const double> weigh
             runs.middleCols(first, size) * weight.segment(first, size).asDiagonal();
         gram.selfadjointView<Eigen::Lower>().rankUpdate(weighted);
     }
-    return gram;
+    return gram.selfadjointView<Eigen::Lower>();
 }
 
 /// How many of the rising eigenvalues carry the share that is kept.
@@ -61,8 +61,10 @@ Eigen::Index n_kept(const Eigen::VectorXd& variances, double square_of_mean) {
 SeriesComponents components_of(Matrix series, std::span<const double> weights) {
     SeriesComponents made;
     made.mean = centre(series);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-        gram_matrix(series, weights));
+    const Eigen::MatrixXd gram = gram_matrix(series, weights);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
+    made.gram = Matrix(series.rows, series.rows);
+    eigen_view(made.gram) = gram;
     const double square_of_mean =
         eigen_view(weights)
             .cwiseProduct(eigen_view(std::span<const double>(made.mean)))

@@ -18,6 +18,7 @@ struct SeriesComponents {
     std::vector<double> mean;  ///< [n] of the runs
     Matrix components;         ///< [components x n]
     Matrix scores;             ///< [components x runs]
+    Matrix gram;               ///< [runs x runs] of the weighted runs less their mean
     /// [runs x n] what the runs have beyond mean and components.
     Matrix remainder;
 };

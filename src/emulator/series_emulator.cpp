@@ -4,6 +4,7 @@
 #include "emulator/series_emulator.hpp"
 
 #include "emulator/eigen_views.hpp"
+#include "emulator/fold_check.hpp"
 #include "emulator/refusals.hpp"
 
 #include <algorithm>
@@ -12,6 +13,9 @@
 namespace bemcal::emulator {
 namespace {
 
+/// Of the runs' variance: a score that carries more has scales of its own, the others
+/// share theirs, for alone they would take noise for bends.
+constexpr double share_of_own = 0.003;
 constexpr std::size_t least_runs = 2;  ///< one run tells nothing of any parameter
 
 void check_series_runs(const Matrix& points, const Matrix& series,
@@ -44,6 +48,28 @@ void check_scales(const Matrix& points, std::span<const double> weights) {
     refuse_if(most == 0, "all weights are 0: no number of the series is of interest");
 }
 
+/// Rows [first, last).
+Matrix some_rows(const Matrix& matrix, std::size_t first, std::size_t last) {
+    Matrix made(last - first, matrix.cols);
+    std::copy(matrix.row(first).data(), matrix.row(first).data() + made.values.size(),
+              made.values.begin());
+    return made;
+}
+
+/// Of each score.
+std::vector<ScoreScales> scales_of(const Matrix& points, const Matrix& scores) {
+    const double total = eigen_view(scores).squaredNorm();
+    std::vector<ScoreScales> made;
+    std::size_t c = 0;
+    for (; c < scores.rows &&
+           eigen_view(scores.row(c)).squaredNorm() >= share_of_own * total;
+         ++c)
+        made.push_back(learn_scales(points, some_rows(scores, c, c + 1)));
+    if (c < scores.rows)
+        made.resize(scores.rows, learn_scales(points, some_rows(scores, c, scores.rows)));
+    return made;
+}
+
 }  // namespace
 
 SeriesEmulator::SeriesEmulator(const Matrix& points, Matrix series,
@@ -52,10 +78,12 @@ SeriesEmulator::SeriesEmulator(const Matrix& points, Matrix series,
     check_series_runs(points, series, weights);
     check_scales(points, weights);
     parts_ = components_of(std::move(series), weights);
-    processes_.reserve(parts_.scores.rows);
-    for (std::size_t c = 0; c < parts_.scores.rows; ++c) {
-        const auto of_runs = std::as_const(parts_.scores).row(c);
-        processes_.emplace_back(points, of_runs, learn_scales(points, of_runs));
+    const std::vector<ScoreScales> scales = scales_of(points, parts_.scores);
+    const std::vector<double> factors = variance_factors(points, parts_.gram, scales);
+    processes_.reserve(scales.size());
+    for (std::size_t c = 0; c < scales.size(); ++c) {
+        processes_.emplace_back(points, std::as_const(parts_.scores).row(c), scales[c]);
+        processes_.back().multiply_variance(factors[c]);
     }
 }
 
