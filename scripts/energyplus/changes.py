@@ -1,0 +1,154 @@
+"""What is added to a model so that hourly series reach it: Schedule:File, and schedules that a program changes.
+
+A series is a column of one CSV file for a calendar year. A changed schedule is a Schedule:Constant that an
+EnergyManagementSystem:Program sets to (own value + sums) x factors in each time step, where own value is the schedule
+that stood in its place: holidays, seasons and summer time stay those of the model. Source: EnergyPlus, Application
+Guide for EMS. Leaves out sizing: design days see the series of their date.
+"""
+from dataclasses import dataclass, field
+
+PREFIX = "bemcal"
+SERIES_FILE = "effects_series.csv"
+MOST_GAIN_STEPS = 6            # decimals of a series
+BEFORE = "BeginZoneTimestepBeforeInitHeatBalance"   # schedules are read after it
+AFTER = "BeginZoneTimestepAfterInitHeatBalance"     # heat is added after it, from what the last step found
+DEAD_BAND = 0.1                # K, least distance of a thermostat's two set-points
+DUAL = "thermostatsetpoint:dualsetpoint"
+_HEAT, _COOL = "heating_setpoint_temperature_schedule_name", "cooling_setpoint_temperature_schedule_name"
+OTHER_SET_POINT = {_HEAT: _COOL, _COOL: _HEAT}
+
+
+@dataclass
+class Term:
+    how: str                   # add or factor
+    what: str                  # number, or name of a series
+
+
+@dataclass
+class Slot:
+    """A field that names a schedule; `usual` holds where it is empty."""
+    kind: str
+    name: str
+    fields: dict
+    key: str
+    usual: float = 1
+    terms: list = field(default_factory=list)
+    least: object = None       # number, below which the value is not let
+    made: str = ""             # schedule that stands there afterwards
+    value: str = ""            # its actuator
+
+
+class Changes:
+    """Of one model in one calendar year; `finish` writes them."""
+
+    def __init__(self, model, n_hours):
+        self.model, self.n_hours = model, n_hours
+        self.series, self.slots, self.names, self.lines_of_heat = {}, {}, set(), []
+
+    def new_name(self, said):
+        """Letters, digits and underscores, as a program of EMS takes them."""
+        base = f"{PREFIX}_" + "".join(letter if letter.isalnum() and letter.isascii() else "_" for letter in said)[:60]
+        name = next(each for each in (base, *(f"{base}_{k}" for k in range(2, 10000))) if each not in self.names)
+        self.names.add(name)
+        return name
+
+    def add_series(self, said, values):
+        """Name of a schedule with these values, one for each hour of the year."""
+        name = self.new_name(said)
+        self.series[name] = values
+        self.model.add("Schedule:File", name, {
+            "file_name": SERIES_FILE, "column_number": len(self.series), "rows_to_skip_at_top": 1,
+            "number_of_hours_of_data": self.n_hours, "column_separator": "Comma", "interpolate_to_timestep": "No",
+            "minutes_per_item": 60, "adjust_schedule_for_daylight_savings": "No"})
+        return name
+
+    def slot(self, kind, name, fields, key, usual=1.0):
+        """The one of a field, made once."""
+        return self.slots.setdefault((kind.lower(), name.lower(), key), Slot(kind, name, fields, key, usual))
+
+    def sensor(self, variable, key):
+        """Name under which a program reads an output."""
+        name = self.new_name(f"{variable[:24]} {key}")
+        self.model.add("EnergyManagementSystem:Sensor", name, {
+            "output_variable_or_output_meter_index_key_name": key, "output_variable_or_output_meter_name": variable})
+        return name
+
+    def actuator(self, component, kind, control):
+        name = self.new_name(f"set {component}")
+        self.model.add("EnergyManagementSystem:Actuator", name, {
+            "actuated_component_unique_name": component, "actuated_component_type": kind,
+            "actuated_component_control_type": control})
+        return name
+
+    def add_line(self, line):
+        """Of the program that adds heat."""
+        self.lines_of_heat.append(line)
+
+    def heat(self, zone, said, radiant):
+        """Name of an actuator of heat [W] in a zone, of either sign; no meter sees it."""
+        name = self.new_name(f"{said} {zone}")
+        self.model.add("OtherEquipment", name, {
+            "fuel_type": "None", "zone_or_zonelist_or_space_or_spacelist_name": zone,
+            "schedule_name": self.always(), "design_level_calculation_method": "EquipmentLevel", "design_level": 0,
+            "fraction_latent": 0, "fraction_radiant": radiant, "fraction_lost": 0})
+        return self.actuator(name, "OtherEquipment", "Power Level")
+
+    def always(self):
+        name = f"{PREFIX}_always"
+        if self.model.find("Schedule:Constant", name) is None:
+            self.model.add("Schedule:Constant", name, {"hourly_value": 1})
+        return name
+
+    def write_slots(self):
+        """Lines of the program that changes schedules."""
+        lines = []
+        for slot in self.slots.values():
+            slot.made = self.new_name(f"{slot.name} {slot.key}"[:50])
+            self.model.add("Schedule:Constant", slot.made, {"hourly_value": slot.usual})
+            slot.value = self.actuator(slot.made, "Schedule:Constant", "Schedule Value")
+            own = slot.fields.get(slot.key)
+            lines.append(f"SET {slot.value} = {self.sensor('Schedule Value', own) if own else slot.usual}")
+            for term in slot.terms:
+                what = self.sensor("Schedule Value", term.what) if term.what in self.series else term.what
+                lines.append(f"SET {slot.value} = {slot.value} + {what}" if term.how == "add" else
+                             f"SET {slot.value} = {slot.value} * (1 + {what})")
+            if slot.least is not None:
+                lines.append(f"SET {slot.value} = @Max {slot.value} {slot.least}")
+            lines += self.keep_apart(slot)
+        for slot in self.slots.values():
+            slot.fields[slot.key] = slot.made
+        return lines
+
+    def keep_apart(self, slot):
+        """A thermostat whose heating set-point is above that of cooling ends EnergyPlus: the changed one yields."""
+        other = OTHER_SET_POINT.get(slot.key)
+        if slot.kind.lower() != DUAL or not slot.fields.get(other):
+            return []
+        twin = self.slots.get((slot.kind.lower(), slot.name.lower(), other))
+        if twin is not None and not twin.value:
+            return []              # it comes later, and then yields
+        value = twin.value if twin is not None else self.sensor("Schedule Value", slot.fields[other])
+        sign, function = ("-", "@Min") if slot.key.startswith("heating") else ("+", "@Max")
+        limit = f"{slot.value}_limit"
+        return [f"SET {limit} = {value} {sign} {DEAD_BAND}", f"SET {slot.value} = {function} {slot.value} {limit}"]
+
+    def add_program(self, said, lines, point):
+        if not lines:
+            return
+        name = self.new_name(said)
+        self.model.add("EnergyManagementSystem:Program", name, {"lines": [{"program_line": line} for line in lines]})
+        self.model.add("EnergyManagementSystem:ProgramCallingManager", f"{name}_call", {
+            "energyplus_model_calling_point": point, "programs": [{"program_name": name}]})
+
+    def finish(self):
+        self.add_program("schedules", self.write_slots(), BEFORE)
+        self.add_program("heat", self.lines_of_heat, AFTER)
+
+    def write_series(self, folder):
+        """The CSV file of all Schedule:File objects, beside the model."""
+        if not self.series:
+            return
+        columns = [[repr(round(float(value), MOST_GAIN_STEPS)) for value in values] for values in self.series.values()]
+        with open(folder / SERIES_FILE, "w", encoding="utf-8") as file:
+            file.write(",".join(self.series) + "\n")
+            file.writelines(",".join(row) + "\n" for row in zip(*columns))

@@ -1,0 +1,165 @@
+"""EnergyPlus as a program: where it is, its version, conversion of IDF, a run, and its own words where it fails.
+
+Found by the key `energyplus` of run.json, else by ENERGYPLUS_DIR, else on PATH. HVACTemplate objects are expanded by
+EnergyPlus's own ExpandObjects. Leaves out the Runtime API: a process may fail without harm.
+"""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+
+from energyplus.failed import Failed
+from energyplus.model import read_epjson, version_of
+
+HELP = ('write "energyplus": "/usr/local/EnergyPlus-25-2-0" in run.json.in, set ENERGYPLUS_DIR to that folder, or put '
+        "it on PATH")
+MOST_WORDS = 300               # letters of EnergyPlus's message that are passed on
+UPDATER = "IDFVersionUpdater"
+
+
+def as_program(said):
+    path = pathlib.Path(said).expanduser()
+    return path / "energyplus" if path.is_dir() else path
+
+
+def find_program(said=""):
+    """The program as a path, links followed, for its tables lie beside it."""
+    for where, place in (("energyplus", said), ("ENERGYPLUS_DIR", os.environ.get("ENERGYPLUS_DIR", ""))):
+        if place:
+            path = as_program(place)
+            if not os.access(path, os.X_OK):
+                raise Failed(f"{where}: {path} is no program that can be run; {HELP}")
+            return path.resolve()
+    found = shutil.which("energyplus")
+    if found is None:
+        raise Failed(f"EnergyPlus was not found; {HELP}")
+    return pathlib.Path(found).resolve()
+
+
+def run(words, folder):
+    try:
+        return subprocess.run([str(word) for word in words], cwd=folder, capture_output=True, text=True, check=False,
+                              errors="replace", stdin=subprocess.DEVNULL)
+    except OSError as error:
+        raise Failed(f"{words[0]}: {error.strerror}; {HELP}") from None
+
+
+def program_version(program):
+    """(major, minor)"""
+    said = run([program, "--version"], ".").stdout
+    match = re.search(r"(\d+)\.(\d+)", said)
+    if match is None:
+        raise Failed(f"{program}: tells no version: {said[:80]!r}; expected EnergyPlus")
+    return int(match[1]), int(match[2])
+
+
+def dotted(version):
+    return ".".join(map(str, version))
+
+
+def transition(version):
+    return "V" + "-".join(map(str, version)) + "-0"
+
+
+def check_version(path, version, program):
+    """A model of another version than the program: EnergyPlus would misread its fields."""
+    own = program_version(program)
+    if version == own:
+        return
+    how = (f"bring it up to date by EnergyPlus's {UPDATER} (programs Transition-{transition(version)}-to-... up to "
+           f"{transition(own)})" if version < own else "use that EnergyPlus or a newer one")
+    raise Failed(f"{path}: Version: is {dotted(version)}, but {program} is EnergyPlus {dotted(own)}; {how}")
+
+
+def idf_version(path, text):
+    match = re.search(r"^\s*version\s*,[^;]*?([\d.]+)\s*;", re.sub(r"!.*", "", text), re.IGNORECASE | re.MULTILINE)
+    if match is None:
+        raise Failed(f"{path}: has no object Version; expected one like Version, 25.2;")
+    return version_of(match[1])
+
+
+def severe_words(text):
+    """The first severe or fatal message of eplusout.err, with the lines that go on with it."""
+    lines = text.splitlines()
+    for k, line in enumerate(lines):
+        if "** Severe" in line or "**  Fatal" in line:
+            said = [re.sub(r"^\s*\*+\s*(Severe|Fatal)\s*\*+\s*", "", line)]
+            for more in lines[k + 1:]:
+                if "**   ~~~" not in more:
+                    break
+                said.append(more.partition("~~~   **")[2])
+            return " ".join(" ".join(said).split())[:MOST_WORDS]
+    return ""
+
+
+def complain(folder, done, what):
+    """EnergyPlus's own words, from eplusout.err or from what it printed."""
+    try:
+        errors = (folder / "eplusout.err").read_text(errors="replace")
+    except OSError:
+        errors = ""
+    printed = (done.stderr or done.stdout).strip().splitlines()
+    said = severe_words(errors) or (printed[-1][:MOST_WORDS] if printed else "it says nothing")
+    raise Failed(f"EnergyPlus {what}, exit code {done.returncode}: {said}")
+
+
+def simulate(program, model_file, weather, folder):
+    """Runs in `folder`, which is made; eplusout.sql lies there afterwards."""
+    folder.mkdir(parents=True, exist_ok=True)
+    done = run([program, "-d", folder, "-w", weather, model_file], folder)
+    if done.returncode or not (folder / "eplusout.sql").is_file():
+        complain(folder, done, f"failed in {folder.name}")
+
+
+def convert(program, source, folder):
+    """The file in its other form, IDF or epJSON, in `folder`."""
+    folder.mkdir(parents=True, exist_ok=True)
+    done = run([program, "--convert-only", "-d", folder, source], folder)
+    ending = ".epJSON" if source.suffix.lower() == ".idf" else ".idf"
+    made = folder / (source.stem + ending)
+    if done.returncode or not made.is_file():
+        complain(folder, done, f"could not convert {source.name}")
+    return made
+
+
+def expand(program, source, folder):
+    """HVACTemplate objects of an IDF as the objects that they stand for."""
+    expander, tables = program.parent / "ExpandObjects", program.parent / "Energy+.idd"
+    if not expander.is_file():
+        raise Failed(f"{source.name}: has HVACTemplate objects, but {expander} is not there; expand them elsewhere")
+    shutil.copyfile(source, folder / "in.idf")
+    if not (folder / "Energy+.idd").exists():
+        (folder / "Energy+.idd").symlink_to(tables)
+    done = run([expander], folder)
+    made = folder / "expanded.idf"
+    if not made.is_file():
+        said = (folder / "expandedidf.err").read_text(errors="replace") if (folder / "expandedidf.err").is_file() \
+            else done.stdout
+        raise Failed(f"{source.name}: ExpandObjects failed: {' '.join(said.split())[:MOST_WORDS]}")
+    return made
+
+
+def read_model(program, path, folder):
+    """The Model of an IDF or epJSON file, its templates expanded; what that needs is written to `folder`."""
+    path = pathlib.Path(path)
+    folder = pathlib.Path(folder).resolve()
+    if path.suffix.lower() != ".idf":
+        model = read_epjson(path)
+        check_version(path, model.version, program)
+        if not model.names("HVACTemplate:"):
+            return model
+        idf = convert(program, path.resolve(), folder)
+    else:
+        try:
+            text = path.read_text(encoding="utf-8", errors="replace")
+        except OSError as error:
+            raise Failed(f"{path}: {error.strerror}; expected an EnergyPlus model, .epJSON or .idf") from None
+        check_version(path, idf_version(path, text), program)
+        folder.mkdir(parents=True, exist_ok=True)
+        idf = folder / path.name
+        if not idf.exists():
+            shutil.copyfile(path, idf)
+        if "hvactemplate:" not in text.lower():
+            return read_epjson(convert(program, idf, folder))
+    return read_epjson(convert(program, expand(program, idf, folder), folder))
