@@ -13,6 +13,7 @@ MOST_GAIN_STEPS = 6            # decimals of a series
 BEFORE = "BeginZoneTimestepBeforeInitHeatBalance"   # schedules are read after it
 AFTER = "BeginZoneTimestepAfterInitHeatBalance"     # heat is added after it, from what the last step found
 DEAD_BAND = 0.1                # K, least distance of a thermostat's two set-points
+THERMOSTAT = "thermostatsetpoint:"
 DUAL = "thermostatsetpoint:dualsetpoint"
 _HEAT, _COOL = "heating_setpoint_temperature_schedule_name", "cooling_setpoint_temperature_schedule_name"
 OTHER_SET_POINT = {_HEAT: _COOL, _COOL: _HEAT}
@@ -107,14 +108,18 @@ class Changes:
             self.model.add("Schedule:Constant", slot.made, {"hourly_value": slot.usual})
             slot.value = self.actuator(slot.made, "Schedule:Constant", "Schedule Value")
             own = slot.fields.get(slot.key)
-            lines.append(f"SET {slot.value} = {self.sensor('Schedule Value', own) if own else slot.usual}")
+            start = self.sensor("Schedule Value", own) if own else slot.usual
+            is_set_point = own and slot.kind.lower().startswith(THERMOSTAT)
+            if is_set_point:       # it reads 0 before the first time step: then `usual` holds
+                lines += [f"IF {start} == 0", f"SET {slot.value} = Null", "ELSE"]
+            lines.append(f"SET {slot.value} = {start}")
             for term in slot.terms:
                 what = self.sensor("Schedule Value", term.what) if term.what in self.series else term.what
                 lines.append(f"SET {slot.value} = {slot.value} + {what}" if term.how == "add" else
                              f"SET {slot.value} = {slot.value} * (1 + {what})")
             if slot.least is not None:
                 lines.append(f"SET {slot.value} = @Max {slot.value} {slot.least}")
-            lines += self.keep_apart(slot)
+            lines += [*self.keep_apart(slot), *(["ENDIF"] if is_set_point else [])]
         for slot in self.slots.values():
             slot.fields[slot.key] = slot.made
         return lines

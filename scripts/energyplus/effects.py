@@ -6,6 +6,7 @@ found. Heat of the air: 0.34 Wh/(m3 K). A facade is one of eight directions, or 
 hourly series can say (a second mass), and hooks whose objects the model does not have.
 """
 import csv
+import dataclasses
 import tomllib
 from dataclasses import dataclass
 
@@ -16,7 +17,7 @@ from energyplus.changes import Term
 from energyplus.failed import Failed, read_text
 from energyplus.hours import IDEAL
 from energyplus.model import ZONE
-from energyplus.parameters import SET_POINTS, as_read
+from energyplus.parameters import NO_LIMIT, SET_POINTS, as_read
 from new_job import idf_envelope, idf_geometry, idf_use
 from new_job.refused import Refused
 
@@ -195,29 +196,32 @@ def change_ventilation(at):
 
 
 def add_heat(at):
-    """Heat that no meter sees, of either sign, half of it radiant."""
-    for sign, values in ((1, np.maximum(at.values, 0)), (-1, np.maximum(-at.values, 0))):
-        if not values.any():
-            continue
-        series = at.series(values, "more" if sign > 0 else "less")
+    """Heat that no meter sees, half of it radiant. EnergyPlus takes a power below 0 from a program alone."""
+    more, less = np.maximum(at.values, 0), np.minimum(at.values, 0)
+    if more.any():
+        add_power(at, "OtherEquipment", "power_per_floor_area", more, fuel_type="None")
+    if less.any():
+        series = at.changes.sensor("Schedule Value", at.series(less, "less"))
         for zone in rooms(at):
-            at.model.add("OtherEquipment", at.changes.new_name(f"{at.effect.name} {zone}"), {
-                "fuel_type": "None", ZONE: zone, "schedule_name": series,
-                "design_level_calculation_method": "Watts/Area", "power_per_floor_area": sign, "fraction_latent": 0,
-                "fraction_radiant": 0.5, "fraction_lost": 0})
+            program(at, zone, at.effect.name, [f"SET {{heat}} = {internal(at, zone, 'Zone Floor Area')} * {series}"], 0.5)
+
+
+def add_power(at, kind, key, values, **more):
+    """An object of 1 W/m2 in each zone, whose schedule is the series."""
+    series = at.series(values, "more")
+    for zone in rooms(at):
+        at.model.add(kind, at.changes.new_name(f"{at.effect.name} {zone}"), {
+            ZONE: zone, "schedule_name": series, "design_level_calculation_method": "Watts/Area", key: 1,
+            "fraction_latent": 0, "fraction_radiant": 0.5, "fraction_lost": 0, **more})
 
 
 def add_equipment(at):
     """More is equipment; less is heat that is taken away, and the meter's hours afterwards."""
-    more = np.maximum(at.values, 0)
+    more, less = np.maximum(at.values, 0), np.minimum(at.values, 0)
     if more.any():
-        series = at.series(more, "more")
-        for zone in rooms(at):
-            at.model.add("ElectricEquipment", at.changes.new_name(f"{at.effect.name} {zone}"), {
-                ZONE: zone, "schedule_name": series, "design_level_calculation_method": "Watts/Area",
-                "watts_per_floor_area": 1, "fraction_latent": 0, "fraction_radiant": 0.5, "fraction_lost": 0})
-    if (at.values < 0).any():
-        add_heat(Place(at.model, at.changes, at.effect, np.minimum(at.values, 0), at.of_year, at.schedules))
+        add_power(at, "ElectricEquipment", "watts_per_floor_area", more)
+    if less.any():
+        add_heat(dataclasses.replace(at, values=less))
 
 
 def geometry(at):
@@ -377,11 +381,11 @@ def economise(at):
         fields["economizer_control_type"] = "DifferentialDryBulb"
         count += 1
     for _, fields in at.model.all(IDEAL[0]):
-        if fields.get("design_specification_outdoor_air_object_name"):
+        if fields.get("design_specification_outdoor_air_object_name") and "FlowRate" in fields.get("cooling_limit", ""):
             fields["outdoor_air_economizer_type"] = "DifferentialDryBulb"
             count += 1
     if not count:
-        raise CannotEnter("the model has no outdoor air of an air system")
+        raise CannotEnter("the model has no Controller:OutdoorAir, and no ideal loads with a limit of cooling air")
 
 
 def shift_supply(at):
@@ -453,6 +457,7 @@ class Hook:
 
 
 _HEATING, _COOLING = SET_POINTS["heating_set_point"], SET_POINTS["cooling_set_point"]
+_NO_HEAT, _NO_COLD = NO_LIMIT["heating_set_point"], NO_LIMIT["cooling_set_point"]
 HOOKS = {
     "outdoor air": Hook("outdoor temperature of the EPW's copy", warm_outdoors),
     "supply air": Hook("outdoor temperature that zones and OutdoorAir:Node see", warm_supply),
@@ -473,10 +478,10 @@ HOOKS = {
     "gains": Hook("OtherEquipment", add_heat),
     "loads": Hook("schedules of people, lights and equipment", change_schedules(GAINS, "factor", least=0)),
     "lights and equipment": Hook("ElectricEquipment; less of it as heat and on the meter", add_equipment, less_electricity),
-    "heating set-point": Hook("schedules of thermostats", change_schedules(_HEATING, "add", 20)),
-    "cooling set-point": Hook("schedules of thermostats", change_schedules(_COOLING, "add", 26)),
-    "heating available": Hook("schedules of thermostats", change_schedules(_HEATING, "add", 20, OFF)),
-    "cooling available": Hook("schedules of thermostats", change_schedules(_COOLING, "add", 26, -OFF)),
+    "heating set-point": Hook("schedules of thermostats", change_schedules(_HEATING, "add", _NO_HEAT)),
+    "cooling set-point": Hook("schedules of thermostats", change_schedules(_COOLING, "add", _NO_COLD)),
+    "heating available": Hook("schedules of thermostats", change_schedules(_HEATING, "add", _NO_HEAT, OFF)),
+    "cooling available": Hook("schedules of thermostats", change_schedules(_COOLING, "add", _NO_COLD, -OFF)),
     "operation": Hook("the schedule's own hook", move_schedule),
     "occupation": Hook("the schedule's own hook", move_schedule),
     "plant operation": Hook("the schedule's own hook", move_schedule),

@@ -52,6 +52,7 @@ SET_POINTS = {
                           ("ThermostatSetpoint:SingleCooling", "setpoint_temperature_schedule_name"),
                           ("ThermostatSetpoint:SingleHeatingOrCooling", "setpoint_temperature_schedule_name")),
 }
+NO_LIMIT = {"heating_set_point": 0, "cooling_set_point": 60}   # degC, at which nothing heats or cools
 OPAQUE = ("u_walls", "u_roof")
 WINDOWS = {"u_windows": "u_factor", "g_windows": "solar_heat_gain_coefficient"}
 MOST = {"u_factor": 6.9, "solar_heat_gain_coefficient": 0.95}   # what EnergyPlus's simple glazing takes
@@ -113,7 +114,7 @@ def shift(model, name, value, changes):
     count = 0
     for kind, key in SET_POINTS[name]:
         for each, fields in model.all(kind):
-            changes.slot(kind, each, fields, key, 20).terms.append(Term("add", f"{value!r}"))
+            changes.slot(kind, each, fields, key, NO_LIMIT[name]).terms.append(Term("add", f"{value!r}"))
             count += 1
     return count
 

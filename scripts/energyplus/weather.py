@@ -6,6 +6,8 @@ EnergyPlus, Auxiliary Programs, EPW. Leaves out EPW files of less than an hour.
 """
 import csv
 import datetime
+import gzip
+import zlib
 from dataclasses import dataclass, field
 
 from energyplus.failed import Failed, read_text
@@ -73,8 +75,19 @@ def spans_of(periods):
     return spans, at
 
 
+def text_of(path):
+    """Of an EPW, which may be packed."""
+    if str(path).endswith(".gz"):
+        try:
+            with gzip.open(path, "rt", encoding="latin-1") as file:
+                return file.read()
+        except (OSError, EOFError, zlib.error) as error:
+            raise Failed(f"{path}: {error}; expected a packed weather file, EPW") from None
+    return read_text(path, "a weather file, EPW", "latin-1")
+
+
 def read_epw(path):
-    lines = read_text(path, "a weather file, EPW", "latin-1").splitlines()
+    lines = text_of(path).splitlines()
     header, rows = lines[:HEADER_LINES], [line.split(",") for line in lines[HEADER_LINES:] if line.strip()]
     if not rows or not header[0].upper().startswith("LOCATION") or any(len(row) < 20 for row in rows):
         raise Failed(f"{path}: is no EPW: expected 8 lines of header, the first LOCATION, and rows of 35 numbers")
