@@ -85,7 +85,16 @@ _TABLE = {
     "hvactemplate:thermostat": "name heating_setpoint_schedule_name constant_heating_setpoint "
                                "cooling_setpoint_schedule_name constant_cooling_setpoint",
     "hvactemplate:zone:idealloadsairsystem": "zone_name template_thermostat_name",
-    "zonehvac:equipmentconnections": "zone_name",
+    "zonehvac:equipmentconnections": "zone_name zone_conditioning_equipment_list_name "
+                                     "zone_air_inlet_node_or_nodelist_name",
+    "zonehvac:idealloadsairsystem":
+        "name availability_schedule_name zone_supply_air_node_name zone_exhaust_air_node_name "
+        "system_inlet_air_node_name maximum_heating_supply_air_temperature minimum_cooling_supply_air_temperature "
+        "maximum_heating_supply_air_humidity_ratio minimum_cooling_supply_air_humidity_ratio heating_limit "
+        "maximum_heating_air_flow_rate maximum_sensible_heating_capacity cooling_limit maximum_cooling_air_flow_rate "
+        "maximum_total_cooling_capacity heating_availability_schedule_name cooling_availability_schedule_name "
+        "dehumidification_control_type cooling_sensible_heat_ratio humidification_control_type "
+        "design_specification_outdoor_air_object_name",
     "coil:heating:fuel": "name availability_schedule_name fuel_type burner_efficiency",
     "coil:heating:gas": "name availability_schedule_name burner_efficiency",
     "coil:heating:electric": "name availability_schedule_name efficiency",

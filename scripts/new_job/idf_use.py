@@ -189,21 +189,29 @@ class Reader:
         key = "minimum_outdoor_air_schedule_name"
         openings = [self.schedules.of(each, key) for each in self.model.all("Controller:OutdoorAir") if each.text(key)]
         damper = sum(openings) / len(openings) if openings else 1
-        for sizing in self.model.all("Sizing:Zone"):
-            if not sizing.text("design_specification_outdoor_air_object_name"):
-                continue
-            thing = self.model.find(sizing.text("design_specification_outdoor_air_object_name"),
-                                    "DesignSpecification:OutdoorAir")
-            if thing is None:
-                self.left_out.append(f'outdoor air "{sizing.text("design_specification_outdoor_air_object_name")}"')
-                continue
-            for zone, _ in self.conditioned_targets(sizing, "zone_or_zonelist_name"):
-                total += zone.multiplier * self.outdoor_air(thing, zone) * damper * \
+        by_systems = [(each, zone, damper) for each in self.model.all("Sizing:Zone")
+                      for zone, _ in self.conditioned_targets(each, "zone_or_zonelist_name")]
+        ideal = [(each, zone, 1) for each in self.model.all("ZoneHVAC:IdealLoadsAirSystem")
+                 for zone in self.supplied(each)]
+        for each, zone, share in ideal or by_systems:
+            name = each.text("design_specification_outdoor_air_object_name")
+            thing = self.model.find(name, "DesignSpecification:OutdoorAir")
+            if name and thing is None:
+                self.left_out.append(f'outdoor air "{name}"')
+            elif name:
+                total += zone.multiplier * self.outdoor_air(thing, zone) * share * \
                     self.schedules.of(thing, "outdoor_air_schedule_name")
         for thing in self.model.all("ZoneVentilation:DesignFlowRate"):
             for zone, area in self.conditioned_targets(thing):
                 total += zone.multiplier * self.own_flow(thing, zone, area) * self.schedules.of(thing, "schedule_name")
         return total
+
+    def supplied(self, system):
+        """Zones with a thermostat that ideal loads supply, by the node between."""
+        node = system.word("zone_supply_air_node_name")
+        zones = [self.zones.get(each.word("zone_name")) for each in self.model.all("ZoneHVAC:EquipmentConnections")
+                 if node and node == each.word("zone_air_inlet_node_or_nodelist_name")]
+        return [zone for zone in zones if zone and zone.is_conditioned]
 
     def own_flow(self, thing, zone, area):
         method = thing.word("design_flow_rate_calculation_method", "flow/zone")
