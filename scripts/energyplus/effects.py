@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from energyplus import parameters
-from energyplus.changes import Term
+from energyplus.changes import PREFIX, Term
 from energyplus.failed import Failed, read_text
 from energyplus.hours import IDEAL
 from energyplus.model import ZONE
@@ -34,6 +34,7 @@ GAINS = (("People", "number_of_people_schedule_name"), ("Lights", "schedule_name
 INFILTRATION = (("ZoneInfiltration:DesignFlowRate", "schedule_name"),
                 ("ZoneInfiltration:EffectiveLeakageArea", "schedule_name"),
                 ("ZoneInfiltration:FlowCoefficient", "schedule_name"))
+SIZES = ("Sizing:", "DesignSpecification:", "Controller:MechanicalVentilation")   # which size systems, and run none
 RECOVERY = ("sensible_effectiveness_at_100_heating_air_flow", "sensible_effectiveness_at_100_cooling_air_flow",
             "sensible_effectiveness_at_75_heating_air_flow", "sensible_effectiveness_at_75_cooling_air_flow")
 
@@ -181,18 +182,20 @@ def open_windows(at):
             "minimum_indoor_temperature": above, "delta_temperature": 0})
 
 
-def change_ventilation(at):
+def change_ventilation(how):
     """Outdoor air of ideal loads and terminals, of controllers, and ventilation of zones."""
-    referred = {str(value).lower() for kind in at.model.objects if not kind.startswith(("Sizing:", "DesignSpec"))
-                and kind != "Controller:MechanicalVentilation" for _, fields in at.model.all(kind)
-                for key, value in fields.items() if key.startswith("design_specification_outdoor_air")}
-    found = [("ZoneVentilation:DesignFlowRate", name, fields, "schedule_name")
-             for name, fields in at.model.all("ZoneVentilation:DesignFlowRate") if not name.startswith("bemcal_")]
-    found += [("DesignSpecification:OutdoorAir", name, fields, "outdoor_air_schedule_name")
-              for name, fields in at.model.all("DesignSpecification:OutdoorAir") if name.lower() in referred]
-    found += [("Controller:OutdoorAir", name, fields, "minimum_outdoor_air_schedule_name")
-              for name, fields in at.model.all("Controller:OutdoorAir")]
-    change(at, found, "factor", at.values, 1.0, 0)
+    def enter(at):
+        referred = {str(value).lower() for kind in at.model.objects if not kind.startswith(SIZES)
+                    for _, fields in at.model.all(kind) for key, value in fields.items()
+                    if key.startswith("design_specification_outdoor_air")}
+        found = [("ZoneVentilation:DesignFlowRate", name, fields, "schedule_name")
+                 for name, fields in at.model.all("ZoneVentilation:DesignFlowRate") if not name.startswith(PREFIX)]
+        found += [("DesignSpecification:OutdoorAir", name, fields, "outdoor_air_schedule_name")
+                  for name, fields in at.model.all("DesignSpecification:OutdoorAir") if name.lower() in referred]
+        found += [("Controller:OutdoorAir", name, fields, "minimum_outdoor_air_schedule_name")
+                  for name, fields in at.model.all("Controller:OutdoorAir")]
+        change(at, found, how, at.values, 1.0, 0)
+    return enter
 
 
 def add_heat(at):
@@ -465,7 +468,7 @@ HOOKS = {
     "window boundary": Hook("outdoor temperature that windows see", warm_windows),
     "infiltration": Hook("ZoneInfiltration:DesignFlowRate; less of it as heat", add_infiltration),
     "leakage": Hook("schedules of infiltration", change_schedules(INFILTRATION, "factor", least=0)),
-    "ventilation": Hook("schedules of outdoor air and ZoneVentilation", change_ventilation),
+    "ventilation": Hook("schedules of outdoor air and ZoneVentilation", change_ventilation("factor")),
     "venting": Hook("ZoneVentilation:DesignFlowRate, while the room is warm", open_windows),
     "opaque conductance": Hook("insulating layers; of time: a share of conducted heat", change_walls),
     "window conductance": Hook("glazing's U-value; of time: a share of U A dT", change_glass),
@@ -493,6 +496,7 @@ HOOKS = {
     "schedule of people": Hook("schedules of people", change_schedules(GAINS[:1], "add", least=0)),
     "schedule of lights": Hook("schedules of lights", change_schedules(GAINS[1:2], "add", least=0)),
     "schedule of equipment": Hook("schedules of equipment", change_schedules(GAINS[2:3], "add", least=0)),
+    "schedule of ventilation": Hook("schedules of outdoor air and ZoneVentilation", change_ventilation("add")),
     "schedule of infiltration": Hook("schedules of infiltration", change_schedules(INFILTRATION, "add", least=0)),
 }
 

@@ -62,7 +62,7 @@ def value_of(name, profile):
 
 def hours(values):
     """24 numbers, or one."""
-    rounded = [float(f"{value:.3f}") for value in values]
+    rounded = [float(f"{value:.3f}") + 0.0 for value in values]   # and no -0
     return rounded[0] if len(set(rounded)) == 1 else rounded
 
 

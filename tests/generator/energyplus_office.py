@@ -164,6 +164,8 @@ def model():
                                     "solar_distribution": "FullExterior"}},
             "SimulationControl": {"Control": {"run_simulation_for_sizing_periods": "No",
                                               "run_simulation_for_weather_file_run_periods": "Yes"}},
+            "RunPeriodControl:DaylightSavingTime": {"Summer time": {"start_date": "Last Sunday in March",
+                                                                    "end_date": "Last Sunday in October"}},
             "Timestep": {"Timestep 1": {"number_of_timesteps_per_hour": 4}},
             "RunPeriod": {"Year": {"begin_month": 1, "begin_day_of_month": 1, "end_month": 12, "end_day_of_month": 31}},
             **fabric(), **use(), **plant()}
