@@ -122,8 +122,8 @@ class Hours:
             if stamp not in stamps:
                 stamps[stamp] = at.get(datetime.datetime(year, month, day) + (hour - 1) * HOURS)
             if stamps[stamp] is not None:
-                table = self.meters if is_meter else self.rooms
-                self.series(table, name if is_meter else key.upper())[stamps[stamp]] = value / KWH if is_meter else value
+                series = self.series(self.meters, name) if is_meter else self.series(self.rooms, key.upper())
+                series[stamps[stamp]] = value / KWH if is_meter else value
 
     def sum(self, names):
         """Of meters that EnergyPlus knows; zeros where it knows none."""
@@ -181,8 +181,8 @@ def check(hours, meters, made):
                      "of the periods, and a zone with a thermostat")
     for meter in meters:
         if not made[meter["quantity"]].is_used:
-            raise Failed(f'meters: {meter["name"]}: the model uses no {meter["quantity"]}; expected another quantity, or '
-                         "a plant in run.json for ideal loads")
+            raise Failed(f'meters: {meter["name"]}: the model uses no {meter["quantity"]}; expected another quantity, '
+                         "or a plant in run.json for ideal loads")
 
 
 def write(path, meters, made):

@@ -16,20 +16,21 @@ FLOWS = ("design_flow_rate", "flow_rate_per_floor_area", "flow_rate_per_exterior
          "air_changes_per_hour")
 LEVELS = ("lighting_level", "design_level", "watts_per_floor_area", "watts_per_person", "power_per_floor_area",
           "power_per_person")
+FRESH_AIR = ("outdoor_air_flow_per_person", "outdoor_air_flow_per_zone_floor_area", "outdoor_air_flow_per_zone",
+             "outdoor_air_flow_air_changes_per_hour")
 # Factors: {parameter: ((class, fields, most), ...)}; `most` is the largest value that EnergyPlus takes.
 FACTORS = {
     "infiltration": (("ZoneInfiltration:DesignFlowRate", FLOWS, None),
                      ("ZoneInfiltration:EffectiveLeakageArea", ("effective_air_leakage_area",), None),
                      ("ZoneInfiltration:FlowCoefficient", ("flow_coefficient",), None)),
     "outdoor_air": (("ZoneVentilation:DesignFlowRate", FLOWS, None),
-                    ("DesignSpecification:OutdoorAir", (
-                        "outdoor_air_flow_per_person", "outdoor_air_flow_per_zone_floor_area",
-                        "outdoor_air_flow_per_zone", "outdoor_air_flow_air_changes_per_hour"), None),
+                    ("DesignSpecification:OutdoorAir", FRESH_AIR, None),
                     ("Controller:OutdoorAir", ("minimum_outdoor_air_flow_rate",), None)),
     "lights": (("Lights", LEVELS, None),),
     "equipment": (("ElectricEquipment", LEVELS, None), ("GasEquipment", LEVELS, None)),
     "people": (("People", ("number_of_people", "people_per_floor_area"), None),),
-    "heating_efficiency": (("Coil:Heating:Fuel", ("burner_efficiency",), 1), ("Coil:Heating:Gas", ("gas_burner_efficiency",), 1),
+    "heating_efficiency": (("Coil:Heating:Fuel", ("burner_efficiency",), 1),
+                           ("Coil:Heating:Gas", ("gas_burner_efficiency",), 1),
                            ("Boiler:HotWater", ("nominal_thermal_efficiency",), 1),
                            ("Coil:Heating:Electric", ("efficiency",), 1),
                            ("Coil:Heating:DX:SingleSpeed", ("gross_rated_heating_cop",), None)),
@@ -80,8 +81,8 @@ def apply(model, values, rows, changes, plant):
         of_rows = [row for row in rows if row.get("parameter") == name]
         count = apply_rows(model, name, value, of_rows) if of_rows else apply_usual(model, name, value, changes, plant)
         if not count:
-            raise Failed(f"parameters: {name}: {model.path} has nothing that it changes; take it out of run.json.in and "
-                         "of the job, or give it a row in \"rows\"")
+            raise Failed(f"parameters: {name}: {model.path} has nothing that it changes; take it out of run.json.in "
+                         "and of the job, or give it a row in \"rows\"")
 
 
 def apply_usual(model, name, value, changes, plant):

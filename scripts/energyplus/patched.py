@@ -1,7 +1,7 @@
 """What EnergyPlus receives, to be read: the model with parameters and effects, its series, and a difference of lines.
 
-Both models are written with their keys sorted, so that the unified difference shows changes alone. Leaves out run periods
-and outputs, which are the run's and not the building's.
+Both models are written with their keys sorted, so that the unified difference shows changes alone. Leaves out run
+periods and outputs, which are the run's and not the building's.
 """
 import difflib
 import json

@@ -102,7 +102,7 @@ def read_epw(path):
 def is_typical(epw):
     """Months of many years, which do not follow one another."""
     years = [int(row[YEAR]) for row in epw.rows]
-    return any(later < earlier for earlier, later in zip(years, years[1:])) or len(epw.years) > 1 + len(years) // 8760
+    return any(later - earlier not in (0, 1) for earlier, later in zip(years, years[1:]))
 
 
 def rows_of_year(files, year):
@@ -113,7 +113,8 @@ def rows_of_year(files, year):
             return epw, rows
     if len(files) == 1 and len(files[0].rows) in (8760, 8784):
         return files[0], files[0].rows
-    raise Failed(f"weather: no file has the year {year}: {', '.join(epw.path for epw in files)}; expected an EPW of it")
+    names = ", ".join(str(epw.path) for epw in files)
+    raise Failed(f"weather: no file has the year {year}: {names}; expected an EPW of it")
 
 
 def hour_of(row, year):

@@ -154,7 +154,8 @@ def simulator_of(first):
         raise Refused("--simulator: EnergyPlus reads weather as EPW only; expected --weather FILE.epw", USAGE)
     names = [os.path.basename(file) for file in first.weather.files]
     if len(set(names)) < len(names):
-        raise Refused(f"--weather: two files are called {names[0]}, and they are linked into one folder; rename one", USAGE)
+        raise Refused(f"--weather: two files are called {names[0]}, and they are linked into one folder; rename one",
+                      USAGE)
     model, found = read_model(options, told)
     plant = plant_of(first, model)
     moved = parameters_of(model, plant, told)
@@ -170,12 +171,12 @@ def simulator_of(first):
 def tell_differences(first, model):
     """Of the calendar, which the job and the model have each of their own."""
     if not model.all("RunPeriodControl:SpecialDays"):
-        first.told.check("simulator: the model has no RunPeriodControl:SpecialDays, so that it works on holidays; the job "
-                         "does not")
+        first.told.check("simulator: the model has no RunPeriodControl:SpecialDays, so that it works on holidays; "
+                         "the job does not")
     summer = idf_job.job.summer_time_of(first.options.country, first.options.state) != "none"
     if summer and not model.all("RunPeriodControl:DaylightSavingTime"):
-        first.told.check("simulator: the model has no RunPeriodControl:DaylightSavingTime; the job's schedules have summer "
-                         "time")
+        first.told.check("simulator: the model has no RunPeriodControl:DaylightSavingTime; the job's schedules have "
+                         "summer time")
 
 
 def check_places(options, files):

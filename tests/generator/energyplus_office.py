@@ -16,6 +16,12 @@ EFFECT = {"name": "warm evenings", "hook": "heating set-point", "unit": "K", "en
 EFFECT_HOURS, EFFECT_SIZE = (18, 22), 3  # of every day, K
 
 
+OUTER = {"Wall": "Outer wall", "Roof": "Roof", "Floor": "Slab"}
+MONTHS = ("january", "february", "march", "april", "may", "june", "july", "august", "september", "october", "november",
+          "december")
+GROUND = 15                              # degC, below the slab
+
+
 def corner(x, y, z):
     return {"vertex_x_coordinate": x, "vertex_y_coordinate": y, "vertex_z_coordinate": z}
 
@@ -41,7 +47,7 @@ def surfaces():
             other = next(each for each in ROOMS if each != room)
             made[f"{room} {face}"] = {
                 "surface_type": kind, "zone_name": room,
-                "construction_name": "Partition" if is_inner else {"Roof": "Roof", "Floor": "Slab"}.get(kind, "Outer wall"),
+                "construction_name": "Partition" if is_inner else OUTER[kind],
                 "outside_boundary_condition": "Surface" if is_inner else "Ground" if face == "floor" else "Outdoors",
                 **({"outside_boundary_condition_object": f"{other} {between[other]}"} if is_inner else {}),
                 "sun_exposure": "NoSun" if is_inner or face == "floor" else "SunExposed",
@@ -95,10 +101,10 @@ def fabric():
             "Double glazing": {"outside_layer": "Glass"}},
         "BuildingSurface:Detailed": surfaces(), "FenestrationSurface:Detailed": windows(),
         "GlobalGeometryRules": {"Rules": {"starting_vertex_position": "UpperLeftCorner",
-                                          "vertex_entry_direction": "Counterclockwise", "coordinate_system": "Relative"}},
-        "Site:GroundTemperature:BuildingSurface": {"Ground": {f"{month}_ground_temperature": 15 for month in (
-            "january", "february", "march", "april", "may", "june", "july", "august", "september", "october", "november",
-            "december")}},
+                                          "vertex_entry_direction": "Counterclockwise",
+                                          "coordinate_system": "Relative"}},
+        "Site:GroundTemperature:BuildingSurface": {
+            "Ground": {f"{month}_ground_temperature": GROUND for month in MONTHS}},
         "Zone": {room: {"multiplier": 1} for room in ROOMS}}
 
 
@@ -138,10 +144,12 @@ def plant():
     """Thermostats and ideal loads, node by node."""
     return {
         "ThermostatSetpoint:DualSetpoint": {"Set-points": {
-            "heating_setpoint_temperature_schedule_name": "Heat", "cooling_setpoint_temperature_schedule_name": "Cold"}},
+            "heating_setpoint_temperature_schedule_name": "Heat",
+            "cooling_setpoint_temperature_schedule_name": "Cold"}},
         "ZoneControl:Thermostat": {f"{room} thermostat": {
             "zone_or_zonelist_name": room, "control_type_schedule_name": "Dual",
-            "control_1_object_type": "ThermostatSetpoint:DualSetpoint", "control_1_name": "Set-points"} for room in ROOMS},
+            "control_1_object_type": "ThermostatSetpoint:DualSetpoint", "control_1_name": "Set-points"}
+                                   for room in ROOMS},
         "ZoneHVAC:IdealLoadsAirSystem": {f"{room} air": {
             "zone_supply_air_node_name": f"{room} supply", "design_specification_outdoor_air_object_name": "Fresh air",
             "outdoor_air_inlet_node_name": f"{room} outdoor", "dehumidification_control_type": "None",

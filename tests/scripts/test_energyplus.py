@@ -1,0 +1,468 @@
+#!/usr/bin/python3
+"""The runner of a user's EnergyPlus model, beside a stand-in for EnergyPlus whose hours can be foretold: periods and
+years come in the job's order; parameters and effects change the objects that the tables name; what is wrong ends in one
+line.
+
+`test_energyplus_runs.slow.py` asks EnergyPlus itself.
+"""
+import csv
+import datetime
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+sys.dont_write_bytecode = True
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests" / "generator")]
+
+import energyplus_office as office  # noqa: E402  (found above)
+from energyplus import effects, hours, model, parameters, program, weather  # noqa: E402
+from energyplus.changes import Changes  # noqa: E402
+from energyplus.failed import Failed  # noqa: E402
+
+STUB = ROOT / "tests" / "energyplus" / "stub.py"
+RUNNER = ROOT / "scripts" / "energyplus_hours"
+HOOKS_OF_PROGRAM = ROOT / "src" / "effects" / "hooks.cpp"
+WRONG = 65
+YEAR = 8760
+HEAD = ["LOCATION,a,b,c,d,0,47,8,1,0", "DESIGN CONDITIONS,0", "TYPICAL/EXTREME PERIODS,0", "GROUND TEMPERATURES,0",
+        "HOLIDAYS/DAYLIGHT SAVINGS,No,0,0,0", "COMMENTS 1,", "COMMENTS 2,", "DATA PERIODS,1,1,Data,Sunday,1/1,12/31"]
+
+
+def write_epw(path, first, n_days, newline="\n"):
+    """Outdoor temperature: the day of the month."""
+    lines = list(HEAD)
+    for k in range(24 * n_days):
+        time = datetime.datetime.combine(first, datetime.time()) + k * weather.HOURS
+        lines.append(f"{time.year},{time.month},{time.day},{time.hour + 1},60,x,{time.day}" + ",0" * 28)
+    path.write_bytes((newline.join(lines) + newline).encode())
+
+
+def number_of(time):
+    return (time - datetime.datetime(time.year, 1, 1)) / weather.HOURS
+
+
+class Runs(unittest.TestCase):
+    """Of the whole command, beside the stand-in."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+        (self.folder / "model.epJSON").write_text(json.dumps(office.model()))
+        write_epw(self.folder / "2020.epw", datetime.date(2020, 1, 1), 366)
+        write_epw(self.folder / "2021.epw", datetime.date(2021, 1, 1), 365, "\r\n")
+        self.run_file = {"energyplus": str(STUB), "model": "model.epJSON", "weather": ["2020.epw", "2021.epw"],
+                         "periods": "periods.csv", "parameters": {"infiltration": 1.2},
+                         "meters": [{"name": "power", "quantity": "electricity"},
+                                    {"name": "gas, all", "quantity": "gas"},
+                                    {"name": "room", "quantity": "air_temperature"}]}
+        self.periods("training,2021-03-01,2021-03-02", "held_out,2020-12-30,2021-01-02", "leap,2020-02-29,2020-02-29")
+
+    def periods(self, *lines):
+        (self.folder / "periods.csv").write_text("\n".join(["period,first,last", *lines]) + "\n")
+
+    def call(self, *words, environment=None):
+        (self.folder / "run.json").write_text(json.dumps(self.run_file))
+        return subprocess.run(["/usr/bin/python3", RUNNER, "run.json", *words], cwd=self.folder, capture_output=True,
+                              text=True, check=False, env=environment)
+
+    def rows(self):
+        done = self.call()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.folder / "hours.csv", encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+    def effect(self, values, **section):
+        lines = [f"{key} = {json.dumps(value)}\n" for key, value in {"unit": "-", "enters": "add", **section}.items()]
+        with open(self.folder / "effects.toml", "a", encoding="utf-8") as file:
+            file.write("[[effect]]\n" + "".join(lines))
+        (self.folder / "effects.csv").write_text(section["column"] + "\n" + "".join(f"{value}\n" for value in values))
+
+    def fails(self, *words):
+        done = self.call()
+        self.assertEqual(done.returncode, WRONG, done.stdout + done.stderr)
+        last = done.stderr.strip().splitlines()[-1]
+        for word in words:
+            self.assertIn(word, last)
+        self.assertFalse((self.folder / "hours.csv").exists())
+
+    def test_hours_of_the_periods_in_their_order(self):
+        rows = self.rows()
+        begins = [datetime.datetime(2021, 3, 1) + k * weather.HOURS for k in range(48)]
+        begins += [datetime.datetime(2020, 12, 30) + k * weather.HOURS for k in range(96)]
+        begins += [datetime.datetime(2020, 2, 29) + k * weather.HOURS for k in range(24)]
+        self.assertEqual([float(row["power"]) for row in rows], [number_of(time) for time in begins])
+        for row, time in zip(rows, begins):
+            self.assertAlmostEqual(float(row["gas, all"]), number_of(time) / 10, places=3)
+            self.assertAlmostEqual(float(row["room"]), time.day + 4 * 300 / 400, places=4)   # mean by volume
+
+    def test_a_day_in_two_periods_is_in_the_table_twice(self):
+        self.periods("a,2021-05-01,2021-05-02", "b,2021-05-02,2021-05-03")
+        rows = self.rows()
+        self.assertEqual(len(rows), 96)
+        self.assertEqual(rows[24:48], rows[48:72])
+
+    def test_a_packed_weather_file(self):
+        subprocess.run(["gzip", self.folder / "2020.epw"], check=True)
+        self.run_file["weather"][0] = "2020.epw.gz"
+        self.assertEqual(len(self.rows()), 168)
+
+    def test_only_errors_of_energyplus_stay(self):
+        self.rows()
+        self.assertEqual([path.name for path in (self.folder / "run_2020").iterdir()], [])
+        self.assertFalse((self.folder / "effects_left_out.txt").exists())
+
+    def test_words_of_energyplus(self):
+        self.change_building("severe")
+        self.fails("run_2021", "the roof leaks a lot")
+        self.change_building("silent")
+        self.fails("failed in run_2021")
+
+    def change_building(self, name):
+        given = office.model()
+        given["Building"] = {name: {}}
+        (self.folder / "model.epJSON").write_text(json.dumps(given))
+
+    def test_what_is_missing_is_told(self):
+        self.run_file["energyplus"] = str(self.folder / "none")
+        self.fails("none is no program", "ENERGYPLUS_DIR")
+        self.run_file["energyplus"] = ""
+        bare = {"PATH": str(self.folder)}
+        done = self.call(environment=bare)
+        self.assertIn("EnergyPlus was not found", done.stderr)
+        done = self.call(environment={**bare, "ENERGYPLUS_DIR": str(STUB)})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        os.unlink(self.folder / "2021.epw")
+        (self.folder / "hours.csv").unlink()
+        self.run_file["energyplus"] = str(STUB)
+        self.fails("2021.epw", "No such file")
+        self.run_file["weather"] = ["2020.epw"]
+        self.periods("a,2021-03-01,2021-03-02")
+        write_epw(self.folder / "2020.epw", datetime.date(2020, 1, 1), 200)
+        self.fails("no file has the year 2021")
+
+    def test_another_version_is_told(self):
+        given = office.model()
+        given["Version"]["Version 1"]["version_identifier"] = "23.1"
+        (self.folder / "model.epJSON").write_text(json.dumps(given))
+        self.fails("23.1", "25.2", "IDFVersionUpdater", "Transition-V23-1-0")
+
+    def test_idf_is_converted_by_energyplus(self):
+        (self.folder / "house.idf").write_text("! a model\n Version,\n  25.2; ! its version\n Building, x;\n")
+        program_folder = self.folder / "program"
+        program_folder.mkdir()
+        shutil.copy(STUB, program_folder / "energyplus")
+        shutil.copy(self.folder / "model.epJSON", program_folder / "model.epJSON")
+        self.run_file |= {"model": "house.idf", "energyplus": str(program_folder)}
+        self.assertEqual(len(self.rows()), 168)
+        (self.folder / "house.idf").write_text("Version, 9.1;\n")
+        (self.folder / "hours.csv").unlink()
+        self.fails("house.idf", "9.1")
+
+    def test_bad_run_files(self):
+        good = dict(self.run_file)
+        for change, words in (({"weathr": []}, ["weathr", "not known"]),
+                              ({"meters": [{"name": "x"}]}, ["meters", "quantity"]),
+                              ({"parameters": {"colour": 1}}, ["colour", "expected one of infiltration"]),
+                              ({"parameters": {"lights": "x"}}, ["lights", "no number"]),
+                              ({"periods": "none.csv"}, ["none.csv"]), ({"model": 3}, ["model", "str"]),
+                              ({"meters": [{"name": "x", "quantity": "cooling"}]}, ["x", "uses no cooling"])):
+            with self.subTest(change):
+                self.run_file = {**good, **change}
+                self.fails(*words) if "uses no cooling" not in words else self.no_cooling(words)
+        self.run_file = good
+        for text in ("period,first\n", "period,first,last\n", "period,first,last\na,2021-01-02,2021-01-01\n",
+                     "period,first,last\na,yesterday,2021-01-01\n"):
+            (self.folder / "periods.csv").write_text(text)
+            self.fails("periods.csv")
+
+    def no_cooling(self, words):
+        """The model has no ideal loads, and the stand-in no cold."""
+        given = office.model()
+        del given["ZoneHVAC:IdealLoadsAirSystem"]
+        (self.folder / "model.epJSON").write_text(json.dumps(given))
+        self.fails(*words)
+        (self.folder / "model.epJSON").write_text(json.dumps(office.model()))
+
+    def test_effects_on_the_hours(self):
+        """Meters, and the part of gas that heats (half of it) by an efficiency."""
+        plain = self.rows()
+        self.effect(range(168), name="more", hook="meter addition", column="more", meter="power")
+        doubled = self.rows()
+        for k, (before, after) in enumerate(zip(plain, doubled)):
+            self.assertAlmostEqual(float(after["power"]), float(before["power"]) + k * 200 / 1000, places=2)
+        (self.folder / "effects.toml").unlink()
+        self.effect([0.25] * 168, name="factor", hook="meter factor", column="f", meter="gas", enters="factor")
+        self.assertAlmostEqual(float(self.rows()[30]["gas, all"]) / float(plain[30]["gas, all"]), 1.25, places=5)
+        (self.folder / "effects.toml").unlink()
+        self.effect([-0.5] * 168, name="old boiler", hook="heating efficiency", column="f", enters="factor")
+        self.assertAlmostEqual(float(self.rows()[30]["gas, all"]) / float(plain[30]["gas, all"]), 1.5, places=5)
+
+    def test_outdoor_air_warms_the_weather(self):
+        self.effect([2.5] * 168, name="city", hook="outdoor air", column="t")
+        self.assertAlmostEqual(float(self.rows()[0]["room"]), 1 + 2.5 + 3, places=4)
+
+    def test_what_cannot_enter_is_told_and_the_run_goes_on(self):
+        plain = self.rows()
+        self.effect([1] * 168, name="heavy", hook="second mass", column="m")
+        self.effect([1] * 168, name="odd", hook="colour", column="m")
+        self.assertEqual(self.rows(), plain)
+        told = (self.folder / "effects_left_out.txt").read_text().splitlines()
+        self.assertEqual([line.split(":")[0] for line in told], ["heavy", "odd"])
+        (self.folder / "effects.toml").unlink()
+        self.rows()
+        self.assertFalse((self.folder / "effects_left_out.txt").exists())
+
+    def test_bad_effects(self):
+        self.effect([1] * 168, name="x", hook="gains", column="a")
+        (self.folder / "effects.csv").write_text("b\n1\n")
+        self.fails("effects.csv", "'a'")
+        (self.folder / "effects.csv").write_text("a\n1\n")
+        self.fails("1 rows", "expected 168")
+        (self.folder / "effects.csv").write_text("a\n" + "nan\n" * 168)
+        self.fails("each a number")
+        (self.folder / "effects.toml").write_text("[[effect]\n")
+        self.fails("effects.toml", "expected TOML")
+
+    def test_what_energyplus_would_receive(self):
+        self.effect([1.5] * 168, name="warm", hook="heating set-point", column="w")
+        before = (self.folder / "model.epJSON").read_bytes()
+        done = self.call("--patch-only")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual((self.folder / "model.epJSON").read_bytes(), before)
+        made = json.loads((self.folder / "model-effects-2021.epJSON").read_text())
+        self.assertIn("Schedule:File", made)
+        difference = (self.folder / "model-effects-2021.diff").read_text()
+        self.assertIn('+   "heating_setpoint_temperature_schedule_name": "bemcal_', difference)
+        self.assertIn('-   "air_changes_per_hour": 0.4', difference)
+        self.assertNotIn('"Lights"', difference)
+        series = (self.folder / "model-effects-2021.csv").read_text().splitlines()
+        self.assertEqual(len(series), 1 + YEAR)
+        self.assertEqual((series[1], series[1 + 59 * 24], series[1 + 61 * 24]), ("1.5", "1.5", "0.0"))
+
+
+class Tables(unittest.TestCase):
+    """Parameters and hooks on the objects of the office."""
+
+    def setUp(self):
+        self.model = model.Model(office.model(), "office.epJSON")
+        self.changes = Changes(self.model, YEAR)
+
+    def apply(self, rows=(), plant=None, **values):
+        plant = plant or hours.plant_of(self.model, {})
+        parameters.apply(self.model, values, list(rows), self.changes, plant)
+        return plant
+
+    def field(self, kind, name, key):
+        return self.model.find(kind, name)[key]
+
+    def enter(self, hook, values=0.5, is_factor=False, **more):
+        series = np.broadcast_to(np.asarray(values, float), YEAR)
+        left_out, moved = {}, []
+        effects.enter([effects.Effect("it", hook, is_factor, series, more)], self.model, self.changes, lambda s: s,
+                      moved.append, {"lights": {"hook": "schedule of lights", "span": 0.5}}, left_out)
+        self.changes.finish()
+        return left_out, moved
+
+    def lines(self):
+        """Of all programs."""
+        return [row["program_line"] for _, fields in self.model.all("EnergyManagementSystem:Program")
+                for row in fields["lines"]]
+
+    def test_factors(self):
+        self.apply(infiltration=2.0, lights=0.5, equipment=1.5, people=2.0, outdoor_air=3.0)
+        self.assertEqual(self.field("ZoneInfiltration:DesignFlowRate", "South room leaks", "air_changes_per_hour"), 0.8)
+        self.assertEqual(self.field("Lights", "South room lights", "watts_per_floor_area"), 4.5)
+        self.assertEqual(self.field("ElectricEquipment", "North room plugs", "watts_per_floor_area"), 12)
+        self.assertEqual(self.field("People", "North room people", "floor_area_per_person"), 7.5)
+        self.assertAlmostEqual(self.field("DesignSpecification:OutdoorAir", "fresh AIR",
+                                          "outdoor_air_flow_per_zone_floor_area"), 0.0024)
+
+    def test_u_values_by_the_layer_that_insulates(self):
+        bare = 0.24 / 0.8 + parameters.FILMS
+        self.apply(u_walls=1.25)
+        made = self.field("Construction", "Outer wall", "outside_layer")
+        self.assertNotEqual(made, "Wall insulation")
+        resistance = self.field("Material:NoMass", made, "thermal_resistance")
+        self.assertAlmostEqual((bare + 1.8) / (bare + resistance), 1.25)
+        self.assertEqual(self.field("Construction", "Roof", "outside_layer"), "Roof insulation")
+        self.assertEqual(self.field("Material:NoMass", "Wall insulation", "thermal_resistance"), 1.8)
+
+    def test_a_layer_with_mass_changes_its_conductivity(self):
+        self.model.find("Construction", "Outer wall").pop("layer_2")
+        self.model.find("Construction", "Outer wall")["outside_layer"] = "Brick"
+        self.apply(u_walls=0.8)
+        made = self.model.find("Material", self.field("Construction", "Outer wall", "outside_layer"))
+        own = 0.24 / 0.8
+        self.assertAlmostEqual((own + parameters.FILMS) / (0.24 / made["conductivity"] + parameters.FILMS), 0.8)
+        self.assertEqual(made["thickness"], 0.24)
+
+    def test_windows_become_simple_glazing(self):
+        self.apply(u_windows=1.5, g_windows=0.8)
+        made = self.model.find("WindowMaterial:SimpleGlazingSystem",
+                               self.field("Construction", "Double glazing", "outside_layer"))
+        self.assertAlmostEqual(made["u_factor"], 3)
+        self.assertAlmostEqual(made["solar_heat_gain_coefficient"], 0.44)
+
+    def test_panes_become_their_u_value_and_g(self):
+        pane = {"optical_data_type": "SpectralAverage", "thickness": 0.004, "conductivity": 1,
+                "solar_transmittance_at_normal_incidence": 0.83,
+                "front_side_solar_reflectance_at_normal_incidence": 0.075,
+                "back_side_solar_reflectance_at_normal_incidence": 0.075,
+                "front_side_infrared_hemispherical_emissivity": 0.84,
+                "back_side_infrared_hemispherical_emissivity": 0.84}
+        self.model.add("WindowMaterial:Glazing", "Clear", pane)
+        self.model.add("WindowMaterial:Gas", "Gap", {"gas_type": "Air", "thickness": 0.012})
+        self.model.find("Construction", "Double glazing").update(outside_layer="Clear", layer_2="Gap", layer_3="Clear")
+        self.apply(u_windows=1.0)
+        construction = self.model.find("Construction", "Double glazing")
+        self.assertEqual(list(construction), ["outside_layer"])
+        made = self.model.find("WindowMaterial:SimpleGlazingSystem", construction["outside_layer"])
+        self.assertAlmostEqual(made["u_factor"], 2.86, delta=0.06)             # EN 673 of 4-12-4
+        self.assertAlmostEqual(made["solar_heat_gain_coefficient"], 0.76, delta=0.02)
+
+    def test_ideal_loads_have_their_plant_in_the_run_file(self):
+        plant = self.apply(plant=hours.plant_of(self.model, {"heating_carrier": "gas", "heating_efficiency": 0.8}),
+                           heating_efficiency=0.5)
+        self.assertEqual(plant.efficiency, 0.4)
+        with self.assertRaises(Failed):
+            self.apply(plant=plant, cooling_cop=2)       # no carrier of cold
+
+    def test_efficiency_stays_below_one(self):
+        self.model.add("Boiler:HotWater", "Boiler", {"nominal_thermal_efficiency": 0.9})
+        self.apply(heating_efficiency=1.2)
+        self.assertEqual(self.field("Boiler:HotWater", "Boiler", "nominal_thermal_efficiency"), 1)
+
+    def test_rows_of_the_users_own(self):
+        row = {"parameter": "mass", "class": "Zone", "object": "South room", "field": "multiplier", "how": "add"}
+        self.apply([row], mass=2)
+        self.assertEqual([self.field("Zone", f"{side} room", "multiplier") for side in ("South", "North")], [3, 1])
+        for change, word in (({"field": "colour"}, "colour"), ({"how": "twice"}, "twice"),
+                             ({"class": "Zoo"}, "nothing")):
+            with self.assertRaisesRegex(Failed, word):
+                self.apply([{**row, **change}], mass=2)
+
+    def test_each_parameter_moves_something_or_says_so(self):
+        for name in parameters.USUAL:
+            made = model.Model(office.model(), "x")
+            before = made.text()
+            plant = hours.plant_of(made, {"heating_carrier": "gas", "cooling_carrier": "electricity"})
+            changes = Changes(made, YEAR)
+            parameters.apply(made, {name: 1.1}, [], changes, plant)
+            changes.finish()
+            self.assertTrue(made.text() != before or 1.1 in (plant.efficiency, plant.cop), name)
+        bare = model.Model({"Version": {"v": {"version_identifier": "25.2"}}}, "x")
+        for name in parameters.USUAL:
+            with self.assertRaisesRegex(Failed, name):
+                parameters.apply(bare, {name: 1.1}, [], Changes(bare, YEAR), hours.plant_of(bare, {}))
+
+    def test_set_points_by_a_program(self):
+        self.apply(heating_set_point=0.5)
+        self.assertEqual(self.enter("heating set-point", 2.0), ({}, []))
+        lines = self.lines()
+        value = next(line.split()[1] for line in lines if "= Null" in line)
+        self.assertTrue(any(line.startswith(f"SET {value} = {value} + 0.5") for line in lines), lines)
+        self.assertTrue(any(f"@Min {value}" in line for line in lines))
+        made = self.field("ThermostatSetpoint:DualSetpoint", "Set-points", "heating_setpoint_temperature_schedule_name")
+        self.assertEqual(self.field("Schedule:Constant", made, "hourly_value"), 0)
+        self.assertEqual(self.field("ThermostatSetpoint:DualSetpoint", "Set-points",
+                                    "cooling_setpoint_temperature_schedule_name"), "Cold")
+
+    def test_infiltration_more_and_less(self):
+        self.enter("infiltration", np.where(np.arange(YEAR) < 100, 0.3, -0.2))
+        added = [fields for name, fields in self.model.all("ZoneInfiltration:DesignFlowRate")
+                 if name.startswith("bemcal_")]
+        self.assertEqual([fields["air_changes_per_hour"] for fields in added], [1, 1])
+        more, less = self.changes.series.values()
+        self.assertEqual((more[0], more[200], less[0], less[200]), (0.3, 0, 0, -0.2))
+        self.assertTrue(any("0.34 *" in line for line in self.lines()))
+
+    def test_gains_of_either_sign(self):
+        self.enter("gains", np.where(np.arange(YEAR) < 100, 3, -2))
+        self.assertEqual([fields.get("power_per_floor_area") for _, fields in self.model.all("OtherEquipment")],
+                         [1, 1, None, None])
+        self.assertEqual(self.enter("meter factor")[0], {})
+
+    def test_a_facade_by_its_name(self):
+        self.enter("aperture", -0.3, True, facade="south")
+        suns = [fields["output_variable_or_output_meter_index_key_name"] for _, fields in
+                self.model.all("EnergyManagementSystem:Sensor")
+                if "Solar" in fields["output_variable_or_output_meter_name"]]
+        self.assertEqual(suns, ["South room window"])
+        self.setUp()
+        self.assertIn("no window to the east", self.enter("aperture", -0.3, True, facade="east")[0]["it"])
+
+    def test_schedules_of_the_job(self):
+        self.assertEqual(self.enter("occupation", 1.0, schedule="lights")[0], {})
+        self.assertEqual(set(self.changes.series.popitem()[1]), {0.5})       # times its span
+        self.setUp()
+        self.assertIn("'desks'", self.enter("occupation", 1.0, schedule="desks")[0]["it"])
+
+    def test_a_constant_conductance_is_that_of_the_layers(self):
+        self.enter("opaque conductance", 0.2, True)
+        self.assertIn(" for u_walls 1.2", self.field("Construction", "Outer wall", "outside_layer"))
+        self.assertEqual(self.lines(), [])
+        self.enter("opaque conductance", np.linspace(0, 0.2, YEAR), True)
+        self.assertTrue(self.lines())
+
+    def test_every_hook_of_the_program_has_a_row(self):
+        names = [line.split('"')[1].lower() for line in HOOKS_OF_PROGRAM.read_text().splitlines()
+                 if ".name = \"" in line]
+        self.assertGreater(len(names), 25)
+        self.assertEqual([name for name in names if name not in effects.HOOKS], [])
+
+    def test_each_hook_changes_the_model_or_the_hours(self):
+        left_here = {"second mass", "neighbour", "economiser", "supply temperature", "operation", "occupation",
+                     "plant operation"}
+        for hook, row in effects.HOOKS.items():
+            with self.subTest(hook):
+                self.setUp()
+                before = self.model.text()
+                left_out, moved = self.enter(hook, 0.3, True, meter="gas")
+                self.assertEqual(bool(left_out), hook in left_here, left_out)
+                self.assertTrue(left_out or moved or row.after or self.model.text() != before)
+
+    def test_names_of_before_spaces(self):
+        given = office.model()
+        given["Version"]["Version 1"]["version_identifier"] = "9.4"
+        self.model = model.Model(given, "old")
+        self.changes = Changes(self.model, YEAR)
+        self.enter("gains", 1.0)
+        self.assertEqual({tuple(key for key in fields if key.startswith("zone")) for _, fields in
+                          self.model.all("OtherEquipment")}, {("zone_or_zonelist_name",)})
+
+    def test_lists_of_zones(self):
+        self.model.add("ZoneList", "All", {"zones": [{"zone_name": "NORTH ROOM"}, {"zone_name": "South room"}]})
+        self.model.objects["ZoneControl:Thermostat"] = {"t": {"zone_or_zonelist_name": "all"}}
+        self.assertEqual(self.model.conditioned(), ["South room", "North room"])
+
+
+class Parts(unittest.TestCase):
+    def test_periods_are_cut_at_the_turn_of_the_year(self):
+        spans, n_hours = weather.spans_of([(datetime.date(2020, 12, 31), datetime.date(2021, 1, 1)),
+                                           (datetime.date(2020, 1, 1), datetime.date(2020, 1, 1))])
+        self.assertEqual([(str(span.begin.date()), span.n_hours, span.at) for span in spans],
+                         [("2020-12-31", 24, 0), ("2021-01-01", 24, 24), ("2020-01-01", 24, 48)])
+        self.assertEqual(n_hours, 72)
+
+    def test_words_of_the_first_severe_error(self):
+        text = "  ** Warning ** a\n  ** Severe  ** b\n  **   ~~~   ** c\n  ** Severe  ** d\n"
+        self.assertEqual(program.severe_words(text), "b c")
+        self.assertEqual(program.severe_words(""), "")
+
+    def test_a_typical_year_stands_for_every_year(self):
+        rows = [[str(1990 + month), str(month), "1", "1", "60", "", "5"] for month in range(1, 13)] * 730
+        self.assertTrue(weather.is_typical(weather.Epw("t", [], rows, {int(row[0]) for row in rows})))
+        real = [["2021", "12", "31", "24"], ["2022", "1", "1", "1"]]
+        self.assertFalse(weather.is_typical(weather.Epw("r", [], real, {2021, 2022})))
+
+
+if __name__ == "__main__":
+    unittest.main()
