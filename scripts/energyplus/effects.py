@@ -167,25 +167,25 @@ def hook_of(effect):
 
 
 def enter(effects, model, changes, values_of_year, of_year, schedules, left_out):
-    """Puts all into the model of one year; (effect, why) of others go to `left_out`."""
+    """Puts all into the model of one year; why others cannot enter goes to `left_out`, by `key`."""
     for effect in effects:
-        if effect.name in left_out:
+        if effect.key in left_out:
             continue
         try:
             row = hook_of(effect)
             if row.enter:
                 row.enter(Place(model, changes, effect, values_of_year(effect.values), of_year, schedules))
         except (CannotEnter, Failed, Refused) as error:
-            left_out[effect.name] = f"{effect.hook}: {error}"
+            left_out[effect.key] = f"{effect.hook}: {error}"
 
 
 def change_hours(effects, made, meters, area, left_out):
     """Those that enter the meters' hours, after the run."""
     for effect in effects:
         row = HOOKS.get(effect.hook)
-        if row is None or row.after is None or effect.name in left_out:
+        if row is None or row.after is None or effect.key in left_out:
             continue
         try:
             row.after(effect, made, meters, area)
         except CannotEnter as error:
-            left_out[effect.name] = f"{effect.hook}: {error}"
+            left_out[effect.key] = f"{effect.hook}: {error}"

@@ -24,6 +24,11 @@ class Effect:
     values: np.ndarray
     more: dict                 # all keys of its section
 
+    @property
+    def key(self):
+        """(name, column): one effect may have several columns, for several schedules."""
+        return self.name, self.says("column")
+
     def says(self, key):
         return str(self.more.get(key, ""))
 

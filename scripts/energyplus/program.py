@@ -93,14 +93,18 @@ def severe_words(text):
     return ""
 
 
+def severe_of(folder):
+    """Of a run, also of one that went on."""
+    try:
+        return severe_words((folder / "eplusout.err").read_text(errors="replace"))
+    except OSError:
+        return ""
+
+
 def complain(folder, done, what):
     """EnergyPlus's own words, from eplusout.err or from what it printed."""
-    try:
-        errors = (folder / "eplusout.err").read_text(errors="replace")
-    except OSError:
-        errors = ""
     printed = (done.stderr or done.stdout).strip().splitlines()
-    said = severe_words(errors) or (printed[-1][:MOST_WORDS] if printed else "it says nothing")
+    said = severe_of(folder) or (printed[-1][:MOST_WORDS] if printed else "it says nothing")
     raise Failed(f"EnergyPlus {what}, exit code {done.returncode}: {said}")
 
 

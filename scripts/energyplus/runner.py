@@ -19,6 +19,7 @@ RUN, HOURS_FILE, LEFT_OUT = "run.json", "hours.csv", "effects_left_out.txt"
 KEYS = {"model": str, "weather": list, "periods": str, "meters": list, "parameters": dict}
 MORE = {"energyplus": str, "rows": list, "plant": dict, "schedules": dict}
 KEPT = ("eplusout.err",)       # of what EnergyPlus writes
+FILES = ("Schedule:File", "Schedule:File:Shading")
 RUN_PERIOD = ("use_weather_file_holidays_and_special_days", "use_weather_file_daylight_saving_period",
               "apply_weekend_holiday_rule", "use_weather_file_rain_indicators", "use_weather_file_snow_indicators")
 
@@ -111,10 +112,17 @@ class Job:
         self.years = [Year(year, [span for span in self.spans if span.begin.year == year], files)
                       for year in dict.fromkeys(span.begin.year for span in self.spans)]
         self.effects = effects.read_effects(self.folder, self.n_hours)
-        self.left_out = {}
+        self.left_out, self.severe = {}, ""
 
     def read_model(self):
-        return program.read_model(self.program, self.folder / self.given["model"], self.folder / "model")
+        """With the files that its schedules read named as they lie in the point's folder."""
+        model = program.read_model(self.program, self.folder / self.given["model"], self.folder / "model")
+        for kind in FILES:
+            for _, fields in model.all(kind):
+                path = self.folder / fields.get("file_name", "")
+                if path.is_file():
+                    fields["file_name"] = str(path)
+        return model
 
     def year_of(self, model, year):
         """(model, changes, plant) of a calendar year."""
@@ -136,6 +144,7 @@ class Job:
         (folder / "in.epJSON").write_text(model.text(), encoding="utf-8")
         weather.write_epw(folder / "in.epw", year.epw, year.rows, year.year, year.shift)
         program.simulate(self.program, folder / "in.epJSON", folder / "in.epw", folder)
+        self.severe = self.severe or program.severe_of(folder)
         for span in year.spans:
             read.read(folder / "eplusout.sql", [span])
         clear(folder)
@@ -145,7 +154,10 @@ class Job:
         path = self.folder / LEFT_OUT
         path.unlink(missing_ok=True)
         if self.left_out:
-            path.write_text("".join(f"{name}: {why}\n" for name, why in self.left_out.items()), encoding="utf-8")
+            path.write_text("".join(f"{line}\n" for line in self.lines_left_out()), encoding="utf-8")
+
+    def lines_left_out(self):
+        return [f"{name}: {why}" for (name, _), why in self.left_out.items()]
 
 
 def clear(folder):

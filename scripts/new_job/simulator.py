@@ -12,7 +12,7 @@ import pathlib
 import tempfile
 from dataclasses import dataclass
 
-from energyplus import hours, parameters, program
+from energyplus import hours, parameters, program, runner
 from energyplus.changes import Changes
 from energyplus.failed import Failed
 from new_job import idf_job
@@ -81,6 +81,20 @@ def read_model(options, told):
         raise Refused(f"--simulator: {error}", NO_INPUT if "not found" in str(error) else DATA) from None
 
 
+def files_of_schedules(model, source):
+    """[paths] of what the model's schedules read; the model names them as they lie in a point's folder."""
+    found = []
+    for kind in runner.FILES:
+        for name, fields in model.all(kind):
+            path = pathlib.Path(source).parent / fields.get("file_name", "")
+            if not path.is_file():
+                raise Refused(f"{source}: {kind} {name!r}: file_name: {path} is no file; expected the one it reads",
+                              NO_INPUT)
+            fields["file_name"] = path.name
+            found.append(str(path))
+    return list(dict.fromkeys(found))
+
+
 def plant_of(first, model):
     """What turns heat and cold of ideal loads into the meters' energy."""
     if not any(model.all(kind) for kind in hours.IDEAL):
@@ -136,9 +150,8 @@ def periods_text(first):
 
 
 def sections_of(first, files, template, names):
-    weather = [path_from(first.options.job, file) for file in first.weather.files]
     yield section("[simulator]", ("command", [PYTHON, str(COMMAND), "run.json"], "runs the EnergyPlus model"),
-                  ("files", [*files, *weather]), ("time_limit", TIME_LIMIT, "s, of all periods of a point"))
+                  ("files", files), ("time_limit", TIME_LIMIT, "s, of all periods of a point"))
     yield section("[[simulator.template]]", ("file", template), ("as", "run.json"))
     for name in names:
         usual = USUAL[name]
@@ -148,24 +161,31 @@ def sections_of(first, files, template, names):
         yield section("[[simulator.hourly]]", ("meter", meter.name), ("file", "hours.csv"), ("column", meter.name))
 
 
+def check_names(paths):
+    names = [os.path.basename(path) for path in paths]
+    twice = next((name for name in names if names.count(name) > 1), None)
+    if twice:
+        raise Refused(f"--simulator: two files are called {twice}, and they are linked into one folder; rename one",
+                      USAGE)
+
+
 def simulator_of(first):
     options, told = first.options, first.told
     if not first.weather.is_epw:
         raise Refused("--simulator: EnergyPlus reads weather as EPW only; expected --weather FILE.epw", USAGE)
-    names = [os.path.basename(file) for file in first.weather.files]
-    if len(set(names)) < len(names):
-        raise Refused(f"--weather: two files are called {names[0]}, and they are linked into one folder; rename one",
-                      USAGE)
     model, found = read_model(options, told)
+    linked = [*first.weather.files, *files_of_schedules(model, options.idf)]
+    check_names(linked)
     plant = plant_of(first, model)
     moved = parameters_of(model, plant, told)
     model_file, run_file, periods_file = (beside(options.job, ending)
                                           for ending in ("_model.epJSON", "_run.json.in", "_periods.csv"))
     tell_differences(first, model)
+    files = [model_file.name, periods_file.name, *(path_from(options.job, file) for file in linked)]
     return Simulator(
         {model_file: model.text(), periods_file: periods_text(first),
          run_file: run_text(first, model_file.name, periods_file.name, moved, plant, found)},
-        list(sections_of(first, [model_file.name, periods_file.name], run_file.name, moved)))
+        list(sections_of(first, files, run_file.name, moved)))
 
 
 def tell_differences(first, model):

@@ -52,12 +52,19 @@ def number_of(time):
 class Runs(unittest.TestCase):
     """Of the whole command, beside the stand-in."""
 
+    @classmethod
+    def setUpClass(cls):
+        cls.weather = pathlib.Path(tempfile.mkdtemp())
+        cls.addClassCleanup(shutil.rmtree, cls.weather)
+        write_epw(cls.weather / "2020.epw", datetime.date(2020, 1, 1), 366)
+        write_epw(cls.weather / "2021.epw", datetime.date(2021, 1, 1), 365, "\r\n")
+
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.folder)
         (self.folder / "model.epJSON").write_text(json.dumps(office.model()))
-        write_epw(self.folder / "2020.epw", datetime.date(2020, 1, 1), 366)
-        write_epw(self.folder / "2021.epw", datetime.date(2021, 1, 1), 365, "\r\n")
+        for name in ("2020.epw", "2021.epw"):
+            shutil.copy(self.weather / name, self.folder)
         self.run_file = {"energyplus": str(STUB), "model": "model.epJSON", "weather": ["2020.epw", "2021.epw"],
                          "periods": "periods.csv", "parameters": {"infiltration": 1.2},
                          "meters": [{"name": "power", "quantity": "electricity"},
@@ -147,6 +154,15 @@ class Runs(unittest.TestCase):
         self.periods("a,2021-03-01,2021-03-02")
         write_epw(self.folder / "2020.epw", datetime.date(2020, 1, 1), 200)
         self.fails("no file has the year 2021")
+
+    def test_files_of_schedules_lie_beside_the_run_file(self):
+        given = office.model()
+        given["Schedule:File"] = {"Desks": {"file_name": "desks.csv", "column_number": 1, "rows_to_skip_at_top": 0}}
+        (self.folder / "model.epJSON").write_text(json.dumps(given))
+        (self.folder / "desks.csv").write_text("1\n" * YEAR)
+        self.assertEqual(self.call("--patch-only").returncode, 0)
+        made = json.loads((self.folder / "model-effects-2021.epJSON").read_text())
+        self.assertEqual(made["Schedule:File"]["Desks"]["file_name"], str(self.folder / "desks.csv"))
 
     def test_another_version_is_told(self):
         given = office.model()
@@ -269,7 +285,7 @@ class Tables(unittest.TestCase):
         effects.enter([effects.Effect("it", hook, is_factor, series, more)], self.model, self.changes, lambda s: s,
                       moved.append, {"lights": {"hook": "schedule of lights", "span": 0.5}}, left_out)
         self.changes.finish()
-        return left_out, moved
+        return {name: why for (name, _), why in left_out.items()}, moved
 
     def lines(self):
         """Of all programs."""

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
-"""EnergyPlus itself runs the shipped office: every parameter and every hook moves its meters the right way and brings no
-severe error; what ought to be the same is the same. Skipped where it is not installed (tests/energyplus/idf.py says how).
+"""EnergyPlus itself runs the shipped office: every parameter and every hook moves its meters the right way and brings
+no severe error; what ought to be the same is the same. Skipped where it is not installed (tests/energyplus/idf.py says
+how).
 """
 import csv
 import json
@@ -149,7 +150,8 @@ class Office(unittest.TestCase):
 
     def test_what_changes_nothing_changes_nothing(self):
         found = self.simulate({"infiltration": 1, "heating_set_point": 0, "u_walls": 1, "g_windows": 1},
-                              [({"hook": hook}, 0) for hook in ("loads", "ventilation", "heating set-point", "aperture")])
+                              [({"hook": hook}, 0) for hook in ("loads", "ventilation", "heating set-point",
+                                                                "aperture")])
         for meter in METERS:
             np.testing.assert_allclose(found[meter], self.plain[meter], rtol=1e-4, atol=1e-4)
 
