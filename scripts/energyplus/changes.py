@@ -9,7 +9,9 @@ from dataclasses import dataclass, field
 
 PREFIX = "bemcal"
 SERIES_FILE = "effects_series.csv"
-MOST_GAIN_STEPS = 6            # decimals of a series
+DECIMALS = 6                   # of a series
+WORKED, LIMIT = "changed", "limit"   # variables of the program
+MOST_LETTERS = 70              # of a name
 BEFORE = "BeginZoneTimestepBeforeInitHeatBalance"   # schedules are read after it
 AFTER = "BeginZoneTimestepAfterInitHeatBalance"     # heat is added after it, from what the last step found
 DEAD_BAND = 0.1                # K, least distance of a thermostat's two set-points
@@ -35,7 +37,8 @@ class Slot:
     usual: float = 1
     terms: list = field(default_factory=list)
     least: object = None       # number, below which the value is not let
-    made: str = ""             # schedule that stands there afterwards
+    own: str = ""              # schedule that stood there
+    made: str = ""             # that stands there afterwards
     value: str = ""            # its actuator
 
 
@@ -44,11 +47,12 @@ class Changes:
 
     def __init__(self, model, n_hours):
         self.model, self.n_hours = model, n_hours
-        self.series, self.slots, self.names, self.lines_of_heat = {}, {}, set(), []
+        self.series, self.slots, self.sensors, self.names, self.lines_of_heat = {}, {}, {}, set(), []
 
     def new_name(self, said):
         """Letters, digits and underscores, as a program of EMS takes them."""
-        base = f"{PREFIX}_" + "".join(letter if letter.isalnum() and letter.isascii() else "_" for letter in said)[:60]
+        plain = "".join(letter if letter.isalnum() and letter.isascii() else "_" for letter in said)
+        base = f"{PREFIX}_{plain.removeprefix(PREFIX + '_')[:MOST_LETTERS]}"
         name = next(each for each in (base, *(f"{base}_{k}" for k in range(2, 10000))) if each not in self.names)
         self.names.add(name)
         return name
@@ -69,13 +73,17 @@ class Changes:
 
     def sensor(self, variable, key):
         """Name under which a program reads an output."""
-        name = self.new_name(f"{variable[:24]} {key}")
+        known = self.sensors.get((variable, key.lower()))
+        if known:
+            return known
+        name = self.new_name(f"{key} {variable}")
         self.model.add("EnergyManagementSystem:Sensor", name, {
             "output_variable_or_output_meter_index_key_name": key, "output_variable_or_output_meter_name": variable})
+        self.sensors[variable, key.lower()] = name
         return name
 
     def actuator(self, component, kind, control):
-        name = self.new_name(f"set {component}")
+        name = self.new_name(f"{component} {control.split()[-1]}")
         self.model.add("EnergyManagementSystem:Actuator", name, {
             "actuated_component_unique_name": component, "actuated_component_type": kind,
             "actuated_component_control_type": control})
@@ -101,41 +109,58 @@ class Changes:
         return name
 
     def write_slots(self):
-        """Lines of the program that changes schedules."""
-        lines = []
+        """Lines of the program that changes schedules; fields that would follow the same one share it."""
+        lines, made = [], {}
         for slot in self.slots.values():
-            slot.made = self.new_name(f"{slot.name} {slot.key}"[:50])
-            self.model.add("Schedule:Constant", slot.made, {"hourly_value": slot.usual})
-            slot.value = self.actuator(slot.made, "Schedule:Constant", "Schedule Value")
-            own = slot.fields.get(slot.key)
-            start = self.sensor("Schedule Value", own) if own else slot.usual
-            is_set_point = own and slot.kind.lower().startswith(THERMOSTAT)
-            if is_set_point:       # it reads 0 before the first time step: then `usual` holds
-                lines += [f"IF {start} == 0", f"SET {slot.value} = Null", "ELSE"]
-            lines.append(f"SET {slot.value} = {start}")
-            for term in slot.terms:
-                what = self.sensor("Schedule Value", term.what) if term.what in self.series else term.what
-                lines.append(f"SET {slot.value} = {slot.value} + {what}" if term.how == "add" else
-                             f"SET {slot.value} = {slot.value} * (1 + {what})")
-            if slot.least is not None:
-                lines.append(f"SET {slot.value} = @Max {slot.value} {slot.least}")
-            lines += [*self.keep_apart(slot), *(["ENDIF"] if is_set_point else [])]
+            slot.own = slot.fields.get(slot.key)
         for slot in self.slots.values():
+            known = made.setdefault(self.content(slot), slot)
+            if known is slot:
+                lines += self.lines_of(slot)
+            slot.made, slot.value = known.made, known.value
             slot.fields[slot.key] = slot.made
         return lines
 
+    def content(self, slot):
+        """What its schedule follows from."""
+        def of(one):
+            return str(one.own).lower(), one.usual, one.least, tuple((term.how, term.what) for term in one.terms)
+        other = self.other_set_point(slot)
+        is_thermostat = slot.kind.lower().startswith(THERMOSTAT)
+        return (of(slot), slot.key if is_thermostat else "", slot.own is None and slot.key,
+                other and (of(other) if isinstance(other, Slot) else other.lower()))
+
+    def lines_of(self, slot):
+        slot.made = self.new_name(f"{slot.own or slot.name} changed")
+        self.model.add("Schedule:Constant", slot.made, {"hourly_value": slot.usual})
+        slot.value = self.actuator(slot.made, "Schedule:Constant", "Schedule Value")
+        start = self.sensor("Schedule Value", slot.own) if slot.own else slot.usual
+        lines = [f"SET {WORKED} = {start}"]
+        for term in slot.terms:
+            what = self.sensor("Schedule Value", term.what) if term.what in self.series else term.what
+            lines.append(f"SET {WORKED} = {WORKED} " + (f"+ {what}" if term.how == "add" else f"* (1 + {what})"))
+        if slot.least is not None:
+            lines.append(f"SET {WORKED} = @Max {WORKED} {slot.least}")
+        lines += [*self.keep_apart(slot), f"SET {slot.value} = {WORKED}"]
+        if slot.own and slot.kind.lower().startswith(THERMOSTAT):   # it reads 0 before the first step: `usual` holds
+            lines = [f"IF {start} == 0", f"SET {slot.value} = Null", "ELSE", *lines, "ENDIF"]
+        return lines
+
+    def other_set_point(self, slot):
+        """Of a thermostat with two: its Slot, or the name of its schedule; None of others."""
+        key = OTHER_SET_POINT.get(slot.key)
+        if slot.kind.lower() != DUAL or not slot.fields.get(key):
+            return None
+        return self.slots.get((slot.kind.lower(), slot.name.lower(), key)) or slot.fields[key]
+
     def keep_apart(self, slot):
         """A thermostat whose heating set-point is above that of cooling ends EnergyPlus: the changed one yields."""
-        other = OTHER_SET_POINT.get(slot.key)
-        if slot.kind.lower() != DUAL or not slot.fields.get(other):
-            return []
-        twin = self.slots.get((slot.kind.lower(), slot.name.lower(), other))
-        if twin is not None and not twin.value:
+        other = self.other_set_point(slot)
+        if other is None or isinstance(other, Slot) and not other.value:
             return []              # it comes later, and then yields
-        value = twin.value if twin is not None else self.sensor("Schedule Value", slot.fields[other])
+        value = other.value if isinstance(other, Slot) else self.sensor("Schedule Value", other)
         sign, function = ("-", "@Min") if slot.key.startswith("heating") else ("+", "@Max")
-        limit = f"{slot.value}_limit"
-        return [f"SET {limit} = {value} {sign} {DEAD_BAND}", f"SET {slot.value} = {function} {slot.value} {limit}"]
+        return [f"SET {LIMIT} = {value} {sign} {DEAD_BAND}", f"SET {WORKED} = {function} {WORKED} {LIMIT}"]
 
     def add_program(self, said, lines, point):
         if not lines:
@@ -153,7 +178,7 @@ class Changes:
         """The CSV file of all Schedule:File objects, beside the model."""
         if not self.series:
             return
-        columns = [[repr(round(float(value), MOST_GAIN_STEPS)) for value in values] for values in self.series.values()]
+        columns = [[repr(round(float(value), DECIMALS)) for value in values] for values in self.series.values()]
         with open(folder / SERIES_FILE, "w", encoding="utf-8") as file:
             file.write(",".join(self.series) + "\n")
             file.writelines(",".join(row) + "\n" for row in zip(*columns))

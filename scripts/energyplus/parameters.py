@@ -115,7 +115,8 @@ def shift(model, name, value, changes):
     count = 0
     for kind, key in SET_POINTS[name]:
         for each, fields in model.all(kind):
-            changes.slot(kind, each, fields, key, NO_LIMIT[name]).terms.append(Term("add", f"{value!r}"))
+            if value:
+                changes.slot(kind, each, fields, key, NO_LIMIT[name]).terms.append(Term("add", f"{value!r}"))
             count += 1
     return count
 

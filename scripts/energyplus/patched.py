@@ -18,10 +18,10 @@ def lines_of(model):
 
 
 def write(folder, before, after, changes, year, has_many):
-    """[paths] of NAME-effects.epJSON, its series and NAME-effects.diff."""
+    """[paths] of NAME-effects.diff, its series, and NAME-effects.epJSON as the last."""
     stem = pathlib.Path(before.path).stem + "-effects" + (f"-{year.year}" if has_many else "")
     model, series, diff = (folder / f"{stem}{ending}" for ending in (".epJSON", ".csv", ".diff"))
-    made = [model, diff]
+    made = [diff]
     if changes.series:
         changes.write_series(folder)
         os.replace(folder / SERIES_FILE, series)
@@ -33,4 +33,4 @@ def write(folder, before, after, changes, year, has_many):
     model.write_text("".join(lines) + "\n", encoding="utf-8")
     diff.write_text("".join(difflib.unified_diff(lines_of(before), lines, pathlib.Path(before.path).name, model.name,
                                                  n=LINES_AROUND)), encoding="utf-8")
-    return made
+    return [*made, model]

@@ -7,6 +7,7 @@ Periods of one year are run periods of one run. Leaves out summer time of meters
 import json
 import pathlib
 import shutil
+import tempfile
 import time
 
 import numpy as np
@@ -183,6 +184,14 @@ def run(path):
     return job, time.monotonic() - begin
 
 
+def as_idf(job, model_file):
+    """The same model as EnergyPlus writes it as text, beside it."""
+    idf = model_file.with_suffix(".idf")
+    with tempfile.TemporaryDirectory() as folder:
+        shutil.copyfile(program.convert(job.program, model_file, pathlib.Path(folder)), idf)
+    return idf
+
+
 def patch(path):
     """Writes what EnergyPlus would receive beside run.json, and its difference from the user's model."""
     job = Job(path)
@@ -190,5 +199,6 @@ def patch(path):
     for year in job.years:
         changed, changes, _ = job.year_of(model, year)
         made += patched.write(job.folder, model, changed, changes, year, len(job.years) > 1)
+        made.append(as_idf(job, made[-1]))
     job.write_left_out()
     return job, made

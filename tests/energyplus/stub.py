@@ -7,6 +7,7 @@ The name of the model's Building says what goes wrong: "severe", "silent".
 import datetime
 import json
 import pathlib
+import shutil
 import sqlite3
 import sys
 
@@ -69,7 +70,10 @@ def main(words):
         return
     folder, source = pathlib.Path(words[words.index("-d") + 1]), pathlib.Path(words[-1])
     if "--convert-only" in words:
-        (folder / (source.stem + ".epJSON")).write_text((pathlib.Path(__file__).parent / "model.epJSON").read_text())
+        if source.suffix == ".idf":
+            shutil.copy(pathlib.Path(__file__).parent / "model.epJSON", folder / f"{source.stem}.epJSON")
+        else:
+            (folder / f"{source.stem}.idf").write_text(f"Version, {VERSION};\n")
         return
     model = json.loads(source.read_text())
     said = next(iter(model["Building"])).lower()

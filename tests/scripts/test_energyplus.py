@@ -259,6 +259,7 @@ class Runs(unittest.TestCase):
         self.assertIn('+   "heating_setpoint_temperature_schedule_name": "bemcal_', difference)
         self.assertIn('-   "air_changes_per_hour": 0.4', difference)
         self.assertNotIn('"Lights"', difference)
+        self.assertEqual((self.folder / "model-effects-2021.idf").read_text(), "Version, 25.2;\n")
         series = (self.folder / "model-effects-2021.csv").read_text().splitlines()
         self.assertEqual(len(series), 1 + YEAR)
         self.assertEqual((series[1], series[1 + 59 * 24], series[1 + 61 * 24]), ("1.5", "1.5", "0.0"))
@@ -383,13 +384,29 @@ class Tables(unittest.TestCase):
         self.apply(heating_set_point=0.5)
         self.assertEqual(self.enter("heating set-point", 2.0), ({}, []))
         lines = self.lines()
-        value = next(line.split()[1] for line in lines if "= Null" in line)
-        self.assertTrue(any(line.startswith(f"SET {value} = {value} + 0.5") for line in lines), lines)
-        self.assertTrue(any(f"@Min {value}" in line for line in lines))
+        self.assertEqual([line.replace("bemcal_", "") for line in lines], [
+            "IF Heat_Schedule_Value == 0", "SET Heat_changed_Value = Null", "ELSE", "SET changed = Heat_Schedule_Value",
+            "SET changed = changed + 0.5", "SET changed = changed + it_Schedule_Value",
+            "SET limit = Cold_Schedule_Value - 0.1", "SET changed = @Min changed limit",
+            "SET Heat_changed_Value = changed", "ENDIF"])
         made = self.field("ThermostatSetpoint:DualSetpoint", "Set-points", "heating_setpoint_temperature_schedule_name")
         self.assertEqual(self.field("Schedule:Constant", made, "hourly_value"), 0)
         self.assertEqual(self.field("ThermostatSetpoint:DualSetpoint", "Set-points",
                                     "cooling_setpoint_temperature_schedule_name"), "Cold")
+
+    def test_fields_that_follow_one_schedule_share_what_is_made_of_it(self):
+        self.model.add("ThermostatSetpoint:DualSetpoint", "Others", {
+            "heating_setpoint_temperature_schedule_name": "HEAT", "cooling_setpoint_temperature_schedule_name": "Cold"})
+        self.model.add("ThermostatSetpoint:DualSetpoint", "Cool", {
+            "heating_setpoint_temperature_schedule_name": "Heat", "cooling_setpoint_temperature_schedule_name": "Air"})
+        self.enter("heating set-point", 2.0)
+        key = "heating_setpoint_temperature_schedule_name"
+        made = [self.field("ThermostatSetpoint:DualSetpoint", name, key) for name in ("Set-points", "Others", "Cool")]
+        self.assertEqual(made[0], made[1])
+        self.assertNotEqual(made[0], made[2])           # another limit
+        self.setUp()
+        self.enter("loads", 0.5, True)
+        self.assertEqual(len([line for line in self.lines() if "(1 +" in line]), 3)   # people, lights, equipment
 
     def test_infiltration_more_and_less(self):
         self.enter("infiltration", np.where(np.arange(YEAR) < 100, 0.3, -0.2))

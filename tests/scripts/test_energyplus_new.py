@@ -120,7 +120,8 @@ class Simulator(unittest.TestCase):
 
     def test_files_of_schedules_come_along(self):
         given = office.model()
-        given["Schedule:File"] = {"Desks": {"file_name": "data/desks.csv", "column_number": 1, "rows_to_skip_at_top": 0}}
+        desks = {"file_name": "data/desks.csv", "column_number": 1, "rows_to_skip_at_top": 0}
+        given["Schedule:File"] = {"Desks": desks}
         self.write(given)
         self.assertIn("desks.csv is no file", self.new(code=NO_INPUT))
         self.assertFalse((self.folder / "house.toml").exists())

@@ -7,8 +7,12 @@ n_run=0
 lacks_shared() {  # by the log of a command that failed
   [[ ! -d $folder/shared ]] && grep -q '/shared/.*cannot be opened' "$folder/log"
 }
+lacks_energyplus() {  # by the job's command
+  grep -q energyplus_hours "$job" && [[ -z ${ENERGYPLUS_DIR:-} ]] && ! command -v energyplus >/dev/null
+}
 left_out() { echo "skipped, its data are at ../shared: ${job#"$jobs"/}"; }
 while read -r job; do
+  if lacks_energyplus; then echo "skipped, it needs EnergyPlus: ${job#"$jobs"/}"; continue; fi
   if ! "$BEMCAL_PROGRAM" check "$job" >"$folder/log" 2>&1; then
     if lacks_shared; then left_out; continue; fi
     cat "$folder/log"
