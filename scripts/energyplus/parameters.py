@@ -6,6 +6,7 @@ g by EN 673 and EN 410. Sizes that EnergyPlus finds follow by themselves. Leaves
 glass is given by wavelength.
 """
 import copy
+from fnmatch import fnmatch
 
 from energyplus.changes import Term
 from energyplus.failed import Failed
@@ -18,7 +19,7 @@ LEVELS = ("lighting_level", "design_level", "watts_per_floor_area", "watts_per_p
           "power_per_person")
 FRESH_AIR = ("outdoor_air_flow_per_person", "outdoor_air_flow_per_zone_floor_area", "outdoor_air_flow_per_zone",
              "outdoor_air_flow_air_changes_per_hour")
-# Factors: {parameter: ((class, fields, most), ...)}; `most` is the largest value that EnergyPlus takes.
+# Factors: {parameter: ((class, fields, most), ...)}, perhaps with * in them; `most` is the largest that EnergyPlus takes.
 FACTORS = {
     "infiltration": (("ZoneInfiltration:DesignFlowRate", FLOWS, None),
                      ("ZoneInfiltration:EffectiveLeakageArea", ("effective_air_leakage_area",), None),
@@ -30,17 +31,17 @@ FACTORS = {
     "equipment": (("ElectricEquipment", LEVELS, None), ("GasEquipment", LEVELS, None)),
     "people": (("People", ("number_of_people", "people_per_floor_area"), None),),
     "heating_efficiency": (("Coil:Heating:Fuel", ("burner_efficiency",), 1),
-                           ("Coil:Heating:Gas", ("gas_burner_efficiency",), 1),
+                           ("Coil:Heating:Gas*", ("*burner_efficiency",), 1),
+                           ("Coil:Heating:Electric*", ("*efficiency",), 1),
+                           ("Coil:Heating:*", ("*gross_rated_heating_cop",), None),
                            ("Boiler:HotWater", ("nominal_thermal_efficiency",), 1),
-                           ("Coil:Heating:Electric", ("efficiency",), 1),
-                           ("Coil:Heating:DX:SingleSpeed", ("gross_rated_heating_cop",), None)),
-    "cooling_cop": (("Coil:Cooling:DX:SingleSpeed", ("gross_rated_cooling_cop",), None),
-                    ("Coil:Cooling:DX:TwoSpeed", ("high_speed_gross_rated_cooling_cop",
-                                                  "low_speed_gross_rated_cooling_cop"), None),
+                           ("Boiler:Steam", ("theoretical_efficiency",), 1),
+                           ("ZoneHVAC:Baseboard:*Electric", ("efficiency",), 1)),
+    "cooling_cop": (("Coil:Cooling:*", ("*gross_rated_cooling_cop",), None),
+                    ("Coil:Cooling:DX:CurveFit:Speed", ("gross_cooling_cop",), None),
                     ("CoilPerformance:DX:Cooling", ("gross_rated_cooling_cop",), None),
-                    ("Coil:Cooling:DX:CurveFit:OperatingMode", ("gross_rated_cooling_cop",), None),
-                    ("Chiller:Electric:EIR", ("reference_cop",), None),
-                    ("Chiller:Electric:ReformulatedEIR", ("reference_cop",), None)),
+                    ("Chiller:Electric*", ("reference_cop", "nominal_cop"), None),
+                    ("Chiller:ConstantCOP", ("nominal_cop",), None)),
 }
 # Fields that count things per unit: their factor is the inverse.
 INVERSE = {"people": (("People", ("floor_area_per_person",)),)}
@@ -99,15 +100,19 @@ def apply_usual(model, name, value, changes, plant):
 
 
 def scale(model, table, value):
+    """Of all objects; the count of fields."""
+    return sum(scale_fields(fields, keys, most, value) for kind, keys, most in table for own in model.objects
+               if fnmatch(own.lower(), kind.lower()) for _, fields in model.all(own))
+
+
+def scale_fields(fields, keys, most, value):
     count = 0
-    for kind, keys, most in table:
-        for _, fields in model.all(kind):
-            for key in keys:
-                if is_number(fields.get(key)):
-                    fields[key] = min(fields[key] * value, most or float("inf"))
-                    count += 1
-                elif str(fields.get(key)).lower() == "autosize":
-                    count += 1     # EnergyPlus finds it from what is scaled elsewhere
+    for key in [each for each in fields if any(fnmatch(each, key) for key in keys)]:
+        if is_number(fields[key]):
+            fields[key] = min(fields[key] * value, most or float("inf"))
+            count += 1
+        elif str(fields[key]).lower() == "autosize":
+            count += 1     # EnergyPlus finds it from what is scaled elsewhere
     return count
 
 
@@ -166,9 +171,9 @@ def resistance(kind, fields):
 def scale_opaque(model, name, value):
     materials = {each.lower(): (kind, each, fields) for kind in ("Material", "Material:NoMass", "Material:AirGap")
                  for each, fields in model.all(kind)}
-    count = 0
+    count, named = 0, constructions_of(model, name)
     for each, fields in model.all("Construction"):
-        if each.lower() not in constructions_of(model, name):
+        if each.lower() not in named:
             continue
         layers = [(key, *materials[str(fields[key]).lower()]) for key in LAYERS
                   if str(fields.get(key)).lower() in materials]
@@ -203,9 +208,9 @@ def glazed(model):
 
 def scale_windows(model, key, value):
     """Of each construction its own simple glazing system, scaled."""
-    count = 0
+    count, named = 0, glazed(model)
     for each, fields in model.all("Construction"):
-        if each.lower() in glazed(model) and "windowmaterial" in kind_of_layer(model, fields["outside_layer"]):
+        if each.lower() in named and "windowmaterial" in kind_of_layer(model, fields["outside_layer"]):
             own = simple_glazing(model, each, fields)
             own[key] = min(own[key] * value, MOST[key])
             count += 1
