@@ -122,7 +122,7 @@ SimulatorPlan unpack_plan(std::span<const double> packed) {
 std::vector<study::GivenEffect> scaled(const std::vector<study::GivenEffect>& effects,
                                        std::span<const double> scales) {
     std::vector<study::GivenEffect> all;
-    for (std::size_t k = 0; k < effects.size(); ++k) {
+    for (std::size_t k = 0; k < std::min(effects.size(), scales.size()); ++k) {
         if (scales[k] == 0 || effects[k].at.empty()) continue;
         all.push_back(effects[k]);
         for (effects::HookSeries& at : all.back().at)

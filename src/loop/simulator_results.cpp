@@ -104,6 +104,7 @@ class Concluder {
                 continue;
             }
             new_index[k] = static_cast<double>(kept.size());
+            effect.section.clear();  // it is the program's model that is to have it
             const double scale = k < after.scales.size() ? after.scales[k] : 1;
             for (double* number : {&effect.coefficient, &effect.least, &effect.most})
                 *number *= scale;
@@ -161,11 +162,26 @@ class Concluder {
         for (std::size_t k = 0; k < given.size(); ++k)
             stored.given.push_back({given[k].name, hooks_of(given[k]),
                                     k < after.scales.size() ? after.scales[k] : 0});
+        add_series(scaled(given, after.scales), stored);
         std::vector<std::string> told;
         for (const SimulatorRun& run : around_.runs)
             for (const std::string& why : run.left_out)
                 if (std::ranges::find(told, why) == told.end()) told.push_back(why);
         for (std::string& why : told) stored.left_out.push_back({std::move(why)});
+    }
+
+    static void add_series(const std::vector<study::GivenEffect>& given,
+                           StoredSimulator& stored) {
+        auto& all = stored.series_value.values;
+        for (const study::GivenEffect& effect : given)
+            for (const effects::HookSeries& at : effect.at) {
+                stored.series.push_back({effect.name, at.hook, at.unit,
+                                         at.is_factor ? "factor" : "add", at.facade,
+                                         at.meter});
+                all.insert(all.end(), at.values.begin(), at.values.end());
+            }
+        const std::size_t n = stored.series.size();
+        stored.series_value.shape = {n, n > 0 ? all.size() / n : 0};
     }
 
     void add_runs(StoredSimulator& stored) const {

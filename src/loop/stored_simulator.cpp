@@ -5,6 +5,9 @@
 
 #include "study/columns.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace bemcal::loop {
 namespace {
 
@@ -24,6 +27,14 @@ void visit_lists(Simulator& simulator, Table&& table) {
         see("simulator_given", row.name);
         see("simulator_given_hooks", row.hooks);
         see("simulator_given_scale", row.scale);
+    });
+    table("simulator_series", simulator.series, [](auto& row, auto&& see) {
+        see("simulator_series_of", row.of);
+        see("simulator_series_hook", row.hook);
+        see("simulator_series_unit", row.unit);
+        see("simulator_series_enters", row.enters);
+        see("simulator_series_facade", row.facade);
+        see("simulator_series_meter", row.meter);
     });
     table("simulator_left_out", simulator.left_out,
           [](auto& row, auto&& see) { see("simulator_left_out", row.why); });
@@ -50,6 +61,9 @@ std::vector<study::Dataset> datasets_of(const std::string& group,
         for (const Row& row : rows) columns.add(row, visit);
         columns.take(datasets);
     });
+    study::DatasetBuilder arrays(group);
+    arrays.array("simulator_series_value", simulator.series_value);
+    std::ranges::move(arrays.take(), std::back_inserter(datasets));
     return datasets;
 }
 
@@ -69,6 +83,9 @@ StoredSimulator stored_simulator(const std::vector<study::Dataset>& datasets,
         using Row = std::ranges::range_value_t<decltype(rows)>;
         rows = study::rows_in<Row>(datasets, group, visit);
     });
+    if (const auto* stored =
+            study::find_dataset(datasets, group + "/simulator_series_value"))
+        simulator.series_value = {stored->dims, stored->shape, stored->values};
     return simulator;
 }
 

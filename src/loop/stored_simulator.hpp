@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/nan.hpp"
-#include "study/stage.hpp"
+#include "study/array.hpp"
 
 #include <string>
 #include <vector>
@@ -23,6 +23,10 @@ struct StoredSimulator {
         std::string hooks;  ///< that it changes: "infiltration, heating set-point"
         double scale = nan;
     };
+    /// What effects change in the run that is after, as effect_files hands it over.
+    struct Series {
+        std::string of, hook, unit, enters, facade, meter;
+    };
     struct LeftOut {
         std::string why;  ///< as the program says it
     };
@@ -40,6 +44,9 @@ struct StoredSimulator {
 
     std::vector<Parameter> parameters;
     std::vector<Given> given;
+    std::vector<Series> series;
+    /// Hours of all periods, one period after the other.
+    study::Array series_value{{"simulator_series", "simulator_hour"}};
     std::vector<LeftOut> left_out;
     std::vector<Run> runs;
     std::vector<Channel> channels;

@@ -1,0 +1,204 @@
+#!/usr/bin/python3
+"""A loop around EnergyPlus: the small office of jobs/energyplus_office with other values of parameters and one effect.
+
+    bench_energyplus_loop.py [--only NAME ...] [--seed S] [--runs N] [--ranks R] [--folder DIR]
+
+Readings are EnergyPlus's own, of the same model with an effect that no description has, by scripts/energyplus_hours,
+with noise of 1.5 % and 0.05 K. The job is the shipped one with these readings. Prints for each case what was found and
+`name value unit reference ratio` lines: effects at the right place, false ones, held-out errors of `after` over those of
+the true building (EnergyPlus with the true values: noise alone), of `before` over the same, runs, hours of the clock.
+Needs EnergyPlus 25.2 on PATH or in ENERGYPLUS_DIR; without it nothing is measured. A case takes some minutes.
+"""
+import argparse
+import gzip
+import importlib.machinery
+import importlib.util
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from dataclasses import dataclass
+
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+for folder in (ROOT / "scripts", ROOT / "tests" / "generator", ROOT / "bench"):
+    sys.path.insert(0, str(folder))
+sys.dont_write_bytecode = True
+
+from report.result import AFTER, BEFORE, read as read_loop   # noqa: E402
+
+JOB = ROOT / "jobs" / "energyplus_office"
+MAKER = ROOT / "tests" / "generator" / "make_energyplus_office"
+PROGRAM = ROOT / "build" / "release" / "bemcal-batch"
+SPREAD = {"infiltration": 0.25, "lights": 0.12, "equipment": 0.15, "u_walls": 0.12, "u_windows": 0.1, "g_windows": 0.12,
+          "heating_efficiency": 0.04}       # standard deviations of factors about 1
+SET_POINT_SD = 0.4                          # K
+JULY = 24 * 181
+
+
+@dataclass(frozen=True)
+class Case:
+    """One effect; `series(hours, wind)` in the hook's unit, hours counted from the begin of both years."""
+    hook: str = ""
+    enters: str = "add"
+    series: object = None
+    places: tuple = ()          # hooks of effects that count as right
+    meter: str = ""
+
+
+def within(first, last, size):
+    """Every day from one hour to another, through midnight where it is earlier."""
+    def series(hours, _):
+        clock = hours % 24
+        inside = (clock >= first) & (clock < last) if first < last else (clock >= first) | (clock < last)
+        return size * inside
+    return series
+
+
+def from_hour(begin, size):
+    return lambda hours, _: size * (hours >= begin)
+
+
+CASES = {
+    "null": Case(),
+    "warm_evenings": Case("heating set-point", series=within(18, 22, 2.5), places=("heating set-point",)),
+    "no_set_back": Case("heating set-point", series=within(18, 5, 5), places=("heating set-point", "plant operation")),
+    "wind": Case("infiltration", series=lambda hours, wind: 0.12 * wind, places=("infiltration", "leakage")),
+    "plug_step": Case("lights and equipment", series=from_hour(JULY, 3), places=("lights and equipment", "loads")),
+    "boiler_step": Case("heating efficiency", "factor", from_hour(24 * 300, 0.15), ("heating efficiency",)),
+    "meter_step": Case("meter factor", "factor", from_hour(24 * 240, 0.12), ("meter factor", "meter addition"),
+                       "electricity"),
+    "night_air": Case("infiltration", series=within(22, 6, 1.5), places=("infiltration", "ventilation", "venting")),
+}
+
+
+def maker():
+    loader = importlib.machinery.SourceFileLoader("make_energyplus_office", str(MAKER))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
+    loader.exec_module(module)
+    return module
+
+
+def truth(seed, name):
+    rng = np.random.default_rng([seed, *name.encode()])
+    values = {key: round(float(np.exp(sd * rng.standard_normal())), 3) for key, sd in SPREAD.items()}
+    return values | {"heating_set_point": round(float(SET_POINT_SD * rng.standard_normal()), 2)}
+
+
+def wind_of(make):
+    """[hours] m/s, of the shipped weather files."""
+    speeds = []
+    for year in make.YEARS:
+        with gzip.open(JOB / make.weather_name(year), "rt") as file:
+            speeds += [float(line.split(",")[21]) for line in file.readlines()[8:]]
+    return np.array(speeds)
+
+
+def simulate(make, case, values):
+    """{meter: hours} of the building as it stands."""
+    hours = np.arange(24 * make.N_DAYS)
+
+    def write_effect(folder):
+        if case.series is None:
+            return
+        section = {"name": "the effect", "hook": case.hook, "unit": "-", "enters": case.enters, "column": "effect",
+                   **({"meter": case.meter} if case.meter else {})}
+        (folder / "effects.toml").write_text("[[effect]]\n" + "".join(
+            f"{key} = {json.dumps(value)}\n" for key, value in section.items()))
+        series = case.series(hours, wind_of(make))
+        (folder / "effects.csv").write_text("effect\n" + "".join(f"{value:.6g}\n" for value in series))
+
+    make.write_effect = write_effect
+    make.office.TRUTH = values
+    with tempfile.TemporaryDirectory() as folder:
+        made = make.simulate(JOB, pathlib.Path(folder))
+        left_out = pathlib.Path(folder) / "effects_left_out.txt"
+        assert not left_out.exists() or not left_out.read_text().strip(), left_out.read_text()
+    return made
+
+
+def write_job(folder, runs):
+    shutil.copytree(JOB, folder, dirs_exist_ok=True)
+    job = folder / "energyplus_office.toml"
+    text = job.read_text().replace("../../scripts/energyplus_hours", str(ROOT / "scripts" / "energyplus_hours"))
+    assert 'kind = "loop"' in text
+    job.write_text(text.replace('kind = "loop"', f'kind = "loop"\nruns = {runs}', 1))
+    return job
+
+
+def error(measured, simulated, is_temperature):
+    rmse = float(np.sqrt(np.mean((measured - simulated) ** 2)))
+    return rmse if is_temperature else 100 * rmse / float(np.mean(measured))
+
+
+def noise_of(make, path, hours):
+    """{meter's column: error of the true building in the second year}"""
+    rows = np.genfromtxt(path, delimiter=",", names=True, dtype=None, encoding="ascii")
+    half = 24 * 365
+    columns = {"electricity_kwh": "electricity", "gas_kwh": "gas", "room_degc": "air_temperature"}
+    return {column.split("_")[0]: error(rows[column][half:], hours[name][half:], name == "air_temperature")
+            for column, name in columns.items()}
+
+
+def run(name, case, args, make):
+    folder = pathlib.Path(args.folder or tempfile.mkdtemp()) / name
+    job = write_job(folder, args.runs)
+    hours = simulate(make, case, truth(args.seed, name))
+    make.write_readings(folder / make.MEASURED, hours)
+    begun = time.monotonic()
+    done = subprocess.run(["mpirun", "-np", str(args.ranks), str(PROGRAM), "run", job.name, "-o", "result.h5"],
+                          cwd=folder, capture_output=True, text=True, check=False)
+    (folder / "said.txt").write_text(done.stdout + done.stderr)
+    if not (folder / "result.h5").exists():
+        raise SystemExit(f"{name}: no result: {done.stderr[-500:]}")
+    loop = read_loop(folder / "result.h5", "energyplus_office/loop")
+    noise = noise_of(make, folder / make.MEASURED, hours)
+    return summary(name, case, loop, noise, (time.monotonic() - begun) / 60)
+
+
+def held_out(loop, model):
+    """{meter: error of the second year} [%; K]"""
+    return {error.channel: float(error.error[model]) for error in loop.judged_errors()}
+
+
+def summary(name, case, loop, noise, minutes):
+    right = [effect.name for effect in loop.effects if effect.hook in case.places]
+    false = [effect.name for effect in loop.effects if effect.hook not in case.places]
+    ratios = {}
+    for label, model in (("before", BEFORE), ("after", AFTER)):
+        errors = held_out(loop, model)
+        ratios[label] = float(np.exp(np.mean([np.log(errors[key] / noise[key]) for key in errors])))
+    print(f"# {name}: right {right}, others {false}, errors before {held_out(loop, BEFORE)}, "
+          f"after {held_out(loop, AFTER)}, of noise {noise}", flush=True)
+    return {"right": bool(right), "false": len(false), **ratios, "minutes": minutes}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("--only", nargs="*", default=list(CASES), choices=list(CASES))
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--runs", type=int, default=80)
+    parser.add_argument("--ranks", type=int, default=2)
+    parser.add_argument("--folder")
+    args = parser.parse_args()
+    make = maker()
+    rows = {name: run(name, CASES[name], args, make) for name in args.only}
+    seen = {name: row for name, row in rows.items() if CASES[name].places}
+    if seen:
+        n_right = sum(row["right"] for row in seen.values())
+        print(f"energyplus_loop_right {n_right} of {len(seen)} 0.8 {n_right / len(seen):.2f}")
+    n_false = sum(row["false"] for row in rows.values())
+    print(f"energyplus_loop_false {n_false} effects 0 {n_false / len(rows):.2f}")
+    for label in ("before", "after"):
+        value = float(np.median([row[label] for row in rows.values()]))
+        print(f"energyplus_loop_{label}_over_truth {value:.3f} - 1.3 {value / 1.3:.2f}")
+    longest = max(row["minutes"] for row in rows.values())
+    print(f"energyplus_loop_longest {longest:.1f} min 25 {longest / 25:.2f}")
+
+
+if __name__ == "__main__":
+    main()
