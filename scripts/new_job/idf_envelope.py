@@ -9,6 +9,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from new_job.idf_geometry import C_FACTOR, F_FACTOR
+
 R_OUTSIDE, R_WALL, R_UP, R_DOWN = 0.04, 0.13, 0.10, 0.17   # m2 K/W, ISO 6946 Table 7
 STEEP, OVERHANG = 60, 120      # deg of tilt, between which a surface is a wall
 R_GLASS_OUTSIDE = 0.04         # m2 K/W, EN 673: 1/25
@@ -28,8 +30,6 @@ GROUND_TEMPERATURE = 18        # degC, EnergyPlus's where none is given
 GROUNDS = ("ground", "foundation", "groundslabpreprocessoraverage", "groundslabpreprocessorcore",
            "groundslabpreprocessorperimeter", "groundbasementpreprocessoraveragewall",
            "groundbasementpreprocessoraveragefloor")
-F_FACTOR = "Construction:FfactorGroundFloor"
-C_FACTOR = "Construction:CfactorUndergroundWall"
 LAYERS = ("Material", "Material:NoMass", "Material:AirGap")
 GLASS = ("WindowMaterial:SimpleGlazingSystem", "WindowMaterial:Glazing")
 GAPS = ("WindowMaterial:Gas", "WindowMaterial:GasMixture")

@@ -9,8 +9,20 @@ _EQUIPMENT = "name zone_or_zonelist_or_space_or_spacelist_name schedule_name des
              "design_level watts_per_floor_area watts_per_person fraction_latent fraction_radiant fraction_lost"
 _FLOW = "name zone_or_zonelist_or_space_or_spacelist_name schedule_name design_flow_rate_calculation_method " \
         "design_flow_rate flow_rate_per_floor_area "
+_BEHIND = "outside_boundary_condition_object"
+_BY_LENGTH = "name construction_name zone_name space_name {} azimuth_angle tilt_angle starting_x_coordinate " \
+             "starting_y_coordinate starting_z_coordinate length"
 _SIMPLE = "name construction_name building_surface_name {} multiplier starting_x_coordinate starting_z_coordinate " \
           "length height"
+_UNITARY = "name availability_schedule_name {}_air_inlet_node_name {}_air_outlet_node_name " \
+           "supply_air_fan_operating_mode_schedule_name maximum_supply_air_temperature cooling_supply_air_flow_rate " \
+           "heating_supply_air_flow_rate no_load_supply_air_flow_rate controlling_zone_or_thermostat_location"
+_COILS = "heating_coil_object_type heating_coil_name cooling_coil_object_type cooling_coil_name"
+_TERMINAL = "name availability_schedule_name air_inlet_node_name air_outlet_node_name outdoor_air_mixer_object_type " \
+            "outdoor_air_mixer_name cooling_supply_air_flow_rate heating_supply_air_flow_rate " \
+            "no_load_supply_air_flow_rate no_load_supply_air_flow_rate_control_set_to_low_speed " \
+            "cooling_outdoor_air_flow_rate heating_outdoor_air_flow_rate no_load_outdoor_air_flow_rate " \
+            "supply_air_fan_object_type supply_air_fan_name"
 _WEEK = "name sunday monday tuesday wednesday thursday friday saturday holiday"
 _HOURS = " ".join(f"hour_{hour}" for hour in range(1, 25))
 
@@ -24,12 +36,18 @@ _TABLE = {
     "space": "name zone_name", "spacelist": "name",
     "buildingsurface:detailed": _DETAILED,
     "wall:detailed": _OF_KIND, "roofceiling:detailed": _OF_KIND, "floor:detailed": _OF_KIND,
+    **dict.fromkeys(("wall:exterior", "wall:adiabatic", "wall:underground"), f"{_BY_LENGTH.format('')} height"),
+    **dict.fromkeys(("roof", "ceiling:adiabatic", "floor:groundcontact", "floor:adiabatic"),
+                    f"{_BY_LENGTH.format('')} width"),
+    "wall:interzone": f"{_BY_LENGTH.format(_BEHIND)} height",
+    **dict.fromkeys(("ceiling:interzone", "floor:interzone"), f"{_BY_LENGTH.format(_BEHIND)} width"),
     "fenestrationsurface:detailed":
         "name surface_type construction_name building_surface_name outside_boundary_condition_object "
         "view_factor_to_ground shading_control_name frame_and_divider_name multiplier number_of_vertices " + " ".join(
             f"vertex_{k}_{axis}_coordinate" for k in range(1, 5) for axis in "xyz"),
     "window": _SIMPLE.format("frame_and_divider_name"), "glazeddoor": _SIMPLE.format("frame_and_divider_name"),
-    "door": _SIMPLE.format("").replace("  ", " "),
+    "door": _SIMPLE.format(""),
+    **dict.fromkeys(("window:interzone", "door:interzone", "glazeddoor:interzone"), _SIMPLE.format(_BEHIND)),
     "internalmass": "name construction_name zone_or_zonelist_name space_or_spacelist_name surface_area",
     "material": "name roughness thickness conductivity density specific_heat thermal_absorptance solar_absorptance",
     "material:nomass": "name roughness thermal_resistance thermal_absorptance solar_absorptance",
@@ -95,6 +113,29 @@ _TABLE = {
         "maximum_total_cooling_capacity heating_availability_schedule_name cooling_availability_schedule_name "
         "dehumidification_control_type cooling_sensible_heat_ratio humidification_control_type "
         "design_specification_outdoor_air_object_name",
+    "zonehvac:equipmentlist": "name load_distribution_scheme",
+    "airloophvac:unitaryheatcool": _UNITARY.format("unitary_system", "unitary_system"),
+    "airloophvac:unitary:furnace:heatcool": _UNITARY.format("furnace", "furnace"),
+    "airloophvac:unitarysystem":
+        "name control_type controlling_zone_or_thermostat_location dehumidification_control_type "
+        "availability_schedule_name air_inlet_node_name air_outlet_node_name supply_fan_object_type supply_fan_name "
+        "fan_placement supply_air_fan_operating_mode_schedule_name",
+    "airloophvac:unitaryheatpump:airtoair":
+        "name availability_schedule_name air_inlet_node_name air_outlet_node_name cooling_supply_air_flow_rate "
+        "heating_supply_air_flow_rate no_load_supply_air_flow_rate controlling_zone_or_thermostat_location "
+        f"supply_air_fan_object_type supply_air_fan_name {_COILS} supplemental_heating_coil_object_type "
+        "supplemental_heating_coil_name maximum_supply_air_temperature_from_supplemental_heater "
+        "maximum_outdoor_dry_bulb_temperature_for_supplemental_heater_operation fan_placement "
+        "supply_air_fan_operating_mode_schedule_name",
+    "zonehvac:packagedterminalairconditioner":
+        f"{_TERMINAL} {_COILS} fan_placement supply_air_fan_operating_mode_schedule_name",
+    "zonehvac:packagedterminalheatpump":
+        f"{_TERMINAL} heating_coil_object_type heating_coil_name heating_convergence_tolerance "
+        "cooling_coil_object_type cooling_coil_name cooling_convergence_tolerance "
+        "supplemental_heating_coil_object_type supplemental_heating_coil_name "
+        "maximum_supply_air_temperature_from_supplemental_heater "
+        "maximum_outdoor_dry_bulb_temperature_for_supplemental_heater_operation fan_placement "
+        "supply_air_fan_operating_mode_schedule_name",
     "coil:heating:fuel": "name availability_schedule_name fuel_type burner_efficiency",
     "coil:heating:gas": "name availability_schedule_name burner_efficiency",
     "coil:heating:electric": "name availability_schedule_name efficiency",
@@ -120,6 +161,7 @@ FIELDS = {kind: names.split() for kind, names in _TABLE.items()}
 _VERTICES = ("vertices", ("vertex_x_coordinate", "vertex_y_coordinate", "vertex_z_coordinate"))
 REST = {
     **dict.fromkeys(("buildingsurface:detailed", "wall:detailed", "roofceiling:detailed", "floor:detailed"), _VERTICES),
+    "zonehvac:equipmentlist": ("equipment", ("zone_equipment_object_type", "zone_equipment_name")),
     "zonelist": ("zones", ("zone_name",)), "spacelist": ("spaces", ("space_name",)),
     "schedule:compact": ("data", ("field",)),
     "schedule:year": ("schedule_weeks", ("schedule_week_name", "start_month", "start_day", "end_month", "end_day")),
@@ -128,9 +170,10 @@ REST = {
     "schedule:day:list": ("extensions", ("value",)),
 }
 # Fields that a version brought, and the last version of those that went.
-SINCE = {(kind, "space_name"): (9, 6) for kind in ("buildingsurface:detailed", "wall:detailed", "roofceiling:detailed",
-                                                  "floor:detailed")} | \
-    {("internalmass", "space_or_spacelist_name"): (9, 6)}
+SINCE = {(kind, "space_name"): (9, 6) for kind, names in FIELDS.items() if "space_name" in names} | \
+    {("internalmass", "space_or_spacelist_name"): (9, 6)} | \
+    {(kind, "no_load_supply_air_flow_rate_control_set_to_low_speed"): (24, 1)
+     for kind in ("zonehvac:packagedterminalairconditioner", "zonehvac:packagedterminalheatpump")}
 # Names in epJSON files before 9.6.
 FORMER = {"zone_or_zonelist_or_space_or_spacelist_name": ("zone_or_zonelist_name", "zone_name")}
 UNTIL = {("fenestrationsurface:detailed", "shading_control_name"): (8, 9)}

@@ -1,8 +1,9 @@
 """Areas, directions and volumes of an EnergyPlus file's zones.
 
 Area and normal of a polygon by Newell's sum; volume by the divergence theorem, or floor times height where the
-surfaces do not close. Source: EnergyPlus Input Output Reference, Group Thermal Zone Description. Leaves out surfaces by
-length and height (Wall:Exterior and its kin), which are refused, and the origin of zones, which turns nothing.
+surfaces do not close. Surfaces by length and height (Wall:Exterior and its kin) are rectangles with a corner, an
+azimuth and a tilt, turned as vertices are. Source: EnergyPlus Input Output Reference, Group Thermal Zone Description.
+Leaves out the origin of zones, which turns nothing.
 """
 import math
 from dataclasses import dataclass, field
@@ -12,9 +13,17 @@ import numpy as np
 from new_job.idf import number_of
 
 DETAILED = ("BuildingSurface:Detailed", "Wall:Detailed", "RoofCeiling:Detailed", "Floor:Detailed")
-BY_LENGTH = ("Wall:Exterior", "Wall:Adiabatic", "Wall:Underground", "Wall:Interzone", "Roof", "Ceiling:Adiabatic",
-             "Ceiling:Interzone", "Floor:GroundContact", "Floor:Adiabatic", "Floor:Interzone")
-OPENINGS = ("FenestrationSurface:Detailed", "Window", "GlazedDoor", "Door")
+# By length and height: what lies outside.
+BY_LENGTH = {"Wall:Exterior": "outdoors", "Wall:Adiabatic": "adiabatic", "Wall:Underground": "ground",
+             "Wall:Interzone": "surface", "Roof": "outdoors", "Ceiling:Adiabatic": "adiabatic",
+             "Ceiling:Interzone": "surface", "Floor:GroundContact": "ground", "Floor:Adiabatic": "adiabatic",
+             "Floor:Interzone": "surface"}
+USUAL_TILT = {"wall": 90, "roof": 0, "ceiling": 0, "floor": 180}   # deg, where none is given
+# Constructions that bring their own ground: EnergyPlus takes outdoor air behind them.
+F_FACTOR = "Construction:FfactorGroundFloor"
+C_FACTOR = "Construction:CfactorUndergroundWall"
+OPENINGS = ("FenestrationSurface:Detailed", "Window", "GlazedDoor", "Door", "Window:Interzone", "GlazedDoor:Interzone",
+            "Door:Interzone")
 MOST_OPEN = 0.02               # of a zone's surface, by which its normals may fail to close
 
 
@@ -40,6 +49,7 @@ class Surface:
     zone: Zone
     points: np.ndarray         # (n, 3) m
     vector: np.ndarray         # area times outward normal, m2, in the zone's axes
+    outside: str               # its boundary condition, in small letters
     openings: list = field(default_factory=list)
 
     @property
@@ -65,10 +75,6 @@ class Surface:
         said = self.given.word("surface_type")
         return said or self.given.kind.lower().partition(":")[0]
 
-    @property
-    def outside(self):
-        return self.given.word("outside_boundary_condition")
-
 
 @dataclass
 class Opening:
@@ -87,6 +93,18 @@ def points_of(given, groups):
         given.refuse("vertices", f"has {len(found)} vertices, or one without its three coordinates; expected three or "
                                  "more of x, y, z")
     return np.array(found)
+
+
+def rectangle_of(given):
+    """(4, 3) corners from the lower left one, seen from outside against the clock."""
+    usual = USUAL_TILT[given.kind.lower().partition(":")[0]]
+    azimuth = math.radians(given.number("azimuth_angle", 0, -360, 720))
+    tilt = math.radians(given.number("tilt_angle", usual, 0, 180))
+    corner = np.array([given.number(f"starting_{axis}_coordinate", 0, -1e5, 1e5) for axis in "xyz"])
+    length, height = (given.number(key, 0, 0, 1e4) for key in ("length", "width" if usual != 90 else "height"))
+    across = length * np.array([-math.cos(azimuth), math.sin(azimuth), 0])
+    up = height * np.array([-math.sin(azimuth) * math.cos(tilt), -math.cos(azimuth) * math.cos(tilt), math.sin(tilt)])
+    return np.array([corner, corner + across, corner + across + up, corner + up])
 
 
 def list_of_zones(model):
@@ -120,16 +138,12 @@ def read_zones(model):
 
 
 def add_surfaces(model, zones, sign):
-    by_length = [each for kind in BY_LENGTH for each in model.all(kind)]
-    if by_length:
-        by_length[0].refuse("class", "surfaces by length and height are not read; expected BuildingSurface:Detailed")
     surfaces = {}
-    for each in model.all(*DETAILED):
+    for each in model.all(*DETAILED, *BY_LENGTH):
         zone = zones.get(each.word("zone_name"))
         if zone is None:
             each.refuse("zone_name", f"{each.text('zone_name')!r} is no Zone of the file; expected one of its zones")
-        points = points_of(each, each.rest)
-        surfaces[each.name.lower()] = made = Surface(each, zone, points, sign * vector_of(points))
+        surfaces[each.name.lower()] = made = surface_of(model, each, zone, sign)
         zone.surfaces.append(made)
     for each in model.all(*OPENINGS):
         owner = surfaces.get(each.word("building_surface_name"))
@@ -139,9 +153,20 @@ def add_surfaces(model, zones, sign):
         owner.openings.append(opening_of(each))
 
 
+def surface_of(model, given, zone, sign):
+    outside = next((says for kind, says in BY_LENGTH.items() if kind.lower() == given.kind.lower()), None)
+    if outside is None:
+        points = points_of(given, given.rest)
+        return Surface(given, zone, points, sign * vector_of(points), given.word("outside_boundary_condition"))
+    if outside == "ground" and model.find(given.text("construction_name"), F_FACTOR, C_FACTOR):
+        outside = "groundfcfactormethod"
+    points = rectangle_of(given)
+    return Surface(given, zone, points, vector_of(points), outside)
+
+
 def opening_of(each):
     factor = each.number("multiplier", 1, 0, 1e4)
-    kind = each.word("surface_type") or each.kind.lower()
+    kind = each.word("surface_type") or each.kind.lower().partition(":")[0]
     if each.kind.lower() == "fenestrationsurface:detailed":
         groups = [[each.text(f"vertex_{k}_{axis}_coordinate") for axis in "xyz"] for k in range(1, 5)]
         area = float(np.linalg.norm(vector_of(points_of(each, groups))))

@@ -2,13 +2,14 @@
 
 Each is a sum of power or flow times schedule, or a mean of set-points by floor area. Infiltration's coefficients are
 taken at usual differences of temperature and wind, wind at the zone's height by EnergyPlus's terrain. Sensible heat of
-people: EnergyPlus Engineering Reference, People. Leaves out sizes that EnergyPlus finds, controls and air networks.
+people: EnergyPlus Engineering Reference, People. Leaves out sizes that EnergyPlus finds, controls, air networks, and
+that outdoor air is denser than the room's (3 % more infiltration by mass in Chicago).
 """
 from dataclasses import dataclass
 
 import numpy as np
 
-from new_job import idf_schedules
+from new_job import idf_fans, idf_schedules
 from new_job.refused import Refused
 
 USUAL_DIFFERENCE, USUAL_WIND = 10, 4     # K and m/s at 10 m, for coefficients of infiltration
@@ -16,7 +17,9 @@ USUAL_DIFFERENCE, USUAL_WIND = 10, 4     # K and m/s at 10 m, for coefficients o
 TERRAINS = {"country": (0.14, 270), "suburbs": (0.22, 370), "city": (0.33, 460), "urban": (0.22, 370),
             "ocean": (0.10, 210)}
 WIND_HEIGHT = 10               # m
-ROOM = 22                      # degC, at which people's sensible heat is taken
+# People's sensible heat is taken half-way between the set-points, no more than this above that of heating [K].
+MOST_ABOVE = 3
+ROOM = 22                      # degC, where a zone has not both
 PER_PERSON = 0.00944           # m3/s, EnergyPlus's default of DesignSpecification:OutdoorAir
 TARGET = "zone_or_zonelist_or_space_or_spacelist_name"
 LOADS = (("lights", "Lights", "lighting_level", "electricity"),
@@ -93,16 +96,21 @@ class Reader:
 
     def read_people(self):
         """[W], sensible."""
-        total = idf_schedules.constant(0)
+        total, rooms = idf_schedules.constant(0), self.room_temperatures()
         for thing in self.model.all("People"):
             for zone, area in self.conditioned_targets(thing):
                 number = self.count_people(thing, area)
                 self.people[zone.name] = self.people.get(zone.name, 0) + number
                 activity = self.schedules.of(thing, "activity_level_schedule_name")
                 share = thing.number("sensible_heat_fraction", None, 0, 1)
-                heat = sensible(activity) if share is None else share * activity
+                heat = sensible(activity, rooms.get(zone.name, ROOM)) if share is None else share * activity
                 total += zone.multiplier * number * heat * self.schedules.of(thing, "number_of_people_schedule_name")
         return total
+
+    def room_temperatures(self):
+        """{zone: profile} [degC]"""
+        return {zone.name: np.minimum((heating + cooling) / 2, heating + MOST_ABOVE)
+                for zone, (heating, cooling) in self.thermostats() if heating is not None and cooling is not None}
 
     def power(self, thing, level, zone, area):
         """[W] of one zone."""
@@ -189,7 +197,9 @@ class Reader:
         key = "minimum_outdoor_air_schedule_name"
         openings = [self.schedules.of(each, key) for each in self.model.all("Controller:OutdoorAir") if each.text(key)]
         damper = sum(openings) / len(openings) if openings else 1
-        by_systems = [(each, zone, damper) for each in self.model.all("Sizing:Zone")
+        of_time = idf_fans.shares_of_time(self.model, self.schedules, self.left_out)
+        by_systems = [(each, zone, damper * of_time.get(zone.name.lower(), 1))
+                      for each in self.model.all("Sizing:Zone")
                       for zone, _ in self.conditioned_targets(each, "zone_or_zonelist_name")]
         ideal = [(each, zone, 1) for each in self.model.all("ZoneHVAC:IdealLoadsAirSystem")
                  for zone in self.supplied(each)]
@@ -278,9 +288,9 @@ class Reader:
         return found
 
 
-def sensible(activity):
-    """[W] of a person's activity [W]."""
-    m, t = activity, ROOM
+def sensible(activity, room):
+    """[W] of a person's activity [W] in a room [degC]."""
+    m, t = activity, room
     return np.clip(6.461927 + 0.946892 * m + 0.0000255737 * m**2 + 7.139322 * t - 0.0627909 * t * m
                    + 0.0000589172 * t * m**2 - 0.198550 * t**2 + 0.000940018 * t**2 * m
                    - 0.00000149532 * t**2 * m**2, 0, m)

@@ -16,8 +16,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests" / "scripts"), str(ROOT / "tests" / "energyplus")]
 
 import idf as energyplus  # noqa: E402  (found above)
+import numpy as np  # noqa: E402
 import test_new as usual  # noqa: E402
-from new_job import idf, idf_building, idf_envelope, idf_fields, idf_schedules  # noqa: E402
+from new_job import idf, idf_building, idf_envelope, idf_fields, idf_geometry, idf_schedules, idf_use  # noqa: E402
 from new_job.refused import Refused  # noqa: E402
 
 DATA, NO_INPUT, USAGE = 65, 66, 64
@@ -78,6 +79,17 @@ def faces(version_has_space=True):
 BOX = HOUSE + faces()
 
 
+# The same box by length and height: the azimuth is the outward normal's from the zone's y axis.
+BY_LENGTH = """
+Wall:Exterior, south, Wall, Room, , 180, 90, 0, 0, 0, 10, 3;
+Wall:Exterior, east, Wall, Room, , 90, , 10, 0, 0, 8, 3;
+Wall:Exterior, north, Wall, Room, , 0, 90, 10, 8, 0, 10, 3;
+Wall:Adiabatic, west, Wall, Room, , 270, 90, 0, 8, 0, 8, 3;
+Roof, roof, Roof, Room, , 180, 0, 0, 0, 3, 10, 8;
+Floor:GroundContact, floor, Slab, Room, , 180, , 0, 8, 0, 10, 8;
+"""
+
+
 def as_json(path):
     """The same objects as EnergyPlus lays them out in JSON."""
     made = {}
@@ -133,6 +145,64 @@ class Box(unittest.TestCase):
         turned = BOX.replace("Counterclockwise, Relative", "Clockwise, World")
         walls = {p.azimuth for p in self.read(turned).shell.surfaces.values() if p.construction == "Wall"}
         self.assertEqual(walls, {0, 270, 180})     # inside out, and north stays where it is
+
+    def test_surfaces_by_length_and_height(self):
+        """EnergyPlus 25.2 gives the same areas, azimuths and tilts, whatever the coordinates are relative to."""
+        window = "Window, South window, Window, south, , 3, 1, 1, 1, 1.5;\n"
+        house = "".join(line + "\n" for line in HOUSE.splitlines() if not line.startswith("Fenestration"))
+        one, other = self.read(BOX), self.read(house + BY_LENGTH + window)
+        self.assertAlmostEqual(one.volume, other.volume)
+        for kind in ("surfaces", "windows"):
+            mine, theirs = (sorted((p.construction, p.boundary, p.azimuth or -1, p.tilt or -1, round(p.area, 6))
+                                   for p in getattr(found.shell, kind).values()) for found in (one, other))
+            self.assertEqual(mine, theirs)
+        self.assertEqual(one.left_out, other.left_out)
+        clockwise = self.read((house + BY_LENGTH + window).replace("Counterclockwise", "Clockwise"))
+        self.assertEqual(other.shell.surfaces, clockwise.shell.surfaces)
+        older = house.replace("25.2", "9.5") + BY_LENGTH.replace("Room, ,", "Room,") + window
+        self.assertEqual(other.shell.surfaces, self.read(older).shell.surfaces)
+
+    def test_a_slanted_rectangle(self):
+        roof = idf.Object("x", "Roof", {"azimuth_angle": "180", "tilt_angle": "30", "length": "10", "width": "8",
+                                        "starting_z_coordinate": "3"})
+        points = idf_geometry.rectangle_of(roof)
+        normal = idf_geometry.vector_of(points) / 80
+        self.assertTrue(np.allclose(normal, [0, -0.5, np.sqrt(3) / 2]), normal)
+        self.assertTrue(np.allclose(points[2], [10, 8 * np.sqrt(3) / 2, 3 + 4]), points)
+
+    def test_a_ground_of_its_own_construction(self):
+        made = BY_LENGTH.replace("floor, Slab", "floor, Ground") + \
+            "Construction:FfactorGroundFloor, Ground, 0.5, 80, 36;\n"
+        house = "".join(line + "\n" for line in HOUSE.splitlines() if not line.startswith("Fenestration"))
+        (floor,) = (p for p in self.read(house + made).shell.surfaces.values() if "ground floor" in p.construction)
+        self.assertEqual((floor.boundary, floor.area), ("outdoors", ALIKE * LENGTH * DEPTH))
+
+    def test_fans_that_cycle_bring_less_air(self):
+        """A unit with a schedule of 0, or none, by its zone or in the zone's list of equipment."""
+        usual_flow = self.read(BOX).ventilation.max()
+        unit = "AirLoopHVAC:UnitaryHeatCool, Unit, , In, Out, {}, , , , , Room;\n"
+        terminal = "ZoneHVAC:PackagedTerminalAirConditioner, Unit, , In, Out, , , 1, 1, 1, , 1, 1, 1, Fan:OnOff, " \
+                   "Fan, Coil:Heating:Fuel, Burner, Coil:Cooling:DX:SingleSpeed, Cooler, BlowThrough, {};\n" \
+                   "ZoneHVAC:EquipmentConnections, Room, List;\nZoneHVAC:EquipmentList, List, SequentialLoad, " \
+                   "ZoneHVAC:PackagedTerminalAirConditioner, Unit, 1, 1, , {};\n"
+        always = "Schedule:Constant, Never, , 0;\nSchedule:Constant, Ever, , 1;\n"
+        for text, share in ((unit.format("Never"), 0.2), (unit.format(""), 0.2), (unit.format("Ever"), 1),
+                            (terminal.format("Never", ""), 0.2), (terminal.format("Ever", ""), 1),
+                            (terminal.format("", ", ZoneHVAC:EnergyRecoveryVentilator, Recovery, 2, 2"), 1)):
+            with self.subTest(text=text):
+                found = self.read(BOX + always + text)
+                self.assertAlmostEqual(found.ventilation.max(), share * usual_flow)
+                self.assertEqual(share < 1, any("cycle with their coils" in line for line in found.left_out))
+
+    def test_people_in_rooms_between_the_set_points(self):
+        """Half-way, and where cooling is set far up 3 K above heating; sensible of 120 W are 71.9 W at 23.5 degC."""
+        text = BOX.replace("0.3, 0.5, Activity", "0.3, , Activity")
+        people = LENGTH * DEPTH / 10 * ALIKE
+        for cooling, room in ((26, 23.5), (40, 24)):
+            found = self.read(text.replace("Cool, , 26", f"Cool, , {cooling}"))
+            self.assertAlmostEqual(found.loads["people"].values[0, 0, 12] * found.area,
+                                   people * idf_use.sensible(120, room))
+        self.assertAlmostEqual(float(idf_use.sensible(120, 23.5)), 71.9, delta=0.1)
 
     def test_u_values_have_films(self):
         shell = self.read(BOX).shell

