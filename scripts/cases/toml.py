@@ -1,4 +1,7 @@
-"""Sections of a job file as text."""
+"""Sections of a job file as text.
+
+Not by tomlkit: `new`, which uses this, needs nothing but Python, and its comments stand in one column.
+"""
 import json
 
 

@@ -23,6 +23,7 @@ class Bemcal(CMakePackage):
     depends_on("tomlplusplus@3.3:")
     depends_on("cli11@2.1:")
     depends_on("xxhash@0.8:")
+    depends_on("random123@1.14:")
     for family in ("aarch64", "ppc64le", "riscv64"):
         depends_on("simde@0.7:", when=f"target={family}:")
 

@@ -1,4 +1,4 @@
-/// Counter-based random numbers: Philox-4x32-10 and its use as a stream.
+/// Counter-based random numbers: Random123's Philox-4x32-10 as a stream.
 /// Source: Salmon et al. 2011, section 3.3; whole numbers by Lemire 2019, algorithm 5.
 /// A stream ends after 2^34 numbers. Distributions other than the uniform one are left to
 /// their users.
@@ -6,35 +6,16 @@
 
 #include "base/error.hpp"
 
+#include <Random123/philox.h>
+
 namespace bemcal {
-namespace {
-
-using Counter = std::array<std::uint32_t, 4>;
-using Key = std::array<std::uint32_t, 2>;
-
-constexpr int n_rounds = 10;
-constexpr std::uint64_t multiplier_0 = 0xD2511F53, multiplier_1 = 0xCD9E8D57;
-constexpr std::uint32_t golden_ratio = 0x9E3779B9, sqrt_3_minus_1 = 0xBB67AE85;
-
-Counter philox_round(const Counter& c, const Key& key) {
-    const std::uint64_t product_0 = multiplier_0 * c[0];
-    const std::uint64_t product_1 = multiplier_1 * c[2];
-    return {static_cast<std::uint32_t>(product_1 >> 32) ^ c[1] ^ key[0],
-            static_cast<std::uint32_t>(product_1),
-            static_cast<std::uint32_t>(product_0 >> 32) ^ c[3] ^ key[1],
-            static_cast<std::uint32_t>(product_0)};
-}
-
-}  // namespace
 
 std::array<std::uint32_t, 4> philox_4x32_10(std::array<std::uint32_t, 4> counter,
                                             std::array<std::uint32_t, 2> key) {
-    for (int round = 0; round < n_rounds; ++round) {
-        counter = philox_round(counter, key);
-        key[0] += golden_ratio;
-        key[1] += sqrt_3_minus_1;
-    }
-    return counter;
+    using Philox = r123::Philox4x32_R<10>;
+    const Philox::ctr_type block =
+        Philox()({{counter[0], counter[1], counter[2], counter[3]}}, {{key[0], key[1]}});
+    return {block[0], block[1], block[2], block[3]};
 }
 
 Stream::Stream(std::uint64_t seed, std::uint32_t stage, std::uint64_t item)

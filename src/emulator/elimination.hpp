@@ -7,6 +7,7 @@
 /// covariance, quadratic forms. It is one Cholesky factorisation in which the rows of an
 /// identity matrix ride along in the place of columns that are done with (the symmetric
 /// Gauss-Jordan form), so that value and derivatives share their operations bit by bit.
+/// Not LAPACK: OpenBLAS chooses its operations by processor, and bits are to be the same.
 /// Compiled for AVX and FMA, without anything from the standard library.
 #pragma once
 

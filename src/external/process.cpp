@@ -1,7 +1,8 @@
 /// Runs a program under a keeper in a session of its own, without our open files and
 /// MPI's variables, and waits for what the keeper reports.
 /// Source: POSIX (posix_spawn, waitpid). Memory and processor time are not limited; Linux
-/// only. Ends and limits are the keeper's.
+/// only. Ends and limits are the keeper's. Not Boost.Process: it forks a rank's memory,
+/// and a session and default signals would be handlers of our own.
 #include "external/process.hpp"
 
 #include "external/keeper.hpp"

@@ -1,7 +1,8 @@
 /// A text with places for numbers: `@infiltration@`.
 ///
 /// A name begins with a letter and goes on with letters, digits and underscores; any
-/// other @ is itself.
+/// other @ is itself. Not a template library: their braces mean something in other
+/// programs' inputs, and an unknown name has to be told by its line.
 #pragma once
 
 #include <span>

@@ -1,4 +1,5 @@
-/// Public holidays of a country, or of one of its states, in a year.
+/// Public holidays of a country, or of one of its states, in a year. There is no library
+/// of them for C++; Python's `holidays` is what tests compare with.
 #pragma once
 
 #include <chrono>

@@ -1,8 +1,10 @@
 /// CSV (RFC 4180) as a table of cells that point into its text.
 ///
 /// The separator is what the line of names has most of: comma, semicolon, tab or bar, or
-/// what a line "sep=;" says. Empty lines, rows without any content and lines that start
-/// with # are skipped. Numbers (`csv_numbers`) and times are the readers' matter.
+/// what a line "sep=;" says. Not fast-cpp-csv-parser: it is compiled for a separator and
+/// a number of columns, which are found here. Empty lines, rows without any content and
+/// lines that start with # are skipped. Numbers (`csv_numbers`) and times are the
+/// readers' matter.
 #pragma once
 
 #include <deque>

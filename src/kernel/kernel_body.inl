@@ -1,8 +1,9 @@
 /// The time loops, written once over a vector V of `lanes` doubles, so that all
-/// instruction sets give the same bits. A thermostat asks for the power missing to its
-/// set-point, linear in the mass temperature, and gets what the plant can: two clamps.
-/// Source: ISO 13790, (C.13) solved once (affine). Refinements are left to
-/// kernel_general, meters to kernel_reduce. Included in an unnamed namespace.
+/// instruction sets give the same bits (not xsimd or Highway: what V needs is 30 lines of
+/// intrinsics, and which min, max and fma they are is to be seen). A thermostat asks for
+/// the power missing to its set-point, linear in the mass temperature, and gets what the
+/// plant can: two clamps. Source: ISO 13790, (C.13) solved once (affine). Refinements are
+/// left to kernel_general, meters to kernel_reduce. Included in an unnamed namespace.
 
 inline V column(const double* columns, int index) {
     return load(columns + index * lanes);

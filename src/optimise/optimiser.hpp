@@ -2,7 +2,9 @@
 /// values, until it asks for none.
 ///
 /// It is reproducible: the points follow from the options and from what it was told. So
-/// it is also resumed: by an optimiser made anew that is told the same values.
+/// it is also resumed: by an optimiser made anew that is told the same values. Not pagmo
+/// or NLopt: they call the objective, point by point or in threads of theirs, and a batch
+/// here is a round of simulations on all ranks.
 #pragma once
 
 #include "optimise/search.hpp"

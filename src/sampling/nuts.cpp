@@ -2,7 +2,8 @@
 /// and the search for a first step size.
 /// Source: Hoffman and Gelman 2014 (algorithm 4 for the step size, Stan's threshold 0.8);
 /// Betancourt 2017. Weights and U-turns are left to trajectory, whole numbers to
-/// metropolis.
+/// metropolis. Not Stan's: it asks for one density at a time, and here chains go in
+/// lockstep, a simulation of each in a lane.
 #include "sampling/leapfrog.hpp"
 
 #include <cmath>

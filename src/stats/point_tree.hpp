@@ -4,7 +4,8 @@
 /// A k-d tree of boxes (Bentley 1975), each of which knows how many points are left in it
 /// and the smallest of their indices; so neither crowds nor many points in one place cost
 /// more than the boxes on the way. Distances are those of a plain loop over all points,
-/// to the bit.
+/// to the bit. Not nanoflann: it counts no points in a box, and sums distances its own
+/// way.
 #pragma once
 
 #include "base/matrix.hpp"

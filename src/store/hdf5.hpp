@@ -9,7 +9,8 @@
 ///
 /// What is read may be of anyone: links to other files are not followed, types and shapes
 /// are looked at first, and no more is taken than the file can hold. HDF5 itself crashes
-/// on some damaged files; result_reading keeps that apart.
+/// on some damaged files; result_reading keeps that apart. Not HighFive: what is looked
+/// at here has to be asked of HDF5 itself.
 #pragma once
 
 #include <cstdint>

@@ -23,7 +23,8 @@ LISTED = ["bin/bemcal-batch", "share/bemcal/jobs/quickstart/quickstart.toml", "s
           "share/doc/bemcal/copyright"]
 # Names of a library in CMakeLists.txt and in Spack; zlib-api is virtual and has no version there.
 IN_SPACK = {"MPI": "mpi", "HDF5": "hdf5", "Eigen3": "eigen", "fmt": "fmt", "Boost": "boost", "ZLIB": "zlib-api",
-            "tomlplusplus": "tomlplusplus", "CLI11": "cli11", "xxHash": "xxhash", "SIMDe": "simde"}
+            "tomlplusplus": "tomlplusplus", "CLI11": "cli11", "xxHash": "xxhash",
+            "Random123": "random123", "SIMDe": "simde"}
 WITH_THE_COMPILER, OF_THE_TESTS, VIRTUAL = {"OpenMP"}, {"GTest"}, {"ZLIB"}
 
 
