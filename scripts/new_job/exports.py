@@ -7,6 +7,7 @@ seconds since 1970 UTC, duration). Leaves out demand, costs, and of Green Button
 """
 import csv
 import datetime as dt
+import itertools
 import os
 import re
 import xml.etree.ElementTree as ElementTree
@@ -65,25 +66,33 @@ def column_of(table, pattern):
     return next((name for name in table.names if re.fullmatch(rf"(?:meter )?(?:{pattern})", spaced(name))), None)
 
 
-def write_rows(path, names, rows, inputs, force):
-    """Never over an input; over another file with --force only."""
-    if os.path.exists(path):
-        if any(os.path.samefile(path, other) for other in inputs if os.path.exists(other)):
-            raise Refused(f"{path}: is an input, over which the converted readings would be written; give the job "
-                          "another name", EXISTS)
-        if not force:
-            raise Refused(f"{path}: is there already, and the converted readings go there; --force writes over it",
-                          EXISTS)
-    try:
-        with open(path, "w", newline="", encoding="utf-8") as file:
-            csv.writer(file, lineterminator="\n").writerows([names, *rows])
-    except OSError as error:
-        raise Refused(f"{path}: {error.strerror}; the converted readings go there", IO) from None
+class Place:
+    """Where converted readings go: beside the job; never over an input, nor over another meter's of the same run."""
 
+    def __init__(self, job, inputs, force):
+        self.stem, self.inputs, self.force, self.taken = os.path.splitext(job)[0], inputs, force, set()
 
-def place_of(job, *words):
-    name = "_".join(re.sub(r"[^a-z0-9]+", "_", word.lower()).strip("_") for word in words if word)
-    return f"{os.path.splitext(job)[0]}_{name}.csv"
+    def file(self, *words):
+        name = "_".join(re.sub(r"[^a-z0-9]+", "_", word.lower()).strip("_") for word in words if word)
+        names = (f"{self.stem}_{name}{f'_{k}' if k > 1 else ''}.csv" for k in itertools.count(1))
+        path = next(path for path in names if path not in self.taken)
+        self.taken.add(path)
+        return path
+
+    def write(self, path, names, rows):
+        """Over another file with --force only."""
+        if os.path.exists(path):
+            if any(os.path.samefile(path, other) for other in self.inputs if os.path.exists(other)):
+                raise Refused(f"{path}: is an input, over which the converted readings would be written; give the job "
+                              "another name", EXISTS)
+            if not self.force:
+                raise Refused(f"{path}: is there already, and the converted readings go there; --force writes over it",
+                              EXISTS)
+        try:
+            with open(path, "w", newline="", encoding="utf-8") as file:
+                csv.writer(file, lineterminator="\n").writerows([names, *rows])
+        except OSError as error:
+            raise Refused(f"{path}: {error.strerror}; the converted readings go there", IO) from None
 
 
 def bills_in(table):
@@ -103,19 +112,19 @@ def bills_in(table):
     return groups
 
 
-def of_portfolio_manager(table, job, inputs, force):
-    """Its bills, one file for each meter; water, waste and wood are left out."""
+def of_portfolio_manager(table, place):
+    """Its bills, one file for each meter; water, waste and wood are left out, and a meter of a single bill."""
     groups, found = bills_in(table), []
     for (kind, name, units), bills in groups.items():
         quantity = quantity_of(f"{kind} {name}" if kind or name else os.path.basename(table.path))
-        if not quantity:
+        if not quantity or len(bills) < 2:
             continue
         unit = unit_of(units)
         if not unit:
             raise Refused(f"{table.path}: {units!r} is no unit that is known; expected kWh, therms, ccf, kBtu, ...")
-        path = place_of(job, quantity, name if len(groups) > 1 else "")
+        path = place.file(quantity, name if len(groups) > 1 else "")
         lines = [[f"{begin:%Y-%m-%d}", f"{end:%Y-%m-%d}", *rest] for begin, end, *rest in sorted(bills)]
-        write_rows(path, ["start", "end", "usage", "estimated"], lines, inputs, force)
+        place.write(path, ["start", "end", "usage", "estimated"], lines)
         what = ", ".join(filter(None, (kind, name, units)))
         found.append(Converted(path, "usage", quantity, *unit, f"{len(bills)} bills of {table.path} ({what})"))
     if not found:
@@ -137,7 +146,7 @@ def child(element, *path):
     return element.text.strip() if element.text else ""
 
 
-def of_green_button(path, job, inputs, force):
+def of_green_button(path, place):
     """Its interval blocks. Each reading type has its unit; a file of one feed has one mostly."""
     try:
         root = ElementTree.fromstring(tables.bytes_of(path))
@@ -156,7 +165,7 @@ def of_green_button(path, job, inputs, force):
         commodity, uom, power, direction = key or late or ("1", "72", 0, "1")
         if direction == FED_IN or uom not in UOMS or commodity not in COMMODITIES or not readings:
             continue
-        found.append(written(path, job, COMMODITIES[commodity], uom, power, readings, inputs, force))
+        found.append(written(path, place, COMMODITIES[commodity], uom, power, readings))
     if not found:
         raise Refused(f"{path}: has no readings of energy in IntervalBlock; expected Green Button (ESPI)")
     return found
@@ -172,19 +181,19 @@ def readings_of(block):
             yield int(begin), int(duration or 3600), float(value)
 
 
-def written(path, job, quantity, uom, power, readings, inputs, force):
+def written(path, place, quantity, uom, power, readings):
     unit, factor = UOMS[uom]
     readings = sorted(dict((begin, (duration, value)) for begin, duration, value in readings).items())
     durations = [duration for _, (duration, _) in readings]
-    at = place_of(job, quantity)
+    at = place.file(quantity)
 
     def time(seconds):
         return dt.datetime(1970, 1, 1) + dt.timedelta(seconds=seconds)
     if sorted(durations)[len(durations) // 2] > DAY:
         lines = [[f"{time(b):%Y-%m-%d}", f"{time(b + d):%Y-%m-%d}", f"{v * 10 ** power:.10g}", 0]
                  for b, (d, v) in readings]
-        write_rows(at, ["start", "end", "usage", "estimated"], lines, inputs, force)
+        place.write(at, ["start", "end", "usage", "estimated"], lines)
     else:
         lines = [[f"{time(b):%Y-%m-%dT%H:%M:%SZ}", f"{v * 10 ** power:.10g}"] for b, (_, v) in readings]
-        write_rows(at, ["time", "usage"], lines, inputs, force)
+        place.write(at, ["time", "usage"], lines)
     return Converted(at, "usage", quantity, unit, factor, f"{len(readings)} readings of Green Button {path}")

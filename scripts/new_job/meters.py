@@ -336,12 +336,12 @@ def of_converted(made, options, told):
 def meters_in(request, options, told):
     """All of one --meter."""
     if exports.is_green_button(request.file):
-        made = exports.of_green_button(request.file, options.job, options.inputs, options.force)
+        made = exports.of_green_button(request.file, options.converted)
         return [of_converted(each, options, told) for each in made]
     is_workbook = workbook.is_workbook(request.file)
     table = exports.portfolio_sheet(request.file) if is_workbook else tables.read_table(request.file, options.country)
     if exports.is_portfolio_manager(table) and (is_workbook or not request.column):
-        made = exports.of_portfolio_manager(table, options.job, options.inputs, options.force)
+        made = exports.of_portfolio_manager(table, options.converted)
         return [of_converted(each, options, told) for each in made]
     unit = (request.unit, 1) if request.unit else None
     return [make_meter(table, column, quantity, unit, options, told)

@@ -1,6 +1,9 @@
 """What ends `bemcal-batch new`, with the README's exit codes; and what it has to say beside the job."""
 
-USAGE, DATA, NO_INPUT, EXISTS, IO = 64, 65, 66, 73, 74
+from report import refused
+from report.refused import DATA, EXISTS, IO, NO_INPUT, USAGE
+
+__all__ = ["DATA", "EXISTS", "IO", "NO_INPUT", "USAGE", "Refused", "Told", "printable"]
 
 
 def printable(text):
@@ -8,12 +11,11 @@ def printable(text):
     return "".join(letter if letter.isprintable() else "?" for letter in text)
 
 
-class Refused(Exception):
-    """A message for the user, and the exit code."""
+class Refused(refused.Refused):
+    """Of names that may be anything."""
 
     def __init__(self, message, code=DATA):
-        super().__init__(printable(message))
-        self.code = code
+        super().__init__(printable(message), code)
 
 
 class Told:

@@ -9,6 +9,7 @@ import gzip
 import io
 import os
 import re
+import zlib
 from dataclasses import dataclass, field
 
 from new_job import times
@@ -37,7 +38,7 @@ def bytes_of(path):
     if data[:2] == b"\x1f\x8b":
         try:
             data = gzip.decompress(data)
-        except (OSError, EOFError) as error:
+        except (OSError, EOFError, zlib.error) as error:
             raise Refused(f"{path}: is a damaged gzip file ({error}); pack it again") from None
     return data
 

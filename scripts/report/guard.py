@@ -9,24 +9,16 @@ import multiprocessing
 import os
 import resource
 import signal
-import sys
 import traceback
 
 import h5py
 
-DATA, NO_INPUT, FAILED, IO = 65, 66, 70, 74
+from .refused import FAILED, NO_INPUT, Refused
+
 # Of the processor. h5py takes milliseconds for a small result, and reads one of the smallest groups, the slowest
 # that there is, at 2.6 MB/s.
 LEAST_SECONDS, BYTES_A_SECOND = 3, 5e5
 PACKING = 100                  # a packed file may unfold to so many times its size
-
-
-class Refused(Exception):
-    """A message for the user, and the exit code."""
-
-    def __init__(self, message, code=DATA):
-        super().__init__(message)
-        self.code = code
 
 
 def has(group, path):
@@ -133,19 +125,3 @@ def read_apart(path, read):
     if isinstance(said, Refused):
         raise said
     return said
-
-
-def code_of(name, work):
-    try:
-        return work() or 0
-    except Refused as refused:
-        print(f"{name}: {refused}", file=sys.stderr)
-        return refused.code
-    except OSError as error:
-        print(f"{name}: {error}", file=sys.stderr)
-        return IO
-
-
-def run(name, work):
-    """Does the work, and ends with its exit code."""
-    sys.exit(code_of(name, work))

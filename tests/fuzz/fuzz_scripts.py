@@ -4,11 +4,12 @@
     fuzz_scripts.py [--seconds 60] [--attempts N] [--seed 1] [--only case_to_job]
 
 Cases (building.json and its files) for case_to_job; results for result_report, stock_report and still_holds, with
-bytes changed, or datasets taken away, cut, of other types or no numbers. The first fault ends it with code 1; what
-broke a script stays in build/fuzz/found.
+bytes changed, or datasets taken away, cut, of other types or no numbers; weather, readings, exports, options and
+EnergyPlus files for new. The first fault ends it with code 1; what broke a script stays in build/fuzz/found.
 """
 import argparse
 import copy
+import datetime
 import importlib.machinery
 import json
 import os
@@ -30,7 +31,10 @@ sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests" / "scripts")]
 import fake_loop_result  # noqa: E402
 import fake_results  # noqa: E402
 import test_case_to_job  # noqa: E402
+import test_new  # noqa: E402
+import test_new_idf  # noqa: E402
 
+DAY = datetime.timedelta(days=1)
 LIMIT = 60                     # seconds of one attempt
 CODES = {0, 1, 64, 65, 66, 74}
 VALUES = [None, True, -1, 0, 1e308, float("nan"), float("inf"), "", "x", "off", [], {}, [[]], [1, "a"], {"a": 1},
@@ -143,6 +147,89 @@ class Cases:
         return outcome(self.module, words, log), place
 
 
+class News:
+    """new, with one of its files or of its options damaged."""
+    WEATHER, METERS = "2021.epw", ("gas.csv", "daily.csv", "entries.csv", "entries.xlsx", "usage.xml")
+    OPTIONS = {"--area": "1200", "--use": "office", "--built": "1975", "--place": "GB", "--site": "52.2,0.1",
+               "--storeys": "2", "--height": "3"}
+    HOURS = 24 * 70
+
+    def __init__(self, folder):
+        self.folder, self.module, self.files = folder, script("new"), self.seeds(folder)
+
+    def seeds(self, folder):
+        """{name: bytes}, short ones where that is enough."""
+        times = list(test_new.hours(2021, 2021))
+        days = [time for time in times[:100 * 24] if time.hour == 0]
+        test_new.write_epw(folder / self.WEATHER, 2021)
+        test_new.write_workbook(folder / "entries.xlsx", test_new.months(2021, 2021))
+        lines = {"gas.csv": ["time,gas_kwh", *test_new.rows(test_new.gas, 2021, 2021)[:self.HOURS]],
+                 "daily.csv": ["Day;gas (kWh)", *(f"{day:%d.%m.%Y};{test_new.total(test_new.gas, day, day + DAY):.1f}"
+                                                  for day in days)],
+                 "entries.csv": test_new.portfolio(test_new.months(2021, 2021)),
+                 "usage.xml": test_new.green_button(times[:self.HOURS])}
+        return {name: (folder / name).read_bytes() for name in (self.WEATHER, "entries.xlsx")} | \
+            {name: "\n".join([*several, ""]).encode() for name, several in lines.items()}
+
+    def options(self, rng):
+        """Those of a good call, sometimes with a bad value or one too few."""
+        options = dict(self.OPTIONS)
+        if rng.random() < 0.1:
+            options[rng.choice(sorted(options))] = str(rng.choice(VALUES)).replace("\ud800", "?")
+        if rng.random() < 0.1:
+            del options[rng.choice(sorted(options))]
+        return options
+
+    def description(self, rng, place):
+        """Words that describe the building, and the files that they name."""
+        return [word for pair in self.options(rng).items() for word in pair], {}
+
+    def attempt(self, rng, log):
+        place = self.folder / "new"
+        shutil.rmtree(place, ignore_errors=True)
+        place.mkdir()
+        words, texts = self.description(rng, place)
+        meters = rng.sample(self.METERS, min(rng.choice((1, 1, 2)), len(self.METERS)))
+        texts |= {name: self.files[name] for name in (self.WEATHER, *meters)}
+        if rng.random() < 0.8:
+            name = rng.choice(sorted(texts))
+            texts[name] = with_bytes_changed(texts[name], rng)
+        for name, text in texts.items():
+            (place / name).write_bytes(text)
+        words = [place / "job.toml", "--weather", place / self.WEATHER, *words]
+        return outcome(self.module, [*words, *(word for name in meters for word in ("--meter", place / name))],
+                       log), place
+
+
+class Idfs(News):
+    """The same with the building of an EnergyPlus file, whose words or bytes are damaged."""
+    METERS = ("gas.csv",)
+    BOX = test_new_idf.BOX
+    WORDS = ("", "x", "-1", "1e99", ";", "nan", "autosize", "Zone", "0", "9" * 400)
+
+    def description(self, rng, place):
+        return ["--place", "GB", "--idf", place / "box.idf"], {"box.idf": self.damaged(rng)}
+
+    def damaged(self, rng):
+        words = self.BOX.split(",")
+        for _ in range(rng.choice((1, 1, 3))):
+            words[rng.randrange(len(words))] = rng.choice((rng.choice(words), rng.choice(self.WORDS)))
+        return ",".join(words).encode()
+
+
+class Jsons(Idfs):
+    """The same as epJSON."""
+    def __init__(self, folder):
+        super().__init__(folder)
+        path = folder / "box.idf"
+        path.write_text(self.BOX)
+        self.json = json.loads(test_new_idf.as_json(path))
+
+    def description(self, rng, place):
+        return ["--place", "GB", "--idf", place / "box.epJSON"], \
+            {"box.epJSON": json.dumps(changed(self.json, rng)).encode()}
+
+
 def all_datasets(file):
     found = []
     file.visititems(lambda name, item: found.append(name) if isinstance(item, h5py.Dataset) and
@@ -243,6 +330,7 @@ def stock(path):
 def targets(folder):
     """Made when they are first asked for, by name."""
     return {"case_to_job": lambda: Cases(folder),
+            "new": lambda: News(folder), "new_idf": lambda: Idfs(folder), "new_json": lambda: Jsons(folder),
             "still_holds": lambda: Results(folder, "still_holds", posterior),
             "stock_report": lambda: Results(folder, "stock_report", stock),
             "result_report": lambda: Results(folder, "result_report", fake_results.write),

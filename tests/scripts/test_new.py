@@ -90,6 +90,54 @@ def months(first=2021, last=2022):
     return [dt.datetime(first + m // 12, m % 12 + 1, 1) for m in range(12 * (last - first + 1) + 1)]
 
 
+def portfolio(stamps):
+    """Lines of an export of Portfolio Manager, a bill between any two stamps."""
+    lines = ["Meter Type,Meter Name,Start Date,End Date,Usage/Quantity,Usage Units,Cost ($),Estimation"]
+    for kind, value, units in (("Natural Gas", gas, "therms"),
+                               ("Electric - Grid", electricity, "kWh (thousand Watt-hours)")):
+        for a, b in zip(stamps, stamps[1:]):
+            use = total(value, a, b) / (29.3071 if units == "therms" else 1)
+            lines.append(f'{kind},"{kind} Meter",{a:%m/%d/%Y},{b:%m/%d/%Y},"{use:,.2f}",{units},100,No')
+    return lines
+
+
+def write_workbook(path, stamps):
+    """Such an export as a workbook, with water. Dates are numbers with a style of dates."""
+    table = ["Property Name,Meter Type,Start Date,End Date,Usage/Quantity,Usage Units".split(",")]
+    epoch = dt.datetime(1899, 12, 30)
+    for a, b in zip(stamps, stamps[1:]):
+        days = [(a - epoch).days, (b - epoch).days]
+        table.append(["A", "Natural Gas", *days, total(gas, a, b) / 29.3071, "therms"])
+        table.append(["A", "Municipally Supplied Potable Water", *days, 7, "Gallons (US)"])
+
+    def cell(k, j, value):
+        at = f'{"ABCDEF"[j]}{k}'
+        return f'<c r="{at}" t="inlineStr"><is><t>{value}</t></is></c>' if isinstance(value, str) else \
+            f'<c r="{at}" s="{int(j in (2, 3))}"><v>{value}</v></c>'
+    lines = "".join(f'<row r="{k}">{"".join(cell(k, j, value) for j, value in enumerate(row))}</row>'
+                    for k, row in enumerate(table, 1))
+    space = 'xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"'
+    with zipfile.ZipFile(path, "w") as packed:
+        packed.writestr("xl/workbook.xml", f"<workbook {space}/>")
+        packed.writestr("xl/styles.xml", f'<styleSheet {space}><cellXfs><xf numFmtId="0"/><xf numFmtId="14"/>'
+                                         '</cellXfs></styleSheet>')
+        packed.writestr("xl/worksheets/sheet1.xml", f"<worksheet {space}/>")
+        packed.writestr("xl/worksheets/sheet2.xml", f"<worksheet {space}><sheetData>{lines}</sheetData></worksheet>")
+
+
+def green_button(times):
+    """Lines of a Green Button file."""
+    epoch = dt.datetime(1970, 1, 1)
+    readings = "".join(f"<IntervalReading><timePeriod><duration>3600</duration>"
+                       f"<start>{int((t - epoch).total_seconds())}</start></timePeriod>"
+                       f"<value>{round(1000 * electricity(t))}</value></IntervalReading>" for t in times)
+    return ['<?xml version="1.0"?><feed xmlns="http://www.w3.org/2005/Atom" xmlns:espi="http://naesb.org/espi">',
+            '<entry><content><ReadingType xmlns="http://naesb.org/espi"><commodity>1</commodity>'
+            '<flowDirection>1</flowDirection><powerOfTenMultiplier>0</powerOfTenMultiplier><uom>72</uom></ReadingType>'
+            '</content></entry><entry><content><IntervalBlock xmlns="http://naesb.org/espi">', readings,
+            '</IntervalBlock></content></entry></feed>']
+
+
 class New(unittest.TestCase):
     """Weather and the usual readings are made once."""
 
@@ -285,18 +333,8 @@ class New(unittest.TestCase):
         self.assertEqual((self.meter()["from"], self.meter()["to"]), ("from", "to"))
         self.assertEqual(self.checked()["periods"]["training"], ["2021-01-01", "2021-12-31"])
 
-    def portfolio(self):
-        stamps = months()
-        lines = ["Meter Type,Meter Name,Start Date,End Date,Usage/Quantity,Usage Units,Cost ($),Estimation"]
-        for kind, value, units in (("Natural Gas", gas, "therms"),
-                                   ("Electric - Grid", electricity, "kWh (thousand Watt-hours)")):
-            for a, b in zip(stamps, stamps[1:]):
-                use = total(value, a, b) / (29.3071 if units == "therms" else 1)
-                lines.append(f'{kind},"{kind} Meter",{a:%m/%d/%Y},{b:%m/%d/%Y},"{use:,.2f}",{units},100,No')
-        return self.written("meter_entries.csv", lines)
-
     def test_portfolio_manager(self):
-        file = self.portfolio()
+        file = self.written("meter_entries.csv", portfolio(months()))
         self.new(file, place="US-MA")
         units = [(m["name"], m["unit"], m["estimated"]) for m in self.checked()["meter"]]
         self.assertEqual(units, [("gas", "therm", "estimated"), ("electricity", "kWh", "estimated")])
@@ -305,30 +343,18 @@ class New(unittest.TestCase):
         self.refused("is there already", EXISTS, file, place="US-MA")
         self.assertEqual(file.read_bytes(), before)
 
-    def test_portfolio_manager_as_a_workbook(self):
-        """Dates are numbers with a style of dates; water is left out."""
-        table = ["Property Name,Meter Type,Start Date,End Date,Usage/Quantity,Usage Units".split(",")]
-        stamps, epoch = months(), dt.datetime(1899, 12, 30)
-        for a, b in zip(stamps, stamps[1:]):
-            days = [(a - epoch).days, (b - epoch).days]
-            table.append(["A", "Natural Gas", *days, total(gas, a, b) / 29.3071, "therms"])
-            table.append(["A", "Municipally Supplied Potable Water", *days, 7, "Gallons (US)"])
+    def test_meters_of_one_name_have_files_of_their_own(self):
+        lines = portfolio(months())
+        lines[-6:] = [line.replace("Electric - Grid,", "Electric,") for line in lines[-6:]]
+        lines[25] = lines[25].replace("Electric - Grid,", "Electricity,")      # a single bill is no meter
+        self.new(self.written("meter_entries.csv", lines), place="US-MA")
+        names = {path.name for path in self.folder.glob("office_electricity*.csv")}
+        self.assertEqual(names, {f"office_electricity_electric_grid_meter{k}.csv" for k in ("", "_2")})
 
-        def cell(k, j, value):
-            at = f'{"ABCDEF"[j]}{k}'
-            return f'<c r="{at}" t="inlineStr"><is><t>{value}</t></is></c>' if isinstance(value, str) else \
-                f'<c r="{at}" s="{int(j in (2, 3))}"><v>{value}</v></c>'
-        lines = "".join(f'<row r="{k}">{"".join(cell(k, j, value) for j, value in enumerate(row))}</row>'
-                        for k, row in enumerate(table, 1))
-        space = 'xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"'
+    def test_portfolio_manager_as_a_workbook(self):
+        """Water is left out."""
         path = self.folder / "entries.xlsx"
-        with zipfile.ZipFile(path, "w") as packed:
-            packed.writestr("xl/workbook.xml", f"<workbook {space}/>")
-            packed.writestr("xl/styles.xml", f'<styleSheet {space}><cellXfs><xf numFmtId="0"/><xf numFmtId="14"/>'
-                                             '</cellXfs></styleSheet>')
-            packed.writestr("xl/worksheets/sheet1.xml", f"<worksheet {space}/>")
-            packed.writestr("xl/worksheets/sheet2.xml",
-                            f"<worksheet {space}><sheetData>{lines}</sheetData></worksheet>")
+        write_workbook(path, months())
         self.new(path, place="US-MA")
         self.assertEqual([(m["quantity"], m["unit"]) for m in self.checked()["meter"]], [("gas", "therm")])
         self.assertIn("2021-01-01,2021-02-01,", (self.folder / "office_gas.csv").read_text())
@@ -336,21 +362,8 @@ class New(unittest.TestCase):
             packed.writestr("xl/workbook.xml", "<a/>")
         self.refused("no sheet of it", DATA, path, force=True, job=self.folder / "b.toml")
 
-    def green_button(self):
-        epoch = dt.datetime(1970, 1, 1)
-        readings = "".join(f"<IntervalReading><timePeriod><duration>3600</duration>"
-                           f"<start>{int((t - epoch).total_seconds())}</start></timePeriod>"
-                           f"<value>{round(1000 * electricity(t))}</value></IntervalReading>"
-                           for t in hours(2021, 2022))
-        return self.written("usage.xml", [
-            '<?xml version="1.0"?><feed xmlns="http://www.w3.org/2005/Atom" xmlns:espi="http://naesb.org/espi">',
-            '<entry><content><ReadingType xmlns="http://naesb.org/espi"><commodity>1</commodity>'
-            '<flowDirection>1</flowDirection><powerOfTenMultiplier>0</powerOfTenMultiplier><uom>72</uom></ReadingType>'
-            '</content></entry><entry><content><IntervalBlock xmlns="http://naesb.org/espi">', readings,
-            '</IntervalBlock></content></entry></feed>'])
-
     def test_green_button(self):
-        self.new(self.green_button())
+        self.new(self.written("usage.xml", green_button(hours(2021, 2022))))
         meter = self.meter("electricity")
         self.assertEqual((meter["file"], meter["unit"]), ("office_electricity.csv", "Wh"))
         first = (self.folder / "office_electricity.csv").read_text().splitlines()[:2]
