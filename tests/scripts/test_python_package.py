@@ -434,19 +434,29 @@ class Runs(Folder):
         self.assertEqual({name: each.dims for name, each in self.result["small/loop"].variables.items()},
                          {name: each.dims for name, each in own.variables.items()})
 
-    def test_tables_say_units_and_nothing_is_written_over(self):
-        files = self.result.to_csv(self.folder / "csv")
-        names = {file.relative_to(self.folder / "csv").as_posix() for file in files}
-        for name in ("small/loop/errors.csv", "small/loop/effects.csv", "small/loop/held_out/electricity/hours.csv",
-                     "small/screening/rank_by_parameter.csv", "small/posterior/posterior/chain_by_draw.csv"):
-            self.assertIn(name, names)
-        best = pd.read_csv(self.folder / "csv/small/screening/rank_by_parameter.csv")
+    def test_csv_files_are_those_of_the_program_and_nothing_is_written_over(self):
+        place, other = self.folder / "csv", self.folder / "other"
+        files = self.result.to_csv(place)
+        program.asked(["report", str(self.result.path), "--csv", str(other)])
+        self.assertEqual([file.relative_to(place) for file in files],
+                         sorted(file.relative_to(other) for file in other.rglob("*.csv")))
+        for file in files:
+            self.assertEqual(file.read_bytes(), (other / file.relative_to(place)).read_bytes())
+        first = pd.read_csv(place / "small/screening/rank.csv").filter(like="best_parameters").iloc[0, 0]
+        self.assertEqual(first, self.stored("screening/best_parameters")[0, 0])
+        self.assertIn("outdoor_temperature [degC]", pd.read_csv(place / "small/loop/held_out/time.csv").columns)
+        self.assertRefused(ExitCode.CANNOT_CREATE, "is there already", self.result.to_csv, place)
+        (place / "mine.txt").write_text("kept")
+        self.assertEqual(self.result.to_csv(place, force=True), files)
+        self.assertEqual((place / "mine.txt").read_text(), "kept")
+
+    def test_tables_are_tidy(self):
+        tables = {"/".join(names): table for names, table in self.result.tables()}
+        for name in ("small/loop/errors", "small/loop/effects", "small/loop/held_out/electricity/hours",
+                     "small/screening/rank_by_parameter", "small/posterior/posterior/chain_by_draw"):
+            self.assertIn(name, tables)
+        best = tables["small/screening/rank_by_parameter"]
         self.assertEqual(best["best_parameters"].iloc[0], self.stored("screening/best_parameters")[0, 0])
-        columns = pd.read_csv(self.folder / "csv/columns.csv").set_index(["file", "column"])
-        self.assertEqual(columns.loc[("small/loop/held_out/time.csv", "outdoor_temperature"), "unit"], "degC")
-        self.assertEqual(set(columns.index.get_level_values(0)) | {"columns.csv"}, names)
-        self.assertFalse([name for name in names if "posterior_predictive" in name])
-        self.assertRefused(ExitCode.CANNOT_CREATE, "is there already", self.result.to_csv, self.folder / "csv")
 
     def test_parquet_takes_a_library_that_is_named(self):
         if result.is_installed("pyarrow"):
@@ -623,7 +633,7 @@ class Package(Folder):
         self.assertEqual(done.returncode, 0, done.stderr)
         for said in ("office/loop: loop", "plain  before  after", "of the readings lie inside", "files in office_csv"):
             self.assertIn(said, done.stdout)
-        self.assertTrue((self.folder / "office_csv" / "columns.csv").exists())
+        self.assertTrue((self.folder / "office_csv" / "office" / "loop" / "effect.csv").exists())
 
     def test_pip_installs_it_from_the_tree(self):
         tree, place = self.folder / "tree", self.folder / "venv"

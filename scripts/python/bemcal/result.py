@@ -14,6 +14,7 @@ import multiprocessing
 import os
 import pathlib
 import re
+import shutil
 import tempfile
 import warnings
 from dataclasses import dataclass
@@ -33,7 +34,6 @@ NO_VARIABLE = b"This is a netCDF dimension but not a netCDF variable"
 NOT_OF_THE_USER = ("CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "_Netcdf4Dimid", "_Netcdf4Coordinates")
 TIMES: Dict[str, Literal["s", "D"]] = {     # units of times, and what pandas calls them
     "seconds since 1970-01-01 00:00:00": "s", "days since 1970-01-01": "D"}
-PREDICTIVE = "posterior_predictive"     # so many numbers that a text file of them serves nobody
 FIRST = ("measured", "nominal", "plain", "before", "best", "after")     # columns of a series, others behind
 
 Path = Union[str, "os.PathLike[str]"]
@@ -182,6 +182,21 @@ def by_dimensions(group: xarray.Dataset) -> Iterator[Tuple[str, pd.DataFrame]]:
             yield "values", pd.DataFrame([{name: group[name].item() for name in variables}])
         else:
             yield "_by_".join(dims), group[variables].to_dataframe().reset_index()
+
+
+def new_folder(path: Path, force: bool) -> pathlib.Path:
+    place = pathlib.Path(path)
+    if place.exists() and not force:
+        raise Error(f"{place}: is there already; force=True writes into it", ExitCode.CANNOT_CREATE)
+    return place
+
+
+@contextlib.contextmanager
+def writing_into(folder: pathlib.Path) -> Iterator[None]:
+    try:
+        yield
+    except OSError as error:
+        raise Error(f"{folder}: cannot be written: {error.strerror or error}", ExitCode.IO) from None
 
 
 def folder_name(name: str) -> str:
@@ -382,16 +397,14 @@ class Result:
                                         os.fspath(place), *program.options(stage=stage)])
         return sorted(place.iterdir())
 
-    def tables(self, predictive: bool = True) -> Tables:
+    def tables(self) -> Tables:
         """Everything as tables: (path, DataFrame). A path names building, study, groups below it and the dimensions;
-        "hours" are the series of a meter in a period. `predictive`: with the draws of posterior_predictive."""
+        "hours" are the series of a meter in a period."""
         for stage in (path for path, kind in self.stages.items() if kind == LOOP):
             yield (*stage.split("/"), "effects"), self.effects_of(stage).reset_index()
             yield (*stage.split("/"), "errors"), self.errors_of(stage).reset_index()
         for group in self._head.groups:
             names = tuple(group.split("/"))
-            if names[-1] == PREDICTIVE and not predictive:
-                continue
             content = self[group]
             if "time" in content.coords and "measured" in content:
                 yield (*names, "hours"), by_step(content).reset_index()
@@ -400,24 +413,38 @@ class Result:
                 yield (*names, name), table
 
     def to_csv(self, folder: Path, force: bool = False) -> List[pathlib.Path]:
-        """Writes `tables` as CSV files in folders by building and study, and columns.csv, which says the unit and
-        meaning of each column. Draws of posterior_predictive are left out (to_parquet has them).
+        """Writes every dataset as `bemcal-batch report --csv` does: folders by building and study, a file for each
+        leading dimension with a row for each place on it, units in the headings.
 
         folder  is made; one that is there is an Error (CANNOT_CREATE) unless force. Returns the files.
         """
-        def write(table: pd.DataFrame, file: pathlib.Path) -> None:
-            table.to_csv(file, index=False)
-        return self._write(self.tables(predictive=False), pathlib.Path(folder), ".csv", write, force)
+        place = new_folder(folder, force)
+        with tempfile.TemporaryDirectory() as made:
+            csv = pathlib.Path(made, "csv")
+            program.asked(["report", os.fspath(self.path), "--csv", os.fspath(csv)])
+            with writing_into(place):
+                shutil.copytree(csv, place, dirs_exist_ok=True)
+            return sorted(place / file.relative_to(csv) for file in csv.rglob("*.csv"))
 
     def to_parquet(self, folder: Path, force: bool = False) -> List[pathlib.Path]:
-        """The same as Parquet files, with all draws. It takes pyarrow."""
+        """Writes `tables` as Parquet files in folders by building and study, and columns.csv, which says the unit and
+        meaning of each column. It takes pyarrow.
+
+        folder  is made; one that is there is an Error (CANNOT_CREATE) unless force. Returns the files.
+        """
         if not is_installed("pyarrow"):
             raise Error("to_parquet takes pyarrow, which is not installed: pip install pyarrow; to_csv does without",
                         ExitCode.NO_INPUT)
-
-        def write(table: pd.DataFrame, file: pathlib.Path) -> None:
-            table.to_parquet(file, index=False, engine="pyarrow")
-        return self._write(self.tables(), pathlib.Path(folder), ".parquet", write, force)
+        place, files, columns = new_folder(folder, force), [], []
+        with writing_into(place):
+            for names, table in self.tables():
+                file = place.joinpath(*map(folder_name, names[:-1]), names[-1] + ".parquet")
+                file.parent.mkdir(parents=True, exist_ok=True)
+                table.to_parquet(file, index=False, engine="pyarrow")
+                files.append(file)
+                columns.append(self._columns(names, table, file.relative_to(place).as_posix()))
+            pd.concat(columns).to_csv(place / "columns.csv", index=False)
+        return [*files, place / "columns.csv"]
 
     def _file_mark(self) -> Tuple[int, int, int]:
         with refusing(self.path):
@@ -462,23 +489,6 @@ class Result:
         return pd.DataFrame({"file": file, "column": list(known),
                              "unit": [each.get("units", "") for each in known.values()],
                              "meaning": [each.get("long_name", "") for each in known.values()]})
-
-    def _write(self, tables: Tables, folder: pathlib.Path, suffix: str,
-               write: Callable[[pd.DataFrame, pathlib.Path], None], force: bool) -> List[pathlib.Path]:
-        if folder.exists() and not force:
-            raise Error(f"{folder}: is there already; force=True writes into it", ExitCode.CANNOT_CREATE)
-        files, columns = [], []
-        try:
-            for names, table in tables:
-                file = folder.joinpath(*map(folder_name, names[:-1]), names[-1] + suffix)
-                file.parent.mkdir(parents=True, exist_ok=True)
-                write(table, file)
-                files.append(file)
-                columns.append(self._columns(names, table, file.relative_to(folder).as_posix()))
-            pd.concat(columns).to_csv(folder / "columns.csv", index=False)
-        except OSError as error:
-            raise Error(f"{folder}: cannot be written: {error.strerror}", ExitCode.IO) from None
-        return [*files, folder / "columns.csv"]
 
 
 def open_result(path: Path) -> Result:
