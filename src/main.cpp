@@ -80,7 +80,8 @@ void add_run(CLI::App& app, CommandLine& line) {
     run->add_option("JOB", line.job,
                     "job file, or a folder NAME with NAME.toml; none = quickstart");
     run->add_option("-o,--output", line.output,
-                    "result file; default: the job's, else NAME.h5");
+                    "result file; default: the job's, else NAME.h5")
+        ->type_name("FILE");
     auto* force = run->add_flag("--force", line.force,
                                 "overwrite a result, drop an unfinished run");
     auto* resume = run->add_flag("--resume", line.resume,
@@ -144,6 +145,7 @@ void add_adopt(CLI::App& app, CommandLine& line) {
     adopt->add_option("JOB", line.job, "that job, of one building; it stays as it is")
         ->required();
     adopt->add_option("-o,--output", line.output, "the new job, beside the old one")
+        ->type_name("FILE")
         ->required();
     adopt->add_option("--stage", line.stage,
                       "BUILDING/STUDY, where the result has several loops");
@@ -368,6 +370,7 @@ manual::Option manual_of(const CLI::Option& option) {
     for (const std::string& name : option.get_snames()) made.names.push_back("-" + name);
     for (const std::string& name : option.get_lnames()) made.names.push_back("--" + name);
     made.sentence = option.get_description();
+    made.repeats = option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
     if (made.names.empty())
         made.value = option.get_name();
     else if (option.get_expected_min() > 0) {

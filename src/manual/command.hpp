@@ -10,6 +10,7 @@ struct Option {
     std::vector<std::string> names;  ///< "-o", "--output"; none of a positional one
     std::string value;  ///< "FILE", what it takes, or what stands there; "" of a flag
     std::string sentence;
+    bool repeats = false;  ///< may stand in a line several times
 };
 
 struct Command {

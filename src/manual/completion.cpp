@@ -74,26 +74,45 @@ std::string zsh_text(const std::string& text) {
     return safe;
 }
 
+/// What zsh offers for an option's value: files, folders, or nothing.
+std::string zsh_action(const std::string& value) {
+    if (value.empty()) return "";
+    const std::string action = value.starts_with("FILE")     ? "_files"
+                               : value.starts_with("FOLDER") ? "_files -/"
+                                                             : " ";
+    return fmt::format(":{}:{}", value.substr(0, value.find('[')), action);
+}
+
+/// Names of one option exclude each other, unless it may be repeated.
 std::string zsh_option(const Option& option) {
-    const std::string action = option.value.empty() ? "" : ":value:_files";
+    const std::string before = option.repeats ? "*"
+                               : option.names.size() > 1
+                                   ? fmt::format("({})", joined(option.names))
+                                   : "";
     std::string text;
     for (const std::string& name : option.names)
-        text += fmt::format(" \\\n                '{}[{}]{}'", name,
-                            zsh_text(option.sentence), action);
+        text += fmt::format(" \\\n                '{}{}[{}]{}'", before, name,
+                            zsh_text(option.sentence), zsh_action(option.value));
     return text;
+}
+
+/// A pattern of endings. A single one in parentheses would be flags of the pattern.
+std::string zsh_pattern(std::string endings) {
+    std::ranges::replace(endings, ' ', '|');
+    const bool are_several = endings.find('|') != std::string::npos;
+    return are_several ? fmt::format("*.({})", endings) : fmt::format("*.{}", endings);
 }
 
 std::string zsh_case(const Program& program, const Command& command) {
     std::string text = fmt::format("        {})\n            _arguments", command.name);
     for (const Option& option : command.options) text += zsh_option(option);
-    std::string endings = endings_of(command);
-    std::ranges::replace(endings, ' ', '|');
+    const std::string endings = endings_of(command);
     if (command.name == "describe")
         text +=
             fmt::format(" \\\n                '1:topic:({})'", joined(program.topics));
     else if (!endings.empty())
-        text +=
-            fmt::format(" \\\n                '*:file:_files -g \"*.({})\"'", endings);
+        text += fmt::format(" \\\n                '*:file:_files -g \"{}\"'",
+                            zsh_pattern(endings));
     return text + "\n            ;;\n";
 }
 

@@ -16,7 +16,9 @@ Program small_program() {
               "read it",
               {{{"-h", "--help"}, "", "Print this"},
                {{}, "JOB", "job file"},
-               {{"--nodes"}, "INT", "it's [1] node"}}},
+               {{"--nodes"}, "INT", "it's [1] node"},
+               {{"-o", "--output"}, "FILE", "result"},
+               {{"--meter"}, "FILE[:COLUMN]", "readings", true}}},
              {"describe", "print it", {{{}, "TOPIC", "job or meter"}}}},
             {"job", "meter"}};
 }
@@ -49,18 +51,29 @@ TEST(ManPage, OfAJobHasSectionsKeysAndExamplesAsTheyStand) {
 
 TEST(Completion, OfBashHasCommandsOptionsTopicsAndEndings) {
     const std::string script = bash_completion(small_program());
-    for (const char* words : {"words=\"check describe\"", "options=\"-h --help --nodes\"",
-                              "words=\"job meter\"", "endings=\"toml csv\"",
-                              "complete -o filenames -F _some_tool some-tool\n"})
+    for (const char* words :
+         {"words=\"check describe\"", "options=\"-h --help --nodes -o --output --meter\"",
+          "words=\"job meter\"", "endings=\"toml csv\"",
+          "complete -o filenames -F _some_tool some-tool\n"})
         EXPECT_NE(script.find(words), std::string::npos) << words << "\n" << script;
 }
 
 TEST(Completion, OfZshQuotesWhatItWouldTakeForItsOwn) {
     const std::string script = zsh_completion(small_program());
     EXPECT_TRUE(script.starts_with("#compdef some-tool\n"));
-    EXPECT_NE(script.find("'--nodes[it'\\''s \\[1\\] node]:value:_files'"),
-              std::string::npos)
+    EXPECT_NE(script.find("'--nodes[it'\\''s \\[1\\] node]:INT: '"), std::string::npos)
         << script;
+}
+
+TEST(Completion, OfZshKnowsFilesAndWhatIsRepeated) {
+    const std::string script = zsh_completion(small_program());
+    for (const char* words :
+         {"'(-o --output)--output[result]:FILE:_files'",
+          "'*--meter[readings]:FILE:_files'", "'*:file:_files -g \"*.(toml|csv)\"'"})
+        EXPECT_NE(script.find(words), std::string::npos) << words << "\n" << script;
+    Program of_results = small_program();
+    of_results.commands[0].options[1].value = "RESULT";
+    EXPECT_NE(zsh_completion(of_results).find("_files -g \"*.h5\"'"), std::string::npos);
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # The man pages that the program writes have no fault that groff knows of, and hold every command
-# and kind of study; bash completes commands, options, topics and files by what it writes.
+# and kind of study; bash and zsh complete commands, options, topics and files by what it writes.
 set -euo pipefail
 program=${BEMCAL_PROGRAM:?}
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 fail() { echo "$*" >&2; exit 1; }
@@ -48,9 +49,22 @@ expect "posterior " bemcal-batch describe post
 expect "office.toml " bemcal-batch off
 expect "" bemcal-batch check no
 
+# The same of zsh, which completes the line at a terminal.
 if command -v zsh >/dev/null; then
   "$program" describe completion zsh >_bemcal-batch
   zsh -n _bemcal-batch || fail "zsh does not read its completion"
+  expect_zsh() {  # what is offered, then the line
+    local words
+    words=$(timeout 60 zsh -f "$here/zsh_offers.zsh" "$PWD" "bemcal-batch $2" | sed '/^$/d' | tr '\n' ' ')
+    [[ $words == "$1" ]] || fail "after 'bemcal-batch $2' zsh offers '$words', not '$1'"
+  }
+  expect_zsh "describe " "desc"
+  expect_zsh "folder office.toml stock.csv " "check "
+  expect_zsh "folder office.h5 " "report "
+  expect_zsh "--nodes " "check --no"
+  expect_zsh "posterior " "describe post"
+  expect_zsh "--weather " "new office.toml --weather 2021.epw --we"
+  expect_zsh "office.h5 office.toml " "run --after o"
 else
-  echo "zsh is not there: its completion was not read"
+  echo "zsh is not there: its completion was not tried"
 fi
