@@ -1,5 +1,5 @@
-/// Progress of a stage on stderr and in a file: counts, rate, and remaining time from the
-/// rate of this run.
+/// Progress of a stage on stderr and in a file: counts, rate, and remaining time and end
+/// from the rate of this run.
 /// Plain arithmetic without a source: items are taken to be equally long. A log gets a
 /// line every ten seconds, a terminal one that is written over.
 #include "run/progress.hpp"
@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::chrono::milliseconds terminal_interval{200};  ///< rounds may be shorter
 constexpr std::chrono::seconds log_interval{10}, file_interval{1};
+constexpr double least_of_clock_s = 60;  ///< below, the end is seen without a clock
 
 /// Characters that fit into a line.
 int width_of(int stream) {
@@ -55,8 +56,23 @@ std::string format_duration(double seconds) {
     return fmt::format("{}:{:02}:{:02}", total / 3600, total / 60 % 60, total % 60);
 }
 
+std::string end_text(std::time_t now, double seconds_left) {
+    if (!(seconds_left >= least_of_clock_s)) return {};
+    const std::time_t end =
+        now + static_cast<std::time_t>(std::llround(std::min(seconds_left, 1e9)));
+    std::tm today{}, then{};
+    if (::localtime_r(&now, &today) == nullptr || ::localtime_r(&end, &then) == nullptr)
+        return {};
+    const bool is_today = today.tm_year == then.tm_year && today.tm_yday == then.tm_yday;
+    const std::string date = is_today
+                                 ? ""
+                                 : fmt::format("{}-{:02}-{:02} ", then.tm_year + 1900,
+                                               then.tm_mon + 1, then.tm_mday);
+    return fmt::format(" (ends about {}{:02}:{:02})", date, then.tm_hour, then.tm_min);
+}
+
 std::string progress_text(const StageWords& words, const Progress& progress,
-                          const study::Activity& activity) {
+                          std::time_t now, const study::Activity& activity) {
     const bool is_known = words.n_simulations > 0;
     const double per_item = words.n_simulations / std::max(1, progress.items_total);
     const auto n_failed = static_cast<double>(progress.points_failed);
@@ -71,10 +87,11 @@ std::string progress_text(const StageWords& words, const Progress& progress,
     const double share = std::clamp(activity.share, 0.0, 1.0);
     const double done = done_here(words, progress, share);
     if (done > 0 && progress.seconds > 0) {
-        const double left = progress.items_total - progress.items_known - done;
+        const double left = progress.seconds / done *
+                            (progress.items_total - progress.items_known - done);
         text += rate_text(words, progress, done);
-        text += fmt::format(", {} left", format_duration(progress.seconds * left / done));
-        if (!is_known) text += " in this round";
+        text += fmt::format(", {} left{}{}", format_duration(left),
+                            is_known ? "" : " in this round", end_text(now, left));
     }
     return activity.text.empty() ? text : text + "; " + activity.text;
 }
@@ -111,7 +128,8 @@ void ProgressLine::show(const Progress& progress) {
     const bool is_to_file = now - filed_ >= file_interval;
     if (!is_to_show && !is_to_file) return;
     words_.items = stage_.items_are();
-    const std::string text = progress_text(words_, progress, stage_.activity());
+    const std::string text =
+        progress_text(words_, progress, std::time(nullptr), stage_.activity());
     if (is_to_show) {
         shown_ = now;
         line_.show(text);

@@ -1,6 +1,6 @@
 /// Progress of a stage: one line that updates on a terminal, a plain line every ten
 /// seconds in a log, and the same line in a file for `status`; counts, how far the items
-/// are that run, rate and remaining time in all of them.
+/// are that run, rate, remaining time and when that is over in all of them.
 #pragma once
 
 #include "run/distribute.hpp"
@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <string>
 
 namespace bemcal::run {
@@ -21,15 +22,19 @@ struct StageWords {
     const char* items = "items";
 };
 
-/// "office/screening: 640 of 2000 items, 655360 ok, 12 failed, 81000/s, 0:17 left". Where
-/// the number of simulations is not known, a stage goes on in rounds:
-/// "office/posterior: round 3: 0 of 2 items, 0 failed, 0:17 left in this round; draw 40
-/// of 200, acceptance 0.81; after 200 draws R-hat 1.020, ESS 310". All items that run are
-/// taken to be as far as those of rank 0.
+/// "office/screening: 640 of 2000 items, 655360 ok, 12 failed, 81000/s, 12:05 left (ends
+/// about 14:35)". Where the number of simulations is not known, a stage goes on in
+/// rounds: "office/posterior: round 3: 0 of 2 items, 0 failed, 0:17 left in this round;
+/// draw 40 of 200, acceptance 0.81; after 200 draws R-hat 1.020, ESS 310". All items that
+/// run are taken to be as far as those of rank 0.
 std::string progress_text(const StageWords& words, const Progress& progress,
-                          const study::Activity& activity = {});
+                          std::time_t now, const study::Activity& activity = {});
 
 std::string format_duration(double seconds);  ///< "0:07", "12:05", "3:12:05"
+
+/// " (ends about 14:35)" by the machine's clock, with the date where it is another day's;
+/// nothing of less than a minute.
+std::string end_text(std::time_t now, double seconds_left);
 
 /// A line that is written over on a terminal, and one below the other in a log.
 class RewrittenLine {

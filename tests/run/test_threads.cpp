@@ -54,7 +54,7 @@ TEST(Threads, ThisProcessHasACore) {
 
 TEST(Progress, SaysWhatIsDoneFailedAndLeft) {
     const Progress progress{30, 10, 40, 7, 5.0};
-    EXPECT_EQ(progress_text({"office/screening", 4000}, progress),
+    EXPECT_EQ(progress_text({"office/screening", 4000}, progress, 0),
               "office/screening: 30 of 40 items, 2993 ok, 7 failed, 400/s, 0:03 left");
     EXPECT_EQ(format_duration(3 * 3600 + 125), "3:02:05");
 }

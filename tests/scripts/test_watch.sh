@@ -7,8 +7,8 @@ sed -i 's/^draws_per_round *=.*/draws_per_round = 30000/; s/^most_draws *=.*/mos
 result=$folder/result.h5
 export OMP_NUM_THREADS=1
 ranks=(mpirun --oversubscribe --bind-to none -np 2 "$BEMCAL_PROGRAM" run "$job" --no-report -o "$result")
-pattern='^quickstart/posterior: round [0-9]+: 0 of 1 items, 0 failed, [0-9:]+ left in this round; draw [0-9]+ of 30000,'
-pattern+=' acceptance 0\.[0-9]+; after [0-9]+ draws R-hat [0-9.]+, ESS [0-9]+$'
+pattern='^quickstart/posterior: round [0-9]+: 0 of 1 items, 0 failed, [0-9:]+ left in this round'
+pattern+='( \(ends about [0-9: -]+\))?; draw [0-9]+ of 30000, acceptance 0\.[0-9]+; after [0-9]+ draws R-hat [0-9.]+, ESS [0-9]+$'
 status() { "$BEMCAL_PROGRAM" status "$@"; }
 
 "${ranks[@]}" >"$folder/said" 2>&1 & run=$!
