@@ -7,7 +7,7 @@ from typing import Callable
 
 from cases.folder import ground_temperatures, mean_outdoor_temperature
 from cases.meters import meters
-from cases.toml import number, numbers, scheduled, section, texts
+from cases.toml import numbers, scheduled, section, texts
 
 AIR_CHANGE_PER_FLOW = 3.6  # l/s in m3/h
 CONCRETE_CAPACITY = 2.3e6  # J/(m3 K), 2300 kg/m3 of 1000 J/(kg K)
@@ -110,7 +110,7 @@ def air_flows(case):
 
 
 def loads(case, base_load):
-    i, v = case["internal"], case["ventilation"]
+    i = case["internal"]
     area = case["geometry"]["gross_floor_area_m2"]
     yield section("[[zone.load]]", name="people",
                   density=scheduled(i["people_per_m2"] * i["sensible_W_per_person"], "occ"))

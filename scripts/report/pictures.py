@@ -4,7 +4,7 @@ import numpy as np
 from report import theme
 from report.picture import picture
 from report.regression import HOURS_OF_WEEK, hour_of_week
-from report.result import AFTER, BEFORE, HOURLY, PLAIN
+from report.result import AFTER, BEFORE, PLAIN
 from report.words import fixed, number, percent
 
 LAGS, LEAST_SHARE = 200, 0.9

@@ -36,16 +36,33 @@ def asked(text):
     return "".join(f"{each};\n" for each in [*kept, YEAR, *reports])
 
 
-class Year(idf.Report):
-    def __init__(self, energyplus, model, weather, folder):
+def version_of(energyplus):
+    """"25.2"."""
+    said = subprocess.run([energyplus, "--version"], capture_output=True, text=True, check=True).stdout
+    return re.search(r"\d+\.\d+", said)[0]
+
+
+class Run(idf.Report):
+    """Of a text, in a folder."""
+    def __init__(self, energyplus, text, weather, folder, *options):
         folder.mkdir(parents=True, exist_ok=True)
         path = folder / "in.idf"
-        path.write_text(asked(model.read_text(errors="replace")))
-        done = subprocess.run([energyplus, "-w", weather, "-d", folder, path], cwd=folder, capture_output=True,
-                              text=True, check=False)
+        path.write_text(text)
+        done = subprocess.run([energyplus, "-w", weather, "-d", folder, *options, path], cwd=folder,
+                              capture_output=True, text=True, check=False)
         if done.returncode:
-            raise RuntimeError(f"EnergyPlus ended with {done.returncode}, see {folder}/eplusout.err")
+            raise RuntimeError(f"EnergyPlus ended with {done.returncode}: {(folder / 'eplusout.err').read_text()}")
         super().__init__(folder / "eplusout.sql")
+
+    def surfaces(self):
+        """{name: (area, azimuth, tilt)} [m2, deg]"""
+        return {name.lower(): tuple(numbers) for name, *numbers in
+                self.data.execute("SELECT SurfaceName, GrossArea, Azimuth, Tilt FROM Surfaces")}
+
+
+class Year(Run):
+    def __init__(self, energyplus, model, weather, folder):
+        super().__init__(energyplus, asked(model.read_text(errors="replace")), weather, folder)
 
     def table(self, report, name):
         """{row: {column: text}}"""

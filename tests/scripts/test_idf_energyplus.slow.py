@@ -3,6 +3,7 @@
 
 Areas, U-values without and with films, volume, people's heat, lights, equipment and air of a year, all within ASKED but
 for EXCUSED. Areas and U-values are those of EnergyPlus's envelope summary, use is summed over the hours of its year.
+Surfaces by length and height have EnergyPlus's areas, azimuths and tilts.
 Skipped where EnergyPlus or the buildings are not installed (tests/energyplus/idf.py, reports.py).
 """
 import pathlib
@@ -16,7 +17,8 @@ sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests" / "energyplus")]
 import idf                 # noqa: E402  (found above)
 import numpy as np         # noqa: E402
 import reports             # noqa: E402
-from new_job import idf_building, idf_schedules   # noqa: E402
+from new_job import idf_building, idf_geometry, idf_schedules   # noqa: E402
+from new_job.idf import read_model   # noqa: E402
 
 BUILDINGS = {"small_office": "RefBldgSmallOfficeNew2004_Chicago.idf",
              "apartments": "RefBldgMidriseApartmentNew2004_Chicago.idf"}
@@ -119,6 +121,39 @@ def compare(building, found, year):
     return wrong
 
 
+# A zone by length and height, whose axes are turned by 30 + 10 deg where coordinates are relative.
+RECTANGLES = """Version, {version};
+SimulationControl, No, No, No, Yes, No;
+Building, Box, 30, Suburbs;
+GlobalGeometryRules, UpperLeftCorner, {order}, {relative}, Relative, {relative};
+Site:Location, Here, 41, -87, -6, 190;
+SizingPeriod:DesignDay, Day, 1, 21, WinterDesignDay, -20, 0, , , Wetbulb, -20, , , , , 99000, 4, 270, No, No, No,
+  ASHRAEClearSky;
+Zone, Room, 10, 5, 5, 0, 1, 1;
+Material, Brick, Rough, 0.24, 0.8, 1800, 900;
+Construction, Wall, Brick;
+Wall:Exterior, south, Wall, Room, , 180, 90, 0, 0, 0, 10, 3;
+Wall:Exterior, east, Wall, Room, , 90, , 10, 0, 0, 8, 3;
+Wall:Adiabatic, west, Wall, Room, , 270, 90, 0, 8, 0, 8, 3;
+Wall:Underground, north, Wall, Room, , 0, 90, 10, 8, 0, 10, 3;
+Roof, roof, Wall, Room, , 180, 30, 0, 0, 3, 10, 8;
+Floor:GroundContact, floor, Wall, Room, , 180, , 0, 8, 0, 10, 8;
+Output:SQLite, SimpleAndTabular;
+"""
+
+
+def rectangles(energyplus, weather):
+    """What EnergyPlus says otherwise of surfaces by length and height."""
+    for order, relative in (("Counterclockwise", "Relative"), ("Clockwise", "Relative"), ("Counterclockwise", "World")):
+        text = RECTANGLES.format(version=reports.version_of(energyplus), order=order, relative=relative)
+        with tempfile.TemporaryDirectory() as folder:
+            theirs = reports.Run(energyplus, text, weather, pathlib.Path(folder), "-D").surfaces()
+            zones = idf_geometry.read_zones(read_model(str(pathlib.Path(folder, "in.idf"))))
+        ours = {s.given.name: (s.gross, s.azimuth, s.tilt) for s in zones["room"].surfaces}
+        if set(ours) != set(theirs) or not all(np.allclose(ours[name], theirs[name], atol=0.01) for name in ours):
+            yield f"rectangles, {order}, {relative}: {ours}, not {theirs}"
+
+
 def main():
     energyplus = idf.program()
     if energyplus is None:
@@ -129,7 +164,7 @@ def main():
     if weather is None or None in models.values():
         print(reports.HOW)
         return SKIPPED
-    wrong = []
+    wrong = list(rectangles(energyplus, weather))
     for building, model in models.items():
         with tempfile.TemporaryDirectory() as folder:
             year = reports.Year(energyplus, model, weather, pathlib.Path(folder))
