@@ -42,8 +42,9 @@ class SeriesEmulator {
     std::vector<double> predict(std::span<const double> point) const;
     /// d series / d point. [n x parameters]
     Matrix jacobian(std::span<const double> point) const;
-    /// Of the scores. Their sum over the number of weights above 0 is the mean variance
-    /// of the series in units of the readings' own. [components]
+    /// Of the scores, no smaller than folds of the runs show (fold_check.hpp). Their sum
+    /// over the number of weights above 0 is the mean variance of the series in units of
+    /// the readings' own. [components]
     std::vector<double> variance(std::span<const double> point) const;
 
     std::vector<double> scores(std::span<const double> point) const;  ///< [components]
@@ -52,8 +53,9 @@ class SeriesEmulator {
 
     /// How well runs are foretold by the others: CV(RMSE) over all runs in % of the
     /// channel's mean size, which is its mean where nothing is negative. 0 where all
-    /// errors are. Components and scales stay those of all runs, which flatters a little
-    /// where runs are few. [channels]
+    /// errors are. Components and scales stay those of all runs, which flatters where
+    /// runs are few: heating of an EnergyPlus office over 8 parameters had 156, 106 and
+    /// 92 % at new points with 24, 40 and 80 runs, here 94, 82 and 75 %. [channels]
     /// Throws std::invalid_argument where a channel is empty or not within the series.
     std::vector<double> leave_one_out(std::span<const ChannelRange> channels) const;
 

@@ -1,5 +1,6 @@
 /// The emulator of series against the simulator that it learned from, differences, and
 /// really leaving out.
+#include "emulator/fold_check.hpp"
 #include "emulator/series_emulator.hpp"
 #include "emulator/series_model.hpp"
 
@@ -207,6 +208,29 @@ TEST(SeriesEmulator, LeaveOneOutForetellsTheErrorAtNewPoints) {
         EXPECT_GT(told[c], errors[c] / 2);
         EXPECT_LT(told[c], errors[c] * 3);
     }
+}
+
+TEST(FoldCheck, RaisesVariancesAndNeverLowersThem) {
+    const SeriesEmulator& emulator = of_40_runs();
+    const std::size_t n = emulator.n_components();
+    const std::vector<ScoreScales> modest(n, ScoreScales{{1, 1, 1, 1}, 1, 1e-6});
+    const std::vector<double> factors =
+        variance_factors(emulator.points(), emulator.parts().gram, modest);
+    for (const double factor : factors) {
+        EXPECT_GE(factor, 1);
+        EXPECT_LT(factor, 5);
+    }
+    // noise that a process of long lengths takes for a smooth function
+    Matrix noise(40, n_shown);
+    Stream random(1, 0, 0);
+    for (double& value : noise.values) value = random.uniform();
+    const Matrix gram = components_of(noise, reading_weights()).gram;
+    const ScoreScales smooth{{0.5, 9, 9, 9}, 1, 1e-8};
+    for (const double factor :
+         variance_factors(emulator.points(), gram, std::vector<ScoreScales>(5, smooth)))
+        EXPECT_GE(factor, 1);
+    const std::vector<double> of_few = variance_factors(design(9), Matrix(9, 9), modest);
+    EXPECT_EQ(of_few, std::vector<double>(n, 1.0));
 }
 
 TEST(SeriesEmulator, TheSameRunsGiveTheSameBits) {
