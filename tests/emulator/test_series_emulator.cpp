@@ -228,7 +228,7 @@ TEST(FoldCheck, RaisesVariancesAndNeverLowersThem) {
     const ScoreScales smooth{{0.5, 9, 9, 9}, 1, 1e-8};
     for (const double factor :
          variance_factors(emulator.points(), gram, std::vector<ScoreScales>(5, smooth)))
-        EXPECT_GE(factor, 1);
+        EXPECT_GT(factor, 1.2);
     const std::vector<double> of_few = variance_factors(design(9), Matrix(9, 9), modest);
     EXPECT_EQ(of_few, std::vector<double>(n, 1.0));
 }
