@@ -53,7 +53,8 @@ struct CommandLine {
     std::vector<fs::path> files;
     fs::path last_night;
     std::string topic, place, years, stage;
-    bool force = false, simulator = false, resume = false, rerun_failed = false, no_report = false;
+    bool force = false, simulator = false, resume = false, rerun_failed = false,
+         no_report = false;
     bool keep_priors = false;
     std::map<std::string, std::vector<std::string>> words_of;  ///< of `new`, by option
     int n_threads = 0;

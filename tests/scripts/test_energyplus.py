@@ -10,10 +10,12 @@ import datetime
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import tomllib
 import unittest
 
 import numpy as np
@@ -475,6 +477,38 @@ class Tables(unittest.TestCase):
         self.model.add("ZoneList", "All", {"zones": [{"zone_name": "NORTH ROOM"}, {"zone_name": "South room"}]})
         self.model.objects["ZoneControl:Thermostat"] = {"t": {"zone_or_zonelist_name": "all"}}
         self.assertEqual(self.model.conditioned(), ["South room", "North room"])
+
+
+class Shipped(unittest.TestCase):
+    """The texts of jobs/energyplus_office fit together."""
+
+    def setUp(self):
+        self.folder = ROOT / "jobs" / "energyplus_office"
+        self.job = tomllib.loads((self.folder / "energyplus_office.toml").read_text())
+        self.template = (self.folder / "run.json.in").read_text()
+        self.run = json.loads(re.sub("@[a-z_]+@", "1", self.template))
+
+    def test_parameters_periods_and_columns(self):
+        simulator = self.job["simulator"]
+        names = [each["name"] for each in simulator["parameter"]]
+        self.assertEqual(re.findall("@([a-z_]+)@", self.template), names)
+        self.assertLessEqual(set(names), set(parameters.USUAL))
+        self.assertEqual([[str(day) for day in period] for period in weather.read_periods(self.folder / "periods.csv")],
+                         list(self.job["periods"].values()))
+        meters = [(meter["name"], meter["quantity"]) for meter in self.job["meter"]]
+        self.assertEqual([(meter["name"], meter["quantity"]) for meter in self.run["meters"]], meters)
+        self.assertEqual([each["column"] for each in simulator["hourly"]], [name for name, _ in meters])
+        self.assertEqual(set(self.run["schedules"]), {each["name"] for each in self.job["schedule"]})
+
+    def test_files(self):
+        simulator = self.job["simulator"]
+        self.assertEqual((self.folder / simulator["command"][0]).resolve(), RUNNER.resolve())
+        linked = {pathlib.Path(file).name for file in simulator["files"]}
+        self.assertEqual(linked, {self.run["model"], self.run["periods"], *self.run["weather"]})
+        self.assertTrue(all((self.folder / file).is_file() for file in simulator["files"]))
+
+    def test_the_model_is_what_the_generator_writes(self):
+        self.assertEqual(json.loads((self.folder / "office.epJSON").read_text()), office.model())
 
 
 class Parts(unittest.TestCase):
