@@ -140,26 +140,34 @@ def recover_heat(at):
         raise CannotEnter("the model has no outdoor air of ideal loads and no heat exchanger")
 
 
-def economise(at):
-    """On for all hours where its share is a half or more."""
-    count = 0
-    if usual_value(at.effect.values) < HALF:
-        raise CannotEnter(f"its share is below {HALF}, and EnergyPlus has none or all of it")
-    for _, fields in at.model.all("Controller:OutdoorAir"):
-        fields["economizer_control_type"] = "DifferentialDryBulb"
-        count += 1
-    for _, fields in at.model.all(IDEAL[0]):
-        if fields.get("design_specification_outdoor_air_object_name") and "FlowRate" in fields.get("cooling_limit", ""):
-            fields["outdoor_air_economizer_type"] = "DifferentialDryBulb"
-            count += 1
-    if not count:
-        raise CannotEnter("the model has no Controller:OutdoorAir, and no ideal loads with a limit of cooling air")
-
-
 def nodes_of(model, said):
     """Names, in small letters, of a node or a list of nodes."""
     listed = model.find("NodeList", said) or {}
     return {str(row.get("node_name", "")).lower() for row in listed.get("nodes", [])} or {str(said).lower()}
+
+
+def nodes_with_set_point(model):
+    """What an economiser needs behind its mixing box."""
+    return {node for kind in model.names("SetpointManager:") for _, fields in model.all(kind)
+            for key, value in fields.items() if key.startswith("setpoint_node") for node in nodes_of(model, value)}
+
+
+def economise(at):
+    """On for all hours where its share is a half or more."""
+    if usual_value(at.effect.values) < HALF:
+        raise CannotEnter(f"its share is below {HALF}, and EnergyPlus has none or all of it")
+    nodes = nodes_with_set_point(at.model)
+    dampers = [fields for _, fields in at.model.all("Controller:OutdoorAir")
+               if fields.get("mixed_air_node_name", "").lower() in nodes]
+    ideal = [fields for _, fields in at.model.all(IDEAL[0]) if "FlowRate" in fields.get("cooling_limit", "") and
+             fields.get("design_specification_outdoor_air_object_name")]
+    for fields in dampers:
+        fields["economizer_control_type"] = "DifferentialDryBulb"
+    for fields in ideal:
+        fields["outdoor_air_economizer_type"] = "DifferentialDryBulb"
+    if not dampers and not ideal:
+        raise CannotEnter("the model has no Controller:OutdoorAir with a set-point behind it, and no ideal loads with a "
+                          "limit of cooling air")
 
 
 def shift_supply(at):
