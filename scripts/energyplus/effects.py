@@ -44,6 +44,8 @@ def read_effects(folder, n_hours):
         given = tomllib.loads(read_text(path, "a list of [[effect]]")).get("effect", [])
     except tomllib.TOMLDecodeError as error:
         raise Failed(f"{path}: {error}; expected TOML") from None
+    if not isinstance(given, list) or not all(isinstance(each, dict) for each in given):
+        raise Failed(f"{path}: effect: is no list of sections; expected [[effect]]")
     rows = list(csv.DictReader(read_text(table, "a column for each effect").splitlines()))
     return [one_effect(path, table, each, rows, n_hours) for each in given]
 

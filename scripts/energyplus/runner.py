@@ -40,6 +40,12 @@ def read_run(path):
     for key in given:
         if key not in KEYS and key not in MORE:
             raise Failed(f"{path}: {key}: is not known; expected one of {', '.join([*KEYS, *MORE])}")
+    for key, kind in (("weather", str), ("rows", dict)):
+        if not all(isinstance(each, kind) for each in given[key]):
+            raise Failed(f"{path}: {key}: is {given[key]!r}; expected a list of {kind.__name__}")
+    if not all(isinstance(each, dict) and isinstance(each.get("span", 1), (int, float))
+               for each in given["schedules"].values()):
+        raise Failed(f"{path}: schedules: expected {{schedule: {{hook, span}}}}")
     for meter in given["meters"]:
         if not isinstance(meter, dict) or meter.get("quantity") not in hours.QUANTITIES or "name" not in meter:
             raise Failed(f"{path}: meters: {meter!r}: expected name and quantity, one of {', '.join(hours.QUANTITIES)}")

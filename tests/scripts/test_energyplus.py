@@ -191,6 +191,8 @@ class Runs(unittest.TestCase):
                               ({"parameters": {"colour": 1}}, ["colour", "expected one of infiltration"]),
                               ({"parameters": {"lights": "x"}}, ["lights", "no number"]),
                               ({"periods": "none.csv"}, ["none.csv"]), ({"model": 3}, ["model", "str"]),
+                              ({"weather": [1]}, ["weather", "list of str"]), ({"rows": ["x"]}, ["rows"]),
+                              ({"schedules": {"a": 1}}, ["schedules", "span"]),
                               ({"meters": [{"name": "x", "quantity": "cooling"}]}, ["x", "uses no cooling"])):
             with self.subTest(change):
                 self.run_file = {**good, **change}
@@ -246,6 +248,8 @@ class Runs(unittest.TestCase):
         self.fails("1 rows", "expected 168")
         (self.folder / "effects.csv").write_text("a\n" + "nan\n" * 168)
         self.fails("each a number")
+        (self.folder / "effects.toml").write_text("effect = 3\n")
+        self.fails("[[effect]]")
         (self.folder / "effects.toml").write_text("[[effect]\n")
         self.fails("effects.toml", "expected TOML")
 
