@@ -15,6 +15,7 @@ from energyplus.model import read_epjson, version_of
 HELP = ('write "energyplus": "/usr/local/EnergyPlus-25-2-0" in run.json.in, set ENERGYPLUS_DIR to that folder, or put '
         "it on PATH")
 MOST_WORDS = 300               # letters of EnergyPlus's message that are passed on
+CONVERTER = "ConvertInputFormat"
 UPDATER = "IDFVersionUpdater"
 
 
@@ -119,7 +120,9 @@ def simulate(program, model_file, weather, folder):
 def convert(program, source, folder):
     """The file in its other form, IDF or epJSON, in `folder`."""
     folder.mkdir(parents=True, exist_ok=True)
-    done = run([program, "--convert-only", "-d", folder, source], folder)
+    tool = program.parent / CONVERTER      # which also takes templates
+    words = [tool, "-o", folder] if os.access(tool, os.X_OK) else [program, "--convert-only", "-d", folder]
+    done = run([*words, source], folder)
     ending = ".epJSON" if source.suffix.lower() == ".idf" else ".idf"
     made = folder / (source.stem + ending)
     if done.returncode or not made.is_file():
