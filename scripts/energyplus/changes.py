@@ -47,7 +47,8 @@ class Changes:
 
     def __init__(self, model, n_hours):
         self.model, self.n_hours = model, n_hours
-        self.series, self.slots, self.sensors, self.names, self.lines_of_heat = {}, {}, {}, set(), []
+        self.series, self.slots, self.sensors, self.actuators = {}, {}, {}, {}
+        self.names, self.lines_of_heat = set(), []
 
     def new_name(self, said):
         """Letters, digits and underscores, as a program of EMS takes them."""
@@ -87,6 +88,7 @@ class Changes:
         self.model.add("EnergyManagementSystem:Actuator", name, {
             "actuated_component_unique_name": component, "actuated_component_type": kind,
             "actuated_component_control_type": control})
+        self.actuators[component.lower(), control] = name
         return name
 
     def add_line(self, line):

@@ -166,8 +166,8 @@ def economise(at):
     for fields in ideal:
         fields["outdoor_air_economizer_type"] = "DifferentialDryBulb"
     if not dampers and not ideal:
-        raise CannotEnter("the model has no Controller:OutdoorAir with a set-point behind it, and no ideal loads with a "
-                          "limit of cooling air")
+        raise CannotEnter("the model has no Controller:OutdoorAir with a set-point behind it, and no ideal loads with "
+                          "a limit of cooling air")
 
 
 def shift_supply(at):

@@ -4,12 +4,14 @@ A facade is one of eight directions, or the roof, as in the job. Sun that comes 
 transmit. Leaves out what panes absorb of it, and films: a shift of the boundary acts at 1 / 0.04 W/(m2 K) of ISO 6946.
 """
 from energyplus import parameters
+from energyplus.changes import PREFIX
 from energyplus.parameters import as_read
 from energyplus.place import HOURS_OF_ROOM, CannotEnter, internal, is_constant, program, rooms, sensors_of_room
 from new_job import idf_envelope, idf_geometry
 from new_job.refused import Refused
 
 H_OUTSIDE = 25                 # W/(m2 K), 1 / 0.04 of ISO 6946: a shift of the boundary as heat on the outer face
+SOURCES, SOURCE = "SurfaceProperty:HeatBalanceSourceTerm", "outside_face_heat_source_term_schedule_name"
 SIDES = ("north", "north-east", "east", "south-east", "south", "south-west", "west", "north-west")
 ROOF_TILT = 22.5               # deg, below which a window is the roof's
 
@@ -19,8 +21,10 @@ def warm_outdoors(at):
 
 
 def shift_air(at, component, kind, control, series):
-    act, outdoor = at.changes.actuator(component, kind, control), at.changes.sensor(HOURS_OF_ROOM[1], "*")
-    at.changes.add_line(f"SET {act} = {outdoor} + {series}")
+    """Several effects add up."""
+    known = at.changes.actuators.get((component.lower(), control))
+    act = known or at.changes.actuator(component, kind, control)
+    at.changes.add_line(f"SET {act} = {known or at.changes.sensor(HOURS_OF_ROOM[1], '*')} + {series}")
 
 
 def warm_supply(at):
@@ -39,14 +43,17 @@ def outer(at, kinds):
 
 
 def warm_walls(at):
-    """The shift of the boundary as heat on outer faces: K times 1 / 0.04 W/(m2 K)."""
+    """The shift of the boundary as heat on outer faces: K times 1 / 0.04 W/(m2 K). Several effects add up."""
     names = outer(at, parameters.SURFACES[:3])
     if not names:
         raise CannotEnter("the model has no opaque surface to outdoors that is described by its corners")
+    known = next((fields[SOURCE] for name, fields in at.model.all(SOURCES) if name.startswith(PREFIX)), None)
+    if known:
+        at.changes.series[known] = at.changes.series[known] + at.values * H_OUTSIDE
+        return
     series = at.series(at.values * H_OUTSIDE)
     for name in names:
-        at.model.add("SurfaceProperty:HeatBalanceSourceTerm", at.changes.new_name(f"{at.effect.name} {name}"),
-                     {"surface_name": name, "outside_face_heat_source_term_schedule_name": series})
+        at.model.add(SOURCES, at.changes.new_name(f"{at.effect.name} {name}"), {"surface_name": name, SOURCE: series})
 
 
 def geometry(at):

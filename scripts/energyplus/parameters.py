@@ -19,7 +19,7 @@ LEVELS = ("lighting_level", "design_level", "watts_per_floor_area", "watts_per_p
           "power_per_person")
 FRESH_AIR = ("outdoor_air_flow_per_person", "outdoor_air_flow_per_zone_floor_area", "outdoor_air_flow_per_zone",
              "outdoor_air_flow_air_changes_per_hour")
-# Factors: {parameter: ((class, fields, most), ...)}, perhaps with * in them; `most` is the largest that EnergyPlus takes.
+# Factors: {parameter: ((class, fields, most), ...)}, perhaps with *; `most` is the largest that EnergyPlus takes.
 FACTORS = {
     "infiltration": (("ZoneInfiltration:DesignFlowRate", FLOWS, None),
                      ("ZoneInfiltration:EffectiveLeakageArea", ("effective_air_leakage_area",), None),

@@ -423,6 +423,21 @@ class Tables(unittest.TestCase):
         self.assertEqual((more[0], more[200], less[0], less[200]), (0.3, 0, 0, -0.2))
         self.assertTrue(any("0.34 *" in line for line in self.lines()))
 
+    def test_effects_at_one_hook_add_up(self):
+        shift = [effects.Effect(name, hook, False, np.full(YEAR, value), {"column": name}) for name, hook, value in
+                 (("sun", "opaque boundary", 1.0), ("sky", "opaque boundary", -0.4), ("one", "supply air", 1.0),
+                  ("two", "supply air", 2.0))]
+        left_out = {}
+        effects.enter(shift, self.model, self.changes, lambda s: s, None, {}, left_out)
+        self.changes.finish()
+        self.assertEqual(left_out, {})
+        sources = self.model.all("SurfaceProperty:HeatBalanceSourceTerm")
+        self.assertEqual(len(sources), 8)               # of six walls and two roofs
+        self.assertAlmostEqual(self.changes.series[sources[0][1]["outside_face_heat_source_term_schedule_name"]][0], 15)
+        first, second = [line for line in self.lines() if "South_room_Temperature" in line]
+        self.assertIn("Site_Outdoor", first)
+        self.assertIn("= bemcal_South_room_Temperature +", second)
+
     def test_gains_of_either_sign(self):
         self.enter("gains", np.where(np.arange(YEAR) < 100, 3, -2))
         self.assertEqual([fields.get("power_per_floor_area") for _, fields in self.model.all("OtherEquipment")],

@@ -166,6 +166,14 @@ class Office(unittest.TestCase):
                 for meter in METERS:
                     np.testing.assert_allclose(other[meter], one[meter], rtol=1e-3, atol=2e-3)
 
+    def test_effects_at_one_hook_add_up(self):
+        for hook in ("opaque boundary", "supply air", "heating set-point", "outdoor air", "infiltration"):
+            with self.subTest(hook):
+                one = self.simulate({}, [({"hook": hook}, 1.5)])
+                two = self.simulate({}, [({"hook": hook}, 1.0), ({"hook": hook}, 0.5)])
+                for meter in METERS:
+                    np.testing.assert_allclose(two[meter], one[meter], rtol=2e-3, atol=5e-3)
+
     def test_a_share_of_the_sun_is_nearly_that_of_the_glass(self):
         """As heat it comes a step late, and without what panes absorb."""
         glass, sun = self.simulate({"g_windows": 0.8}), self.simulate({}, [({"hook": "aperture"}, -0.2)])
