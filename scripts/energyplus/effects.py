@@ -55,11 +55,10 @@ def one_effect(path, table, given, rows, n_hours):
     for key in ("hook", "column"):
         if not isinstance(given.get(key), str):
             raise Failed(f"{path}: effect {name!r}: {key}: is missing; expected a text")
-    enters = given.get("enters", "add")
+    enters = given.get("enters", "add")    # which of both it is the hook knows
     if enters not in ("add", "factor"):
         raise Failed(f'{path}: effect {name!r}: enters: {enters!r}; expected "add" or "factor"')
-    return Effect(str(name), given["hook"].lower(), enters == "factor",
-                  numbers_of(table, given["column"], rows, n_hours), given)
+    return Effect(str(name), given["hook"].lower(), numbers_of(table, given["column"], rows, n_hours), given)
 
 
 def move_schedule(at):

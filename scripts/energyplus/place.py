@@ -20,7 +20,6 @@ class Effect:
     """`values`: one for each hour of all periods, in the hook's unit."""
     name: str
     hook: str
-    is_factor: bool
     values: np.ndarray
     more: dict                 # all keys of its section
 
@@ -46,8 +45,6 @@ class Place:
     def series(self, values, said=""):
         return self.changes.add_series(f"{self.effect.name} {said}".strip(), values)
 
-
-# Ways into the model ---------------------------------------------------------------------------------------------
 
 def change_schedules(places, how, usual=1.0, times=1.0, least=None):
     """Of fields that name schedules: how is add or factor."""

@@ -286,10 +286,10 @@ class Tables(unittest.TestCase):
     def field(self, kind, name, key):
         return self.model.find(kind, name)[key]
 
-    def enter(self, hook, values=0.5, is_factor=False, **more):
+    def enter(self, hook, values=0.5, **more):
         series = np.broadcast_to(np.asarray(values, float), YEAR)
         left_out, moved = {}, []
-        effects.enter([effects.Effect("it", hook, is_factor, series, more)], self.model, self.changes, lambda s: s,
+        effects.enter([effects.Effect("it", hook, series, more)], self.model, self.changes, lambda s: s,
                       moved.append, {"lights": {"hook": "schedule of lights", "span": 0.5}}, left_out)
         self.changes.finish()
         return {name: why for (name, _), why in left_out.items()}, moved
@@ -411,7 +411,7 @@ class Tables(unittest.TestCase):
         self.assertEqual(made[0], made[1])
         self.assertNotEqual(made[0], made[2])           # another limit
         self.setUp()
-        self.enter("loads", 0.5, True)
+        self.enter("loads", 0.5)
         self.assertEqual(len([line for line in self.lines() if "(1 +" in line]), 3)   # people, lights, equipment
 
     def test_infiltration_more_and_less(self):
@@ -424,7 +424,7 @@ class Tables(unittest.TestCase):
         self.assertTrue(any("0.34 *" in line for line in self.lines()))
 
     def test_effects_at_one_hook_add_up(self):
-        shift = [effects.Effect(name, hook, False, np.full(YEAR, value), {"column": name}) for name, hook, value in
+        shift = [effects.Effect(name, hook, np.full(YEAR, value), {"column": name}) for name, hook, value in
                  (("sun", "opaque boundary", 1.0), ("sky", "opaque boundary", -0.4), ("one", "supply air", 1.0),
                   ("two", "supply air", 2.0))]
         left_out = {}
@@ -445,13 +445,13 @@ class Tables(unittest.TestCase):
         self.assertEqual(self.enter("meter factor")[0], {})
 
     def test_a_facade_by_its_name(self):
-        self.enter("aperture", -0.3, True, facade="south")
+        self.enter("aperture", -0.3, facade="south")
         suns = [fields["output_variable_or_output_meter_index_key_name"] for _, fields in
                 self.model.all("EnergyManagementSystem:Sensor")
                 if "Solar" in fields["output_variable_or_output_meter_name"]]
         self.assertEqual(suns, ["South room window"])
         self.setUp()
-        self.assertIn("no window to the east", self.enter("aperture", -0.3, True, facade="east")[0]["it"])
+        self.assertIn("no window to the east", self.enter("aperture", -0.3, facade="east")[0]["it"])
 
     def test_schedules_of_the_job(self):
         self.assertEqual(self.enter("occupation", 1.0, schedule="lights")[0], {})
@@ -460,10 +460,10 @@ class Tables(unittest.TestCase):
         self.assertIn("'desks'", self.enter("occupation", 1.0, schedule="desks")[0]["it"])
 
     def test_a_constant_conductance_is_that_of_the_layers(self):
-        self.enter("opaque conductance", 0.2, True)
+        self.enter("opaque conductance", 0.2)
         self.assertIn(" for u_walls 1.2", self.field("Construction", "Outer wall", "outside_layer"))
         self.assertEqual(self.lines(), [])
-        self.enter("opaque conductance", np.linspace(0, 0.2, YEAR), True)
+        self.enter("opaque conductance", np.linspace(0, 0.2, YEAR))
         self.assertTrue(self.lines())
 
     def test_every_hook_of_the_program_has_a_row(self):
@@ -479,7 +479,7 @@ class Tables(unittest.TestCase):
             with self.subTest(hook):
                 self.setUp()
                 before = self.model.text()
-                left_out, moved = self.enter(hook, 0.3, True, meter="gas")
+                left_out, moved = self.enter(hook, 0.3, meter="gas")
                 self.assertEqual(bool(left_out), hook in left_here, left_out)
                 self.assertTrue(left_out or moved or row.after or self.model.text() != before)
 
