@@ -102,7 +102,15 @@ _TABLE = {
     "thermostatsetpoint:singleheatingorcooling": "name setpoint_temperature_schedule_name",
     "hvactemplate:thermostat": "name heating_setpoint_schedule_name constant_heating_setpoint "
                                "cooling_setpoint_schedule_name constant_cooling_setpoint",
-    "hvactemplate:zone:idealloadsairsystem": "zone_name template_thermostat_name",
+    "hvactemplate:zone:idealloadsairsystem":
+        "zone_name template_thermostat_name system_availability_schedule_name maximum_heating_supply_air_temperature "
+        "minimum_cooling_supply_air_temperature maximum_heating_supply_air_humidity_ratio "
+        "minimum_cooling_supply_air_humidity_ratio heating_limit maximum_heating_air_flow_rate "
+        "maximum_sensible_heating_capacity cooling_limit maximum_cooling_air_flow_rate maximum_total_cooling_capacity "
+        "heating_availability_schedule_name cooling_availability_schedule_name dehumidification_control_type "
+        "cooling_sensible_heat_ratio dehumidification_setpoint humidification_control_type humidification_setpoint "
+        "outdoor_air_method outdoor_air_flow_rate_per_person outdoor_air_flow_rate_per_zone_floor_area "
+        "outdoor_air_flow_rate_per_zone design_specification_outdoor_air_object_name",
     "zonehvac:equipmentconnections": "zone_name zone_conditioning_equipment_list_name "
                                      "zone_air_inlet_node_or_nodelist_name",
     "zonehvac:idealloadsairsystem":

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from new_job import idf_fans, idf_schedules
+from new_job import idf, idf_fans, idf_schedules
 from new_job.refused import Refused
 
 USUAL_DIFFERENCE, USUAL_WIND = 10, 4     # K and m/s at 10 m, for coefficients of infiltration
@@ -21,6 +21,8 @@ WIND_HEIGHT = 10               # m
 MOST_ABOVE = 3
 ROOM = 22                      # degC, where a zone has not both
 PER_PERSON = 0.00944           # m3/s, EnergyPlus's default of DesignSpecification:OutdoorAir
+TEMPLATE = "HVACTemplate:Zone:IdealLoadsAirSystem"
+OF_OBJECT = ("none", "detailedspecification")   # methods by which a template names an object, or nothing
 TARGET = "zone_or_zonelist_or_space_or_spacelist_name"
 LOADS = (("lights", "Lights", "lighting_level", "electricity"),
          ("equipment", "ElectricEquipment", "design_level", "electricity"),
@@ -203,18 +205,29 @@ class Reader:
                       for zone, _ in self.conditioned_targets(each, "zone_or_zonelist_name")]
         ideal = [(each, zone, 1) for each in self.model.all("ZoneHVAC:IdealLoadsAirSystem")
                  for zone in self.supplied(each)]
+        ideal += [(each, zone, 1) for each in self.model.all(TEMPLATE)
+                  for zone, _ in self.conditioned_targets(each, "zone_name")]
         for each, zone, share in ideal or by_systems:
-            name = each.text("design_specification_outdoor_air_object_name")
-            thing = self.model.find(name, "DesignSpecification:OutdoorAir")
-            if name and thing is None:
-                self.left_out.append(f'outdoor air "{name}"')
-            elif name:
+            thing = self.fresh_air(each)
+            if thing is not None:
                 total += zone.multiplier * self.outdoor_air(thing, zone) * share * \
                     self.schedules.of(thing, "outdoor_air_schedule_name")
         for thing in self.model.all("ZoneVentilation:DesignFlowRate"):
             for zone, area in self.conditioned_targets(thing):
                 total += zone.multiplier * self.own_flow(thing, zone, area) * self.schedules.of(thing, "schedule_name")
         return total
+
+    def fresh_air(self, system):
+        """What a system says of its outdoor air, None where it has none; a template may say it itself."""
+        if system.kind.lower() == TEMPLATE.lower() and system.word("outdoor_air_method", "none") not in OF_OBJECT:
+            fields = {key.replace("_rate_", "_"): value for key, value in system.fields.items()
+                      if key.startswith("outdoor_air")}
+            return idf.Object(system.file, system.kind, {"name": system.word("zone_name"), **fields})
+        name = system.text("design_specification_outdoor_air_object_name")
+        thing = self.model.find(name, "DesignSpecification:OutdoorAir")
+        if name and thing is None:
+            self.left_out.append(f'outdoor air "{name}"')
+        return thing
 
     def supplied(self, system):
         """Zones with a thermostat that ideal loads supply, by the node between."""

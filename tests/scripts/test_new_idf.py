@@ -272,6 +272,21 @@ class Box(unittest.TestCase):
         found = self.read(text + "HVACTemplate:Thermostat, Stat, , 19, , 27;\n"
                                  "HVACTemplate:Zone:IdealLoadsAirSystem, Room, Stat;\n")
         self.assertEqual((found.heating.mean(), found.cooling.mean(), found.is_ideal), (19, 27, True))
+        self.assertEqual(found.ventilation.max(), 0)
+
+    def test_outdoor_air_of_ideal_loads(self):
+        text = "".join(line + "\n" for line in BOX.splitlines() if not line.startswith(("ZoneControl", "Coil")))
+        stat, gap = "HVACTemplate:Thermostat, Stat, , 19, , 27;\n", ", " * 18
+        by_area = self.read(f"{text}{stat}HVACTemplate:Zone:IdealLoadsAirSystem, Room, Stat{gap}, Flow/Area, , "
+                            "0.001;\n")
+        self.assertAlmostEqual(by_area.ventilation.max(), 3600 * 0.001 / HEIGHT)
+        named = self.read(f"{text}{stat}HVACTemplate:Zone:IdealLoadsAirSystem, Room, Stat{gap}, DetailedSpecification, "
+                          ", , , Fresh;\n")
+        fresh = LENGTH * DEPTH / 10 * 0.005 + LENGTH * DEPTH * 0.0005
+        self.assertAlmostEqual(named.ventilation.max(), 3600 * fresh / (LENGTH * DEPTH * HEIGHT))
+        system = self.read(BOX + f"ZoneHVAC:IdealLoadsAirSystem, Air, , Supply{', ' * 17}, Fresh;\n"
+                           "ZoneHVAC:EquipmentConnections, Room, List, Supply;\n")
+        self.assertAlmostEqual(system.ventilation.max(), named.ventilation.max())
 
     def test_lists_and_spaces(self):
         """Loads of a list of zones, and of a space by its own floor."""
