@@ -73,6 +73,19 @@ def unanswered(loop):
             if question not in answered]
 
 
+def program_rows(loop):
+    """The parameters of the program that the loop was around, at the runs that count."""
+    return [{"name": row.name, "unit": row.unit, "range": f"{words.number(row.least)} to {words.number(row.most)}",
+             "values": [words.number(value) for value in (row.plain, row.before, row.after)]}
+            for row in loop.simulator.parameters]
+
+
+def given_rows(loop):
+    return [{"name": row.name, "hooks": row.hooks or "nothing that it knows",
+             "scale": f"{words.number(row.scale)} times" if row.scale else "no better with it"}
+            for row in loop.simulator.given]
+
+
 def step_rows(loop):
     return [{"effect": step.effect, "gain": words.number(step.gain),
              "needed": words.number(step.threshold), "score": words.number(step.score),
@@ -98,7 +111,8 @@ def contents(loop):
         learned=words.learned(loop), regression=words.regression(loop, regressions),
         errors=error_rows(loop, regressions), error_picture=pictures.errors(loop), effects=effect_rows(loop),
         measurements=measurement_rows(loop), unanswered=unanswered(loop),
-        functions=function_rows(loop), function_pictures=pictures.functions(loop),
+        program=program_rows(loop), given=given_rows(loop), left_out=loop.simulator.left_out,
+        program_runs=words.program_runs(loop), functions=function_rows(loop), function_pictures=pictures.functions(loop),
         channels=channels, parameters=parameter_rows(loop),
         unusual_ends=words.unusual_ends(loop), parameter_picture=pictures.parameters(loop),
         pattern_picture=pictures.patterns(loop),

@@ -85,6 +85,17 @@ DECISION = {"series": text("decision_series"), "finding": text("decision_finding
 STEP = {"effect": text("step_effect"), "verdict": text("step_verdict"), "gain": number("step_gain"),
         "threshold": number("step_threshold"), "score": number("step_score")}
 CANDIDATE = {"name": text("candidate"), "gain": number("candidate_gain")}
+SIMULATOR_PARAMETER = {"name": text("simulator_parameter"), "unit": text("simulator_parameter_unit"),
+                       "least": number("simulator_parameter_least"), "most": number("simulator_parameter_most"),
+                       "plain": number("simulator_parameter_plain"), "before": number("simulator_parameter_before"),
+                       "after": number("simulator_parameter_after")}
+GIVEN = {"name": text("simulator_given"), "hooks": text("simulator_given_hooks"), "scale": number("simulator_given_scale")}
+GIVEN_SERIES = {"of": text("simulator_series_of"), "hook": text("simulator_series_hook"),
+                "unit": text("simulator_series_unit"), "enters": text("simulator_series_enters"),
+                "facade": text("simulator_series_facade"), "meter": text("simulator_series_meter")}
+SIMULATOR_RUN = {"of": text("simulator_run"), "failure": text("simulator_run_failure"),
+                 "distance": number("simulator_run_distance")}
+EMULATED = {"name": text("simulator_channel"), "error": number("simulator_emulator_error")}
 NUMBERS = ("fit", "step_error", "localisation", "localisation_after", "parameter_value", "parameter_sd", "coverage")
 TRIED = {"name": text("structure"), "score": number("structure_score")}
 PARAMETER = {"name": text("parameter"), "unit": text("parameter_unit"),
@@ -148,6 +159,15 @@ def power_in(group):
         if not effect.alias_kind and effect.alias == PARAMETERS_OF_0_1_0:
             effect.alias_kind = OF_PARAMETERS
     return power
+
+
+def simulator_in(group):
+    """The program that a loop was around; without parameters of another loop."""
+    return SimpleNamespace(
+        parameters=rows_in(group, SIMULATOR_PARAMETER), given=rows_in(group, GIVEN),
+        series=rows_in(group, GIVEN_SERIES), series_values=numbers_in(group, "simulator_series_value"),
+        left_out=texts_of(group, "simulator_left_out"), runs=rows_in(group, SIMULATOR_RUN),
+        emulated=rows_in(group, EMULATED))
 
 
 def numbers_in(group, name):
@@ -231,6 +251,7 @@ class Loop:
         self.effects, self.functions = effects_in(group), functions_in(group)
         self.schedules, self.job_parts = schedules_in(group), rows_in(group, JOB_PART)
         self.measurements = rows_in(group, MEASUREMENT)
+        self.simulator = simulator_in(group)
         self.periods, self.resolutions, self.metrics, self.hooks, self.drivers = (
             texts_of(group, name)
             for name in ("period", "resolution", "metric", "hook", "driver"))

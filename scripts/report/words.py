@@ -104,6 +104,20 @@ def size_of_what_it_brings(effect):
     return costs[0] if costs else max((abs(value.value) for value in effect.brings), default=0)
 
 
+def program_runs(loop):
+    """How many runs of the program, of what, and how well an emulator foretold them."""
+    simulator = loop.simulator
+    if not simulator.parameters:
+        return ""
+    kinds = list(dict.fromkeys(run.of for run in simulator.runs))
+    parts = ", ".join(f"{sum(run.of == kind for run in simulator.runs)} {kind}" for kind in kinds)
+    n_failed = sum(bool(run.failure) for run in simulator.runs)
+    failed = f"; {n_failed} failed" if n_failed else ""
+    errors = ", ".join(f"{row.name} {number(row.error)} %" for row in simulator.emulated)
+    foretold = f" Unseen ones were foretold within (CV(RMSE) of readings): {errors}." if errors else ""
+    return f"It ran {len(simulator.runs)} times: {parts}{failed}.{foretold}"
+
+
 def found(loop):
     """What was found."""
     if not loop.effects:

@@ -1,0 +1,97 @@
+"""A folder in which the user's own program runs with what the loop around it found.
+
+The files of a point as the last best run had them: templates with its parameters' values, the files that they name,
+effects.toml and effects.csv. Of an EnergyPlus model also what EnergyPlus receives, and how that differs from the model.
+Nothing of the job is changed.
+"""
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+from .refused import CONFIG, FAILED, Refused
+
+RUNNER = "energyplus_hours"           # scripts/energyplus_hours, which can write the changed model alone
+ENDINGS = (".in", ".template")        # of templates, which a point's files lack
+SECTION_KEYS = ("hook", "unit", "enters", "facade", "meter")
+
+
+def name_of_filled(path):
+    ending = next((each for each in ENDINGS if path.name.endswith(each) and path.name != each), "")
+    return path.name[:len(path.name) - len(ending)] if ending else path.name
+
+
+def filled(text, values):
+    return re.sub(r"@([A-Za-z][A-Za-z0-9_]*)@", lambda place: f"{values[place[1]]:.17g}"
+                  if place[1] in values else place[0], text)
+
+
+def quoted(text):
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
+
+
+def effects_text(series):
+    """The sections of effects.toml."""
+    sections = []
+    for k, one in enumerate(series, 1):
+        lines = [("name", one.of)] + [(key, getattr(one, key)) for key in SECTION_KEYS] + [("column", f"effect_{k}")]
+        sections.append("[[effect]]\n" + "".join(f"{key} = {quoted(value)}\n" for key, value in lines if value))
+    return "\n".join(sections)
+
+
+def write_effects(series, values, folder):
+    """`values` are [series x hours]."""
+    if not series:
+        return
+    (folder / "effects.toml").write_text(effects_text(series), encoding="utf-8")
+    rows = [",".join(f"effect_{k}" for k in range(1, len(series) + 1))]
+    rows += [",".join(f"{value:.9g}" for value in hour) for hour in values.T]
+    (folder / "effects.csv").write_text("\n".join(rows) + "\n", encoding="ascii")
+
+
+def beside(job_folder, name):
+    path = pathlib.Path(name)
+    return path if path.is_absolute() else job_folder / path
+
+
+def write_inputs(section, values, job_folder, folder):
+    """Templates with the values, and the files beside them."""
+    for template in section.get("template", []):
+        source = beside(job_folder, str(template["file"]))
+        name = str(template.get("as", "")) or name_of_filled(source)
+        (folder / name).write_text(filled(source.read_text(encoding="utf-8"), values), encoding="utf-8")
+    for name in section.get("files", []):
+        source = beside(job_folder, str(name))
+        shutil.copyfile(source, folder / source.name)
+
+
+def patch(section, job_folder, folder):
+    """What EnergyPlus would receive: the lines that the runner prints; none of another program."""
+    command = [str(word) for word in section["command"]]
+    runner = next((word for word in command if pathlib.Path(word).name == RUNNER), None)
+    if runner is None:
+        return []
+    done = subprocess.run([sys.executable, beside(job_folder, runner), command[-1], "--patch-only"], cwd=folder,
+                          capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        last = (done.stderr.strip().splitlines() or ["it said nothing"])[-1]
+        raise Refused(f"{folder}: is written, but the changed model is not: {last}", FAILED)
+    return done.stdout.splitlines()
+
+
+def adopt(loop, job, job_file, folder):
+    """Writes the folder, which must be new. What is in it, a line each."""
+    section = job.get("simulator")
+    if section is None:
+        raise Refused(f"{job_file}: has no [simulator]; expected the job that the result is of", CONFIG)
+    job_folder = pathlib.Path(job_file).resolve().parent
+    values = {row.name: row.after for row in loop.simulator.parameters}
+    folder = pathlib.Path(folder)
+    folder.mkdir()
+    write_inputs(section, values, job_folder, folder)
+    write_effects(loop.simulator.series, loop.simulator.series_values, folder)
+    lines = [f"parameter {name}: {value:.4g}" for name, value in values.items()]
+    lines += [f"effect {row.name}: at {row.hooks}, {row.scale:.3g} times what was found"
+              for row in loop.simulator.given if row.scale]
+    return lines + patch(section, job_folder, folder)
