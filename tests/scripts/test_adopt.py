@@ -16,6 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "scripts"), str(pathlib.Path(__file__).parent)]
 
 import fake_loop_result  # noqa: E402
+import fake_simulator  # noqa: E402
 from report import adopted, result  # noqa: E402
 
 JOB = """# A job.
@@ -187,6 +188,86 @@ class Adopt(unittest.TestCase):
 class Numbers(unittest.TestCase):
     def test_have_four_digits(self):
         self.assertEqual([adopted.rounded(x) for x in (0.123456, 489355.2, np.float64(2))], [0.1235, 489400, 2])
+
+
+SIMULATOR = """[simulator]
+command = ["COMMAND", "run.json"]
+files = ["site.epw"]
+
+[[simulator.template]]
+file = "run.json.in"
+
+[[simulator.template]]
+file = "note.txt"
+as = "notes"
+"""
+RUNNER = """#!/usr/bin/python3
+import sys
+if "--patch-only" in sys.argv:
+    open("changed.epJSON", "w").write(open("run.json").read())
+    print("wrote changed.epJSON")
+else:
+    sys.exit("not to be run")
+"""
+
+
+class OfAProgram(unittest.TestCase):
+    """A loop around another program: its inputs, in a folder."""
+
+    def setUp(self):
+        held = tempfile.TemporaryDirectory()
+        self.addCleanup(held.cleanup)
+        self.folder = pathlib.Path(held.name)
+        fake_loop_result.write(self.folder / "result.h5", {"gas": "kWh"}, found=1)
+        fake_simulator.add_to(self.folder / "result.h5")
+        self.write("run.json.in", '{"u_wall": @u_wall@, "leaks": @leaks@, "mail": "a@b"}')
+        self.write("note.txt", "plain")
+        self.write("site.epw", "weather")
+        self.write("energyplus_hours", RUNNER)
+
+    def write(self, name, text):
+        (self.folder / name).write_text(text, encoding="utf-8")
+
+    def adopt(self, command="house", job=SIMULATOR):
+        self.write("job.toml", JOB + job.replace("COMMAND", command))
+        return subprocess.run([ROOT / "scripts/adopt", "result.h5", "job.toml", "-o", "found"], cwd=self.folder,
+                              capture_output=True, text=True, check=False)
+
+    def text(self, name):
+        return (self.folder / "found" / name).read_text(encoding="utf-8")
+
+    def test_inputs_have_the_values_of_the_best_run(self):
+        done = self.adopt()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.text("run.json"), '{"u_wall": 1.25, "leaks": 0.125, "mail": "a@b"}')
+        self.assertEqual((self.text("notes"), self.text("site.epw")), ("plain", "weather"))
+        self.assertIn("parameter leaks: 0.125", done.stdout)
+        self.assertIn("effect wind infiltration: at infiltration, 0.9 times what was found", done.stdout)
+        self.assertNotIn("blinds", done.stdout)
+
+    def test_effects_are_the_files_that_a_point_has(self):
+        self.adopt()
+        self.assertEqual(self.text("effects.toml"), '[[effect]]\nname = "wind infiltration"\nhook = "infiltration"\n'
+                         'unit = "1/h"\nenters = "add"\ncolumn = "effect_1"\n')
+        self.assertEqual(self.text("effects.csv"), "effect_1\n0.1\n0.2\n0.3\n")
+        self.assertEqual(tomllib.loads(self.text("effects.toml"))["effect"][0]["hook"], "infiltration")
+
+    def test_of_energyplus_the_changed_model_is_written(self):
+        done = self.adopt("./energyplus_hours")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("wrote changed.epJSON", done.stdout)
+        self.assertIn("1.25", self.text("changed.epJSON"))
+
+    def test_a_folder_that_is_there_stays(self):
+        (self.folder / "found").mkdir()
+        done = self.adopt()
+        self.assertEqual((done.returncode, done.stderr),
+                         (73, "adopt: found: is there already; expected the name of a new folder\n"))
+
+    def test_a_job_without_a_program_is_another_one(self):
+        done = self.adopt(job="")
+        self.assertEqual((done.returncode, done.stderr), (78, "adopt: job.toml: has no [simulator]; expected the job "
+                                                          "that the result is of\n"))
 
 
 if __name__ == "__main__":

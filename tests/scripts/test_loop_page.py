@@ -16,6 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "scripts"), str(pathlib.Path(__file__).parent)]
 
 import fake_loop_result  # noqa: E402
+import fake_simulator  # noqa: E402
 from report import beside, loop as loop_page, page, pictures, regression, result, stored, studies, words  # noqa: E402
 
 THREE = {"air": "degC", "electricity": "kWh", "gas": "kWh"}
@@ -232,6 +233,17 @@ class LoopReport(unittest.TestCase):
         text = html_of(file)
         self.assertNotIn("Against outdoor temperature", text)
         self.assertNotIn("What these data can show", text)
+
+    def test_of_a_loop_around_a_program_its_runs_and_what_was_given_to_it_are_shown(self):
+        path = self.small("around.h5")
+        self.assertNotIn("It ran", Page(html_of(path)).text)
+        fake_simulator.add_to(path)
+        text = Page(html_of(path)).text
+        self.assertIn("It ran 3 times: 2 design, 1 calibration; 1 failed.", text)
+        self.assertIn("Unseen ones were foretold within (CV(RMSE) of readings): gas 2.5 %.", text)
+        self.assertIn("It could not take: blinds: there are none.", text)
+        self.assertIn("no better with it", text)
+        self.assertIn("Parameters of the twin", text)
 
     def test_names_of_a_job_are_text_and_not_markup(self):
         file = self.small("markup.h5", stage="a <b> & c/loop")
