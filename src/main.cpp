@@ -299,8 +299,8 @@ void write_stock(const run::OutputNames& names, const run::JobOptions& options) 
                                     "table and history",
                                     error.what()));
     }
-    print_warning(fmt::format("wrote {}; nights: {}", names.table.string(),
-                              names.history.string()));
+    print_warning(fmt::format("wrote {} and {}; nights: {}", names.table.string(),
+                              names.changes.string(), names.history.string()));
     if (options.pages)
         print_warning(options.pages->write_stock(names.result, names.history));
 }

@@ -44,6 +44,7 @@ class Building:
     reason: str
     drift: str
     nights_since: int
+    told: str = ""
     fits: list = field(default_factory=list)      # (meter, period, before, cv_rmse, nmbe)
     values: list = field(default_factory=list)    # (parameter, unit, value, low, high, moved)
     findings: list = field(default_factory=list)  # (series, finding, action)
@@ -176,7 +177,7 @@ def add_foretold(file, building):
 
 
 def night_in(file):
-    """(title, buildings) of an open file."""
+    """(title, buildings, effects in common) of an open file."""
     if not guard.has(file, "stock"):
         raise ValueError(f"{file.filename}: is no result of a stock")
     group = file["stock"]
@@ -195,10 +196,22 @@ def night_in(file):
     for owner, *row in rows(group, "stock_findings", [
             "stock_finding_series", "stock_finding", "stock_finding_action"]):
         at(buildings, owner).findings.append(tuple(row))
+    for building, told in zip(buildings, guard.texts(group, "stock_told") if guard.has(group, "stock_told") else ()):
+        building.told = told
     add_daily_sums(group, buildings)
     for building in buildings:
         add_foretold(file, building)
-    return str(file.attrs.get("title", "stock")), buildings
+    return str(file.attrs.get("title", "stock")), buildings, common_in(group)
+
+
+def common_in(group):
+    """(effect, buildings, of so many, quartile, median, quartile, unit): those in two buildings or more."""
+    names = [f"stock_common_{name}" for name in ("effect", "n", "of", "q25", "median", "q75", "unit")]
+    if not all(guard.has(group, name) for name in names):
+        return []
+    columns = [guard.texts(group, name) if name.endswith(("effect", "unit")) else numbers(group, name)
+               for name in names]
+    return [row for row in zipped(columns) if row[1] > 1]
 
 
 def table_of(result):
@@ -215,9 +228,9 @@ def table_of(result):
 
 
 def read(path):
-    """(title, night, buildings, name of the CSV)"""
-    title, buildings = guard.read_apart(path, night_in)
-    return title, pathlib.Path(path).stem, buildings, table_of(path)
+    """(title, night, buildings, name of the CSV, effects in common)"""
+    title, buildings, common = guard.read_apart(path, night_in)
+    return title, pathlib.Path(path).stem, buildings, table_of(path), common
 
 
 def nights_in(path):
@@ -315,7 +328,7 @@ def hash_of(script):
 
 
 def contents(read_stock, nights):
-    title, night, buildings, table = read_stock
+    title, night, buildings, table, common = read_stock
     worst = sorted((b for b in buildings if math.isfinite(b.recent)),
                    key=lambda b: -b.recent)
     zeros = [(b.name, *f) for b in buildings for f in b.findings
@@ -328,8 +341,9 @@ def contents(read_stock, nights):
     return {"title": title, "night": night, "words": words, "most": MOST_ROWS,
             "counts": Counter(b.status for b in buildings), "n": len(buildings),
             "failed": [b for b in buildings if b.status == "failed"],
-            "changed": [b for b in buildings if b.has_changed and b.status != "failed"],
+            "changed": [b for b in buildings if b.has_changed and b.status not in ("failed", "tested")],
             "postponed": [b for b in buildings if b.status == "postponed"],
+            "told": [b for b in buildings if b.told], "common": common,
             "drifting": [b for b in buildings if b.drift], "worst": worst, "zeros": zeros,
             "units": units, "shared": shared, "others": others, "picture": picture(nights),
             "n_nights": len(nights), "table": table, "heads": HEADS, "lines": json_of(buildings),

@@ -219,4 +219,13 @@ std::string schedule_section_of(const std::string& schedule,
     return lines;
 }
 
+std::string as_tables(const std::string& section) {
+    if (!section.starts_with('#')) return section;
+    const std::size_t name = section.find('"');
+    const std::size_t name_end = section.find('"', name + 1);
+    return "[[schedule]]\n" +
+           line("name", section.substr(name + 1, name_end - name - 1)) +
+           section.substr(section.find('\n') + 1);
+}
+
 }  // namespace bemcal::effects

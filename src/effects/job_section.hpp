@@ -45,4 +45,7 @@ std::string parameter_section_of(const std::string& name,
 std::string schedule_section_of(const std::string& schedule,
                                 const physics::WeekHours& hours);
 
+/// Such lines as a [[schedule]] of their own; any other section as it is.
+std::string as_tables(const std::string& section);
+
 }  // namespace bemcal::effects

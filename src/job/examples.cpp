@@ -1020,6 +1020,7 @@ hours = 6
 drift_value = 0.2
 drift_error = 1.5
 keep_results = false
+false_alarms = 0.002                  # in a week, where nothing changes (of a loop)
 
 [[study]]
 kind = "screening"

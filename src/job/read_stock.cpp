@@ -6,6 +6,7 @@
 #include "base/hash.hpp"
 #include "description/building_readers.hpp"
 #include "description/result_names.hpp"
+#include "job/adopted.hpp"
 #include "job/stock.hpp"
 #include "job/stock_description.hpp"
 #include "job/studies.hpp"
@@ -173,8 +174,17 @@ const std::string* StockLine::find(const std::string& column) const {
 }
 
 std::string Stock::hash_of(const StockLine& line) const {
+    return hash_without(line, "");
+}
+
+std::string Stock::hash_but_end(const StockLine& line) const {
+    return hash_without(line, "to");
+}
+
+std::string Stock::hash_without(const StockLine& line, std::string_view column) const {
     Hasher hasher;
     for (std::size_t k = 0; k < line.cells.size(); ++k) {
+        if ((*line.columns)[k] == column) continue;
         hasher.add(std::string_view((*line.columns)[k]));
         hasher.add(std::string_view(line.cells[k]));
     }
@@ -206,6 +216,7 @@ std::shared_ptr<Stock> read_stock(const schema::Section& section,
     options.drift_value = section.number("drift_value");
     options.drift_error = section.number("drift_error");
     options.keep_results = section.flag("keep_results");
+    options.false_alarms = section.number("false_alarms");
     return stock;
 }
 
@@ -217,7 +228,7 @@ std::string job_text_of_table(const std::string& table) {
 }
 
 Job read_stock_building(const Job& stock_job, const StockLine& line,
-                        input::InputFiles& files) {
+                        input::InputFiles& files, const Adopted* adopted) {
     const Stock& stock = *stock_job.stock;
     if (!line.complaint.empty())
         throw UserError(ExitCode::data, fmt::format("{}:{}: {}", stock.table.string(),
@@ -233,7 +244,8 @@ Job read_stock_building(const Job& stock_job, const StockLine& line,
     const schema::Section root(root_tree, "job", root_name);
     job.studies = read_studies(root, files, job.seed, nullptr);  // with its own seed
     OwnText own = own_text(stock, line, files);
-    const schema::Node tree = schema::parse_document(own.text, own.file);
+    schema::Node tree = schema::parse_document(own.text, own.file);
+    if (adopted != nullptr) lay_adopted(*adopted, root, own.file, tree);
     const schema::Section section(tree, "building", own.file);
     add_building(section, root, line, files, job);
     check_studies_of(root, job);

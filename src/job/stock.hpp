@@ -9,6 +9,7 @@
 #pragma once
 
 #include "description/weather_memory.hpp"
+#include "job/adopted.hpp"
 #include "job/job.hpp"
 #include "schema/section.hpp"
 
@@ -40,6 +41,7 @@ struct StockOptions {
     double drift_value = 0.2;   ///< of the range
     double drift_error = 1.5;   ///< recent RMSE over that of training
     bool keep_results = false;  ///< every building's whole result as well
+    double false_alarms = 1e-3;  ///< of a building in a week; 0 = always a new search
 };
 
 class Stock {
@@ -53,6 +55,11 @@ class Stock {
 
     /// What the line and its template say, before any data are read.
     std::string hash_of(const StockLine& line) const;
+    /// The same without the last day to use, which moves from night to night.
+    std::string hash_but_end(const StockLine& line) const;
+
+  private:
+    std::string hash_without(const StockLine& line, std::string_view column) const;
 };
 
 /// [stock] of a job. A line that cannot be read keeps its complaint.
@@ -64,7 +71,8 @@ std::string job_text_of_table(const std::string& table);
 
 /// A job of this one building, with the stock's studies and random numbers of its own.
 /// Throws UserError as any job does.
+/// \param adopted  laid over it, in its periods; nullptr = the building as described
 Job read_stock_building(const Job& stock_job, const StockLine& line,
-                        input::InputFiles& files);
+                        input::InputFiles& files, const Adopted* adopted = nullptr);
 
 }  // namespace bemcal::job

@@ -9,6 +9,7 @@
 #include "base/machine.hpp"
 #include "effects/catalogue.hpp"
 #include "effects/job_section.hpp"
+#include "effects/refinements.hpp"
 #include "loop/effect_values.hpp"
 #include "loop/find_functions.hpp"
 #include "loop/intervals.hpp"
@@ -88,7 +89,9 @@ class Writer {
         say();
         fits();
         decisions();
-        return {datasets_of(stage_, loop_, periods_), {summary_of(stage_, data_, loop_)}};
+        study::Summary summary = summary_of(stage_, data_, loop_);
+        summary.parts = parts();
+        return {datasets_of(stage_, loop_, periods_), {std::move(summary)}};
     }
 
     StoredLoop without_predictions() {
@@ -414,6 +417,29 @@ class Writer {
         for (const study::DataDecision& decision : decisions_)
             loop_.decisions.push_back({decision.series, decision.finding, decision.action,
                                        study::name_of(decision.kind)});
+    }
+
+    /// What a job may adopt. An effect that no job can declare has no section.
+    std::vector<study::FoundPart> parts() const {
+        std::vector<study::FoundPart> parts;
+        const auto structure = structure_line();
+        if (!structure.empty()) parts.push_back({"", structure, ""});
+        for (const StoredLoop::JobPart& part : loop_.job_parts)
+            parts.push_back({"", effects::as_tables(part.section), ""});
+        for (const StoredLoop::Effect& effect : loop_.effects)
+            parts.push_back({effect.name, effects::as_tables(effect.section), effect.unit,
+                             effect.coefficient, effect.least, effect.most});
+        return parts;
+    }
+
+    /// `structure` with the names of the refinements; empty for the standard's.
+    std::string structure_line() const {
+        std::string names;
+        for (const std::size_t index :
+             whole_structure(data_, result_.baseline.chosen.model.structure))
+            names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ",
+                                 effects::refinements()[index].name);
+        return names.empty() ? "" : fmt::format("structure = [{}]\n", names);
     }
 
     std::size_t n_channels() const { return data_.meters.size(); }

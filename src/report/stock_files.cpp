@@ -54,7 +54,9 @@ void write_stock_files(const run::OutputNames& names, const store::ResultFile& r
     Lock one_at_a_time(folder_of(names.result), O_RDONLY | O_DIRECTORY);
     one_at_a_time.wait();
     content_behind(names.table, stock::table_head);
+    content_behind(names.changes, stock::changes_head);
     replace_file(names.table, stock_csv(stocks[0]));
+    replace_file(names.changes, stock_changes(stocks[0]));
     replace_file(names.history, stock::history_head + other_nights(names.history, night) +
                                     stock_history(stocks[0], night));
 }

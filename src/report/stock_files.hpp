@@ -1,5 +1,6 @@
-/// What a night over a stock leaves beside its result: RESULT.csv, a line a building, and
-/// in TITLE-history.csv the same in short for every night.
+/// What a night over a stock leaves beside its result: RESULT.csv, a line a building,
+/// RESULT-changes.csv, a line for each effect that began, ended or changed, and in
+/// TITLE-history.csv the same in short for every night.
 #pragma once
 
 #include "run/output_names.hpp"

@@ -88,6 +88,27 @@ std::string findings_list(const Group& stock) {
     return table.is_empty() ? "" : "\n" + table.text(50);
 }
 
+/// Effects in two buildings or more.
+std::string common_list(const Group& stock) {
+    if (!stock.has("stock_common_effect")) return "";
+    const auto& names = stock.texts("stock_common_effect");
+    const auto& n = stock.values("stock_common_n");
+    const auto value = [&](const char* leaf, std::size_t k) {
+        return fmt::format("{:.3g}", stock.values(leaf)[k]);
+    };
+    TextTable table({"in common", "buildings", "coefficient", "middle half", "unit"});
+    for (std::size_t k = 0; k < std::min(names.size(), most_buildings); ++k)
+        if (n[k] > 1)
+            table.add(
+                {names[k],
+                 fmt::format("in {:.0f} of {:.0f}", n[k],
+                             stock.values("stock_common_of")[k]),
+                 value("stock_common_median", k),
+                 value("stock_common_q25", k) + " to " + value("stock_common_q75", k),
+                 stock.texts("stock_common_unit")[k]});
+    return table.is_empty() ? "" : "\n" + table.text(60);
+}
+
 std::string worst_list(const Group& stock) {
     const auto errors = errors_of(stock);
     std::vector<std::size_t> order(errors.size());
@@ -121,6 +142,7 @@ std::string csv_cell(const std::string& text) {
 
 std::string stock_section(const Group& stock) {
     return counts_line(stock) + list_of(stock, "failed", "stock_reason") +
+           list_of(stock, "changed", "stock_told") + common_list(stock) +
            list_of(stock, "drifting", "stock_drift") + worst_list(stock) +
            findings_list(stock);
 }
@@ -148,6 +170,26 @@ std::string stock_csv(const Group& stock) {
             number(error.before), number(error.training), number(error.recent),
             number(error.bias), csv_cell(findings[k]));
     }
+    return text;
+}
+
+std::string stock_changes(const Group& stock) {
+    std::string text = stock::changes_head;
+    if (!stock.has("stock_told")) return text;
+    constexpr std::string_view between = "; ", behind_kind = ": ";
+    const auto& told = stock.texts("stock_told");
+    for (std::size_t k = 0; k < told.size(); ++k)
+        for (std::size_t at = 0; at < told[k].size();) {
+            const std::size_t end = std::min(told[k].find(between, at), told[k].size());
+            const std::string one = told[k].substr(at, end - at);
+            const std::size_t kind = std::min(one.find(behind_kind), one.size());
+            text += fmt::format(
+                "{},{},{},{}\n", csv_cell(stock.texts("stock_building")[k]),
+                csv_cell(one.substr(0, kind)),
+                csv_cell(one.substr(std::min(kind + behind_kind.size(), one.size()))),
+                number(stock.values("stock_searches")[k]));
+            at = end + between.size();
+        }
     return text;
 }
 

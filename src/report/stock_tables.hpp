@@ -14,6 +14,9 @@ std::string stock_section(const Group& stock);
 /// the first and last period, findings.
 std::string stock_csv(const Group& stock);
 
+/// A line for each change of an effect that the night told.
+std::string stock_changes(const Group& stock);
+
 /// A text as one cell of CSV (RFC 4180), in one line; one that a spreadsheet would take
 /// for a formula gets an apostrophe in front.
 std::string csv_cell(const std::string& text);

@@ -207,12 +207,14 @@ std::vector<Page> pages_of(const fs::path& result,
 
 OutputNames choose_output(const job::Job& job, const OutputWish& wish) {
     const Inputs inputs = inputs_of(job, wish);
-    OutputNames names{result_of(job, wish, inputs), {}, {}};
+    OutputNames names{result_of(job, wish, inputs), {}, {}, {}};
     if (!job.stock) return names;
     const std::string stem = names.result.stem().string(), title = shortened(job.name);
     names.table = beside(names.result, stem, stem + "-table", stock::table_head, inputs);
     names.history = beside(names.result, title + "-history", title + "-history",
                            stock::history_head, inputs);
+    names.changes = beside(names.result, stem + "-changes", stem + "-changes",
+                           stock::changes_head, inputs);
     return names;
 }
 

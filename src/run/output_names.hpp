@@ -29,14 +29,14 @@ struct OutputWish {
 
 struct OutputNames {
     std::filesystem::path result;
-    std::filesystem::path table, history;  ///< of a stock
+    std::filesystem::path table, history, changes;  ///< of a stock
 };
 
 /// Names that follow from others avoid the inputs, and files that no run wrote: a table
-/// is RESULT.csv or else RESULT-table.csv, a history TITLE-history.csv or else
-/// TITLE-history-2.csv. Throws UserError (cannot_create) where the name that the user
-/// gave is an input's, by name or through links, is too long, or is that of a file which
-/// is no result.
+/// is RESULT.csv or else RESULT-table.csv, changes RESULT-changes.csv, a history
+/// TITLE-history.csv or else TITLE-history-2.csv. Throws UserError (cannot_create) where
+/// the name that the user gave is an input's, by name or through links, is too long, or
+/// is that of a file which is no result.
 OutputNames choose_output(const job::Job& job, const OutputWish& wish);
 
 /// RESULT.html, or RESULTSUFFIX.html.

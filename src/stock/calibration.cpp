@@ -79,33 +79,6 @@ StockRecord::Fit fit_with_readings(const Case& building, const study::FoundFit& 
     return fit;
 }
 
-/// Daily sums of the first meter of an energy, over the last days with readings.
-void sketch(const Case& building, StockRecord& record) {
-    for (const study::Meter& meter : building.meters) {
-        const bool daily =
-            meter.axis.step_s <= 3600 && physics::day_s % meter.axis.step_s == 0;
-        if (!daily || physics::is_temperature(meter.quantity)) continue;
-        const int per_day = physics::day_s / meter.axis.step_s;
-        const auto last = std::chrono::floor<std::chrono::days>(
-            std::min(meter.axis.end(), building.periods.back().to));
-        const auto first = last - std::chrono::days(sketch_days);
-        record.daily_start = static_cast<double>(
-            std::chrono::floor<std::chrono::days>(first.time_since_epoch()).count());
-        for (auto day = first; day < last; day += std::chrono::days(1)) {
-            double sum = 0;
-            for (int k = 0; k < per_day; ++k) {
-                const int step = meter.axis.step_of(
-                    physics::Seconds(day) + std::chrono::seconds(k * meter.axis.step_s));
-                sum += step < 0 || step >= meter.axis.n_steps
-                           ? nan
-                           : meter.values[static_cast<std::size_t>(step)];
-            }
-            record.daily.push_back(static_cast<float>(sum));
-        }
-        return;
-    }
-}
-
 /// What was not calibrated stays nominal, anywhere in its range.
 void add_values(const Case& building, const study::Summary& summary,
                 StockRecord& record) {
@@ -117,27 +90,6 @@ void add_values(const Case& building, const study::Summary& summary,
         record.values.push_back(
             {name, parameter.unit, parameter.least, parameter.most, value, low, high, 0});
     }
-}
-
-/// Yesterday's values of parameters, as far as they still mean something.
-std::map<std::string, double> values_in(const StockRecord& before, const Case& building) {
-    std::map<std::string, double> values;
-    for (const physics::Parameter& parameter : building.parameters)
-        for (const StockRecord::Value& value : before.values)
-            if (value.name == parameter.name && value.unit == parameter.unit &&
-                std::isfinite(value.value))
-                values[parameter.name] =
-                    std::clamp(value.value, std::min(parameter.least, parameter.most),
-                               parameter.most);
-    return values;
-}
-
-void start_from(const std::map<std::string, double>& values, job::Job& job) {
-    for (physics::Parameter& parameter : job.buildings[0].parameters)
-        if (const auto found = values.find(parameter.name); found != values.end())
-            parameter.nominal = found->second;
-    if (auto* loop = std::any_cast<loop::LoopOptions>(&job.studies[0].options))
-        loop->start = values;
 }
 
 /// Of the one study of the one building.
@@ -216,6 +168,22 @@ void summarise(const Case& building, const study::Summary& summary, StockRecord&
         record.findings.push_back({"fit", summary.shortfall, doubtful});
 }
 
+/// Of a loop, what the next nights test: effects one by one, the rest of the model as a
+/// whole.
+void adopt(const Case& building, const study::Summary& summary, StockRecord& record) {
+    for (const study::FoundPart& part : summary.parts) {
+        if (part.effect.empty())
+            record.adopted += part.section;
+        else
+            record.effects.push_back({part.effect, part.unit, "new", part.section,
+                                      part.coefficient, part.least, part.most});
+    }
+    const study::Period& known = building.periods.front();
+    record.known_from = static_cast<double>(known.from.time_since_epoch().count());
+    record.known_to = static_cast<double>(known.to.time_since_epoch().count());
+    record.searches = 1;
+}
+
 /// Meters that the model cannot reach, whatever is calibrated.
 void find_unreached(const job::Job& job, StockRecord& record) {
     const Case& building = job.buildings.at(0);
@@ -227,23 +195,78 @@ void find_unreached(const job::Job& job, StockRecord& record) {
 
 }  // namespace
 
+std::map<std::string, double> values_in(const StockRecord& before, const Case& building) {
+    std::map<std::string, double> values;
+    for (const physics::Parameter& parameter : building.parameters)
+        for (const StockRecord::Value& value : before.values)
+            if (value.name == parameter.name && value.unit == parameter.unit &&
+                std::isfinite(value.value))
+                values[parameter.name] =
+                    std::clamp(value.value, std::min(parameter.least, parameter.most),
+                               parameter.most);
+    return values;
+}
+
+void start_from(const std::map<std::string, double>& values, Case& building) {
+    for (physics::Parameter& parameter : building.parameters)
+        if (const auto found = values.find(parameter.name); found != values.end())
+            parameter.nominal = found->second;
+}
+
+void sketch(const Case& building, StockRecord& record) {
+    for (const study::Meter& meter : building.meters) {
+        const bool daily =
+            meter.axis.step_s <= 3600 && physics::day_s % meter.axis.step_s == 0;
+        if (!daily || physics::is_temperature(meter.quantity)) continue;
+        const int per_day = physics::day_s / meter.axis.step_s;
+        const auto last = std::chrono::floor<std::chrono::days>(
+            std::min(meter.axis.end(), building.periods.back().to));
+        const auto first = last - std::chrono::days(sketch_days);
+        record.daily_start = static_cast<double>(
+            std::chrono::floor<std::chrono::days>(first.time_since_epoch()).count());
+        for (auto day = first; day < last; day += std::chrono::days(1)) {
+            double sum = 0;
+            for (int k = 0; k < per_day; ++k) {
+                const int step = meter.axis.step_of(
+                    physics::Seconds(day) + std::chrono::seconds(k * meter.axis.step_s));
+                sum += step < 0 || step >= meter.axis.n_steps
+                           ? nan
+                           : meter.values[static_cast<std::size_t>(step)];
+            }
+            record.daily.push_back(static_cast<float>(sum));
+        }
+        return;
+    }
+}
+
 double usual_simulations(const job::StudySpec& study) {
     return stock_kind_of(study).simulations(study);
 }
 
-Calibrated calibrate(const job::Job& stock_job, const job::StockLine& line,
-                     const StockRecord* before, std::vector<input::InputFile>& log) {
+job::Job read_building(const job::Job& stock_job, const job::StockLine& line,
+                       std::vector<input::InputFile>& log, const job::Adopted* adopted) {
     input::InputFiles files;
-    job::Job job;
     try {
-        job = job::read_stock_building(stock_job, line, files);
+        job::Job job = job::read_stock_building(stock_job, line, files, adopted);
+        log = files.log();
+        return job;
     } catch (...) {
         log = files.log();
         throw;
     }
-    log = files.log();
+}
+
+Calibrated calibrate(const job::Job& stock_job, const job::StockLine& line,
+                     const StockRecord* before, std::vector<input::InputFile>& log,
+                     const job::Adopted* window) {
+    job::Job job = read_building(stock_job, line, log, window);
     const Case& building = job.buildings.at(0);
-    if (before != nullptr) start_from(values_in(*before, building), job);
+    if (before != nullptr) {
+        const auto values = values_in(*before, building);
+        start_from(values, job.buildings[0]);
+        if (auto* loop = std::any_cast<loop::LoopOptions>(&job.studies[0].options))
+            loop->start = values;
+    }
     prepare(job.studies[0], stock_job.stock->options);
     Calibrated result;
     result.record.findings = building.decisions;
@@ -253,6 +276,9 @@ Calibrated calibrate(const job::Job& stock_job, const job::StockLine& line,
     result.conclusion = goes_on ? do_again(job, result.record.simulations)
                                 : run_study(job, result.record.simulations);
     summarise(building, result.conclusion.summaries.at(0), result.record);
+    const auto* loop = std::any_cast<loop::LoopOptions>(&job.studies[0].options);
+    if (loop != nullptr && loop->period.empty())
+        adopt(building, result.conclusion.summaries[0], result.record);
     sketch(building, result.record);
     return result;
 }

@@ -26,6 +26,13 @@ void visit_building(Row& row, See&& see) {
     see("stock_cause", row.cause);
     see("stock_reason", row.reason);
     see("stock_drift", row.drift);
+    see("stock_told", row.told);
+    see("stock_adopted", row.adopted);
+    see("stock_adopted_hash", row.adopted_hash);
+    see("stock_known_from", row.known_from);
+    see("stock_known_to", row.known_to);
+    see("stock_tested_to", row.tested_to);
+    see("stock_searches", row.searches);
     see("stock_line_hash", row.line_hash);
     see("stock_job_hash", row.job_hash);
     see("stock_age", row.age);
@@ -60,6 +67,23 @@ void visit_value(Row& row, See&& see) {
     see("stock_value_moved", row.moved);
 }
 template <class Row, class See>
+void visit_effect(Row& row, See&& see) {
+    see("stock_effect", row.name);
+    see("stock_effect_unit", row.unit);
+    see("stock_effect_state", row.state);
+    see("stock_effect_section", row.section);
+    see("stock_effect_coefficient", row.coefficient);
+    see("stock_effect_low", row.low);
+    see("stock_effect_high", row.high);
+    see("stock_effect_since", row.since);
+}
+template <class Row, class See>
+void visit_change(Row& row, See&& see) {
+    see("stock_change", row.of);
+    see("stock_change_day", row.day);
+    see("stock_change_size", row.size);
+}
+template <class Row, class See>
 void visit_finding(Row& row, See&& see) {
     see("stock_finding_series", row.series);
     see("stock_finding", row.finding);
@@ -74,6 +98,10 @@ void visit_lists(Record& record, Table&& table) {
     table("stock_fits", record.fits, [](auto& row, auto&& see) { visit_fit(row, see); });
     table("stock_values", record.values,
           [](auto& row, auto&& see) { visit_value(row, see); });
+    table("stock_effects", record.effects,
+          [](auto& row, auto&& see) { visit_effect(row, see); });
+    table("stock_changes", record.changes,
+          [](auto& row, auto&& see) { visit_change(row, see); });
     table("stock_findings", record.findings,
           [](auto& row, auto&& see) { visit_finding(row, see); });
 }

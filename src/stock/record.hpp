@@ -3,6 +3,7 @@
 /// what the next night starts from.
 #pragma once
 
+#include "base/nan.hpp"
 #include "job/job.hpp"
 #include "study/stage.hpp"
 
@@ -20,14 +21,16 @@ constexpr const char* table_head =
 constexpr const char* history_head =
     "night,building,status,cause,cv_rmse_training,cv_rmse_last_period,"
     "nmbe_last_period,drift,reason\n";
+constexpr const char* changes_head = "building,change,effect,searches\n";
 
 struct StockRecord {
     std::string name;
-    std::string status;  ///< calibrated, unchanged, postponed, failed
+    std::string status;  ///< calibrated, tested, unchanged, postponed, failed
     std::string
         cause;  ///< why it was due: new, line, job, data: FILE; empty = it was not
     std::string reason;  ///< why it failed
     std::string drift;   ///< what drifts; empty = nothing
+    std::string told;    ///< what has changed of its effects; empty = nothing
     std::string line_hash, job_hash;
     double age = 0;  ///< nights since it was calibrated
     double simulations = 0;
@@ -53,6 +56,31 @@ struct StockRecord {
         double moved = 0;  ///< since the night before, of the range
     };
     std::vector<Value> values;
+
+    /// What of a loop's model is no effect, as sections of a job, and what it follows
+    /// from: line but for its end, job.
+    std::string adopted, adopted_hash;
+    double known_from = 0, known_to = 0;  ///< in which it was found [s since 1970]
+    double tested_to = 0;  ///< behind the last day that was tested [d since 1970]
+    double searches = 0;   ///< in this night
+
+    /// An effect that it has or had, by the last night.
+    struct Effect {
+        std::string name, unit;
+        std::string state;    ///< new, holds, changed, ended
+        std::string section;  ///< of a job; empty: it has no name, or none can declare it
+        double coefficient = nan, low = nan, high = nan;  ///< as it was found
+        double since = nan;  ///< first day of this state, where one is known [d]
+    };
+    std::vector<Effect> effects;
+
+    /// A step that a night has told: the model goes on with it.
+    struct Change {
+        std::string of;   ///< name of an effect, or of a pattern without a name
+        double day = 0;   ///< its first [d since 1970]
+        double size = 0;  ///< of an effect: share of its coefficient; -1 = it has ended
+    };
+    std::vector<Change> changes;
 
     std::vector<study::DataDecision> findings;
     /// Daily sums of the first energy meter of the last days, to find meters that are

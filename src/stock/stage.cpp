@@ -9,7 +9,9 @@
 #include "base/machine.hpp"
 #include "input/input_files.hpp"
 #include "stock/calibration.hpp"
+#include "stock/common.hpp"
 #include "stock/drift.hpp"
+#include "stock/night.hpp"
 #include "stock/shared.hpp"
 #include "study/packed_conclusion.hpp"
 
@@ -112,6 +114,14 @@ class StockStage : public study::Stage {
         return last->status == "postponed" ? last->cause : "";
     }
 
+    /// Hash of what a loop's findings follow from, beside readings.
+    std::string follows(int k) const {
+        Hasher hasher;
+        hasher.add(std::string_view(stock_.hash_but_end(line(k))));
+        hasher.add(std::string_view(job_hash_));
+        return hasher.hex();
+    }
+
     /// Of those that a building was made of, the first that is another now; empty = none.
     std::string changed_file(const StockRecord& record) const {
         for (const auto& [path, hash] : record.files)
@@ -152,9 +162,9 @@ class StockStage : public study::Stage {
         std::vector<input::InputFile> log;
         const StockRecord* last = before(k);
         try {
-            result = calibrate(job_, line(k), last, log);
-            result.record.status = "calibrated";
-            if (last != nullptr) find_drift(stock_.options, *last, result.record);
+            result = work_through(job_, line(k), last, follows(k), log);
+            if (last != nullptr && result.record.status == "calibrated")
+                find_drift(stock_.options, *last, result.record);
             find_error_drift(stock_.options, last, result.record);
         } catch (const std::exception& error) {
             rethrow_unless_answer(error);
@@ -239,6 +249,10 @@ class StockStage : public study::Stage {
         else if (!record.is_failed())
             record.status = "unchanged";
         record.cause = cause;
+        record.told = "";
+        record.searches = 0;
+        for (StockRecord::Effect& effect : record.effects)
+            if (effect.state == "new") effect.state = "holds";
         for (StockRecord::Value& value : record.values) value.moved = 0;
         return record;
     }
@@ -283,7 +297,12 @@ study::Conclusion StockStage::conclude(const std::vector<ItemAnswer>& answers) c
         return record_of(static_cast<int>(k), causes[k], done[k]);
     };
     std::vector<StockRecord> parts(causes.size());
-    for (std::size_t k = 0; k < parts.size(); ++k) parts[k] = shared_part(record(k));
+    CommonEffects common;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        const StockRecord whole = record(k);
+        common.add(whole);
+        parts[k] = shared_part(whole);
+    }
     find_shared_meters(parts);
     study::Conclusion night;
     night.datasets = datasets_of(causes.size(), [&](std::size_t k) {
@@ -291,6 +310,7 @@ study::Conclusion StockStage::conclude(const std::vector<ItemAnswer>& answers) c
         take_shared(std::exchange(parts[k], {}), whole);
         return whole;
     });
+    std::ranges::move(common.datasets(), std::back_inserter(night.datasets));
     night.datasets.push_back({"stock/kind", {}, {}, {}, {"stock"}});
     for (std::size_t at = index(n_items()); at < answers.size(); ++at) {
         study::Conclusion whole = whole_result_in(answers[at]);

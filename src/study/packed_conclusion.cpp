@@ -41,6 +41,14 @@ void visit(is_a<FoundFit> auto& fit, auto&& see) {
     see(fit.cv_rmse);
     see(fit.nmbe);
 }
+void visit(is_a<FoundPart> auto& part, auto&& see) {
+    see(part.effect);
+    see(part.section);
+    see(part.unit);
+    see(part.coefficient);
+    see(part.least);
+    see(part.most);
+}
 void visit(is_a<FoundPoints> auto& points, auto&& see) {
     see(points.parameters);
     see(points.rows.rows);
@@ -54,6 +62,7 @@ void visit(is_a<Summary> auto& summary, auto&& see) {
     see(summary.fits);
     see(summary.points);
     see(summary.findings);
+    see(summary.parts);
     see(summary.score);
     see(summary.failure);
     see(summary.shortfall);

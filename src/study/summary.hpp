@@ -31,6 +31,14 @@ struct FoundFit {
     double nmbe = nan;
 };
 
+/// What a description may take up of what was found, as sections of a job.
+struct FoundPart {
+    std::string effect;   ///< its name; empty: structure, hours, functions
+    std::string section;  ///< TOML, which the readers of a description take
+    std::string unit;     ///< of the coefficient; empty where there is none
+    double coefficient = nan, least = nan, most = nan;  ///< with its 90 % interval
+};
+
 /// Points that agree with the readings: draws, all alike, or best points, best first.
 struct FoundPoints {
     std::vector<std::string> parameters;  ///< [columns]; all others are nominal
@@ -45,6 +53,7 @@ struct Summary {
     std::vector<FoundFit> fits;
     FoundPoints points;
     std::vector<DataDecision> findings;
+    std::vector<FoundPart> parts;
     /// By which two runs of the same study can be told apart: smaller is better.
     double score = std::numeric_limits<double>::infinity();
     std::string failure;    ///< why nothing was found; empty = something was

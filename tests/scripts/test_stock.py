@@ -279,6 +279,8 @@ def made_night(path, n):
     text = {"building": names, "status": status, "cause": [""] * n,
             "reason": ["gas.csv: cannot be opened" if one == "failed" else "" for one in status],
             "drift": ["wall moved by 0.31 of its range" if place % 50 == 0 else "" for place in k],
+            "told": ["ended: wind <infiltration>, on 2022-03-04" if place % 200 == 0 else "" for place in k],
+            "common_effect": ["wind <infiltration>", "sun on walls"], "common_unit": ["1/h per m/s", "K"],
             "fit_meter": ["gas"] * (2 * n), "fit_period": ["training", "recent"] * n,
             "finding_series": ["gas"] * len(findings), "finding": [what for _, what in findings],
             "finding_action": ["masked" if "zeros" in what else "kept" for _, what in findings],
@@ -286,7 +288,8 @@ def made_night(path, n):
     numbers = {"age": k % 30, "daily_start": np.full(n, 19358), "daily_n": np.full(n, DAYS), "daily": daily.ravel(),
                "fits_of": np.repeat(k, 2), "fit_before": errors[:, :, 0].ravel(),
                "fit_cv_rmse": errors[:, :, 1].ravel(), "fit_nmbe": np.zeros(2 * n),
-               "values_of": k, "value": np.ones(n), "value_low": np.ones(n), "value_high": np.ones(n),
+               "common_n": [61, 1], "common_of": [312, 312], "common_q25": [0.01, 1], "common_median": [0.02, 1],
+               "common_q75": [0.04, 1], "values_of": k, "value": np.ones(n), "value_low": np.ones(n), "value_high": np.ones(n),
                "value_moved": np.zeros(n), "findings_of": [place for place, _ in findings]}
     with h5py.File(path, "w") as file:
         group = file.create_group("stock")
@@ -345,6 +348,13 @@ class Page(ManyBuildings):
         np.testing.assert_allclose(np.where(shown < 0, np.nan, shown) / (len(data["levels"]) - 1), share, atol=0.01)
         self.assertEqual((data["effects"][7], data["effects"][8]), ("wind, 0.083 1/h per m/s", ""))
         self.assertEqual(set(data["findings"]), {1})
+
+    def test_it_tells_what_has_changed_and_what_many_have(self):
+        text = " ".join(html.unescape(re.sub(r"<[^>]+>", " ", self.page)).split())
+        self.assertIn(f"{MANY // 200} changed", text)
+        self.assertIn("ended: wind <infiltration>, on 2022-03-04", text)
+        self.assertIn("wind <infiltration> in 61 of 312 0.02 0.01 to 0.04 1/h per m/s", text)
+        self.assertNotIn("in 1 of 312", text)
 
     def test_a_hostile_name_is_only_a_name(self):
         outside = re.sub(r"<script[ >].*?</script>", "", self.page, flags=re.S)

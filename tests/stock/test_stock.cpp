@@ -27,6 +27,11 @@ stock::StockRecord some_record() {
     record.fits = {{"gas", "kWh", "training", 1000, 100, 0.5, 0.2, -0.01},
                    {"gas", "kWh", "recent", 100, 10, 0.6, 0.3, 0.02}};
     record.values = {{"leaks", "1/h", 0, 1, 0.5, 0.4, 0.6, 0}};
+    record.told = "ended: wind, on 2022-03-04";
+    record.adopted = "structure = [\"surfaces\"]\n";
+    record.known_to = 7;
+    record.effects = {{"wind", "1/h", "ended", "[[effect]]\n", 0.1, 0.05, 0.2, 19055}};
+    record.changes = {{"wind", 19055, -1}};
     record.findings = {{"gas", "zeros", "masked"}};
     record.daily = {1, 2, 3};
     return record;

@@ -1,0 +1,167 @@
+/// Tests for a step: a pattern's coefficient over the last 7, 14, 21 or 28 days against
+/// the four weeks before, of which as much is believed as months of the known days
+/// differ. Follows from least squares (matched filter); the statistic is scaled by what
+/// it shows over the known days, which hold no step, and judged by Student's t with
+/// Bonferroni's correction over patterns and lengths (Dunn 1961, JASA 56). Left out:
+/// steps that began more than four weeks ago, and slow drifts.
+#include "stats/step_test.hpp"
+
+#include "base/nan.hpp"
+#include "stats/distributions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+
+namespace bemcal::stats {
+namespace {
+
+constexpr std::size_t days_before = 28;  ///< that the last days are held against
+constexpr std::size_t week = 7;
+constexpr std::size_t n_levels = 5;       ///< of a prediction, with a spread each
+constexpr double least_of_spread = 0.25;  ///< of a feature's overall spread
+constexpr double most_deviation = 4;      ///< spreads; a day beyond counts as there
+/// Known days for a degree of freedom of the scale: about the mean of the lengths.
+constexpr double days_of_freedom = 14;
+/// Of a pattern's share of information per day over the known days: less is no say.
+constexpr double least_say = 0.02;
+
+double rms(const std::vector<double>& values) {
+    if (values.empty()) return 0;
+    const double sum =
+        std::accumulate(values.begin(), values.end(), 0.0,
+                        [](double all, double value) { return all + value * value; });
+    return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+/// Upper ends of the levels of a feature: quantiles of the known predictions.
+std::vector<double> levels_of(std::vector<double> known) {
+    std::ranges::sort(known);
+    std::vector<double> ends;
+    for (std::size_t level = 1; level < n_levels && !known.empty(); ++level)
+        ends.push_back(known[level * known.size() / n_levels]);
+    return ends;
+}
+
+std::size_t level_at(const std::vector<double>& ends, double predicted) {
+    return static_cast<std::size_t>(
+        std::distance(ends.begin(), std::ranges::upper_bound(ends, predicted)));
+}
+
+}  // namespace
+
+Matrix spread_of(const Matrix& residuals, const Matrix& predicted, std::size_t n_known) {
+    Matrix spread(residuals.rows, residuals.cols, 1.0);
+    for (std::size_t f = 0; f < residuals.cols; ++f) {
+        std::vector<double> all, levels;
+        for (std::size_t d = 0; d < n_known; ++d)
+            if (!std::isnan(residuals(d, f))) {
+                all.push_back(residuals(d, f));
+                levels.push_back(predicted(d, f));
+            }
+        const std::vector<double> ends = levels_of(levels);
+        std::vector<std::vector<double>> at(n_levels);
+        for (std::size_t k = 0; k < all.size(); ++k)
+            at[level_at(ends, levels[k])].push_back(all[k]);
+        const double overall = rms(all);
+        for (std::size_t d = 0; d < residuals.rows && overall > 0; ++d)
+            spread(d, f) = std::max(rms(at[level_at(ends, predicted(d, f))]),
+                                    least_of_spread * overall);
+    }
+    return spread;
+}
+
+StepTest::StepTest(const Matrix& residuals, const Matrix& spread,
+                   const std::vector<Matrix>& patterns, const StepOptions& options)
+    : n_days_(residuals.rows), options_(options) {
+    for (const Matrix& pattern : patterns) {
+        Sums& sums = sums_.emplace_back();
+        sums.whole.assign(n_days_ + 1, 0);
+        sums.product.assign(n_days_ + 1, 0);
+        sums.square.assign(n_days_ + 1, 0);
+        for (std::size_t d = 0; d < n_days_; ++d) {
+            double whole = 0, product = 0, square = 0;
+            for (std::size_t f = 0; f < residuals.cols; ++f) {
+                if (std::isnan(residuals(d, f)) || std::isnan(pattern(d, f))) continue;
+                const double e = residuals(d, f) / spread(d, f);
+                const double g = pattern(d, f) / spread(d, f);
+                whole += g * e;
+                product += g * std::clamp(e, -most_deviation, most_deviation);
+                square += g * g;
+            }
+            sums.whole[d + 1] = sums.whole[d] + whole;
+            sums.product[d + 1] = sums.product[d] + product;
+            sums.square[d + 1] = sums.square[d] + square;
+        }
+        learn_slow(sums);
+        learn_scale(sums);
+    }
+    const auto n_tests = static_cast<double>(patterns.size() * std::size(step_lengths));
+    const double freedom =
+        std::max(1.0, static_cast<double>(options.n_known) / days_of_freedom);
+    threshold_ = Distribution{Family::student_t, freedom, 0}.upper_quantile(
+        options.false_alarms / (2 * std::max(n_tests, 1.0)));
+}
+
+/// Months of the known days: their coefficients differ by more than chance.
+void StepTest::learn_slow(Sums& sums) const {
+    double excess = 0, square = 0;
+    for (std::size_t d = 0; d + days_before <= options_.n_known; d += days_before) {
+        const double b = sums.square[d + days_before] - sums.square[d];
+        const double a = sums.product[d + days_before] - sums.product[d];
+        if (b <= 0) continue;
+        excess += a * a / b - 1;
+        square += b;
+    }
+    sums.slow = square > 0 ? std::max(0.0, excess / square) : 0;
+}
+
+void StepTest::learn_scale(Sums& sums) const {
+    double squares = 0, n_looks = 0;
+    for (const std::size_t n : step_lengths)
+        for (std::size_t end = n + days_before; end <= options_.n_known; end += week)
+            if (const auto seen = contrast(sums, end, n, sums.product)) {
+                squares += seen->size * seen->size / (seen->sd * seen->sd);
+                n_looks += 1;
+            }
+    sums.scale = n_looks > 0 ? std::max(1.0, std::sqrt(squares / n_looks)) : 1;
+}
+
+std::optional<StepTest::Contrast> StepTest::contrast(
+    const Sums& sums, std::size_t end, std::size_t n,
+    const std::vector<double>& product) const {
+    const std::size_t begin = end - n;
+    const std::size_t first = begin - std::min(begin, days_before);
+    const double after = sums.square[end] - sums.square[begin];
+    const double usual = sums.square[options_.n_known] * static_cast<double>(n) /
+                         static_cast<double>(std::max<std::size_t>(options_.n_known, 1));
+    if (!(after > 0) || after < least_say * usual) return std::nullopt;
+    const double before = sums.square[begin] - sums.square[first];
+    const double known = 1 + sums.slow * before;
+    const double was = sums.slow * (product[begin] - product[first]) / known;
+    return Contrast{(product[end] - product[begin]) / after - was,
+                    std::sqrt(1 / after + sums.slow / known)};
+}
+
+std::optional<Step> StepTest::surest(std::size_t pattern) const {
+    const Sums& sums = sums_.at(pattern);
+    const std::size_t n_new = n_days_ - std::min(options_.n_known, n_days_);
+    std::optional<Step> best;
+    const auto look = [&](std::size_t n) {
+        if (n == 0 || n > n_new) return;
+        const auto seen = contrast(sums, n_days_, n, sums.product);
+        if (!seen) return;
+        const double sd = sums.scale * seen->sd;
+        const double statistic = seen->size / sd;
+        if (!best || std::abs(statistic) > std::abs(best->statistic))
+            best = Step{pattern, n_days_ - n, seen->size, sd, statistic};
+    };
+    for (const std::size_t n : step_lengths) look(n);
+    if (!best || std::abs(best->statistic) < threshold_) return best;
+    for (std::size_t n = 1; n <= most_step_days + week; ++n) look(n);  // its day
+    best->size = contrast(sums, n_days_, n_days_ - best->day, sums.whole)->size;
+    return best;
+}
+
+}  // namespace bemcal::stats
