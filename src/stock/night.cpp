@@ -61,11 +61,17 @@ void set_amount(Effect& effect, double amount, double sd) {
     effect.high = amount + stats::z_90_two_sided * sd;
 }
 
+/// With its unit, if it has one.
+std::string with_unit(double value, const std::string& unit) {
+    const bool has_none = unit.empty() || unit == "-";
+    return fmt::format("{:.3g}{}{}", value, has_none ? "" : " ", has_none ? "" : unit);
+}
+
 std::string amount_in_words(const Effect& effect, double amount) {
-    if (effect.section.empty() && effect.unit == "1")
-        return fmt::format("{:+.0f} %", 100 * amount);
-    if (effect.section.empty()) return fmt::format("{:+.3g} {}", amount, effect.unit);
-    return fmt::format("{:.3g} {}", amount * effect.coefficient, effect.unit);
+    if (!effect.section.empty())
+        return with_unit(amount * effect.coefficient, effect.unit);
+    if (effect.unit == "1") return fmt::format("{:+.0f} %", 100 * amount);
+    return (amount > 0 ? "+" : "") + with_unit(amount, effect.unit);
 }
 
 /// Into the record: the change, the effect's state, what is told.
@@ -249,8 +255,8 @@ class Night {
             effect.state = is_new ? "new" : "holds";
             if (!is_new) continue;
             effect.since = day;
-            tell(found, fmt::format("named: {}, {:.3g} {}", effect.name,
-                                    effect.coefficient, effect.unit));
+            tell(found, fmt::format("named: {}, {}", effect.name,
+                                    with_unit(effect.coefficient, effect.unit)));
         }
     }
 
@@ -271,8 +277,8 @@ void tell_search(const StockRecord* before, StockRecord& record) {
             effect.state = "holds";
             continue;
         }
-        tell(record, fmt::format("new: {}, {:.3g} {}", effect.name, effect.coefficient,
-                                 effect.unit));
+        tell(record, fmt::format("new: {}, {}", effect.name,
+                                 with_unit(effect.coefficient, effect.unit)));
     }
     for (const std::string& name : names_beyond(was, record))
         tell(record, fmt::format("not found again: {}", name));
