@@ -2,7 +2,7 @@
 """Nights over a made stock: what is told of effects that begin or end, what is told falsely, and what a quiet night costs.
 
     bench_nights.py [--buildings 20] [--weeks 26] [--changing 0.1] [--seed 1] [--ranks R] [--folder DIR]
-                    [--false-alarms 0.001] [--cases-only]
+                    [--false-alarms 0.001] [--quick] [--cases-only]
 
 The buildings are the test generator's offices with a year of readings, in which a loop seeks effects, and `--weeks`
 weekly nights after it. In a share of them an effect of the generator begins or ends on a day of the first 22 weeks, by
@@ -48,6 +48,7 @@ from weather import STEPS_PER_HOUR                                      # noqa: 
 FIRST, WEEK, DAY = np.datetime64("2022-01-01"), 7, 24
 IN_TIME = 4 * WEEK        # [d]
 STRONG = 8                # of d
+QUICK = "most_effects = 2\ntry_structures = false\ngeneric = false\nfunctions = false\n"
 COUNTED = ("new", "ended", "changed")
 
 
@@ -152,7 +153,8 @@ def write_night(folder, buildings, night):
 
 def write_job(folder, options):
     (folder / "job.toml").write_text(
-        f'seed = 1\n[stock]\ntable = "stock.csv"\nfalse_alarms = {options.false_alarms}\n[[study]]\nkind = "loop"\n')
+        f'seed = 1\n[stock]\ntable = "stock.csv"\nfalse_alarms = {options.false_alarms}\n[[study]]\nkind = "loop"\n'
+        + (QUICK if options.quick else ""))
 
 
 def run(folder, night, options):
@@ -223,6 +225,8 @@ def main():
     parser.add_argument("--false-alarms", type=float, default=0.001, help="of a building in a week")
     parser.add_argument("--folder", type=pathlib.Path, help="default: build/bench/nights_SEED")
     parser.add_argument("--first", type=int, default=1, help="the night to go on from")
+    parser.add_argument("--quick", action="store_true",
+                        help="the catalogue alone, two effects at most, the structure as described")
     parser.add_argument("--cases-only", action="store_true")
     options = parser.parse_args()
     folder = (options.folder or large_job.ROOT / "build" / "bench" / f"nights_{options.seed}").absolute()

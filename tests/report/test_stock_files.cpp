@@ -25,7 +25,7 @@ store::ResultFile night_of(const std::vector<std::string>& names) {
 
 run::OutputNames names_of(const test::TemporaryFolder& folder, const std::string& night) {
     return {folder / (night + ".h5"), folder / (night + ".csv"),
-            folder / "houses-history.csv"};
+            folder / "houses-history.csv", folder / (night + "-changes.csv")};
 }
 
 std::string text_of(const std::filesystem::path& path) {
@@ -39,6 +39,25 @@ TEST(StockFiles, ANightDoneAgainIsReplacedInTheHistoryWhateverItsName) {
     const std::string history = text_of(folder / "houses-history.csv");
     EXPECT_EQ(std::ranges::count(history, '\n'), 5) << history;
     EXPECT_NE(history.find("\"a,b\",one,"), std::string::npos) << history;
+}
+
+TEST(StockFiles, EachChangeThatWasToldHasALine) {
+    const test::TemporaryFolder folder;
+    std::vector<stock::StockRecord> records(2);
+    records[0].name = "quiet";
+    records[1].name = "other";
+    records[1].searches = 1;
+    records[1].told =
+        "ended: wind: infiltration, on 2022-03-04; new: gas: all hours, +7 "
+        "kWh/d, since 2022-03-05";
+    store::ResultFile night = night_of({});
+    night.datasets =
+        stock::datasets_of(records.size(), [&](std::size_t k) { return records[k]; });
+    write_stock_files(names_of(folder, "mon"), night);
+    EXPECT_EQ(text_of(folder / "mon-changes.csv"),
+              "building,change,effect,searches\n"
+              "other,ended,\"wind: infiltration, on 2022-03-04\",1\n"
+              "other,new,\"gas: all hours, +7 kWh/d, since 2022-03-05\",1\n");
 }
 
 TEST(StockFiles, AFileThatNoNightWroteIsKept) {

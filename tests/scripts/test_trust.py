@@ -133,7 +133,7 @@ class Trust(unittest.TestCase):
     def test_no_temporary_name_follows_a_link(self):
         victim = self.place / "victim"
         victim.write_text("precious")
-        for name in ("a.h5.writing", "a.h5.tmp", "a.csv.tmp", "made-history.csv.tmp"):
+        for name in ("a.h5.writing", "a.h5.tmp", "a.csv.tmp", "a-changes.csv.tmp", "made-history.csv.tmp"):
             (self.place / name).symlink_to("victim")
         self.run_job("-o", "a.h5", job=self.stock)
         self.assertEqual(victim.read_text(), "precious")
