@@ -2,8 +2,9 @@
 /// the four weeks before, of which as much is believed as months of the known days
 /// differ. Follows from least squares (matched filter); the statistic is scaled by what
 /// it shows over the known days, which hold no step, and judged by Student's t with
-/// Bonferroni's correction over patterns and lengths (Dunn 1961, JASA 56). Left out:
-/// steps that began more than four weeks ago, and slow drifts.
+/// Bonferroni's correction over patterns and lengths (Dunn 1961, JASA 56). It must also
+/// be above all that its pattern shows over those days, which need not be normal. Left
+/// out: steps that began more than four weeks ago, and slow drifts.
 #include "stats/step_test.hpp"
 
 #include "base/nan.hpp"
@@ -118,14 +119,17 @@ void StepTest::learn_slow(Sums& sums) const {
 }
 
 void StepTest::learn_scale(Sums& sums) const {
-    double squares = 0, n_looks = 0;
+    double squares = 0, n_looks = 0, most = 0;
     for (const std::size_t n : step_lengths)
         for (std::size_t end = n + days_before; end <= options_.n_known; end += week)
             if (const auto seen = contrast(sums, end, n, sums.product)) {
-                squares += seen->size * seen->size / (seen->sd * seen->sd);
+                const double statistic = seen->size / seen->sd;
+                squares += statistic * statistic;
                 n_looks += 1;
+                most = std::max(most, std::abs(statistic));
             }
     sums.scale = n_looks > 0 ? std::max(1.0, std::sqrt(squares / n_looks)) : 1;
+    sums.most = most / sums.scale;
 }
 
 std::optional<StepTest::Contrast> StepTest::contrast(
@@ -144,6 +148,10 @@ std::optional<StepTest::Contrast> StepTest::contrast(
                     std::sqrt(1 / after + sums.slow / known)};
 }
 
+bool StepTest::is_told(const Step& step) const {
+    return std::abs(step.statistic) >= std::max(threshold_, sums_.at(step.pattern).most);
+}
+
 std::optional<Step> StepTest::surest(std::size_t pattern) const {
     const Sums& sums = sums_.at(pattern);
     const std::size_t n_new = n_days_ - std::min(options_.n_known, n_days_);
@@ -158,7 +166,7 @@ std::optional<Step> StepTest::surest(std::size_t pattern) const {
             best = Step{pattern, n_days_ - n, seen->size, sd, statistic};
     };
     for (const std::size_t n : step_lengths) look(n);
-    if (!best || std::abs(best->statistic) < threshold_) return best;
+    if (!best || !is_told(*best)) return best;
     for (std::size_t n = 1; n <= most_step_days + week; ++n) look(n);  // its day
     best->size = contrast(sums, n_days_, n_days_ - best->day, sums.whole)->size;
     return best;

@@ -39,8 +39,10 @@ class StepTest {
     StepTest(const Matrix& residuals, const Matrix& spread,
              const std::vector<Matrix>& patterns, const StepOptions& options);
 
-    /// |statistic| above which a step is told.
+    /// |statistic| that a step needs to be told, by the false alarms.
     double threshold() const { return threshold_; }
+    /// Whether it has that, and more than its pattern ever shows over the known days.
+    bool is_told(const Step& step) const;
     /// The surest step of each pattern, whether told or not; nothing where the pattern
     /// has no say in the last days, or too few days are known.
     std::optional<Step> surest(std::size_t pattern) const;
@@ -52,6 +54,7 @@ class StepTest {
         std::vector<double> whole, product, square;
         double slow = 0;   ///< variance of its coefficient from month to month
         double scale = 1;  ///< of the statistic, as the known days show it
+        double most = 0;   ///< |statistic| over the known days
     };
     struct Contrast {
         double size, sd;

@@ -111,7 +111,7 @@ std::optional<Look::Found> Look::next_step(
     };
     for (std::size_t k = 0; k < patterns_.size(); ++k) {
         const auto step = test.surest(k);
-        if (!step || std::abs(step->statistic) < test.threshold()) continue;
+        if (!step || !test.is_told(*step)) continue;
         if (is_surer(*step, any)) any = step;
         if (k < n_effects_ && is_surer(*step, effect)) effect = step;
     }

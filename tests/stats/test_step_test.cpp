@@ -47,7 +47,7 @@ std::optional<Step> told(const Matrix& residuals, double false_alarms) {
     std::optional<Step> best;
     for (std::size_t k = 0; k <= n_features; ++k) {
         const auto step = test.surest(k);
-        if (step && std::abs(step->statistic) >= test.threshold() &&
+        if (step && test.is_told(*step) &&
             (!best || std::abs(step->statistic) > std::abs(best->statistic)))
             best = step;
     }
@@ -96,7 +96,7 @@ TEST(StepTest, TellsJustAboveItsThresholdAndNotJustBelow) {
         const double size = share * before.threshold() * before.surest(0)->sd;
         for (std::size_t d = n_days - 7; d < n_days; ++d) residuals(d, 0) = size;
         const StepTest test(residuals, ones, {patterns()[0]}, options);
-        return std::abs(test.surest(0)->statistic) >= test.threshold();
+        return test.is_told(*test.surest(0));
     };
     EXPECT_TRUE(is_told(1.01));
     EXPECT_FALSE(is_told(0.99));
