@@ -62,13 +62,19 @@ Matrix spread_of(const Matrix& residuals, const Matrix& predicted, std::size_t n
                 levels.push_back(predicted(d, f));
             }
         const std::vector<double> ends = levels_of(levels);
-        std::vector<std::vector<double>> at(n_levels);
-        for (std::size_t k = 0; k < all.size(); ++k)
+        std::vector<std::vector<double>> at(n_levels), foretold(n_levels);
+        for (std::size_t k = 0; k < all.size(); ++k) {
             at[level_at(ends, levels[k])].push_back(all[k]);
+            foretold[level_at(ends, levels[k])].push_back(levels[k]);
+        }
         const double overall = rms(all);
-        for (std::size_t d = 0; d < residuals.rows && overall > 0; ++d)
-            spread(d, f) = std::max(rms(at[level_at(ends, predicted(d, f))]),
-                                    least_of_spread * overall);
+        for (std::size_t d = 0; d < residuals.rows && overall > 0; ++d) {
+            const std::size_t level = level_at(ends, predicted(d, f));
+            const double usual = rms(foretold[level]);
+            const double beyond =
+                usual > 0 ? std::max(1.0, std::abs(predicted(d, f)) / usual) : 1;
+            spread(d, f) = std::max(rms(at[level]), least_of_spread * overall) * beyond;
+        }
     }
     return spread;
 }
