@@ -40,6 +40,7 @@ std::vector<std::vector<double>> predictions_in(const study::Case& building,
                                                 const study::Period& period) {
     const physics::Drive drive = study::drive_of(building, period);
     std::vector<kernel::Channel> channels;
+    channels.reserve(building.meters.size());
     for (const study::Meter& meter : building.meters)
         channels.push_back({meter.quantity, meter.interval});
     const study::FitModel model(building.building, building.parameters, drive, channels);
@@ -48,6 +49,7 @@ std::vector<std::vector<double>> predictions_in(const study::Case& building,
         point(0, k) = building.parameters[k].nominal;
     const Matrix all = model.predict(point);
     std::vector<std::vector<double>> predictions;
+    predictions.reserve(channels.size());
     for (std::size_t m = 0; m < channels.size(); ++m)
         predictions.emplace_back(
             all.values.begin() + static_cast<std::ptrdiff_t>(model.first()[m]),
