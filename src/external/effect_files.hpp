@@ -1,7 +1,7 @@
 /// Effects as files that another program reads: what they are, and their hours.
 #pragma once
 
-#include "external/point_runner.hpp"
+#include "external/handed_file.hpp"
 #include "study/hourly_simulator.hpp"
 
 #include <filesystem>

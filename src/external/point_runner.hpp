@@ -1,7 +1,8 @@
 /// Runs points of a command, each in a folder of its own.
 #pragma once
 
-#include "external/command_simulator.hpp"
+#include "external/command_options.hpp"
+#include "external/handed_file.hpp"
 #include "external/process.hpp"
 
 #include <filesystem>
@@ -11,11 +12,6 @@
 #include <vector>
 
 namespace bemcal::external {
-
-/// A file that a point has beside those of the job.
-struct HandedFile {
-    std::string name, text;
-};
 
 class PointRunner {
   public:

@@ -3,16 +3,14 @@
 ///     design        the nominal point, then Sobol points of the parameters' ranges
 ///     calibration   points about the optimum of an emulator of the runs, three times
 ///     search        one item: effects in the residual of the best run
-///     effects       one after the other, at the nearest run and at the optimum with it;
-///                   those stay with which the program comes nearer to the readings than
-///                   chance would
-///     refinement    parameters and scales of the effects that stayed, twice
+///     effects       one after the other: at the nearest run, at the optimum with it
+///     refinement    parameters and scales of those with which it came nearer, twice
+///     without one   each left out in turn: it stays where that is farther off
 ///
 /// The search sees readings as a twin would have them: what the twin says of the best
-/// run, plus what was measured, less that run. What the twin cannot say of the program is
-/// in both, and is not taken for an effect. Source: the difference method of Kennedy and
-/// O'Hagan's discrepancy with a reduced model in the place of a Gaussian process;
-/// judgement: how the budget is shared.
+/// run, plus what was measured, less that run. What the twin cannot say is in both.
+/// Source: Kennedy and O'Hagan 2001, their discrepancy with a reduced model in its place.
+/// How the budget is shared is judgement.
 #include "loop/around_simulator.hpp"
 
 #include "base/error.hpp"
@@ -53,7 +51,8 @@ class Budget {
 
   private:
     /// A search finds some three.
-    static constexpr int for_effects = 3 * static_cast<int>(runs_of_trial);
+    static constexpr int for_effects =
+        3 * static_cast<int>(runs_of_trial + runs_of_doubt);
     int of_calibration_, of_refinement_, design_;
 };
 
@@ -147,7 +146,8 @@ class LoopAround : public study::Stage {
         const auto searched = search_in(answers);
         const std::size_t n_effects = effects_in(searched.datasets, given_group).size();
         const auto kinds = kinds_of(runs.size(), n_effects);
-        const auto kept = kept_of(runs, n_effects);
+        auto kept = judge(runs, n_effects).kept;
+        kept.resize(n_effects, 0);
         return conclude_around({written_.building.name + "/" + name_, written_,
                                 *simulator_, runs, kinds, kept, searched});
     }
@@ -247,12 +247,16 @@ class LoopAround : public study::Stage {
 
     /// What each run is of.
     std::vector<std::string> kinds_of(std::size_t n_runs, std::size_t n_effects) const {
-        const std::size_t design = n_of(budget_.design()), found = before_search();
+        const std::size_t design = n_of(budget_.design()), found = before_search(),
+                          tried = found + runs_of_trial * n_effects,
+                          refined = tried +
+                                    n_of(Budget::n_refinements * budget_.of_refinement());
         std::vector<std::string> kinds(n_runs, "design");
         for (std::size_t k = design; k < n_runs; ++k)
-            kinds[k] = k < found                               ? "calibration"
-                       : k < found + runs_of_trial * n_effects ? "effects"
-                                                               : "refinement";
+            kinds[k] = k < found     ? "calibration"
+                       : k < tried   ? "effects"
+                       : k < refined ? "refinement"
+                                     : "without one";
         return kinds;
     }
 
@@ -272,15 +276,15 @@ class LoopAround : public study::Stage {
         const std::size_t best = without.best(false).value_or(0);
         if (answers.size() == before_search()) return {{}, {}, {}, runs[best].hours};
         auto effects = effects_of(search_in(answers));
-        const std::vector<char> kept = kept_of(runs, effects.size());
-        const std::size_t n_done = runs.size() - before_search(),
-                          of_trials = runs_of_trial * effects.size();
-        if (n_done < of_trials)
-            return trial(runs, kept, n_done % runs_of_trial == 0, std::move(effects));
-        if (std::ranges::count(kept, 1) == 0 ||
-            n_done >= of_trials + n_of(Budget::n_refinements * budget_.of_refinement()))
-            return {};
-        const RunsSoFar with(written_, runs, kept);
+        const Judged judged = judge(runs, effects.size());
+        if (judged.is_over) return {};
+        const std::size_t n_done = runs.size() - before_search();
+        if (judged.kept.size() < effects.size())
+            return trial(runs, judged.kept, n_done % runs_of_trial == 0,
+                         std::move(effects));
+        const RunsSoFar with(written_, runs, judged.kept);
+        if (judged.in_doubt)
+            return plan_of(with.next(1, judged.in_doubt), std::move(effects));
         return plan_of(with.next(n_of(budget_.of_refinement())), std::move(effects));
     }
 
@@ -291,10 +295,9 @@ class LoopAround : public study::Stage {
         return effects;
     }
 
-    /// Of the trials so far. \param n_effects  that are tried
-    std::vector<char> kept_of(const std::vector<SimulatorRun>& runs,
-                              std::size_t n_effects) const {
-        return kept_effects(written_, runs, before_search(), n_effects);
+    Judged judge(const std::vector<SimulatorRun>& runs, std::size_t n_effects) const {
+        return judge_effects(written_, runs, before_search(), n_effects,
+                             n_of(Budget::n_refinements * budget_.of_refinement()));
     }
 
     static std::size_t n_of(int n) { return static_cast<std::size_t>(n); }

@@ -25,6 +25,8 @@ constexpr double largest_scale = 2, usual_scale = 1, sd_of_scale = 0.5;
 
 /// Nothing is known of a parameter but its range, which is 1 long.
 constexpr emulator::ScaledPrior of_parameter{0.5, 1};
+/// Of the scale of an effect that is left out: so narrow that the readings have no say.
+constexpr emulator::ScaledPrior held_at_0{0, 1e-6};
 
 const study::Dataset& dataset_of(const study::Conclusion& all, const char* leaf) {
     return *study::find_dataset(all.datasets, std::string(run_group) + "/" + leaf);
@@ -32,6 +34,7 @@ const study::Dataset& dataset_of(const study::Conclusion& all, const char* leaf)
 
 std::vector<emulator::ChannelRange> ranges_of(const study::Targets& targets) {
     std::vector<emulator::ChannelRange> ranges;
+    ranges.reserve(targets.n_channels());
     for (std::size_t c = 0; c < targets.n_channels(); ++c)
         ranges.push_back({targets.first[c], targets.first[c + 1] - targets.first[c]});
     return ranges;
@@ -163,12 +166,14 @@ emulator::SeriesEmulator RunsSoFar::emulator_of(const std::vector<std::size_t>& 
     return {points, std::move(series), weights()};
 }
 
-NextRuns RunsSoFar::next(std::size_t n) const {
+NextRuns RunsSoFar::next(std::size_t n, std::optional<std::size_t> without) const {
     const std::size_t p = runs_[0].point.size();
     const auto fitted = places_of(kept_);
     std::vector<emulator::ScaledPrior> priors(p, of_parameter);
     priors.resize(p + fitted.size(),
                   {usual_scale / largest_scale, sd_of_scale / largest_scale});
+    for (std::size_t k = 0; k < fitted.size(); ++k)
+        if (fitted[k] == without) priors[p + k] = held_at_0;
     const auto fit = emulator::fit_series(emulator_of(usable(), true),
                                           data_.targets.measured, weights(), priors);
     const Matrix proposed = emulator::next_points(fit, n);
@@ -176,27 +181,58 @@ NextRuns RunsSoFar::next(std::size_t n) const {
     for (std::size_t r = 0; r < n; ++r) {
         for (std::size_t k = 0; k < p; ++k) next.points(r, k) = proposed(r, k);
         for (std::size_t k = 0; k < fitted.size(); ++k)
-            next.scales(r, fitted[k]) = largest_scale * proposed(r, p + k);
+            next.scales(r, fitted[k]) =
+                fitted[k] == without ? 0 : largest_scale * proposed(r, p + k);
     }
     return next;
 }
 
-std::vector<char> kept_effects(const LoopData& data,
-                               const std::vector<SimulatorRun>& trials, std::size_t first,
-                               std::size_t n_effects) {
-    const RunsSoFar all(data, trials);
-    const auto best = all.best(false);
-    std::vector<char> kept;
-    if (!best) return kept;
-    double least = all.deviance_at(*best);
-    for (std::size_t k = 0; k < n_effects; ++k) {
-        const std::size_t own = first + runs_of_trial * k;
-        if (own + runs_of_trial > trials.size()) break;
-        const double nearest = std::min(all.deviance_at(own), all.deviance_at(own + 1));
-        kept.push_back(least - nearest < least_fall ? 0 : 1);
-        if (kept.back() != 0) least = nearest;
+namespace {
+
+/// Least deviance of some runs in a row.
+double nearest_of(const RunsSoFar& runs, std::size_t first, std::size_t n) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = first; k < first + n; ++k)
+        least = std::min(least, runs.deviance_at(k));
+    return least;
+}
+
+/// Of the runs with no other effects than those.
+double nearest_with(const LoopData& data, const std::vector<SimulatorRun>& runs,
+                    const RunsSoFar& all, const std::vector<char>& kept) {
+    const auto best = RunsSoFar(data, runs, kept).best(true);
+    return best ? all.deviance_at(*best) : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+Judged judge_effects(const LoopData& data, const std::vector<SimulatorRun>& runs,
+                     std::size_t first, std::size_t n_effects, std::size_t n_refinement) {
+    const RunsSoFar all(data, runs);
+    Judged judged;
+    double least = nearest_with(data, runs, all, {});
+    std::size_t at = first;
+    for (; judged.kept.size() < n_effects; at += runs_of_trial) {
+        if (at + runs_of_trial > runs.size()) return judged;
+        const double with = nearest_of(all, at, runs_of_trial);
+        judged.kept.push_back(least - with < least_fall ? 0 : 1);
+        least = std::min(least, judged.kept.back() != 0 ? with : least);
     }
-    return kept;
+    judged.is_over = std::ranges::count(judged.kept, 1) == 0;
+    if (judged.is_over || at + n_refinement > runs.size()) return judged;
+    at += n_refinement;
+    for (std::size_t k = n_effects; k-- > 0;) {
+        if (judged.kept[k] == 0) continue;
+        judged.in_doubt = k;
+        if (at + runs_of_doubt > runs.size()) return judged;
+        const double without = nearest_of(all, at, runs_of_doubt);
+        at += runs_of_doubt;
+        if (without - nearest_with(data, runs, all, judged.kept) < least_fall)
+            judged.kept[k] = 0;
+    }
+    judged.in_doubt.reset();
+    judged.is_over = true;
+    return judged;
 }
 
 std::vector<double> RunsSoFar::emulator_error() const {

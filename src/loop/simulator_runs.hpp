@@ -50,7 +50,8 @@ class RunsSoFar {
     /// How far a run is from the readings; infinite of one that failed.
     double deviance_at(std::size_t run) const { return deviances_[run]; }
     /// The optimum of an emulator of the runs first, then points about it.
-    NextRuns next(std::size_t n) const;
+    /// \param without  an effect whose scale is held at 0
+    NextRuns next(std::size_t n, std::optional<std::size_t> without = {}) const;
     /// How far the emulator of runs without effects misses a run that it has not seen:
     /// CV(RMSE) of readings. [channels] %
     std::vector<double> emulator_error() const;
@@ -73,14 +74,22 @@ class RunsSoFar {
 };
 
 /// An effect is tried by two runs: at the best point so far, which shows what it does
-/// there, then where the emulator has the optimum with it.
-constexpr std::size_t runs_of_trial = 2;
+/// there, then where the emulator has the optimum with it. It is doubted, once all are
+/// known, by two at the optimum without it.
+constexpr std::size_t runs_of_trial = 2, runs_of_doubt = 2;
 
-/// Which effects the program's own runs speak for. They were tried one after the other,
-/// each beside those kept before it. [effects whose runs are all there]
-/// \param trials  the runs, and those before them  \param first  index of the first trial
-std::vector<char> kept_effects(const LoopData& data,
-                               const std::vector<SimulatorRun>& trials, std::size_t first,
-                               std::size_t n_effects);
+/// How far effects have been judged by the program's own runs.
+struct Judged {
+    std::vector<char> kept;                 ///< [effects that were tried]
+    std::optional<std::size_t> in_doubt{};  ///< the effect that is to be left out next
+    bool is_over = false;                   ///< nothing more to run
+};
+
+/// First they are tried one after the other, each beside those kept before it; then runs
+/// refine all that were kept; then each is doubted, the last first. An effect stays where
+/// the nearest run with it is nearer to the readings than that without it.
+/// \param first  index of the first trial in the runs
+Judged judge_effects(const LoopData& data, const std::vector<SimulatorRun>& runs,
+                     std::size_t first, std::size_t n_effects, std::size_t n_refinement);
 
 }  // namespace bemcal::loop

@@ -66,6 +66,7 @@ std::vector<UnseenHours> unseen_of(const LoopData& data,
     const physics::TimeAxis axis = study::axis_of(data.building, data.training());
     const auto begins = study::begins_of(axis, physics::Interval::hourly);
     std::vector<UnseenHours> all;
+    all.reserve(data.meters.size());
     for (std::size_t c = 0; c < data.meters.size(); ++c)
         all.push_back(unseen_of_channel(targets.of(c, targets.measured),
                                         targets.of(c, predicted), targets.of(c, left_out),

@@ -38,6 +38,7 @@ std::string run_line(const StoredSimulator& simulator) {
         if (!run.failure.empty()) ++n_failed;
     }
     std::vector<std::string> parts;
+    parts.reserve(kinds.size());
     for (const std::string& kind : kinds)
         parts.push_back(fmt::format(
             "{} {}", std::ranges::count(simulator.runs, kind, &StoredSimulator::Run::of),
@@ -50,6 +51,7 @@ std::string run_line(const StoredSimulator& simulator) {
 
 std::string emulator_line(const StoredSimulator& simulator) {
     std::vector<std::string> parts;
+    parts.reserve(simulator.channels.size());
     for (const StoredSimulator::Channel& channel : simulator.channels)
         parts.push_back(
             fmt::format("{} {} %", channel.name, three_digits(channel.emulator_error)));

@@ -26,6 +26,7 @@ KNOWN = "2022-10-31"        # last day that the first night's search learns from
 BEGIN = 320                 # day of the year on which the second building's gas rises
 JOB = """seed = 5
 [stock]
+false_alarms = 0.001
 table = "nights.csv"
 template = "building.toml"
 [[study]]

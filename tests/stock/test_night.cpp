@@ -31,7 +31,7 @@ class Stock3 {
         folder_.write("stock.csv",
                       "name,meter\none,one.csv\ntwo,two.csv\nthree,three.csv\n");
         folder_.write("job.toml",
-                      "seed = 3\n[stock]\ntable = \"stock.csv\"\ntemplate = "
+                      "seed = 3\n[stock]\nfalse_alarms = 0.001\ntable = \"stock.csv\"\ntemplate = "
                       "\"building.toml\"\n[[study]]\n" +
                           study);
     }

@@ -41,7 +41,7 @@ class Hall {
         folder_.write("building.toml", text);
         write_table(n_known + n_new);
         folder_.write("job.toml",
-                      "seed = 3\n[stock]\ntable = \"stock.csv\"\ntemplate = "
+                      "seed = 3\n[stock]\nfalse_alarms = 0.001\ntable = \"stock.csv\"\ntemplate = "
                       "\"building.toml\"\n[[study]]\nkind = \"loop\"\nmost_effects = "
                       "1\ntry_structures = false\nfunctions = false\ngeneric = false\n");
     }
