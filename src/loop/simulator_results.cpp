@@ -77,6 +77,7 @@ class Concluder {
         leave_what_does_not_help(stored);
         FitsWriter writer(data, data.building, unseen, 0, stored);
         std::vector<StoredPeriod> periods;
+        periods.reserve(data.building.periods.size());
         for (const study::Period& period : data.building.periods)
             periods.push_back(writer.add(period, hours_in_period(period)));
         all.summaries.push_back(summary_of(around_.stage, data, stored));
