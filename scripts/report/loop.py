@@ -119,7 +119,7 @@ def contents(loop):
         steps=step_rows(loop), ranking=ranking, power=power[:MOST_POWER_ROWS],
         more_power=power[MOST_POWER_ROWS:], unseen=words.unseen(loop), aliases=words.aliases(loop),
         followed=words.followed(loop),
-        structures=structures, left=left, models=range(3),
+        structures=structures, left=left, models=range(3), models_are=words.models(loop),
         decisions=decision_rows(loop))
 
 

@@ -196,8 +196,17 @@ def regression(loop, errors):
 def structure(loop):
     """What the choice of the structure had done to them."""
     rows = loop.judged_errors()
-    return f"Before any effect, from the plain model to the structure chosen ({loop.structure}), in " \
-           f"{loop.judged} {changes(rows, PLAIN, BEFORE)}." if rows else ""
+    since = "from the program's nominal run to its best one" if loop.simulator.parameters else \
+        f"from the plain model to the structure chosen ({loop.structure})"
+    return f"Before any effect, {since}, in {loop.judged} {changes(rows, PLAIN, BEFORE)}." if rows else ""
+
+
+def models(loop):
+    """What plain, before and after are."""
+    if loop.simulator.parameters:
+        return ("the program's nominal run", "its best run without effects", "its best run with the effects found")
+    return ("the calibrated standard model", "its structure chosen",
+            "with the effects found and functions of what they leave")
 
 
 def unexplained(loop):

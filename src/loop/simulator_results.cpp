@@ -1,6 +1,6 @@
 /// Puts the program's runs in the place of a model's predictions.
-/// Follows from `FitsWriter`; intervals are those of what the search left of unseen
-/// blocks.
+/// Follows from `FitsWriter`; intervals are those of what the last best run leaves in
+/// training, of which a dozen parameters have seen thousands of hours.
 /// Sections for a job are left out: what was found belongs into the program's model.
 #include "loop/simulator_results.hpp"
 
@@ -21,12 +21,6 @@
 
 namespace bemcal::loop {
 namespace {
-
-std::vector<double> vector_in(const study::Conclusion& all, const char* leaf) {
-    const study::Dataset* found =
-        study::find_dataset(all.datasets, fmt::format("{}/{}", given_group, leaf));
-    return found == nullptr ? std::vector<double>{} : found->values;
-}
 
 /// Which runs are plain, before and after; nothing where none succeeded.
 using Chosen = std::array<std::optional<std::size_t>, StoredLoop::n_models>;
@@ -72,8 +66,9 @@ class Concluder {
     void with_search(study::Conclusion& all) {
         StoredLoop stored = stored_loop(around_.searched.datasets, around_.stage);
         const LoopData& data = around_.written;
-        const auto unseen = unseen_of(data, vector_in(around_.searched, "predicted"),
-                                      vector_in(around_.searched, "left_out"));
+        const auto predicted = readings_from(data, run_of(StoredLoop::after).hours);
+        const auto unseen = unseen_of(
+            data, predicted, study::residuals_of(data.targets.measured, predicted));
         leave_what_does_not_help(stored);
         FitsWriter writer(data, data.building, unseen, 0, stored);
         std::vector<StoredPeriod> periods;
@@ -228,10 +223,6 @@ study::Conclusion conclude_search(const std::string& stage, const LoopData& writ
     all.datasets = datasets_of(stage, stored, {});
     std::ranges::move(datasets_of(given_group, given_effects(data, result)),
                       std::back_inserter(all.datasets));
-    study::DatasetBuilder unseen(given_group);
-    unseen.vector("predicted", "reading", result.last.fit.at.predicted);
-    unseen.vector("left_out", "reading", result.last.left_out);
-    std::ranges::move(unseen.take(), std::back_inserter(all.datasets));
     return all;
 }
 

@@ -11,8 +11,7 @@
 
 namespace bemcal::loop {
 
-/// Of what a search hands on beside its datasets: effects as they are given, and what it
-/// left of unseen blocks.
+/// Of what a search hands on beside its datasets: effects as they are given.
 inline constexpr const char* given_group = "given";
 
 /// \param written  the twin as the job has it   \param data  what was searched
