@@ -5,8 +5,8 @@
 
 Readings are EnergyPlus's own, of the same model with an effect that no description has, by scripts/energyplus_hours,
 with noise of 1.5 % and 0.05 K. The job is the shipped one with these readings. Prints for each case what was found and
-`name value unit reference ratio` lines: effects at the right place, false ones, held-out errors of `after` over those of
-the true building (EnergyPlus with the true values: noise alone), of `before` over the same, runs, hours of the clock.
+`name value unit reference ratio` lines: effects at the right place, false ones, held-out errors of `after` and of
+`before` over those of the true building (EnergyPlus with the true values: noise alone), minutes of the longest case.
 Needs EnergyPlus 25.2 on PATH or in ENERGYPLUS_DIR; without it nothing is measured. A case takes some minutes.
 """
 import argparse

@@ -89,7 +89,8 @@ SIMULATOR_PARAMETER = {"name": text("simulator_parameter"), "unit": text("simula
                        "least": number("simulator_parameter_least"), "most": number("simulator_parameter_most"),
                        "plain": number("simulator_parameter_plain"), "before": number("simulator_parameter_before"),
                        "after": number("simulator_parameter_after")}
-GIVEN = {"name": text("simulator_given"), "hooks": text("simulator_given_hooks"), "scale": number("simulator_given_scale")}
+GIVEN = {"name": text("simulator_given"), "hooks": text("simulator_given_hooks"),
+         "scale": number("simulator_given_scale")}
 GIVEN_SERIES = {"of": text("simulator_series_of"), "hook": text("simulator_series_hook"),
                 "unit": text("simulator_series_unit"), "enters": text("simulator_series_enters"),
                 "facade": text("simulator_series_facade"), "meter": text("simulator_series_meter")}
