@@ -145,7 +145,10 @@ void add_adopt(CLI::App& app, CommandLine& line) {
         ->required();
     adopt->add_option("JOB", line.job, "that job, of one building; it stays as it is")
         ->required();
-    adopt->add_option("-o,--output", line.output, "the new job, beside the old one; of a loop around a [simulator] a new folder")
+    adopt
+        ->add_option(
+            "-o,--output", line.output,
+            "the new job, beside the old one; of a loop around a [simulator] a new folder")
         ->type_name("FILE")
         ->required();
     adopt->add_option("--stage", line.stage,

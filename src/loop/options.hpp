@@ -30,7 +30,7 @@ struct LoopOptions {
     /// a share; nothing: usual_level_change.
     std::optional<double> level_change{};
     int simulator_runs = 80;  ///< of another program, where it is what is searched
-    bool generic = true;               ///< whether the grammar's effects are tried, too
+    bool generic = true;      ///< whether the grammar's effects are tried, too
     std::vector<std::string> columns;  ///< names of the case's columns that may drive one
 };
 

@@ -30,10 +30,11 @@ class Stock3 {
         folder_.write("building.toml", small_stock_building());
         folder_.write("stock.csv",
                       "name,meter\none,one.csv\ntwo,two.csv\nthree,three.csv\n");
-        folder_.write("job.toml",
-                      "seed = 3\n[stock]\nfalse_alarms = 0.001\ntable = \"stock.csv\"\ntemplate = "
-                      "\"building.toml\"\n[[study]]\n" +
-                          study);
+        folder_.write(
+            "job.toml",
+            "seed = 3\n[stock]\nfalse_alarms = 0.001\ntable = \"stock.csv\"\ntemplate = "
+            "\"building.toml\"\n[[study]]\n" +
+                study);
     }
 
     /// Of the second building, the last day is missing from now on.

@@ -40,10 +40,11 @@ class Hall {
         text = replaced(text, "mask = [\"2021-01-20/2021-01-21\"]\n", "");
         folder_.write("building.toml", text);
         write_table(n_known + n_new);
-        folder_.write("job.toml",
-                      "seed = 3\n[stock]\nfalse_alarms = 0.001\ntable = \"stock.csv\"\ntemplate = "
-                      "\"building.toml\"\n[[study]]\nkind = \"loop\"\nmost_effects = "
-                      "1\ntry_structures = false\nfunctions = false\ngeneric = false\n");
+        folder_.write(
+            "job.toml",
+            "seed = 3\n[stock]\nfalse_alarms = 0.001\ntable = \"stock.csv\"\ntemplate = "
+            "\"building.toml\"\n[[study]]\nkind = \"loop\"\nmost_effects = "
+            "1\ntry_structures = false\nfunctions = false\ngeneric = false\n");
     }
 
     static StockRecord first_night() {
