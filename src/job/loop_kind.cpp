@@ -123,6 +123,19 @@ void check_building(const schema::Section& section, const LoopOptions& options,
     check_columns(section, options, building);
 }
 
+/// The first run is at the nominal point, which an emulator over the ranges must know.
+void check_nominal(const schema::Section& simulator, const Job& job) {
+    const auto sections = simulator.tables("parameter", "simulator.parameter");
+    const auto& parameters = job.hourly_simulator->parameters();
+    for (std::size_t k = 0; k < parameters.size(); ++k)
+        if (parameters[k].nominal < parameters[k].least ||
+            parameters[k].nominal > parameters[k].most)
+            sections[k].fail_value(
+                "nominal", fmt::format("a loop runs it first; expected it between min = "
+                                       "{:g} and max = {:g}",
+                                       parameters[k].least, parameters[k].most));
+}
+
 /// The twin's meters that the simulator has hours of.
 void check_simulator(const StudyPlace& place, const LoopOptions& options) {
     const schema::Section& section = place.section;
@@ -137,6 +150,7 @@ void check_simulator(const StudyPlace& place, const LoopOptions& options) {
     const study::Case& twin = place.job.buildings[0];
     const auto& meters = place.job.hourly_simulator->meters();
     const schema::Section simulator = place.root.table("simulator", "simulator");
+    check_nominal(simulator, place.job);
     const auto hours = simulator.tables("hourly", "simulator.hourly");
     for (std::size_t k = 0; k < meters.size(); ++k)
         description::check_word(hours[k], "meter", meters[k],
