@@ -174,7 +174,8 @@ std::optional<Step> StepTest::surest(std::size_t pattern) const {
     for (const std::size_t n : step_lengths) look(n);
     if (!best || !is_told(*best)) return best;
     for (std::size_t n = 1; n <= most_step_days + week; ++n) look(n);  // its day
-    best->size = contrast(sums, n_days_, n_days_ - best->day, sums.whole)->size;
+    if (const auto whole = contrast(sums, n_days_, n_days_ - best->day, sums.whole))
+        best->size = whole->size;
     return best;
 }
 
