@@ -125,12 +125,12 @@ void check_building(const schema::Section& section, const LoopOptions& options,
 
 /// The first run is at the nominal point, which an emulator over the ranges must know.
 void check_nominal(const schema::Section& simulator, const Job& job) {
-    const auto sections = simulator.tables("parameter", "simulator.parameter");
+    const auto lines = simulator.tables("parameter", "simulator.parameter");
     const auto& parameters = job.hourly_simulator->parameters();
     for (std::size_t k = 0; k < parameters.size(); ++k)
         if (parameters[k].nominal < parameters[k].least ||
             parameters[k].nominal > parameters[k].most)
-            sections[k].fail_value(
+            lines[k].fail_value(
                 "nominal", fmt::format("a loop runs it first; expected it between min = "
                                        "{:g} and max = {:g}",
                                        parameters[k].least, parameters[k].most));

@@ -7,6 +7,7 @@
 #include "stock/night.hpp"
 
 #include "base/error.hpp"
+#include "base/machine.hpp"
 #include "stats/distributions.hpp"
 #include "stats/metrics.hpp"
 #include "stock/look.hpp"
@@ -169,7 +170,6 @@ class Night {
         : job_(stock_job),
           line_(line),
           before_(before),
-          log_(log),
           look_(stock_job, line, before, log) {}
 
     /// Whether there are days that were not tested yet, and can be.
@@ -263,7 +263,6 @@ class Night {
     const job::Job& job_;
     const job::StockLine& line_;
     const StockRecord& before_;
-    std::vector<input::InputFile>& log_;
     Look look_;
 };
 
