@@ -13,7 +13,6 @@ import argparse
 import gzip
 import importlib.machinery
 import importlib.util
-import json
 import pathlib
 import shutil
 import subprocess
@@ -100,22 +99,13 @@ def wind_of(make):
 
 def simulate(make, case, values):
     """{meter: hours} of the building as it stands."""
-    hours = np.arange(24 * make.N_DAYS)
-
-    def write_effect(folder):
-        if case.series is None:
-            return
+    section = series = None
+    if case.series is not None:
         section = {"name": "the effect", "hook": case.hook, "unit": "-", "enters": case.enters, "column": "effect",
                    **({"meter": case.meter} if case.meter else {})}
-        (folder / "effects.toml").write_text("[[effect]]\n" + "".join(
-            f"{key} = {json.dumps(value)}\n" for key, value in section.items()))
-        series = case.series(hours, wind_of(make))
-        (folder / "effects.csv").write_text("effect\n" + "".join(f"{value:.6g}\n" for value in series))
-
-    make.write_effect = write_effect
-    make.office.TRUTH = values
+        series = case.series(np.arange(24 * make.N_DAYS), wind_of(make))
     with tempfile.TemporaryDirectory() as folder:
-        made = make.simulate(JOB, pathlib.Path(folder))
+        made = make.simulate(JOB, pathlib.Path(folder), values, section, series)
         left_out = pathlib.Path(folder) / "effects_left_out.txt"
         assert not left_out.exists() or not left_out.read_text().strip(), left_out.read_text()
     return made

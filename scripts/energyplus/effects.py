@@ -176,7 +176,7 @@ def enter(effects, model, changes, values_of_year, of_year, schedules, left_out)
             row = hook_of(effect)
             if row.enter:
                 row.enter(Place(model, changes, effect, values_of_year(effect.values), of_year, schedules))
-        except (CannotEnter, Failed, Refused) as error:
+        except (CannotEnter, Refused) as error:
             left_out[effect.key] = f"{effect.hook}: {error}"
 
 

@@ -1,7 +1,8 @@
 """What ends a run with one line: the simulator's command prints it last, and the job's result keeps it."""
+from new_job.refused import Refused
 
 
-class Failed(Exception):
+class Failed(Refused):
     """Where, what, why, and what to write instead."""
 
 

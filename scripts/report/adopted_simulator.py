@@ -31,22 +31,21 @@ def quoted(text):
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
 
 
-def effects_text(series):
+def effects_text(simulator):
     """The sections of effects.toml."""
     sections = []
-    for k, one in enumerate(series, 1):
-        lines = [("name", one.of)] + [(key, getattr(one, key)) for key in SECTION_KEYS] + [("column", f"effect_{k}")]
+    for k, one in enumerate(simulator.series, 1):
+        lines = [("name", simulator.given[int(one.of)].name)] + [(key, getattr(one, key)) for key in SECTION_KEYS] + [("column", f"effect_{k}")]
         sections.append("[[effect]]\n" + "".join(f"{key} = {quoted(value)}\n" for key, value in lines if value))
     return "\n".join(sections)
 
 
-def write_effects(series, values, folder):
-    """`values` are [series x hours]."""
-    if not series:
+def write_effects(simulator, folder):
+    if not simulator.series:
         return
-    (folder / "effects.toml").write_text(effects_text(series), encoding="utf-8")
-    rows = [",".join(f"effect_{k}" for k in range(1, len(series) + 1))]
-    rows += [",".join(f"{value:.9g}" for value in hour) for hour in values.T]
+    (folder / "effects.toml").write_text(effects_text(simulator), encoding="utf-8")
+    rows = [",".join(f"effect_{k}" for k in range(1, len(simulator.series) + 1))]
+    rows += [",".join(f"{value:.9g}" for value in hour) for hour in simulator.series_values.T]
     (folder / "effects.csv").write_text("\n".join(rows) + "\n", encoding="ascii")
 
 
@@ -90,7 +89,7 @@ def adopt(loop, job, job_file, folder):
     folder = pathlib.Path(folder)
     folder.mkdir()
     write_inputs(section, values, job_folder, folder)
-    write_effects(loop.simulator.series, loop.simulator.series_values, folder)
+    write_effects(loop.simulator, folder)
     lines = [f"parameter {name}: {value:.4g}" for name, value in values.items()]
     lines += [f"effect {row.name}: at {row.hooks}, {row.scale:.3g} times what was found"
               for row in loop.simulator.given if row.scale]

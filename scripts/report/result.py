@@ -91,7 +91,7 @@ SIMULATOR_PARAMETER = {"name": text("simulator_parameter"), "unit": text("simula
                        "after": number("simulator_parameter_after")}
 GIVEN = {"name": text("simulator_given"), "hooks": text("simulator_given_hooks"),
          "scale": number("simulator_given_scale")}
-GIVEN_SERIES = {"of": text("simulator_series_of"), "hook": text("simulator_series_hook"),
+GIVEN_SERIES = {"of": number("simulator_series_of"), "hook": text("simulator_series_hook"),
                 "unit": text("simulator_series_unit"), "enters": text("simulator_series_enters"),
                 "facade": text("simulator_series_facade"), "meter": text("simulator_series_meter")}
 SIMULATOR_RUN = {"of": text("simulator_run"), "failure": text("simulator_run_failure"),

@@ -84,14 +84,12 @@ bool is_there(const Building& building, const Target& target) {
 }
 
 /// Hour by hour; zeros of a part that is not there. [hours]
-Series hours_of(const Version& version, const Target& target) {
-    const physics::Drive& drive = version.drive;
+Series hours_of(Building& building, const physics::Drive& drive, const Target& target) {
     const auto per_hour = 3600 / drive.axis.step_s;
     Series hours(
         static_cast<std::size_t>((drive.n_steps() - drive.n_warm_up) / per_hour));
-    if (!is_there(version.building, target)) return hours;
-    Building copy = version.building;  // input_at() takes what may be written to
-    const Input& input = *physics::input_at(copy, target);
+    if (!is_there(building, target)) return hours;
+    const Input& input = *physics::input_at(building, target);
     for (std::size_t h = 0; h < hours.size(); ++h) {
         const int first = drive.n_warm_up + static_cast<int>(h) * per_hour;
         for (int s = 0; s < per_hour; ++s) hours[h] += drive.at(input, first + s);
@@ -205,12 +203,13 @@ bool is_of_other_zone(const Target& target) {
 
 std::vector<HookSeries> changes_between(const Version& without, const Version& with) {
     std::vector<HookSeries> all;
+    Building before = without.building, after = with.building;  // input_at() may write
     for (const Target& target : physics::inputs_of(with.building)) {
         const InputRow* row = input_row_of(target);
         if (row == nullptr || is_of_other_zone(target)) continue;
         if (row->is_factor && !is_there(without.building, target)) continue;
-        Series change =
-            change_of(*row, hours_of(without, target), hours_of(with, target));
+        Series change = change_of(*row, hours_of(before, without.drive, target),
+                                  hours_of(after, with.drive, target));
         if (is_nothing(change)) continue;
         HookSeries series = placed_at(*row, target, with.building);
         series.values = std::move(change);

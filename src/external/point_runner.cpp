@@ -138,16 +138,25 @@ std::string PointRunner::run(std::span<const double> point,
 std::string PointRunner::run_in(const fs::path& folder, std::span<const double> point,
                                 const std::vector<HandedFile>& files,
                                 const Read& read) const {
-    for (const InputFile& input : options_.inputs)
-        write_text(folder / input.name, input.text.filled(point));
-    for (const fs::path& file : options_.links) link_file(file, folder);
-    for (const HandedFile& file : files) write_text(folder / file.name, file.text);
+    try {
+        prepare(folder, point, files);
+    } catch (const PointFailure& failure) {
+        return failure.what();
+    }
     const Ended ended = run_command(command_of(folder, point));
     if (ended.how != Ending::exited || ended.number != 0) {
         const std::string said = last_line(folder, standard_error);
         return how(ended, options_) + (said.empty() ? "" : ": " + said);
     }
     return read(folder);
+}
+
+void PointRunner::prepare(const fs::path& folder, std::span<const double> point,
+                          const std::vector<HandedFile>& files) const {
+    for (const InputFile& input : options_.inputs)
+        write_text(folder / input.name, input.text.filled(point));
+    for (const fs::path& file : options_.links) link_file(file, folder);
+    for (const HandedFile& file : files) write_text(folder / file.name, file.text);
 }
 
 Command PointRunner::command_of(const fs::path& folder,

@@ -33,6 +33,8 @@ class PointRunner {
   private:
     std::string run_in(const std::filesystem::path& folder, std::span<const double> point,
                        const std::vector<HandedFile>& files, const Read& read) const;
+    void prepare(const std::filesystem::path& folder, std::span<const double> point,
+                 const std::vector<HandedFile>& files) const;
     Command command_of(const std::filesystem::path& folder,
                        std::span<const double> point) const;
 

@@ -13,7 +13,7 @@
 /// How the budget is shared is judgement.
 #include "loop/around_simulator.hpp"
 
-#include "base/error.hpp"
+#include "base/nan.hpp"
 #include "loop/given_effects.hpp"
 #include "loop/search_building.hpp"
 #include "loop/simulator_plan.hpp"
@@ -24,7 +24,6 @@
 #include "study/packed_conclusion.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -144,12 +143,13 @@ class LoopAround : public study::Stage {
         const std::vector<study::ItemAnswer>& answers) const override {
         const auto runs = runs_in(answers);
         const auto searched = search_in(answers);
-        const std::size_t n_effects = effects_in(searched.datasets, given_group).size();
-        const auto kinds = kinds_of(runs.size(), n_effects);
-        auto kept = judge(runs, n_effects).kept;
-        kept.resize(n_effects, 0);
-        return conclude_around({written_.building.name + "/" + name_, written_,
-                                *simulator_, runs, kinds, kept, searched});
+        const auto effects = effects_of(searched);
+        const RunsSoFar so_far(written_, runs);
+        auto kept = judge(so_far, effects.size()).kept;
+        kept.resize(effects.size(), 0);
+        return conclude_around({group(), written_, *simulator_, runs, so_far,
+                                kinds_of(runs.size(), effects.size()), effects, kept,
+                                searched});
     }
 
     std::string shortfall(const std::vector<study::ItemAnswer>& answers) const override {
@@ -160,6 +160,8 @@ class LoopAround : public study::Stage {
     }
 
   private:
+    std::string group() const { return written_.building.name + "/" + name_; }
+
     std::size_t before_search() const {
         return static_cast<std::size_t>(budget_.before_search());
     }
@@ -194,11 +196,7 @@ class LoopAround : public study::Stage {
 
     study::ItemAnswer simulate(std::vector<double> point,
                                std::vector<double> scales) const {
-        const auto& parameters = simulator_->parameters();
-        std::vector<double> values(point.size());
-        for (std::size_t k = 0; k < values.size(); ++k)
-            values[k] = parameters[k].least +
-                        point[k] * (parameters[k].most - parameters[k].least);
+        const auto values = values_at(point, simulator_->parameters());
         study::SimulatedHours simulated =
             simulator_->hours(values, scaled(plan_.effects, scales), n_hours_);
         study::ItemAnswer answer;
@@ -225,8 +223,8 @@ class LoopAround : public study::Stage {
         }
         const Ended ended = search_from(*twin->data, std::move(twin->baseline),
                                         std::move(twin->hours), *under_way, 0, false);
-        answer.values = study::pack(conclude_search(written_.building.name + "/" + name_,
-                                                    written_, *twin->data, ended.result));
+        answer.values =
+            study::pack(conclude_search(group(), written_, *twin->data, ended.result));
         return answer;
     }
 
@@ -237,6 +235,7 @@ class LoopAround : public study::Stage {
         for (std::size_t k = 0; k < answers.size(); ++k) {
             if (k == before_search()) continue;
             SimulatorRun run;
+            run.point.assign(simulator_->parameters().size(), nan);
             if (!answers[k].values.empty()) run = unpack_run(answers[k].values);
             if (!answers[k].error.empty()) run.failure = answers[k].error;
             if (!answers[k].failures.empty()) run.failure = answers[k].failures[0].reason;
@@ -269,23 +268,24 @@ class LoopAround : public study::Stage {
 
     SimulatorPlan next_plan(const std::vector<study::ItemAnswer>& answers) const {
         const auto runs = runs_in(answers);
-        const RunsSoFar without(written_, runs);
-        if (!without.are_enough()) return {};
+        const RunsSoFar so_far(written_, runs);
+        if (!so_far.are_enough()) return {};
         if (answers.size() < before_search())
-            return plan_of(without.next(n_of(budget_.of_calibration())), {});
-        const std::size_t best = without.best(false).value_or(0);
-        if (answers.size() == before_search()) return {{}, {}, {}, runs[best].hours};
+            return plan_of(so_far.next(n_of(budget_.of_calibration())), {});
+        if (answers.size() == before_search())
+            return {{}, {}, {}, runs[so_far.best().value_or(0)].hours};
         auto effects = effects_of(search_in(answers));
-        const Judged judged = judge(runs, effects.size());
+        const Judged judged = judge(so_far, effects.size());
         if (judged.is_over) return {};
         const std::size_t n_done = runs.size() - before_search();
         if (judged.kept.size() < effects.size())
-            return trial(runs, judged.kept, n_done % runs_of_trial == 0,
-                         std::move(effects));
-        const RunsSoFar with(written_, runs, judged.kept);
-        if (judged.in_doubt)
-            return plan_of(with.next(1, judged.in_doubt), std::move(effects));
-        return plan_of(with.next(n_of(budget_.of_refinement())), std::move(effects));
+            return n_done % runs_of_trial == 0
+                       ? beside_nearest(so_far, runs, judged.kept, std::move(effects))
+                       : at_optimum(so_far, judged.kept, std::move(effects));
+        return plan_of(judged.in_doubt
+                           ? so_far.next(1, judged.kept, judged.in_doubt)
+                           : so_far.next(n_of(budget_.of_refinement()), judged.kept),
+                       std::move(effects));
     }
 
     /// As many as can be tried; those found later have less evidence.
@@ -295,9 +295,10 @@ class LoopAround : public study::Stage {
         return effects;
     }
 
-    Judged judge(const std::vector<SimulatorRun>& runs, std::size_t n_effects) const {
-        return judge_effects(written_, runs, before_search(), n_effects,
-                             n_of(Budget::n_refinements * budget_.of_refinement()));
+    Judged judge(const RunsSoFar& so_far, std::size_t n_effects) const {
+        return so_far.judge_effects(
+            before_search(), n_effects,
+            n_of(Budget::n_refinements * budget_.of_refinement()));
     }
 
     static std::size_t n_of(int n) { return static_cast<std::size_t>(n); }
@@ -306,21 +307,25 @@ class LoopAround : public study::Stage {
         return {std::move(next.points), std::move(next.scales), std::move(effects), {}};
     }
 
-    /// The next effect beside those kept: where the nearest run is, or at the optimum.
-    SimulatorPlan trial(const std::vector<SimulatorRun>& runs, std::vector<char> kept,
-                        bool is_first, std::vector<study::GivenEffect> effects) const {
-        const std::size_t tried = kept.size();
-        kept.resize(effects.size(), 0);
-        const auto nearest = RunsSoFar(written_, runs, kept).best(true);
-        const SimulatorRun& from = runs[nearest.value_or(0)];
-        kept[tried] = 1;
-        if (!is_first)
-            return plan_of(RunsSoFar(written_, runs, kept).next(1), std::move(effects));
+    /// The next effect as it was found, where the nearest run is.
+    static SimulatorPlan beside_nearest(const RunsSoFar& so_far,
+                                        const std::vector<SimulatorRun>& runs,
+                                        const KeptEffects& kept,
+                                        std::vector<study::GivenEffect> effects) {
+        const SimulatorRun& from = runs[so_far.best(kept).value_or(0)];
         Matrix points(1, from.point.size()), scales(1, effects.size());
         std::ranges::copy(from.point, points.row(0).begin());
         std::ranges::copy(from.scales, scales.row(0).begin());
-        scales(0, tried) = 1;
+        scales(0, kept.size()) = 1;
         return {std::move(points), std::move(scales), std::move(effects), {}};
+    }
+
+    /// The same effect where the emulator has the optimum with it.
+    static SimulatorPlan at_optimum(const RunsSoFar& so_far, KeptEffects kept,
+                                    std::vector<study::GivenEffect> effects) {
+        kept.push_back(1);
+        kept.resize(effects.size(), 0);
+        return plan_of(so_far.next(1, kept), std::move(effects));
     }
 
     std::string name_;

@@ -5,34 +5,11 @@
 /// the building does.
 #include "loop/given_effects.hpp"
 
-#include "effects/driver_functions.hpp"
-#include "loop/find_functions.hpp"
-#include "loop/loads.hpp"
-
 #include <algorithm>
 #include <iterator>
 
 namespace bemcal::loop {
 namespace {
-
-std::vector<double> values_at(const BuiltModel& built, const Standing& last) {
-    std::vector<double> values;
-    values.reserve(built.unknowns.size());
-    for (std::size_t k = 0; k < built.unknowns.size(); ++k)
-        values.push_back(built.unknowns[k].within(last.fit.at.x[k]));
-    return values;
-}
-
-Place place_of(const LoopData& data, const LoopResult& result,
-               const study::Period& period) {
-    const Baseline& baseline = result.baseline;
-    Place place = make_place(data, result.last.model.structure, data.drive_over(period));
-    know_loads(place, baseline.chosen, baseline.place.surroundings->model);
-    if (!result.functions.empty())
-        add_columns(result.functions, effects::function_drivers(surroundings_of(place)),
-                    place);
-    return place;
-}
 
 /// What the model does at its hooks because of one effect. Other hours than declared are
 /// there or not; every other effect is taken out by a coefficient of 0, which leaves all
@@ -78,9 +55,10 @@ std::vector<study::GivenEffect> given_effects(const LoopData& data,
     for (std::size_t k = 0; k < found.size(); ++k) given[k].name = found[k].name;
     std::size_t n_before = 0;
     for (const study::Period& period : data.building.periods) {
-        const Place place = place_of(data, result, period);
+        const Place place = place_in(data, result.baseline, result.last.model,
+                                     result.functions, data.drive_over(period));
         const BuiltModel built = place_only(place, found);
-        const std::vector<double> values = values_at(built, result.last);
+        const std::vector<double> values = values_in(built, result.last);
         const auto n_hours = static_cast<std::size_t>(study::hours_of(period));
         for (std::size_t k = 0; k < found.size(); ++k)
             effects::append(given[k].at, n_before,

@@ -28,20 +28,28 @@ Months months_of(const std::vector<physics::Seconds>& begins,
     return months;
 }
 
+std::vector<double> over_intervals(const std::vector<physics::Seconds>& begins,
+                                   std::span<const double> hours,
+                                   const std::vector<physics::Seconds>& intervals,
+                                   bool is_mean) {
+    std::vector<double> sums(intervals.size(), 0.0), n(intervals.size(), 0.0);
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < begins.size(); ++k) {
+        while (at + 1 < intervals.size() && intervals[at + 1] <= begins[k]) ++at;
+        sums[at] += hours[k];
+        n[at] += 1;
+    }
+    for (std::size_t k = 0; k < sums.size() && is_mean; ++k) sums[k] /= n[k];
+    return sums;
+}
+
 Months read_by_month(const std::vector<physics::Seconds>& begins,
                      std::span<const double> simulated, const kernel::Readings& readings,
                      const physics::TimeAxis& axis) {
     const auto intervals = study::begins_of(axis, readings.interval);
-    std::vector<double> sums(intervals.size(), 0.0), hours(intervals.size(), 0.0);
-    std::size_t at = 0;
-    for (std::size_t k = 0; k < begins.size(); ++k) {
-        while (at + 1 < intervals.size() && intervals[at + 1] <= begins[k]) ++at;
-        sums[at] += simulated[k];
-        hours[at] += 1;
-    }
     const bool is_mean = physics::is_temperature(readings.quantity);
-    for (std::size_t k = 0; k < sums.size() && is_mean; ++k) sums[k] /= hours[k];
-    return months_of(intervals, sums, readings.values, is_mean);
+    return months_of(intervals, over_intervals(begins, simulated, intervals, is_mean),
+                     readings.values, is_mean);
 }
 
 }  // namespace bemcal::loop

@@ -52,17 +52,12 @@ std::vector<std::vector<double>> hours_of(
     const LoopData& data, const Baseline& baseline, const Standing& standing,
     const std::vector<FoundFunction>& functions,
     const std::shared_ptr<const physics::Drive>& drive) {
-    Place place = make_place(data, standing.model.structure, drive);
-    if (!standing.model.effects.empty())
-        know_loads(place, baseline.chosen, baseline.place.surroundings->model);
-    if (!functions.empty())
-        add_columns(functions, effects::function_drivers(surroundings_of(place)), place);
+    Place place = place_in(data, baseline, standing.model, functions, drive);
     for (kernel::Channel& channel : place.channels)
         channel.interval = physics::Interval::hourly;
     const BuiltModel built = build(place, standing.model.effects);
     Matrix point(1, built.unknowns.size());
-    for (std::size_t k = 0; k < point.cols; ++k)
-        point(0, k) = built.unknowns[k].within(standing.fit.at.x[k]);
+    point.values = values_in(built, standing);
     const Matrix predicted = built.fit_model->predict(point);
     if (std::isnan(predicted(0, 0))) say_why_impossible(built, point.values);
     std::vector<std::vector<double>> hours;
@@ -456,6 +451,17 @@ class Writer {
 };
 
 }  // namespace
+
+Place place_in(const LoopData& data, const Baseline& baseline, const LoopModel& model,
+               const std::vector<FoundFunction>& functions,
+               std::shared_ptr<const physics::Drive> drive) {
+    Place place = make_place(data, model.structure, std::move(drive));
+    if (!model.effects.empty())
+        know_loads(place, baseline.chosen, baseline.place.surroundings->model);
+    if (!functions.empty())
+        add_columns(functions, effects::function_drivers(surroundings_of(place)), place);
+    return place;
+}
 
 StoredLoop without_predictions(const std::string& stage, const LoopData& written,
                                const LoopData& data, const LoopResult& result) {

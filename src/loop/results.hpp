@@ -35,6 +35,12 @@ struct LoopResult {
     int hours_late = 0;  ///< of the meters' clocks, which predictions follow
 };
 
+/// The place of a model in any period: with its structure, the loads that effects follow,
+/// the columns of functions.
+Place place_in(const LoopData& data, const Baseline& baseline, const LoopModel& model,
+               const std::vector<FoundFunction>& functions,
+               std::shared_ptr<const physics::Drive> drive);
+
 /// All that is stored of it but what models predict: no errors, no coverage.
 /// \param stage  "BUILDING/STUDY"
 StoredLoop without_predictions(const std::string& stage, const LoopData& written,

@@ -1,9 +1,9 @@
-/// Sums hours (means of a temperature) over the intervals of each meter.
+/// Cuts hours of all periods to one, and reads them by the intervals of each meter.
 /// Plain bookkeeping without a source.
 /// An interval that the period cuts has the hours that lie in it.
 #include "loop/simulator_readings.hpp"
 
-#include "base/nan.hpp"
+#include "loop/months.hpp"
 
 #include <cmath>
 
@@ -12,22 +12,6 @@ namespace {
 
 std::size_t n_hours(const study::Period& period) {
     return static_cast<std::size_t>(study::hours_of(period));
-}
-
-/// \param begins  of the intervals   \param from  of the first hour
-std::vector<double> summed(const std::vector<double>& hours,
-                           const std::vector<physics::Seconds>& begins,
-                           physics::Seconds from, bool is_mean) {
-    std::vector<double> sums(begins.size(), 0.0), n(begins.size(), 0.0);
-    std::size_t at = 0;
-    for (std::size_t h = 0; h < hours.size(); ++h) {
-        const physics::Seconds begin = from + std::chrono::hours(h);
-        while (at + 1 < begins.size() && begins[at + 1] <= begin) ++at;
-        sums[at] += hours[h];
-        n[at] += 1;
-    }
-    for (std::size_t k = 0; k < sums.size() && is_mean; ++k) sums[k] /= n[k];
-    return sums;
 }
 
 }  // namespace
@@ -53,13 +37,15 @@ std::vector<double> readings_from(const LoopData& data,
                                   const std::vector<std::vector<double>>& hours) {
     const study::Period& training = data.training();
     const physics::TimeAxis axis = study::axis_of(data.building, training);
+    const auto begins = study::begins_of(axis, physics::Interval::hourly);
     std::vector<double> readings;
     readings.reserve(data.targets.size());
     for (std::size_t c = 0; c < data.targets.n_channels(); ++c) {
         const kernel::Channel& channel = data.targets.channels[c];
-        const auto own = summed(hours_in(data.building, training, hours[c]),
-                                study::begins_of(axis, channel.interval), training.from,
-                                physics::is_temperature(channel.quantity));
+        const auto own =
+            over_intervals(begins, hours_in(data.building, training, hours[c]),
+                           study::begins_of(axis, channel.interval),
+                           physics::is_temperature(channel.quantity));
         readings.insert(readings.end(), own.begin(), own.end());
     }
     return readings;

@@ -25,25 +25,18 @@ namespace {
 /// Which runs are plain, before and after; nothing where none succeeded.
 using Chosen = std::array<std::optional<std::size_t>, StoredLoop::n_models>;
 
-std::string hooks_of(const study::GivenEffect& effect) {
-    std::vector<std::string> hooks;
-    for (const effects::HookSeries& at : effect.at)
-        if (std::ranges::find(hooks, at.hook) == hooks.end()) hooks.push_back(at.hook);
-    return fmt::format("{}", fmt::join(hooks, ", "));
-}
-
 constexpr const char* no_help =
     "left: the program's own runs are no nearer to the readings with it";
+constexpr const char* not_tried = "left: as many as are tried had more evidence";
 
 class Concluder {
   public:
-    explicit Concluder(const Around& around)
-        : around_(around), so_far_(around.written, around.runs, around.kept) {
+    explicit Concluder(const Around& around) : around_(around), so_far_(around.so_far) {
         const bool has_plain = around.runs[0].failure.empty();
+        chosen_[StoredLoop::before] = so_far_.best();
         chosen_[StoredLoop::plain] =
-            has_plain ? std::optional<std::size_t>(0) : so_far_.best(false);
-        chosen_[StoredLoop::before] = so_far_.best(false);
-        chosen_[StoredLoop::after] = so_far_.best(true);
+            has_plain ? std::optional<std::size_t>(0) : chosen_[StoredLoop::before];
+        chosen_[StoredLoop::after] = so_far_.best(around.kept);
     }
 
     study::Conclusion conclude() {
@@ -83,11 +76,15 @@ class Concluder {
         return effect < around_.kept.size() && around_.kept[effect] != 0;
     }
 
+    const char* why_left(std::size_t effect) const {
+        return effect < around_.kept.size() ? no_help : not_tried;
+    }
+
     /// Effects and functions without which the program is as near to the readings are no
     /// findings; the log of the search says so. Coefficients are those that were given.
     void leave_what_does_not_help(StoredLoop& stored) const {
         const std::size_t n = stored.effects.size();
-        const SimulatorRun& after = run_of(StoredLoop::after);
+        const std::vector<double> given = scales();
         const auto of_index = [](double index) {
             return static_cast<std::size_t>(index);
         };
@@ -96,14 +93,13 @@ class Concluder {
         for (std::size_t k = 0; k < n; ++k) {
             StoredLoop::Effect& effect = stored.effects[k];
             if (!is_kept(k)) {
-                stored.steps.push_back({effect.name, no_help, effect.gain, nan, nan});
+                stored.steps.push_back({effect.name, why_left(k), effect.gain, nan, nan});
                 continue;
             }
             new_index[k] = static_cast<double>(kept.size());
             effect.section.clear();  // it is the program's model that is to have it
-            const double scale = k < after.scales.size() ? after.scales[k] : 1;
             for (double* number : {&effect.coefficient, &effect.least, &effect.most})
-                *number *= scale;
+                *number *= given[k];
             kept.push_back(std::move(effect));
         }
         stored.effects = std::move(kept);
@@ -113,7 +109,7 @@ class Concluder {
         for (StoredLoop::EffectValue& value : stored.effect_values)
             value.effect = new_index[of_index(value.effect)];
         if (!stored.functions.empty() && !is_kept(n)) {
-            stored.steps.push_back({"functions", no_help, nan, nan, nan});
+            stored.steps.push_back({"functions", why_left(n), nan, nan, nan});
             stored.functions.clear();
             stored.function_points.clear();
         }
@@ -137,28 +133,30 @@ class Concluder {
     StoredSimulator simulator() const {
         StoredSimulator stored;
         const auto& parameters = around_.simulator.parameters();
-        for (std::size_t k = 0; k < parameters.size(); ++k) {
-            const physics::Parameter& own = parameters[k];
-            const auto at = [&](std::size_t model) {
-                return own.least + run_of(model).point[k] * (own.most - own.least);
-            };
-            stored.parameters.push_back({own.name, own.unit, own.least, own.most,
-                                         at(StoredLoop::plain), at(StoredLoop::before),
-                                         at(StoredLoop::after)});
-        }
-        add_given(stored);
+        std::vector<std::vector<double>> at;  // [models][parameters]
+        for (std::size_t m = 0; m < StoredLoop::n_models; ++m)
+            at.push_back(values_at(run_of(m).point, parameters));
+        stored.parameters.reserve(parameters.size());
+        for (std::size_t k = 0; k < parameters.size(); ++k)
+            stored.parameters.push_back(
+                {parameters[k].name, parameters[k].unit, parameters[k].least,
+                 parameters[k].most, at[StoredLoop::plain][k], at[StoredLoop::before][k],
+                 at[StoredLoop::after][k]});
+        add_given(around_.effects, scales(), stored);
+        add_left_out(stored);
         add_runs(stored);
         add_channels(stored);
         return stored;
     }
 
-    void add_given(StoredSimulator& stored) const {
-        const auto given = effects_in(around_.searched.datasets, given_group);
-        const SimulatorRun& after = run_of(StoredLoop::after);
-        for (std::size_t k = 0; k < given.size(); ++k)
-            stored.given.push_back({given[k].name, hooks_of(given[k]),
-                                    k < after.scales.size() ? after.scales[k] : 0});
-        add_series(scaled(given, after.scales), stored);
+    /// Of the effects tried; 0 of all where the nearest run has none.
+    std::vector<double> scales() const {
+        std::vector<double> scales = run_of(StoredLoop::after).scales;
+        scales.resize(around_.effects.size(), 0.0);
+        return scales;
+    }
+
+    void add_left_out(StoredSimulator& stored) const {
         std::vector<std::string> told;
         for (const SimulatorRun& run : around_.runs)
             for (const std::string& why : run.left_out)
@@ -166,34 +164,18 @@ class Concluder {
         for (std::string& why : told) stored.left_out.push_back({std::move(why)});
     }
 
-    static void add_series(const std::vector<study::GivenEffect>& given,
-                           StoredSimulator& stored) {
-        auto& all = stored.series_value.values;
-        for (const study::GivenEffect& effect : given)
-            for (const effects::HookSeries& at : effect.at) {
-                stored.series.push_back({effect.name, at.hook, at.unit,
-                                         at.is_factor ? "factor" : "add", at.facade,
-                                         at.meter});
-                all.insert(all.end(), at.values.begin(), at.values.end());
-            }
-        const std::size_t n = stored.series.size();
-        stored.series_value.shape = {n, n > 0 ? all.size() / n : 0};
-    }
-
     void add_runs(StoredSimulator& stored) const {
-        const auto best = so_far_.best(true);
+        const double least = so_far_.least_deviance(around_.kept);
         for (std::size_t k = 0; k < around_.runs.size(); ++k) {
             const bool failed = !around_.runs[k].failure.empty();
-            stored.runs.push_back(
-                {around_.runs_are_of[k], around_.runs[k].failure,
-                 failed || !best ? nan
-                                 : so_far_.deviance_at(k) - so_far_.deviance_at(*best)});
+            stored.runs.push_back({around_.runs_are_of[k], around_.runs[k].failure,
+                                   failed ? nan : so_far_.deviance_at(k) - least});
         }
     }
 
     void add_channels(StoredSimulator& stored) const {
         if (!so_far_.are_enough()) return;
-        const auto errors = so_far_.emulator_error();
+        const auto errors = so_far_.emulator_error(around_.kept);
         for (std::size_t c = 0; c < errors.size(); ++c)
             stored.channels.push_back(
                 {around_.written.building.meters[around_.written.meters[c]].name,
@@ -209,7 +191,7 @@ class Concluder {
     }
 
     const Around& around_;
-    RunsSoFar so_far_;
+    const RunsSoFar& so_far_;
     Chosen chosen_;
 };
 

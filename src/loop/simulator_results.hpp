@@ -23,8 +23,10 @@ struct Around {
     const LoopData& written;
     const study::HourlySimulator& simulator;
     const std::vector<SimulatorRun>& runs;
-    const std::vector<std::string>& runs_are_of;  ///< [runs] "design", ...
-    const std::vector<char>& kept;      ///< [effects] that the program is better with
+    const RunsSoFar& so_far;                         ///< of them
+    std::vector<std::string> runs_are_of;            ///< [runs] "design", ...
+    const std::vector<study::GivenEffect>& effects;  ///< that were tried
+    const KeptEffects& kept;            ///< [effects] that the program is better with
     const study::Conclusion& searched;  ///< empty where there was no search
 };
 study::Conclusion conclude_around(const Around& around);

@@ -9,6 +9,7 @@
 #include "loop/simulator_readings.hpp"
 #include "study/datasets.hpp"
 #include "study/packed_conclusion.hpp"
+#include "study/points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,8 +55,11 @@ constexpr double least_fall = 13.8;
 
 }  // namespace
 
-bool SimulatorRun::has_effects() const {
-    return std::ranges::any_of(scales, [](double scale) { return scale != 0; });
+std::vector<double> values_at(std::span<const double> point,
+                              const std::vector<physics::Parameter>& parameters) {
+    Matrix row(1, point.size());
+    std::ranges::copy(point, row.row(0).begin());
+    return study::in_ranges(std::move(row), parameters).values;
 }
 
 std::vector<double> pack(const SimulatorRun& run) {
@@ -89,15 +93,25 @@ SimulatorRun unpack_run(std::span<const double> packed) {
     return run;
 }
 
-RunsSoFar::RunsSoFar(const LoopData& data, const std::vector<SimulatorRun>& runs,
-                     std::vector<char> kept)
-    : data_(data), runs_(runs), kept_(std::move(kept)) {
+namespace {
+
+/// Whether it has an effect beside those.
+bool has_others(const SimulatorRun& run, const KeptEffects& kept) {
+    for (std::size_t k = 0; k < run.scales.size(); ++k)
+        if (run.scales[k] != 0 && (k >= kept.size() || kept[k] == 0)) return true;
+    return false;
+}
+
+}  // namespace
+
+RunsSoFar::RunsSoFar(const LoopData& data, const std::vector<SimulatorRun>& runs)
+    : data_(data), runs_(runs) {
     for (const SimulatorRun& run : runs)
         readings_.push_back(run.failure.empty() ? readings_from(data, run.hours)
                                                 : std::vector<double>{});
     // All are compared by the noise of one: of the first, then of the best by that.
     rank_by(0);
-    if (const auto nearest = best(true)) rank_by(*nearest);
+    if (const auto nearest = best()) rank_by(*nearest);
 }
 
 std::vector<double> RunsSoFar::residuals_of(std::size_t run) const {
@@ -114,46 +128,43 @@ void RunsSoFar::rank_by(std::size_t run) {
             deviances_[k] = deviance(data_.targets, noise, residuals_of(k));
 }
 
-bool RunsSoFar::has_others(const SimulatorRun& run) const {
-    for (std::size_t k = 0; k < run.scales.size(); ++k)
-        if (run.scales[k] != 0 && (k >= kept_.size() || kept_[k] == 0)) return true;
-    return false;
-}
-
-std::vector<std::size_t> RunsSoFar::usable() const {
+std::vector<std::size_t> RunsSoFar::usable(const KeptEffects& kept) const {
     std::vector<std::size_t> all;
     for (std::size_t k = 0; k < runs_.size(); ++k)
-        if (std::isfinite(deviances_[k]) && !has_others(runs_[k])) all.push_back(k);
+        if (std::isfinite(deviances_[k]) && !has_others(runs_[k], kept)) all.push_back(k);
     return all;
 }
 
 bool RunsSoFar::are_enough() const {
-    const std::size_t n = usable().size();
+    const std::size_t n = usable({}).size();
     return n > 0 && n >= runs_[0].point.size() + 2;
 }
 
-std::optional<std::size_t> RunsSoFar::best(bool with_effects) const {
-    std::optional<std::size_t> best;
-    for (const std::size_t k : usable())
-        if ((with_effects || !runs_[k].has_effects()) &&
-            (!best || deviances_[k] < deviances_[*best]))
-            best = k;
-    return best;
+std::optional<std::size_t> RunsSoFar::best(const KeptEffects& kept) const {
+    const std::vector<std::size_t> all = usable(kept);
+    if (all.empty()) return std::nullopt;
+    return *std::ranges::min_element(all, {},
+                                     [&](std::size_t run) { return deviances_[run]; });
+}
+
+double RunsSoFar::least_deviance(const KeptEffects& kept) const {
+    const auto nearest = best(kept);
+    return nearest ? deviances_[*nearest] : std::numeric_limits<double>::infinity();
 }
 
 /// By the residuals of the best run. [targets] 1 / standard deviation
-std::vector<double> RunsSoFar::weights() const {
+std::vector<double> RunsSoFar::weights(const KeptEffects& kept) const {
     std::vector<double> weights =
-        weights_of(data_.targets, noise_of(data_, residuals_of(best(true).value_or(0))));
+        weights_of(data_.targets, noise_of(data_, residuals_of(best(kept).value_or(0))));
     for (double& weight : weights) weight = std::sqrt(weight);
     return weights;
 }
 
-/// Of these runs. \param with_effects  whose scales are coordinates, too
-emulator::SeriesEmulator RunsSoFar::emulator_of(const std::vector<std::size_t>& used,
-                                                bool with_effects) const {
+/// The scales of those kept are coordinates, too.
+emulator::SeriesEmulator RunsSoFar::emulator_of(
+    const KeptEffects& kept, const std::vector<double>& weights) const {
     const std::size_t p = runs_[0].point.size();
-    const auto fitted = with_effects ? places_of(kept_) : std::vector<std::size_t>{};
+    const auto used = usable(kept), fitted = places_of(kept);
     Matrix points(used.size(), p + fitted.size()),
         series(used.size(), data_.targets.size());
     for (std::size_t r = 0; r < used.size(); ++r) {
@@ -163,21 +174,23 @@ emulator::SeriesEmulator RunsSoFar::emulator_of(const std::vector<std::size_t>& 
             points(r, p + k) = run.scales[fitted[k]] / largest_scale;
         std::ranges::copy(readings_[used[r]], series.row(r).begin());
     }
-    return {points, std::move(series), weights()};
+    return {points, std::move(series), weights};
 }
 
-NextRuns RunsSoFar::next(std::size_t n, std::optional<std::size_t> without) const {
+NextRuns RunsSoFar::next(std::size_t n, const KeptEffects& kept,
+                         std::optional<std::size_t> without) const {
     const std::size_t p = runs_[0].point.size();
-    const auto fitted = places_of(kept_);
+    const auto fitted = places_of(kept);
     std::vector<emulator::ScaledPrior> priors(p, of_parameter);
     priors.resize(p + fitted.size(),
                   {usual_scale / largest_scale, sd_of_scale / largest_scale});
     for (std::size_t k = 0; k < fitted.size(); ++k)
         if (fitted[k] == without) priors[p + k] = held_at_0;
-    const auto fit = emulator::fit_series(emulator_of(usable(), true),
-                                          data_.targets.measured, weights(), priors);
+    const auto weighing = weights(kept);
+    const auto fit = emulator::fit_series(emulator_of(kept, weighing),
+                                          data_.targets.measured, weighing, priors);
     const Matrix proposed = emulator::next_points(fit, n);
-    NextRuns next{Matrix(n, p), Matrix(n, kept_.size())};
+    NextRuns next{Matrix(n, p), Matrix(n, kept.size())};
     for (std::size_t r = 0; r < n; ++r) {
         for (std::size_t k = 0; k < p; ++k) next.points(r, k) = proposed(r, k);
         for (std::size_t k = 0; k < fitted.size(); ++k)
@@ -187,58 +200,42 @@ NextRuns RunsSoFar::next(std::size_t n, std::optional<std::size_t> without) cons
     return next;
 }
 
-namespace {
-
 /// Least deviance of some runs in a row.
-double nearest_of(const RunsSoFar& runs, std::size_t first, std::size_t n) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t k = first; k < first + n; ++k)
-        least = std::min(least, runs.deviance_at(k));
-    return least;
+double RunsSoFar::nearest_of(std::size_t first, std::size_t n) const {
+    const auto from = deviances_.begin() + static_cast<std::ptrdiff_t>(first);
+    return *std::min_element(from, from + static_cast<std::ptrdiff_t>(n));
 }
 
-/// Of the runs with no other effects than those.
-double nearest_with(const LoopData& data, const std::vector<SimulatorRun>& runs,
-                    const RunsSoFar& all, const std::vector<char>& kept) {
-    const auto best = RunsSoFar(data, runs, kept).best(true);
-    return best ? all.deviance_at(*best) : std::numeric_limits<double>::infinity();
-}
-
-}  // namespace
-
-Judged judge_effects(const LoopData& data, const std::vector<SimulatorRun>& runs,
-                     std::size_t first, std::size_t n_effects, std::size_t n_refinement) {
-    const RunsSoFar all(data, runs);
+Judged RunsSoFar::judge_effects(std::size_t first, std::size_t n_effects,
+                                std::size_t n_refinement) const {
     Judged judged;
-    double least = nearest_with(data, runs, all, {});
+    double least = least_deviance();
     std::size_t at = first;
     for (; judged.kept.size() < n_effects; at += runs_of_trial) {
-        if (at + runs_of_trial > runs.size()) return judged;
-        const double with = nearest_of(all, at, runs_of_trial);
-        judged.kept.push_back(least - with < least_fall ? 0 : 1);
-        least = std::min(least, judged.kept.back() != 0 ? with : least);
+        if (at + runs_of_trial > runs_.size()) return judged;
+        const double with = nearest_of(at, runs_of_trial);
+        const bool is_kept = least - with >= least_fall;
+        judged.kept.push_back(is_kept ? 1 : 0);
+        if (is_kept) least = with;
     }
-    judged.is_over = std::ranges::count(judged.kept, 1) == 0;
-    if (judged.is_over || at + n_refinement > runs.size()) return judged;
+    judged.is_over = places_of(judged.kept).empty();
+    if (judged.is_over || at + n_refinement > runs_.size()) return judged;
     at += n_refinement;
     for (std::size_t k = n_effects; k-- > 0;) {
         if (judged.kept[k] == 0) continue;
         judged.in_doubt = k;
-        if (at + runs_of_doubt > runs.size()) return judged;
-        const double without = nearest_of(all, at, runs_of_doubt);
+        if (at + runs_of_doubt > runs_.size()) return judged;
+        const double without = nearest_of(at, runs_of_doubt);
         at += runs_of_doubt;
-        if (without - nearest_with(data, runs, all, judged.kept) < least_fall)
-            judged.kept[k] = 0;
+        if (without - least_deviance(judged.kept) < least_fall) judged.kept[k] = 0;
     }
     judged.in_doubt.reset();
     judged.is_over = true;
     return judged;
 }
 
-std::vector<double> RunsSoFar::emulator_error() const {
-    std::vector<std::size_t> used = usable();
-    std::erase_if(used, [&](std::size_t k) { return runs_[k].has_effects(); });
-    return emulator_of(used, false).leave_one_out(ranges_of(data_.targets));
+std::vector<double> RunsSoFar::emulator_error(const KeptEffects& kept) const {
+    return emulator_of({}, weights(kept)).leave_one_out(ranges_of(data_.targets));
 }
 
 }  // namespace bemcal::loop

@@ -20,9 +20,11 @@ struct SimulatorRun {
     std::vector<std::vector<double>> hours;  ///< [channels][hours of all periods]
     std::vector<std::string> left_out;       ///< what the program could not take
     std::string failure;                     ///< then there are no hours
-
-    bool has_effects() const;
 };
+
+/// The program's numbers at a point on the scale 0 to 1. [parameters]
+std::vector<double> values_at(std::span<const double> point,
+                              const std::vector<physics::Parameter>& parameters);
 
 /// As an item's answer, and back.
 std::vector<double> pack(const SimulatorRun& run);
@@ -34,44 +36,9 @@ struct NextRuns {
     Matrix scales;  ///< [runs x effects]
 };
 
-class RunsSoFar {
-  public:
-    /// \param runs  that did not fail count; `data` and they must outlive this
-    /// \param kept  [effects] 1 = its scale is fitted with the parameters; runs with
-    ///              others do not count
-    RunsSoFar(const LoopData& data, const std::vector<SimulatorRun>& runs,
-              std::vector<char> kept = {});
-
-    /// Whether there are enough of them to go on.
-    bool are_enough() const;
-    /// Index of the run whose readings are nearest to the measured ones, among those
-    /// without effects, or among all.
-    std::optional<std::size_t> best(bool with_effects) const;
-    /// How far a run is from the readings; infinite of one that failed.
-    double deviance_at(std::size_t run) const { return deviances_[run]; }
-    /// The optimum of an emulator of the runs first, then points about it.
-    /// \param without  an effect whose scale is held at 0
-    NextRuns next(std::size_t n, std::optional<std::size_t> without = {}) const;
-    /// How far the emulator of runs without effects misses a run that it has not seen:
-    /// CV(RMSE) of readings. [channels] %
-    std::vector<double> emulator_error() const;
-
-  private:
-    std::vector<double> residuals_of(std::size_t run) const;
-    /// Deviances by the noise of that run, or of the next one that did not fail.
-    void rank_by(std::size_t run);
-    std::vector<std::size_t> usable() const;
-    std::vector<double> weights() const;
-    bool has_others(const SimulatorRun& run) const;
-    emulator::SeriesEmulator emulator_of(const std::vector<std::size_t>& used,
-                                         bool with_effects) const;
-
-    const LoopData& data_;
-    const std::vector<SimulatorRun>& runs_;
-    std::vector<char> kept_;
-    std::vector<std::vector<double>> readings_;  ///< [runs]; empty of those that failed
-    std::vector<double> deviances_;              ///< [runs]; infinite of those
-};
+/// [effects] 1 = its scale is fitted with the parameters. Runs with effects beside those
+/// do not count; by default none with any.
+using KeptEffects = std::vector<char>;
 
 /// An effect is tried by two runs: at the best point so far, which shows what it does
 /// there, then where the emulator has the optimum with it. It is doubted, once all are
@@ -85,11 +52,50 @@ struct Judged {
     bool is_over = false;                   ///< nothing more to run
 };
 
-/// First they are tried one after the other, each beside those kept before it; then runs
-/// refine all that were kept; then each is doubted, the last first. An effect stays where
-/// the nearest run with it is nearer to the readings than that without it.
-/// \param first  index of the first trial in the runs
-Judged judge_effects(const LoopData& data, const std::vector<SimulatorRun>& runs,
-                     std::size_t first, std::size_t n_effects, std::size_t n_refinement);
+class RunsSoFar {
+  public:
+    /// \param runs  that did not fail count; `data` and they must outlive this
+    RunsSoFar(const LoopData& data, const std::vector<SimulatorRun>& runs);
+
+    /// Whether there are enough without effects to go on.
+    bool are_enough() const;
+    /// Index of the run whose readings are nearest to the measured ones.
+    std::optional<std::size_t> best(const KeptEffects& kept = {}) const;
+    /// How far a run is from the readings; infinite of one that failed.
+    double deviance_at(std::size_t run) const { return deviances_[run]; }
+    /// Of the nearest; infinite where there is none.
+    double least_deviance(const KeptEffects& kept = {}) const;
+    /// The optimum of an emulator of the runs first, then points about it.
+    /// \param without  an effect whose scale is held at 0
+    NextRuns next(std::size_t n, const KeptEffects& kept = {},
+                  std::optional<std::size_t> without = {}) const;
+    /// How far the emulator of runs without effects misses a run that it has not seen:
+    /// CV(RMSE) of readings, weighed by what the nearest run with those leaves.
+    /// [channels] %
+    std::vector<double> emulator_error(const KeptEffects& kept) const;
+
+    /// Which effects the program's own runs speak for. First they are tried one after the
+    /// other, each beside those kept before it; then runs refine all that were kept; then
+    /// each is doubted, the last first. An effect stays where the nearest run with it is
+    /// nearer to the readings than that without it.
+    /// \param first  index of the first trial in the runs
+    Judged judge_effects(std::size_t first, std::size_t n_effects,
+                         std::size_t n_refinement) const;
+
+  private:
+    std::vector<double> residuals_of(std::size_t run) const;
+    /// Deviances by the noise of that run, or of the next one that did not fail.
+    void rank_by(std::size_t run);
+    double nearest_of(std::size_t first, std::size_t n) const;
+    std::vector<std::size_t> usable(const KeptEffects& kept) const;
+    std::vector<double> weights(const KeptEffects& kept) const;
+    emulator::SeriesEmulator emulator_of(const KeptEffects& kept,
+                                         const std::vector<double>& weights) const;
+
+    const LoopData& data_;
+    const std::vector<SimulatorRun>& runs_;
+    std::vector<std::vector<double>> readings_;  ///< [runs]; empty of those that failed
+    std::vector<double> deviances_;              ///< [runs]; infinite of those
+};
 
 }  // namespace bemcal::loop

@@ -178,22 +178,13 @@ void visit_member(auto& row, auto&& see) {
     see("effect_class_member", row.name);
 }
 
-template <class Row, class Visit>
-void add_rows(const std::string& group, const char* dim, const std::vector<Row>& rows,
-              const Visit& visit, std::vector<study::Dataset>& datasets) {
-    study::ColumnWriter columns(group, dim);
-    columns.template declare<Row>(visit);
-    for (const Row& row : rows) columns.add(row, visit);
-    columns.take(datasets);
-}
-
 void add_members(const std::string& group, const StoredLoop& loop,
                  std::vector<study::Dataset>& datasets) {
     std::vector<Member> members;
     for (std::size_t k = 0; k < loop.effects.size(); ++k)
         for (const std::string& name : loop.effects[k].members)
             members.push_back({static_cast<double>(k), name});
-    add_rows(
+    study::add_rows(
         group, class_member, members,
         [](auto& row, auto&& see) { visit_member(row, see); }, datasets);
 }
@@ -258,7 +249,7 @@ std::vector<study::Dataset> datasets_of(const std::string& group, const StoredLo
                                         const std::vector<StoredPeriod>& periods) {
     std::vector<study::Dataset> datasets;
     visit_tables(loop, [&](const char* dim, const auto& rows, const auto& visit) {
-        add_rows(group, dim, rows, visit, datasets);
+        study::add_rows(group, dim, rows, visit, datasets);
     });
     add_members(group, loop, datasets);
     study::DatasetBuilder others(group);
@@ -301,12 +292,13 @@ StoredLoop stored_loop(const std::vector<study::Dataset>& datasets,
 }
 
 std::vector<std::string> stored_names() {
+    std::vector<study::Dataset> all = datasets_of("", {}, {});
+    std::ranges::move(datasets_of("", StoredSimulator{}), std::back_inserter(all));
     std::vector<std::string> names;
-    for (const study::Dataset& dataset : datasets_of("", {}, {})) {
+    for (const study::Dataset& dataset : all) {
         names.push_back(dataset.path.substr(1));
         names.insert(names.end(), dataset.dims.begin(), dataset.dims.end());
     }
-    std::ranges::move(stored_simulator_names(), std::back_inserter(names));
     return names;
 }
 

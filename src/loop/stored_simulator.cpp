@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <iterator>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 namespace bemcal::loop {
 namespace {
 
@@ -49,31 +52,67 @@ void visit_lists(Simulator& simulator, Table&& table) {
     });
 }
 
+constexpr const char *by_adding = "add", *by_factor = "factor";
+
+std::string hooks_of(const study::GivenEffect& effect) {
+    std::vector<std::string> hooks;
+    for (const effects::HookSeries& at : effect.at)
+        if (std::ranges::find(hooks, at.hook) == hooks.end()) hooks.push_back(at.hook);
+    return fmt::format("{}", fmt::join(hooks, ", "));
+}
+
 }  // namespace
+
+void add_given(const std::vector<study::GivenEffect>& effects,
+               std::span<const double> scales, StoredSimulator& simulator) {
+    auto& values = simulator.series_value.values;
+    for (std::size_t k = 0; k < effects.size(); ++k) {
+        const auto index = static_cast<double>(simulator.given.size());
+        simulator.given.push_back({effects[k].name, hooks_of(effects[k]), scales[k]});
+        if (scales[k] == 0) continue;
+        for (const effects::HookSeries& at : effects[k].at) {
+            simulator.series.push_back({index, at.hook, at.unit,
+                                        at.is_factor ? by_factor : by_adding, at.facade,
+                                        at.meter});
+            for (const double value : at.values) values.push_back(scales[k] * value);
+        }
+    }
+    const std::size_t n = simulator.series.size();
+    simulator.series_value.shape = {n, n > 0 ? values.size() / n : 0};
+}
+
+std::vector<study::GivenEffect> given_in(const StoredSimulator& simulator) {
+    std::vector<study::GivenEffect> effects;
+    effects.reserve(simulator.given.size());
+    for (const StoredSimulator::Given& given : simulator.given)
+        effects.push_back({given.name, {}});
+    const study::Array& all = simulator.series_value;
+    const std::size_t n_hours = all.shape.size() > 1 ? all.shape[1] : 0;
+    for (std::size_t s = 0; s < simulator.series.size(); ++s) {
+        const StoredSimulator::Series& row = simulator.series[s];
+        const auto begin = all.values.begin() + static_cast<std::ptrdiff_t>(s * n_hours);
+        const std::size_t k = study::place_in(row.of, effects.size());
+        if (k == effects.size()) continue;
+        effects[k].at.push_back({row.hook,
+                                 row.unit,
+                                 row.enters == by_factor,
+                                 row.facade,
+                                 row.meter,
+                                 {begin, begin + static_cast<std::ptrdiff_t>(n_hours)}});
+    }
+    return effects;
+}
 
 std::vector<study::Dataset> datasets_of(const std::string& group,
                                         const StoredSimulator& simulator) {
     std::vector<study::Dataset> datasets;
     visit_lists(simulator, [&](const char* dim, const auto& rows, const auto& visit) {
-        using Row = std::ranges::range_value_t<decltype(rows)>;
-        study::ColumnWriter columns(group, dim);
-        columns.template declare<Row>(visit);
-        for (const Row& row : rows) columns.add(row, visit);
-        columns.take(datasets);
+        study::add_rows(group, dim, rows, visit, datasets);
     });
     study::DatasetBuilder arrays(group);
     arrays.array("simulator_series_value", simulator.series_value);
     std::ranges::move(arrays.take(), std::back_inserter(datasets));
     return datasets;
-}
-
-std::vector<std::string> stored_simulator_names() {
-    std::vector<std::string> names;
-    for (const study::Dataset& dataset : datasets_of("", {})) {
-        names.push_back(dataset.path.substr(1));
-        names.insert(names.end(), dataset.dims.begin(), dataset.dims.end());
-    }
-    return names;
 }
 
 StoredSimulator stored_simulator(const std::vector<study::Dataset>& datasets,

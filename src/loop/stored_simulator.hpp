@@ -4,7 +4,9 @@
 
 #include "base/nan.hpp"
 #include "study/array.hpp"
+#include "study/hourly_simulator.hpp"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,7 +27,8 @@ struct StoredSimulator {
     };
     /// What effects change in the run that is after, as effect_files hands it over.
     struct Series {
-        std::string of, hook, unit, enters, facade, meter;
+        double of = 0;  ///< index of the given
+        std::string hook, unit, enters, facade, meter;
     };
     struct LeftOut {
         std::string why;  ///< as the program says it
@@ -52,14 +55,17 @@ struct StoredSimulator {
     std::vector<Channel> channels;
 };
 
+/// Fills given, and the series of those whose scale is not 0. \param scales  [effects]
+void add_given(const std::vector<study::GivenEffect>& effects,
+               std::span<const double> scales, StoredSimulator& simulator);
+/// The effects that have been filled in, times their scales.
+std::vector<study::GivenEffect> given_in(const StoredSimulator& simulator);
+
 /// \param group  "BUILDING/STUDY"
 std::vector<study::Dataset> datasets_of(const std::string& group,
                                         const StoredSimulator& simulator);
 /// Without parameters where the study is of no other program.
 StoredSimulator stored_simulator(const std::vector<study::Dataset>& datasets,
                                  const std::string& group);
-
-/// The datasets, and their dimensions.
-std::vector<std::string> stored_simulator_names();
 
 }  // namespace bemcal::loop

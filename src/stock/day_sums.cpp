@@ -5,6 +5,7 @@
 #include "stock/day_sums.hpp"
 
 #include "study/fit_model.hpp"
+#include "study/points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,6 @@ namespace bemcal::stock {
 namespace {
 
 constexpr std::size_t n_quarters = 4;
-constexpr std::chrono::days a_day{1};
 constexpr std::chrono::hours a_quarter{24 / n_quarters};
 
 bool is_by_day(const study::Meter& meter) {
@@ -44,10 +44,7 @@ std::vector<std::vector<double>> predictions_in(const study::Case& building,
     for (const study::Meter& meter : building.meters)
         channels.push_back({meter.quantity, meter.interval});
     const study::FitModel model(building.building, building.parameters, drive, channels);
-    Matrix point(1, building.parameters.size());
-    for (std::size_t k = 0; k < building.parameters.size(); ++k)
-        point(0, k) = building.parameters[k].nominal;
-    const Matrix all = model.predict(point);
+    const Matrix all = model.predict(study::nominal_row(building.parameters));
     std::vector<std::vector<double>> predictions;
     predictions.reserve(channels.size());
     for (std::size_t m = 0; m < channels.size(); ++m)

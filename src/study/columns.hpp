@@ -64,6 +64,17 @@ class ColumnWriter {
     std::size_t at_ = 0, n_rows_ = 0;
 };
 
+/// All rows, and the columns where there are none.
+template <class Row, class Visit>
+void add_rows(const std::string& group, const std::string& dim,
+              const std::vector<Row>& rows, const Visit& visit,
+              std::vector<Dataset>& datasets) {
+    ColumnWriter columns(group, dim);
+    columns.template declare<Row>(visit);
+    for (const Row& row : rows) columns.add(row, visit);
+    columns.take(datasets);
+}
+
 /// What is not stored stays as it is.
 class ColumnReader {
   public:

@@ -102,6 +102,21 @@ TEST(HourlyCommand, EffectsAreHandedOverAsFiles) {
     EXPECT_EQ(folder.text("effects.csv"), "effect_1,effect_2\n0.25,-0.1\n0.5,0\n");
 }
 
+// A point whose files cannot be laid out leaves no more behind than one that fails later.
+TEST(HourlyCommand, AFolderThatCannotBeFilledGoesAsOthersDo) {
+    const Folder folder;
+    CommandOptions options = hourly(folder, "true");
+    options.links.push_back(options.links[0]);
+    EXPECT_NE(hours_of(options).failure.find("run.sh cannot be linked: File exists (in "
+                                             "point-"),
+              std::string::npos);
+    EXPECT_EQ(folder.n_files(), 2U);  // the script, and the points' folder
+    options.keep = Keep::none;
+    options.folder = folder / "others";
+    EXPECT_EQ(hours_of(options).failure, "run.sh cannot be linked: File exists");
+    EXPECT_EQ(folder.n_files(), 2U);
+}
+
 TEST(HourlyCommand, WithoutEffectsThereAreNoFiles) {
     const Folder folder;
     EXPECT_TRUE(files_of({}).empty());

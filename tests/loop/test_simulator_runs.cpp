@@ -46,7 +46,7 @@ void add(std::vector<SimulatorRun>& all, const Runs& runs, std::vector<double> e
 }
 
 Judged judge(const Runs& runs, const std::vector<SimulatorRun>& all, std::size_t n) {
-    return judge_effects(runs.data(), all, 4, n, 2);
+    return RunsSoFar(runs.data(), all).judge_effects(4, n, 2);
 }
 
 TEST(JudgedEffects, AreTriedBesideThoseKeptBefore) {
@@ -128,7 +128,6 @@ TEST(SimulatorRuns, AreKeptInAnAnswer) {
     EXPECT_EQ(same.scales, run.scales);
     EXPECT_EQ(same.hours, run.hours);
     EXPECT_EQ(same.left_out, run.left_out);
-    EXPECT_TRUE(same.has_effects());
 }
 
 }  // namespace
