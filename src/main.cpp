@@ -53,8 +53,8 @@ struct CommandLine {
     std::vector<fs::path> files;
     fs::path last_night;
     std::string topic, place, years, stage;
-    bool force = false, simulator = false, resume = false, rerun_failed = false,
-         no_report = false;
+    bool force = false, simulator = false, rooms = false, resume = false,
+         rerun_failed = false, no_report = false;
     bool keep_priors = false;
     std::map<std::string, std::vector<std::string>> words_of;  ///< of `new`, by option
     int n_threads = 0;
@@ -193,6 +193,8 @@ void add_new(CLI::App& app, CommandLine& line) {
             ->multi_option_policy(option.repeats ? CLI::MultiOptionPolicy::TakeAll
                                                  : CLI::MultiOptionPolicy::Throw)
             ->required(option.is_required);
+    first->add_flag("--rooms", line.rooms,
+                    "with --idf: a zone for each of its zones; default: one");
     first->add_flag("--simulator", line.simulator,
                     "with --idf: the job runs that EnergyPlus model, too; files for that "
                     "are written beside it");
@@ -538,6 +540,7 @@ ExitCode new_command(const CommandLine& line) {
     for (const auto& [option, values] : line.words_of)
         for (const std::string& value : values)
             words.push_back(fmt::format("{}={}", option, value));
+    if (line.rooms) words.emplace_back("--rooms");
     if (line.simulator) words.emplace_back("--simulator");
     if (line.force) words.emplace_back("--force");
     return script_command("new", std::move(words), "Python 3.11 or newer");

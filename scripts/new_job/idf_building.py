@@ -1,6 +1,7 @@
-"""A building of one zone from an EnergyPlus file: envelope, loads, air, set-points, plant, and what was left out.
+"""A building from an EnergyPlus file: envelope, loads, air, set-points, plant, and what was left out.
 
-Zones with a thermostat are put together; multipliers count. Leaves out zones one by one, and what LEFT_OUT names.
+Zones with a thermostat are put together, or each is a room by itself; multipliers count. Leaves out what passes between
+rooms, and what LEFT_OUT names.
 """
 import os
 from dataclasses import dataclass, field
@@ -31,14 +32,16 @@ LEFT_OUT = (
     ("fan:", "fans; an [[air_system]] may stand for them"),
     ("runperiodcontrol:specialdays", "holidays; those of --place hold"))
 HVAC_TEMPLATES = "hvactemplate:"
+LEAST_SIZE = 1                 # m2 and m3, below which nothing is a room
 SD_OF_FILE = 0.25              # of the factor on U-values that a modeller wrote down
 IDEAL = ("ZoneHVAC:IdealLoadsAirSystem", "HVACTemplate:Zone:IdealLoadsAirSystem")
 
 
 @dataclass
-class Described:
-    file: str
-    area: float                # m2 of conditioned floor
+class Room:
+    """Zones that are one in the job; the whole building is one, too."""
+    name: str
+    area: float                # m2 of floor
     volume: float              # m3
     shell: object
     loads: dict                # {name: Profile in W/m2}
@@ -46,32 +49,77 @@ class Described:
     ventilation: object        # profile, 1/h
     heating: object            # profile, degC; None without
     cooling: object
+
+
+@dataclass
+class Described:
+    file: str
+    whole: Room
+    rooms: list                # the whole, or one of each zone
     heaters: list
     coolers: list
     is_ideal: bool
     left_out: list = field(default_factory=list)
 
 
-def read_building(path):
+def size_of(zones):
+    """(floor area, volume) [m2, m3]; a zone that is no part of the building's floor area has one by itself."""
+    return (sum(zone.area * zone.multiplier for zone in zones if zone.counts or len(zones) == 1),
+            sum(zone.volume * zone.multiplier for zone in zones))
+
+
+class Reader:
+    """Of rooms, one after the other."""
+
+    def __init__(self, model, left_out):
+        self.model, self.left_out = model, left_out
+        self.zones = idf_geometry.read_zones(model)
+        idf_use.mark_conditioned(model, self.zones, left_out)
+        self.rooms = [zone for zone in self.zones.values() if zone.is_conditioned]
+        self.envelope = None
+
+    def whole(self):
+        area, volume = size_of(self.rooms)
+        if area < LEAST_SIZE or volume < LEAST_SIZE:
+            raise idf_use.no_zone(self.model, f"{area:g} m2 and {volume:g} m3")
+        room = self.room("building", self.rooms)
+        if not room.shell.surfaces:
+            raise idf_use.no_zone(self.model, "no surface to outdoors or ground of a zone with a thermostat")
+        if room.shell.adiabatic:
+            self.left_out.append(f"{room.shell.adiabatic:.0f} m2 of adiabatic surfaces: nothing passes them")
+        return room
+
+    def each(self, whole):
+        """A room of each zone with a floor; `whole` has their constructions."""
+        rooms = [self.room(idf_envelope.plain(zone.name), [zone], whole.shell) for zone in self.rooms
+                 if zone.area >= LEAST_SIZE and zone.volume >= LEAST_SIZE]
+        apart = sum(room.shell.between for room in rooms) / 2
+        if apart:
+            self.left_out.append(f"{apart:.0f} W/K between rooms: nothing passes; a [[zone.coupling]] brings it, but "
+                                 "coupled zones have no derivatives, which a loop needs")
+        return rooms
+
+    def room(self, name, zones, known=None):
+        use = idf_use.Reader(self.model, self.zones, self.left_out, zones)
+        loads = use.loads()
+        infiltration, others = use.infiltration()
+        self.envelope = self.envelope or idf_envelope.Reader(self.model, self.zones, self.left_out, others)
+        shell = self.envelope.read(zones, known)
+        heating, cooling = use.set_points()
+        area, volume = size_of(zones)
+        for profile in loads.values():
+            profile.values = profile.values / area
+        return Room(name, area, volume, shell, loads, infiltration / volume, use.ventilation() / volume, heating,
+                    cooling)
+
+
+def read_building(path, has_rooms=False):
     model, left_out = idf.read_model(path), []
-    zones = idf_geometry.read_zones(model)
-    idf_use.mark_conditioned(model, zones, left_out)
-    use = idf_use.Reader(model, zones, left_out)
-    loads = use.loads()
-    infiltration, others = use.infiltration()
-    shell = idf_envelope.Reader(model, zones, left_out, others).read()
-    if not shell.surfaces:
-        raise idf_use.no_zone(model, "no surface to outdoors or ground of a zone with a thermostat")
-    heating, cooling = use.set_points()
-    rooms = use.conditioned()
-    area = sum(zone.area * zone.multiplier for zone in rooms if zone.counts)
-    volume = sum(zone.volume * zone.multiplier for zone in rooms)
-    if area < 1 or volume < 1:
-        raise idf_use.no_zone(model, f"{area:g} m2 and {volume:g} m3")
-    for profile in loads.values():
-        profile.values = profile.values / area
-    found = Described(path, area, volume, shell, loads, infiltration / volume, use.ventilation() / volume, heating,
-                      cooling, use.machines(idf_use.HEATERS), use.machines(idf_use.COOLERS), bool(model.all(*IDEAL)))
+    reader = Reader(model, left_out)
+    whole = reader.whole()
+    rooms = reader.each(whole) if has_rooms else [whole]
+    found = Described(path, whole, rooms, idf_use.machines(model, idf_use.HEATERS),
+                      idf_use.machines(model, idf_use.COOLERS), bool(model.all(*IDEAL)))
     found.left_out = list(dict.fromkeys([*left_out, *left_out_of(model)]))
     return found
 
@@ -89,10 +137,10 @@ def left_out_of(model):
 
 def envelope_of(found):
     """What the priors ask of an envelope."""
-    opaque, glazing = found.shell.opaque.values(), found.shell.glazing.values()
+    opaque, glazing = found.whole.shell.opaque.values(), found.whole.shell.glazing.values()
     most = max(each.u_value for each in opaque)
     return Envelope(most, most, most, max((g.u_value for g in glazing), default=0),
-                    max((g.solar for g in glazing), default=0), float(found.infiltration.mean()), found.file,
+                    max((g.solar for g in glazing), default=0), float(found.whole.infiltration.mean()), found.file,
                     SD_OF_FILE, False)
 
 
@@ -100,7 +148,7 @@ def loads_of(found, others):
     """Those of the file, and hot water, which is a table's."""
     names = {"equipment": "equipment", "lights": "lights", "people": "people, sensible"}
     loads = [Load(name, float(profile.values.max()), name, profile.carrier, names.get(name, "equipment by gas"))
-             for name, profile in found.loads.items()]
+             for name, profile in found.whole.loads.items()]
     return [*loads, *(load for load in others if load.name == "hot_water")]
 
 
@@ -109,7 +157,7 @@ def plant_of(found, by_meters, meters, told):
     seen = {meter.quantity for meter in meters}
     plant = heating_of(found, by_meters, seen, told)
     cooler = found.coolers[0] if found.coolers else None
-    if found.cooling is None or not (cooler or found.is_ideal):
+    if found.whole.cooling is None or not (cooler or found.is_ideal):
         plant.cooling, plant.cooling_says = None, "no cooling in the file"
         return plant
     if "cooling" in seen:

@@ -73,6 +73,8 @@ class Shell:
     surfaces: dict = field(default_factory=dict)   # {key: Part}
     windows: dict = field(default_factory=dict)
     heat_capacity: float = 0                       # J/K
+    adiabatic: float = 0                           # m2
+    between: float = 0                             # W/K to other conditioned zones
     ground: float = GROUND_TEMPERATURE
 
     @property
@@ -215,30 +217,29 @@ def plain(name):
 
 
 class Reader:
-    """Puts surfaces together into a Shell; `told` lines of what it leaves out go to `left_out`."""
+    """Puts surfaces together into Shells; lines of what it leaves out go to `left_out`."""
 
     def __init__(self, model, zones, left_out, air_flows):
         self.model, self.zones, self.left_out = model, zones, left_out
         self.air_flows = air_flows                 # {zone: m3/h of infiltration}
         self.owner = {s.given.name.lower(): zone for zone in zones.values() for s in zone.surfaces}
-        self.shell, self.adiabatic, self.buffer = Shell(), 0.0, {}
+        self.shell, self.buffer, self.rooms = None, {}, []
 
-    def read(self):
+    def read(self, rooms, known=None):
+        """Shell of some conditioned zones. `known`: one whose constructions it has."""
+        self.shell = Shell(known.opaque, known.glazing) if known else Shell()
+        self.rooms, self.is_known = rooms, known is not None
         ground = next(iter(self.model.all("Site:GroundTemperature:BuildingSurface")), None)
         if ground:
             self.shell.ground = float(np.mean([ground.number(key, GROUND_TEMPERATURE, -50, 60) for key in
                                                (k for k in ground.fields if k.endswith("_ground_temperature"))]))
-        for zone in self.zones.values():
-            if zone.is_conditioned:
-                for surface in zone.surfaces:
-                    self.add(surface)
+        for surface in (surface for zone in rooms for surface in zone.surfaces):
+            self.add(surface)
         for mass in self.model.all("InternalMass"):
             zone = self.zones.get(mass.word("zone_or_zonelist_name"))
-            if zone and zone.is_conditioned:
+            if zone in rooms:
                 self.shell.heat_capacity += mass_of(self.model, mass) * zone.multiplier * \
                     mass.number("surface_area", 0, 0, 1e7)
-        if self.adiabatic:
-            self.left_out.append(f"{self.adiabatic:.0f} m2 of adiabatic surfaces: nothing passes them")
         return self.shell
 
     def behind(self, surface):
@@ -252,14 +253,19 @@ class Reader:
             return "outdoors", 1, 0
         other = self.neighbour(surface)
         if outside == "adiabatic" or other is surface.zone:
-            self.adiabatic += surface.gross * surface.zone.multiplier
+            self.shell.adiabatic += surface.gross * surface.zone.multiplier
             return None
         if outside in ("surface", "zone", "space"):
             if other is None:
                 key = "outside_boundary_condition_object"
                 surface.given.refuse(key, f"{surface.given.text(key)!r} is no surface or zone of the file; expected "
                                           "the name of one")
-            return None if other.is_conditioned else ("outdoors", self.factor_of(other), r)
+            if not other.is_conditioned:
+                return "outdoors", self.factor_of(other), r
+            if other not in self.rooms:
+                u_value = opaque_of(self.model, surface.given, r, r).u_value
+                self.shell.between += surface.net * surface.zone.multiplier * u_value
+            return None
         self.left_out.append(f'surface "{surface.given.name}": outside boundary condition '
                              f'"{surface.given.text("outside_boundary_condition")}"; taken as adiabatic')
         return None
@@ -334,6 +340,8 @@ class Reader:
 
     def add_f_factor(self, made, area):
         """One construction for all: the mean by area."""
+        if self.is_known:
+            return
         known = self.shell.opaque.setdefault(made.name, made)
         before = sum(p.area for p in self.shell.surfaces.values() if p.construction == made.name)
         known.u_value = known.bare = (known.u_value * before + made.u_value * area) / max(before + area, 1e-9)

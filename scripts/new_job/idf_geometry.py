@@ -27,7 +27,7 @@ OPENINGS = ("FenestrationSurface:Detailed", "Window", "GlazedDoor", "Door", "Win
 MOST_OPEN = 0.02               # of a zone's surface, by which its normals may fail to close
 
 
-@dataclass
+@dataclass(eq=False)           # a zone is itself
 class Zone:
     """Areas in m2 and volumes in m3 of one; `multiplier` zones are alike."""
     name: str

@@ -1,5 +1,6 @@
 """The text of a first job from an EnergyPlus file: its own schedules, constructions, zone and priors."""
 import os
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -8,17 +9,21 @@ from new_job import building, job, priors
 from new_job.idf_schedules import KINDS, MONTH_DAYS, runs_of
 from new_job.job import NOT_COOLED, section
 
+SAME_SHARE = 6                 # digits by which hours of two rooms are the same
 MOST_RUNS = 26                 # parts of the year with schedules of their own; more are one mean
 WEEKDAYS = ("monday", "tuesday", "wednesday", "thursday", "friday")
 HEAT_CAPACITIES = (80000, 600000)  # J/(m2 K), to which the capacity of the layers is cut
 MOST_AIR = 20                  # 1/h, that a job takes
-MOST_G, LEAST_SHARE = 0.95, 0.3
+MOST_G, LEAST_SHARE, MOST_FACTOR = 0.95, 0.3, 3
+OF_ROOMS = ("infiltration", "ventilation", "people", "heat_capacity")   # numbers that each room has of its own
 
 
 def header(first):
     found = first.model
+    n_rooms = len(found.rooms)
     yield f"# A first job, written by bemcal-batch new from {os.path.basename(found.file)}: " \
-          f"{number(round(found.area, 1))} m2, {number(round(found.volume, 1))} m3, one zone, {first.place.name}."
+          f"{number(round(found.whole.area, 1))} m2, {number(round(found.whole.volume, 1))} m3, " \
+          f"{'one zone' if n_rooms == 1 else f'{n_rooms} zones'}, {first.place.name}."
     yield "# Numbers are the file's; priors say how far they are trusted."
     yield "#"
     yield "# Look first at:"
@@ -28,20 +33,43 @@ def header(first):
     yield from (f"# - left out: {line}" for line in first.told.left_out)
 
 
-def flows(found):
+def flows(room):
     """Profiles of air changes, by name."""
-    return (("infiltration", np.minimum(found.infiltration, MOST_AIR)),
-            ("ventilation", np.minimum(found.ventilation, MOST_AIR)))
+    return (("infiltration", np.minimum(room.infiltration, MOST_AIR)),
+            ("ventilation", np.minimum(room.ventilation, MOST_AIR)))
 
 
-def profiles(first):
-    """{name of schedule: profile} of all that is scheduled."""
-    found = first.model
-    named = {name: profile.values for name, profile in found.loads.items()}
-    named |= dict(flows(found))
-    named |= {name: profile for name, profile in (("heating", found.heating), ("cooling", found.cooling))
+def profiles(room):
+    """{name: profile} of all that is scheduled."""
+    named = {name: profile.values for name, profile in room.loads.items()}
+    named |= dict(flows(room))
+    named |= {name: profile for name, profile in (("heating", room.heating), ("cooling", room.cooling))
               if profile is not None}
     return named
+
+
+@dataclass
+class Hours:
+    """Schedules of all rooms: rooms with the same hours share one."""
+    shares: dict               # {name of schedule: (365, 8, 24)}
+    names: dict                # {(room, what is scheduled): name of schedule}
+
+
+def hours_of(found):
+    hours, known = Hours({}, {}), {}
+    for room in found.rooms:
+        for name, profile in profiles(room).items():
+            if is_constant(profile):
+                continue
+            value, low = span_of(name, profile)
+            shares = (profile - low) / (value - low)
+            # What has no hours of its own in another room; the first room's have the plain name.
+            key = name, np.round(shares, SAME_SHARE).tobytes()
+            if key not in known:
+                known[key] = name if name not in hours.shares else f"{name} of {room.name}"
+                hours.shares[known[key]] = shares
+            hours.names[room.name, name] = known[key]
+    return hours
 
 
 def span_of(name, profile):
@@ -54,13 +82,13 @@ def is_constant(profile):
     return float(np.ptp(profile)) < 1e-6
 
 
-def value_of(name, profile):
+def value_of(name, profile, schedule):
     """A number, or {value, low, schedule}."""
     value, low = map(rounded, span_of(name, profile))
-    return value if is_constant(profile) else job.scheduled(value, low, name)
+    return value if is_constant(profile) else job.scheduled(value, low, schedule)
 
 
-def hours(values):
+def day_of(values):
     """24 numbers, or one."""
     rounded = [float(f"{value:.3f}") + 0.0 for value in values]   # and no -0
     return rounded[0] if len(set(rounded)) == 1 else rounded
@@ -68,7 +96,7 @@ def hours(values):
 
 def week(values):
     """Rows of a section for (8, 24) values."""
-    days = [hours(day) for day in values]
+    days = [day_of(day) for day in values]
     if all(day == days[0] for day in days[:7]):
         yield "every_day", days[0]
         return
@@ -90,11 +118,7 @@ def month_day(day):
 
 def schedules(first):
     summer_time = job.summer_time_of(first.options.country, first.options.state)
-    for name, profile in profiles(first).items():
-        if is_constant(profile):
-            continue
-        value, low = span_of(name, profile)
-        shares = (profile - low) / (value - low)
+    for name, shares in hours_of(first.model).shares.items():
         runs = runs_of(shares)
         if len(runs) > MOST_RUNS:
             first.told.check(f"schedule {name}: it has {len(runs)} parts of the year; their mean was taken")
@@ -104,7 +128,7 @@ def schedules(first):
 
 def schedule_text(name, runs, summer_time):
     usual = max(runs, key=lambda run: sum(b - a + 1 for a, b, values in runs if np.allclose(values, run[2])))[2]
-    holiday, sunday = hours(usual[KINDS - 1]), hours(usual[6])
+    holiday, sunday = day_of(usual[KINDS - 1]), day_of(usual[6])
     text = section("[[schedule]]", ("name", name), ("summer_time", summer_time), *week(usual),
                    ("holiday", holiday if holiday != sunday else None))
     for first, last, values in runs:
@@ -119,7 +143,7 @@ def rounded(value, digits=4):
 
 
 def constructions(first):
-    shell = first.model.shell
+    shell = first.model.whole.shell
     for each in shell.opaque.values():
         yield section("[[construction]]", ("name", each.name), ("u_value", rounded(each.u_value), "films of ISO 6946"),
                       ("solar_absorptance", rounded(each.absorptance)), ("emissivity", rounded(each.emissivity)),
@@ -132,39 +156,58 @@ def constructions(first):
                       ("temperature", rounded(shell.ground), "mean of Site:GroundTemperature:BuildingSurface"))
 
 
-def capacity(found):
+def capacity(room):
     """[J/(m2 K)]"""
-    return min(max(found.shell.heat_capacity / found.area, HEAT_CAPACITIES[0]), HEAT_CAPACITIES[1])
+    return min(max(room.shell.heat_capacity / room.area, HEAT_CAPACITIES[0]), HEAT_CAPACITIES[1])
 
 
-def set_points(first):
+def is_cooled(first, room):
+    return first.plant.cooling is not None and room.cooling is not None
+
+
+def set_points(first, room, names):
     """(heating, cooling) values of the job."""
-    found, usual = first.model, building.set_points(first.use, first.options.country)
-    heating = usual[0] if found.heating is None else value_of("heating", found.heating)
-    is_cooled = first.plant.cooling is not None and found.cooling is not None
-    return heating, value_of("cooling", found.cooling) if is_cooled else NOT_COOLED
+    usual = building.set_points(first.use, first.options.country)
+    heating = usual[0] if room.heating is None else \
+        value_of("heating", room.heating, names.get((room.name, "heating")))
+    return heating, value_of("cooling", room.cooling, names.get((room.name, "cooling"))) \
+        if is_cooled(first, room) else NOT_COOLED
 
 
-def zone(first):
-    found, is_cooled = first.model, first.plant.cooling is not None
-    heating, cooling = set_points(first)
+def zones(first):
+    names = hours_of(first.model).names
+    for room in first.model.rooms:
+        yield from zone(first, room, names)
+
+
+def zone(first, room, names):
+    heating, cooling = set_points(first, room, names)
+    has_cold = first.plant.cooling is not None
     yield section(
-        "[[zone]]", ("name", "building"), ("floor_area", round(found.area, 2), "of the zones with a thermostat"),
-        ("volume", round(found.volume, 2)),
-        ("heat_capacity", rounded(capacity(found), 3), "of inner layers: ISO 13790, 12.3.1"),
+        "[[zone]]", ("name", room.name), ("floor_area", round(room.area, 2), "of the zones with a thermostat"
+                                          if room is first.model.whole else ""),
+        ("volume", round(room.volume, 2)),
+        ("heat_capacity", rounded(capacity(room), 3), "of inner layers: ISO 13790, 12.3.1"),
         ("heating_set_point", heating), ("heating_capacity", 100 if first.is_hourly else None, "W/m2, usual"),
-        ("cooling_set_point", cooling, "" if is_cooled else first.plant.cooling_says),
-        ("cooling_capacity", (90 if first.is_hourly else None) if is_cooled else 0))
-    yield from surfaces(found.shell)
-    for name, profile in flows(found):
-        yield section("[[zone.flow]]", ("name", name), ("air_change", value_of(name, profile), "1/h, of the volume"))
-    for load in first.loads:
-        profile = found.loads.get(load.name)
+        ("cooling_set_point", cooling, "" if has_cold else first.plant.cooling_says),
+        ("cooling_capacity", (90 if first.is_hourly else None) if has_cold else 0))
+    yield from surfaces(room.shell)
+    for name, profile in flows(room):
+        yield section("[[zone.flow]]", ("name", name),
+                      ("air_change", value_of(name, profile, names.get((room.name, name))), "1/h, of the volume"))
+    for load in loads_in(first, room):
+        profile = room.loads.get(load.name)
         yield section("[[zone.load]]", ("name", load.name),
-                      ("density", value_of(load.name, profile.values) if profile else round(load.value, 2), load.says),
+                      ("density", value_of(load.name, profile.values, names.get((room.name, load.name)))
+                       if profile else round(load.value, 2), load.says),
                       ("carrier", load.carrier or None),
                       ("heat_fraction", None if profile and profile.share > 0.999 else rounded(profile.share, 3)
                        if profile else 0))
+
+
+def loads_in(first, room):
+    """The room's own, and those that no file says."""
+    return [load for load in first.loads if load.name in room.loads or load.name not in first.model.whole.loads]
 
 
 def surfaces(shell):
@@ -181,42 +224,84 @@ def surfaces(shell):
                       ("azimuth", part.azimuth), ("tilt", part.tilt if part.tilt != 90 else None))
 
 
-def priors_of(first):
-    found, zone_name = first.model, "zone.building"
-    largest = max(each.u_value for each in [*found.shell.opaque.values(), *found.shell.glazing.values()])
-    yield priors.factor("envelope", ["construction.*.u_value", *(["glazing.*.u_value"] if found.shell.glazing else [])],
+def targets_of(first, key, rooms=None):
+    """What sets a number of all rooms, or of some."""
+    names = [room.name for room in rooms if room in first.model.rooms] if rooms is not None else \
+        ["*" if len(first.model.rooms) > 1 else first.model.whole.name]
+    return [f"zone.{name}.{key}" for name in names]
+
+
+def envelope_priors(first):
+    shell = first.model.whole.shell
+    largest = max(each.u_value for each in [*shell.opaque.values(), *shell.glazing.values()])
+    yield priors.factor("envelope", ["construction.*.u_value", *(["glazing.*.u_value"] if shell.glazing else [])],
                         LEAST_SHARE, min(2, priors.MOST_U / largest), first.envelope.sd, "on all U-values")
-    if first.is_hourly and found.shell.glazing:
+    if first.is_hourly and shell.glazing:
         yield priors.factor("g_window", ["glazing.*.solar_transmittance"], LEAST_SHARE,
                             min(1.3, MOST_G / first.envelope.g), 0.2, "blinds and shade")
-    for name, profile in flows(found):
+
+
+def flow_priors(first):
+    for name, profile in flows(first.model.whole):
         most = float(profile.max())
-        yield priors.level(name, f"{zone_name}.flow.{name}.air_change", most, 0.4 * most + 0.1, "[1/h]",
+        yield priors.level(name, targets_of(first, f"flow.{name}.air_change"), most, 0.4 * most + 0.1, "[1/h]",
                            most=MOST_AIR)
+
+
+def load_priors(first):
     names = [load.name for load in first.loads if load.name not in ("people", "hot_water")]
     if names:
-        yield priors.factor("lights_and_equipment", [f"{zone_name}.load.{name}.density" for name in names], 0.2, 3, 0.3,
-                            "on all")
+        targets = [target for name in names for target in load_targets(first, name)]
+        yield priors.factor("lights_and_equipment", targets, 0.2, 3, 0.3, "on all")
     for load in first.loads:
+        targets = load_targets(first, load.name)
         if load.name == "people":
-            yield priors.level("people", f"{zone_name}.load.people.density", load.value, 0.3 * load.value, "[W/m2]")
+            yield priors.level("people", targets, load.value, 0.3 * load.value, "[W/m2]")
         if load.name == "hot_water":
-            yield priors.level("hot_water", f"{zone_name}.load.hot_water.density", load.value,
-                               max(0.5 * load.value, 0.25 * load.most, 0.3), "[W/m2] at all hours", reach=load.most)
-    yield from (prior for prior in priors.plant_priors(first, zone_name) if has_part(first, prior.name))
+            yield priors.level("hot_water", targets, load.value, max(0.5 * load.value, 0.25 * load.most, 0.3),
+                               "[W/m2] at all hours", reach=load.most)
 
 
-def has_part(first, name):
-    """Whether the job has what a prior of the plant is for, and a meter that sees it."""
-    if name.startswith("cooling") and not any(map(first.has, ("electricity", "cooling", "air_temperature"))):
-        return False
-    if name.endswith("set_back"):
-        profile = first.model.heating if name.startswith("heating") else first.model.cooling
-        return profile is not None and not is_constant(profile)
-    return True
+def load_targets(first, name):
+    rooms = [room for room in first.model.rooms if any(load.name == name for load in loads_in(first, room))]
+    return targets_of(first, f"load.{name}.density", rooms if len(rooms) < len(first.model.rooms) else None)
 
 
-PARTS = (job.site, job.holidays, job.weather, job.periods, schedules, constructions, zone, job.plant, job.meters)
+def plant_priors(first):
+    for prior in priors.plant_priors(first, lambda key: plant_targets(first, key)):
+        if prior.targets and is_seen(first, prior.name):
+            yield prior
+
+
+def plant_targets(first, key):
+    """A set-back is one of the rooms that have it."""
+    if not key.endswith(".low"):
+        return targets_of(first, key)
+    mode = key.partition("_")[0]     # heating or cooling
+    profiles_of = {room.name: profiles(room).get(mode) for room in first.model.rooms}
+    rooms = [room for room in first.model.rooms
+             if profiles_of[room.name] is not None and not is_constant(profiles_of[room.name])]
+    return targets_of(first, key, rooms if len(rooms) < len(first.model.rooms) else None)
+
+
+def is_seen(first, name):
+    """Whether a meter sees it."""
+    return not name.startswith("cooling") or any(map(first.has, ("electricity", "cooling", "air_temperature")))
+
+
+def as_factor(prior):
+    """Of numbers that each room has of its own: the same prior on all of them, relative to its mean."""
+    return priors.factor(prior.name, prior.targets, max(prior.least / prior.mean, LEAST_SHARE),
+                         min(prior.most / prior.mean, MOST_FACTOR), prior.sd / prior.mean, "on each room's")
+
+
+def priors_of(first):
+    several = len(first.model.rooms) > 1
+    for prior in (*envelope_priors(first), *flow_priors(first), *load_priors(first), *plant_priors(first)):
+        yield as_factor(prior) if several and prior.name in OF_ROOMS and prior.mean > 0 else prior
+
+
+PARTS = (job.site, job.holidays, job.weather, job.periods, schedules, constructions, zones, job.plant, job.meters)
 
 
 def idf_text(first):

@@ -1,4 +1,4 @@
-"""Loads, air, set-points and plant of an EnergyPlus file, of all its conditioned zones together.
+"""Loads, air, set-points and plant of an EnergyPlus file, of all its conditioned zones together or of one.
 
 Each is a sum of power or flow times schedule, or a mean of set-points by floor area. Infiltration's coefficients are
 taken at usual differences of temperature and wind, wind at the zone's height by EnergyPlus's terrain. Sensible heat of
@@ -51,13 +51,11 @@ class Profile:
 
 
 class Reader:
-    def __init__(self, model, zones, left_out):
-        self.model, self.zones, self.left_out = model, zones, left_out
+    def __init__(self, model, zones, left_out, rooms):
+        """`rooms`: the conditioned zones that are read."""
+        self.model, self.zones, self.left_out, self.rooms = model, zones, left_out, rooms
         self.schedules = idf_schedules.Schedules(model, left_out)
         self.people = {}       # {zone: number at the most}
-
-    def conditioned(self):
-        return [zone for zone in self.zones.values() if zone.is_conditioned]
 
     def targets(self, thing, key):
         """[(zone, its floor area or that of the space)] which a field names."""
@@ -81,12 +79,12 @@ class Reader:
         return [(zone, sum(s.gross for s in floors) or zone.area)]
 
     def conditioned_targets(self, thing, key=TARGET):
-        """Those that count; others are told."""
+        """Those among the rooms; zones without a thermostat are told."""
         found = self.targets(thing, key)
         for zone, _ in found:
             if not zone.is_conditioned:
                 self.left_out.append(f'{thing.kind} of zone "{zone.name}", which has no thermostat')
-        return [(zone, area) for zone, area in found if zone.is_conditioned]
+        return [(zone, area) for zone, area in found if zone in self.rooms]
 
     def count_people(self, thing, area):
         method = thing.word("number_of_people_calculation_method", "people")
@@ -169,14 +167,14 @@ class Reader:
         return USUAL_WIND * (its_layer / WIND_HEIGHT)**of_weather * (max(height, 0.1) / layer)**exponent
 
     def infiltration(self):
-        """(profile of the conditioned zones, {zone without a thermostat: mean}) [m3/h]"""
+        """(profile of the rooms, {zone without a thermostat: mean}) [m3/h]"""
         total, others = idf_schedules.constant(0), {}
         for thing in self.model.all("ZoneInfiltration:DesignFlowRate"):
             for zone, area in self.targets(thing, TARGET):
                 flow = self.infiltration_of(thing, zone, area) * self.schedules.of(thing, "schedule_name")
-                if zone.is_conditioned:
+                if zone in self.rooms:
                     total += zone.multiplier * flow
-                else:
+                elif not zone.is_conditioned:
                     others[zone.name] = others.get(zone.name, 0) + float(flow.mean())
         return total, others
 
@@ -230,11 +228,11 @@ class Reader:
         return thing
 
     def supplied(self, system):
-        """Zones with a thermostat that ideal loads supply, by the node between."""
+        """Rooms that ideal loads supply, by the node between."""
         node = system.word("zone_supply_air_node_name")
         zones = [self.zones.get(each.word("zone_name")) for each in self.model.all("ZoneHVAC:EquipmentConnections")
                  if node and node == each.word("zone_air_inlet_node_or_nodelist_name")]
-        return [zone for zone in zones if zone and zone.is_conditioned]
+        return [zone for zone in zones if zone in self.rooms]
 
     def own_flow(self, thing, zone, area):
         method = thing.word("design_flow_rate_calculation_method", "flow/zone")
@@ -251,7 +249,7 @@ class Reader:
         sums, areas = [0, 0], [0.0, 0.0]
         for zone, pair in self.thermostats():
             for k, profile in enumerate(pair):
-                if profile is not None:
+                if profile is not None and zone in self.rooms:
                     weight = zone.area * zone.multiplier
                     sums[k] = sums[k] + weight * profile
                     areas[k] += weight
@@ -289,16 +287,17 @@ class Reader:
                 cooling = self.schedules.of(thing, "setpoint_temperature_schedule_name")
         return heating, cooling
 
-    def machines(self, rows):
-        """[(class, carrier, mean efficiency or COP)] of those in the file."""
-        found = []
-        for kind, key, usual, carrier in rows:
-            things = self.model.all(kind)
-            if things:
-                values = [thing.number(key, usual, 0.01, 20) if key else usual for thing in things]
-                fuel = carrier or FUELS.get(things[0].word("fuel_type"), "none")
-                found.append((things[0].kind, fuel, float(np.mean(values))))
-        return found
+
+def machines(model, rows):
+    """[(class, carrier, mean efficiency or COP)] of those in the file."""
+    found = []
+    for kind, key, usual, carrier in rows:
+        things = model.all(kind)
+        if things:
+            values = [thing.number(key, usual, 0.01, 20) if key else usual for thing in things]
+            fuel = carrier or FUELS.get(things[0].word("fuel_type"), "none")
+            found.append((things[0].kind, fuel, float(np.mean(values))))
+    return found
 
 
 def sensible(activity, room):

@@ -34,13 +34,14 @@ class Prior:
                 f'prior = {{kind = "normal", mean = {mean}, sd = {sd}}}\n')
 
 
-def level(name, target, value, sd, says, least=0.0, reach=0.0, most=1e9):
+def level(name, targets, value, sd, says, least=0.0, reach=0.0, most=1e9):
     """A number that the parameter replaces; `reach`: what the range has to hold."""
-    return Prior(name, (target,), max(least, value - 4 * sd), min(most, max(value + 4 * sd, reach)), value, sd, says)
+    return Prior(name, tuple(targets), max(least, value - 4 * sd), min(most, max(value + 4 * sd, reach)), value, sd,
+                 says)
 
 
-def shift(name, target, width, sd, says):
-    return Prior(name, (target,), -width, width, 0, sd, says, "offset")
+def shift(name, targets, width, sd, says):
+    return Prior(name, tuple(targets), -width, width, 0, sd, says, "offset")
 
 
 def factor(name, targets, least, most, sd, says):
@@ -54,42 +55,43 @@ def priors_of(first):
     yield factor("envelope", ["construction.*.u_value", "glazing.window.u_value"], 0.3, min(2.5, MOST_U / largest),
                  envelope.sd, "on all U-values")
     if first.is_hourly:
-        yield level("g_window", "glazing.window.solar_transmittance", envelope.g * 0.8, 0.2,
+        yield level("g_window", ["glazing.window.solar_transmittance"], envelope.g * 0.8, 0.2,
                     "with blinds and shade", 0.05, most=0.9)
-    yield level("infiltration", f"{zone}.flow.infiltration.air_change", envelope.infiltration, 0.3, "[1/h]", 0.05)
+    yield level("infiltration", [f"{zone}.flow.infiltration.air_change"], envelope.infiltration, 0.3, "[1/h]", 0.05)
     fresh = air_change(use, first.form)
-    yield level("ventilation", f"{zone}.flow.ventilation.air_change", fresh, 0.5 * fresh + 0.2, "[1/h] in use")
+    yield level("ventilation", [f"{zone}.flow.ventilation.air_change"], fresh, 0.5 * fresh + 0.2, "[1/h] in use")
     yield factor("lights_and_equipment", [f"{zone}.load.{load.name}.density" for load in first.loads
                                           if load.name in ("lights", "equipment")], 0.05, first.most_of_loads,
                  SHARE_OF_LOADS, "on both")
     for load in first.loads:
         if load.name == "people":
-            yield level("people", f"{zone}.load.people.density", load.value, SHARE_OF_LOADS * load.value,
+            yield level("people", [f"{zone}.load.people.density"], load.value, SHARE_OF_LOADS * load.value,
                         "[W/m2] in use")
         if load.name in ("base_load", "hot_water"):
-            yield level(load.name, f"{zone}.load.{load.name}.density", load.value,
+            yield level(load.name, [f"{zone}.load.{load.name}.density"], load.value,
                         max(0.5 * load.value, 0.25 * load.most, 0.3), "[W/m2] at all hours", reach=load.most)
-    yield from plant_priors(first, zone)
+    yield from plant_priors(first, lambda key: [f"{zone}.{key}"])
 
 
-def plant_priors(first, zone):
+def plant_priors(first, targets):
+    """`targets` of a key of a zone."""
     plant = first.plant
     if plant.heating != "none" or first.has("heating") or first.has("air_temperature"):
-        yield shift("heating_set_point", f"{zone}.heating_set_point", 4, 1.2, "[K]")
-        yield shift("heating_set_back", f"{zone}.heating_set_point.low", 6, 2, "[K]")
+        yield shift("heating_set_point", targets("heating_set_point"), 4, 1.2, "[K]")
+        yield shift("heating_set_back", targets("heating_set_point.low"), 6, 2, "[K]")
         if first.is_hourly:
-            yield level("heating_capacity", f"{zone}.heating_capacity", 100, 40, "[W/m2]", 20)
+            yield level("heating_capacity", targets("heating_capacity"), 100, 40, "[W/m2]", 20)
     if plant.efficiency_sd:
         yield Prior("heating_efficiency", ("plant.heating_efficiency",), *plant.efficiency_range, plant.efficiency,
                     plant.efficiency_sd, "seasonal, with losses of distribution")
     if plant.cooling:
-        yield shift("cooling_set_point", f"{zone}.cooling_set_point", 4, 1.5, "[K]")
-        yield shift("cooling_set_back", f"{zone}.cooling_set_point.low", 5, 2, "[K]")
+        yield shift("cooling_set_point", targets("cooling_set_point"), 4, 1.5, "[K]")
+        yield shift("cooling_set_back", targets("cooling_set_point.low"), 5, 2, "[K]")
         if first.is_hourly:
-            yield level("cooling_capacity", f"{zone}.cooling_capacity", 90, 30, "[W/m2]", 20)
+            yield level("cooling_capacity", targets("cooling_capacity"), 90, 30, "[W/m2]", 20)
     if plant.cooling == "electricity":
-        yield level("cooling_cop", "plant.cooling_cop", plant.cop, 0.8, "with pumps and fans of the plant", 1.2,
+        yield level("cooling_cop", ["plant.cooling_cop"], plant.cop, 0.8, "with pumps and fans of the plant", 1.2,
                     most=max(6, 1.3 * plant.cop))
     if first.is_hourly:
         least, most, mean, sd = HEAT_CAPACITIES
-        yield Prior("heat_capacity", (f"{zone}.heat_capacity",), least, most, mean, sd, "[J/(m2 K)]")
+        yield Prior("heat_capacity", tuple(targets("heat_capacity")), least, most, mean, sd, "[J/(m2 K)]")

@@ -121,7 +121,7 @@ def parameters_of(model, plant, told):
 def schedules_of(first):
     """{schedule of the job: what it drives, and by how much from 0 to 1}"""
     made = {}
-    for name, profile in idf_job.profiles(first).items():
+    for name, profile in idf_job.profiles(first.model.whole).items():
         if name in DRIVES and not idf_job.is_constant(profile):
             value, low = idf_job.span_of(name, profile)
             made[name] = {"hook": DRIVES[name], "span": round(value - low, 3) if name in IN_KELVIN else 1}

@@ -65,13 +65,13 @@ def numbers(row):
 
 def envelope(found, year, conditioned):
     """(name, unit, ours, EnergyPlus's)"""
-    ours, theirs = parts_of(found.shell), parts_reported(year, conditioned)
+    ours, theirs = parts_of(found.whole.shell), parts_reported(year, conditioned)
     for name in sorted(ours | theirs):
         for k, (suffix, unit) in enumerate((("area", "m2"), ("bare", "W/K"), ("films", "W/K"))):
             if name != "buffer" or suffix != "films":    # b of the buffer is not EnergyPlus's
                 yield f"{name}_{suffix}", unit, ours.get(name, np.zeros(3))[k], theirs.get(name, np.zeros(3))[k]
     windows = [row for row in year.table("EnvelopeSummary", "Exterior Fenestration").values() if row.get("Zone")]
-    glass = [(part.area, found.shell.glazing[part.construction]) for part in found.shell.windows.values()]
+    glass = [(part.area, found.whole.shell.glazing[part.construction]) for part in found.whole.shell.windows.values()]
     for name, unit, our, key in (("windows_area", "m2", lambda each: 1, None),
                                  ("windows_UA", "W/K", lambda each: each.u_value, "Glass U-Factor"),
                                  ("windows_gA", "m2", lambda each: each.solar, "Glass SHGC")):
@@ -89,13 +89,13 @@ def mean_by(calendar, profile):
 
 def use(found, year, conditioned):
     calendar, alike = year.calendar(), year.multipliers()
-    profiles = {"people": ("W", found.loads["people"].values * found.area, lambda zone: alike[zone]),
-                "lights": ("W", found.loads["lights"].values * found.area, lambda zone: alike[zone]),
-                "equipment": ("W", found.loads["equipment"].values * found.area, lambda zone: alike[zone]),
-                "infiltration": ("m3/h", found.infiltration * found.volume,
+    profiles = {"people": ("W", found.whole.loads["people"].values * found.whole.area, lambda zone: alike[zone]),
+                "lights": ("W", found.whole.loads["lights"].values * found.whole.area, lambda zone: alike[zone]),
+                "equipment": ("W", found.whole.loads["equipment"].values * found.whole.area, lambda zone: alike[zone]),
+                "infiltration": ("m3/h", found.whole.infiltration * found.whole.volume,
                                  lambda zone: 3600 * alike[zone] * (zone in conditioned)),
                 # An air system's flow is that of all zones that are alike.
-                "ventilation": ("m3/h", found.ventilation * found.volume, lambda zone: 3600)}
+                "ventilation": ("m3/h", found.whole.ventilation * found.whole.volume, lambda zone: 3600)}
     for (name, (unit, profile, factor)), variable in zip(profiles.items(), reports.HOURLY):
         yield name, unit, mean_by(calendar, profile), float(np.mean(year.sums(variable, factor)))
 
@@ -104,8 +104,8 @@ def rows(found, year):
     zones = year.table("InputVerificationandResultsSummary", "Zone Summary")
     conditioned = {name.lower() for name, row in zones.items() if row.get("Conditioned (Y/N)") == "Yes"}
     total = zones["Conditioned Total"]
-    yield "floor_area", "m2", found.area, float(total["Area"])
-    yield "volume", "m3", found.volume, float(total["Volume"])
+    yield "floor_area", "m2", found.whole.area, float(total["Area"])
+    yield "volume", "m3", found.whole.volume, float(total["Volume"])
     yield from envelope(found, year, conditioned)
     yield from use(found, year, conditioned)
 

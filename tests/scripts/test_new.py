@@ -165,7 +165,8 @@ class New(unittest.TestCase):
         options = {"weather": [self.made / "2021.epw", self.made / "2022.epw"], "area": 1200, "use": "office",
                    "built": 1975, "place": "GB", **options}
         options["meter"] = list(meter_files) or [self.made / "gas.csv", self.made / "electricity.csv"]
-        arguments = ["new", options.pop("job", self.job), *(["--force"] if options.pop("force", False) else [])]
+        flags = [f"--{name}" for name in ("force", "rooms", "simulator") if options.pop(name, False)]
+        arguments = ["new", options.pop("job", self.job), *flags]
         for name, values in options.items():
             for value in values if isinstance(values, list) else [values]:
                 arguments += [f"--{name}", value] if value is not None else []

@@ -79,6 +79,26 @@ def faces(version_has_space=True):
 BOX = HOUSE + faces()
 
 
+# A store to its west, 10 m long, behind one wall with it.
+STORE_FACES = {
+    "store south": ("Wall", "Wall", "Outdoors", "", "-10,0,3, -10,0,0, 0,0,0, 0,0,3"),
+    "store east": ("Wall", "Wall", "Surface", "west", "0,0,3, 0,0,0, 0,8,0, 0,8,3"),
+    "store north": ("Wall", "Wall", "Outdoors", "", "0,8,3, 0,8,0, -10,8,0, -10,8,3"),
+    "store west": ("Wall", "Wall", "Outdoors", "", "-10,8,3, -10,8,0, -10,0,0, -10,0,3"),
+    "store roof": ("Roof", "Roof", "Outdoors", "", "-10,8,3, -10,0,3, 0,0,3, 0,8,3"),
+    "store floor": ("Floor", "Slab", "Ground", "", "-10,0,0, -10,8,0, 0,8,0, 0,0,0"),
+}
+TWO = BOX.replace("west, Wall, Wall, Room, , Adiabatic, ,", "west, Wall, Wall, Room, , Surface, store east,") + """
+Zone, Store, 0, 5, 5, 0, 1, 1;
+Lights, Store lights, Store, Work, Watts/Area, , 3;
+Schedule:Constant, Frost, , 12;
+ZoneControl:Thermostat, Frost control, Store, Activity, ThermostatSetpoint:SingleHeating, Frost only;
+ThermostatSetpoint:SingleHeating, Frost only, Frost;
+""" + "".join(f"BuildingSurface:Detailed, {name}, {kind}, {of}, Store, , {outside}, {other}, "
+              f"{'SunExposed' if outside == 'Outdoors' else 'NoSun'}, NoWind, , 4, {corners};\n"
+              for name, (kind, of, outside, other, corners) in STORE_FACES.items())
+
+
 # The same box by length and height: the azimuth is the outward normal's from the zone's y axis.
 BY_LENGTH = """
 Wall:Exterior, south, Wall, Room, , 180, 90, 0, 0, 0, 10, 3;
@@ -126,24 +146,24 @@ class Box(unittest.TestCase):
 
     def test_areas_directions_and_multipliers(self):
         found = self.read(BOX)
-        self.assertAlmostEqual(found.area, ALIKE * LENGTH * DEPTH)
-        self.assertAlmostEqual(found.volume, ALIKE * LENGTH * DEPTH * HEIGHT)
-        walls = {p.azimuth: p.area for p in found.shell.surfaces.values() if p.construction == "Wall"}
+        self.assertAlmostEqual(found.whole.area, ALIKE * LENGTH * DEPTH)
+        self.assertAlmostEqual(found.whole.volume, ALIKE * LENGTH * DEPTH * HEIGHT)
+        walls = {p.azimuth: p.area for p in found.whole.shell.surfaces.values() if p.construction == "Wall"}
         glass = 3 * 1 * 1.5
         self.assertEqual(set(walls), {210, 120, 30})
         self.assertAlmostEqual(walls[210], ALIKE * (LENGTH * HEIGHT - glass))
         self.assertAlmostEqual(walls[120], ALIKE * DEPTH * HEIGHT)
-        (window,) = found.shell.windows.values()
+        (window,) = found.whole.shell.windows.values()
         self.assertEqual((window.azimuth, window.tilt), (210, 90))
         self.assertAlmostEqual(window.area, ALIKE * glass)
-        roof = next(p for p in found.shell.surfaces.values() if p.construction == "Roof")
+        roof = next(p for p in found.whole.shell.surfaces.values() if p.construction == "Roof")
         self.assertEqual((roof.tilt, roof.area), (0, ALIKE * LENGTH * DEPTH))
-        slab = next(p for p in found.shell.surfaces.values() if p.construction == "Slab")
+        slab = next(p for p in found.whole.shell.surfaces.values() if p.construction == "Slab")
         self.assertEqual((slab.boundary, slab.azimuth), ("ground", None))
 
     def test_clockwise_vertices_and_world_coordinates(self):
         turned = BOX.replace("Counterclockwise, Relative", "Clockwise, World")
-        walls = {p.azimuth for p in self.read(turned).shell.surfaces.values() if p.construction == "Wall"}
+        walls = {p.azimuth for p in self.read(turned).whole.shell.surfaces.values() if p.construction == "Wall"}
         self.assertEqual(walls, {0, 270, 180})     # inside out, and north stays where it is
 
     def test_surfaces_by_length_and_height(self):
@@ -151,16 +171,16 @@ class Box(unittest.TestCase):
         window = "Window, South window, Window, south, , 3, 1, 1, 1, 1.5;\n"
         house = "".join(line + "\n" for line in HOUSE.splitlines() if not line.startswith("Fenestration"))
         one, other = self.read(BOX), self.read(house + BY_LENGTH + window)
-        self.assertAlmostEqual(one.volume, other.volume)
+        self.assertAlmostEqual(one.whole.volume, other.whole.volume)
         for kind in ("surfaces", "windows"):
             mine, theirs = (sorted((p.construction, p.boundary, p.azimuth or -1, p.tilt or -1, round(p.area, 6))
-                                   for p in getattr(found.shell, kind).values()) for found in (one, other))
+                                   for p in getattr(found.whole.shell, kind).values()) for found in (one, other))
             self.assertEqual(mine, theirs)
         self.assertEqual(one.left_out, other.left_out)
         clockwise = self.read((house + BY_LENGTH + window).replace("Counterclockwise", "Clockwise"))
-        self.assertEqual(other.shell.surfaces, clockwise.shell.surfaces)
+        self.assertEqual(other.whole.shell.surfaces, clockwise.whole.shell.surfaces)
         older = house.replace("25.2", "9.5") + BY_LENGTH.replace("Room, ,", "Room,") + window
-        self.assertEqual(other.shell.surfaces, self.read(older).shell.surfaces)
+        self.assertEqual(other.whole.shell.surfaces, self.read(older).whole.shell.surfaces)
 
     def test_a_slanted_rectangle(self):
         roof = idf.Object("x", "Roof", {"azimuth_angle": "180", "tilt_angle": "30", "length": "10", "width": "8",
@@ -174,12 +194,13 @@ class Box(unittest.TestCase):
         made = BY_LENGTH.replace("floor, Slab", "floor, Ground") + \
             "Construction:FfactorGroundFloor, Ground, 0.5, 80, 36;\n"
         house = "".join(line + "\n" for line in HOUSE.splitlines() if not line.startswith("Fenestration"))
-        (floor,) = (p for p in self.read(house + made).shell.surfaces.values() if "ground floor" in p.construction)
+        shell = self.read(house + made).whole.shell
+        (floor,) = (p for p in shell.surfaces.values() if "ground floor" in p.construction)
         self.assertEqual((floor.boundary, floor.area), ("outdoors", ALIKE * LENGTH * DEPTH))
 
     def test_fans_that_cycle_bring_less_air(self):
         """A unit with a schedule of 0, or none, by its zone or in the zone's list of equipment."""
-        usual_flow = self.read(BOX).ventilation.max()
+        usual_flow = self.read(BOX).whole.ventilation.max()
         unit = "AirLoopHVAC:UnitaryHeatCool, Unit, , In, Out, {}, , , , , Room;\n"
         terminal = "ZoneHVAC:PackagedTerminalAirConditioner, Unit, , In, Out, , , 1, 1, 1, , 1, 1, 1, Fan:OnOff, " \
                    "Fan, Coil:Heating:Fuel, Burner, Coil:Cooling:DX:SingleSpeed, Cooler, BlowThrough, {};\n" \
@@ -191,7 +212,7 @@ class Box(unittest.TestCase):
                             (terminal.format("", ", ZoneHVAC:EnergyRecoveryVentilator, Recovery, 2, 2"), 1)):
             with self.subTest(text=text):
                 found = self.read(BOX + always + text)
-                self.assertAlmostEqual(found.ventilation.max(), share * usual_flow)
+                self.assertAlmostEqual(found.whole.ventilation.max(), share * usual_flow)
                 self.assertEqual(share < 1, any("cycle with their coils" in line for line in found.left_out))
 
     def test_people_in_rooms_between_the_set_points(self):
@@ -200,12 +221,12 @@ class Box(unittest.TestCase):
         people = LENGTH * DEPTH / 10 * ALIKE
         for cooling, room in ((26, 23.5), (40, 24)):
             found = self.read(text.replace("Cool, , 26", f"Cool, , {cooling}"))
-            self.assertAlmostEqual(found.loads["people"].values[0, 0, 12] * found.area,
+            self.assertAlmostEqual(found.whole.loads["people"].values[0, 0, 12] * found.whole.area,
                                    people * idf_use.sensible(120, room))
         self.assertAlmostEqual(float(idf_use.sensible(120, 23.5)), 71.9, delta=0.1)
 
     def test_u_values_have_films(self):
-        shell = self.read(BOX).shell
+        shell = self.read(BOX).whole.shell
         brick = 0.24 / 0.8
         self.assertAlmostEqual(shell.opaque["Wall"].u_value, 1 / (0.04 + 2 * brick + 2.5 + 0.13))
         self.assertAlmostEqual(shell.opaque["Roof"].u_value, 1 / (0.04 + 2.5 + 0.1 + 0.10))
@@ -219,10 +240,10 @@ class Box(unittest.TestCase):
         panes = "WindowMaterial:Glazing, Clear, SpectralAverage, , 0.004, 0.82, 0.075, 0.075, 0.89, 0.08, 0.08, 0, " \
                 "0.84, 0.84, 1;\nWindowMaterial:Gas, Gap, Air, 0.012;\n"
         double = BOX.replace("Window, Pane;", "Window, Clear, Gap, Clear;") + panes
-        glazing = self.read(double).shell.glazing["Window"]
+        glazing = self.read(double).whole.shell.glazing["Window"]
         self.assertAlmostEqual(glazing.u_value, 2.86, delta=0.06)
         self.assertAlmostEqual(glazing.solar, 0.76, delta=0.02)
-        single = self.read(BOX.replace("Window, Pane;", "Window, Clear;") + panes).shell.glazing["Window"]
+        single = self.read(BOX.replace("Window, Pane;", "Window, Clear;") + panes).whole.shell.glazing["Window"]
         self.assertAlmostEqual(single.u_value, 5.75, delta=0.1)
 
     def test_light_is_kept_in_panes(self):
@@ -237,7 +258,7 @@ class Box(unittest.TestCase):
         self.assertIsNone(model.find("a", "Zone"))
 
     def test_schedules_by_day_and_season(self):
-        profile = self.read(BOX).loads["lights"].values
+        profile = self.read(BOX).whole.loads["lights"].values
         density = 8
         spring, autumn = profile[10], profile[300]
         self.assertAlmostEqual(spring[0, 9], density)
@@ -250,20 +271,21 @@ class Box(unittest.TestCase):
 
     def test_holidays_that_none_names_are_sundays(self):
         text = BOX.replace("For: AllOtherDays, Until: 24:00, 0,", "For: Sunday, Until: 24:00, 0.1,")
-        profile = self.read(text).loads["lights"].values
+        profile = self.read(text).whole.loads["lights"].values
         self.assertAlmostEqual(profile[10, 7, 12], 0.8)
 
     def test_loads_air_and_set_points(self):
         found = self.read(BOX)
         people = LENGTH * DEPTH / 10
-        self.assertAlmostEqual(found.loads["people"].values.max(), people * 120 * 0.5 * ALIKE / found.area)
-        self.assertAlmostEqual(found.loads["equipment"].values.max(), 400 * ALIKE / found.area)
-        self.assertAlmostEqual(found.loads["equipment"].share, 0.7)
-        self.assertAlmostEqual(found.infiltration.mean(), 0.5 * (0.6 + 0.04 * 10))
+        self.assertAlmostEqual(found.whole.loads["people"].values.max(), people * 120 * 0.5 * ALIKE / found.whole.area)
+        self.assertAlmostEqual(found.whole.loads["equipment"].values.max(), 400 * ALIKE / found.whole.area)
+        self.assertAlmostEqual(found.whole.loads["equipment"].share, 0.7)
+        self.assertAlmostEqual(found.whole.infiltration.mean(), 0.5 * (0.6 + 0.04 * 10))
         fresh = people * 0.005 + LENGTH * DEPTH * 0.0005
-        self.assertAlmostEqual(found.ventilation.max(), 3600 * fresh / (LENGTH * DEPTH * HEIGHT))
-        self.assertEqual((found.heating[0, 0, 12], found.heating[0, 0, 2], found.heating[0, 6, 12]), (21, 16, 16))
-        self.assertEqual(found.cooling.mean(), 26)
+        self.assertAlmostEqual(found.whole.ventilation.max(), 3600 * fresh / (LENGTH * DEPTH * HEIGHT))
+        heating = found.whole.heating
+        self.assertEqual((heating[0, 0, 12], heating[0, 0, 2], heating[0, 6, 12]), (21, 16, 16))
+        self.assertEqual(found.whole.cooling.mean(), 26)
         self.assertEqual(found.heaters, [("Coil:Heating:Fuel", "gas", 0.82)])
         self.assertEqual(found.coolers, [("Coil:Cooling:DX:SingleSpeed", "electricity", 3.4)])
 
@@ -271,30 +293,30 @@ class Box(unittest.TestCase):
         text = "".join(line + "\n" for line in BOX.splitlines() if not line.startswith(("ZoneControl", "Coil")))
         found = self.read(text + "HVACTemplate:Thermostat, Stat, , 19, , 27;\n"
                                  "HVACTemplate:Zone:IdealLoadsAirSystem, Room, Stat;\n")
-        self.assertEqual((found.heating.mean(), found.cooling.mean(), found.is_ideal), (19, 27, True))
-        self.assertEqual(found.ventilation.max(), 0)
+        self.assertEqual((found.whole.heating.mean(), found.whole.cooling.mean(), found.is_ideal), (19, 27, True))
+        self.assertEqual(found.whole.ventilation.max(), 0)
 
     def test_outdoor_air_of_ideal_loads(self):
         text = "".join(line + "\n" for line in BOX.splitlines() if not line.startswith(("ZoneControl", "Coil")))
         stat, gap = "HVACTemplate:Thermostat, Stat, , 19, , 27;\n", ", " * 18
         by_area = self.read(f"{text}{stat}HVACTemplate:Zone:IdealLoadsAirSystem, Room, Stat{gap}, Flow/Area, , "
                             "0.001;\n")
-        self.assertAlmostEqual(by_area.ventilation.max(), 3600 * 0.001 / HEIGHT)
+        self.assertAlmostEqual(by_area.whole.ventilation.max(), 3600 * 0.001 / HEIGHT)
         named = self.read(f"{text}{stat}HVACTemplate:Zone:IdealLoadsAirSystem, Room, Stat{gap}, DetailedSpecification, "
                           ", , , Fresh;\n")
         fresh = LENGTH * DEPTH / 10 * 0.005 + LENGTH * DEPTH * 0.0005
-        self.assertAlmostEqual(named.ventilation.max(), 3600 * fresh / (LENGTH * DEPTH * HEIGHT))
+        self.assertAlmostEqual(named.whole.ventilation.max(), 3600 * fresh / (LENGTH * DEPTH * HEIGHT))
         system = self.read(BOX + f"ZoneHVAC:IdealLoadsAirSystem, Air, , Supply{', ' * 17}, Fresh;\n"
                            "ZoneHVAC:EquipmentConnections, Room, List, Supply;\n")
-        self.assertAlmostEqual(system.ventilation.max(), named.ventilation.max())
+        self.assertAlmostEqual(system.whole.ventilation.max(), named.whole.ventilation.max())
 
     def test_lists_and_spaces(self):
         """Loads of a list of zones, and of a space by its own floor."""
         text = BOX + "ZoneList, All, Room;\nSpace, Corner, Room;\n"
         listed = self.read(text.replace("Lights, Lights, Room", "Lights, Lights, All"))
-        self.assertAlmostEqual(listed.loads["lights"].values.max(), 8)
+        self.assertAlmostEqual(listed.whole.loads["lights"].values.max(), 8)
         spaced = self.read(text.replace("Lights, Lights, Room", "Lights, Lights, Corner"))
-        self.assertAlmostEqual(spaced.loads["lights"].values.max(), 8)
+        self.assertAlmostEqual(spaced.whole.loads["lights"].values.max(), 8)
 
     def test_methods_of_infiltration(self):
         outer = LENGTH * DEPTH + LENGTH * HEIGHT * 2 + DEPTH * HEIGHT
@@ -305,7 +327,7 @@ class Box(unittest.TestCase):
                              ("Flow/ExteriorWallArea, , , 0.0002,", 0.0002 * walls)):
             with self.subTest(method=method):
                 text = BOX.replace("AirChanges/Hour, , , , 0.5, 0.6, 0.04, 0, 0;", f"{method} ;")
-                self.assertAlmostEqual(self.read(text).infiltration.mean(), 3600 * flow / volume)
+                self.assertAlmostEqual(self.read(text).whole.infiltration.mean(), 3600 * flow / volume)
 
     def test_a_zone_without_a_thermostat_is_a_factor(self):
         """A loft of 1 m behind the roof: b is its loss to outdoors over all."""
@@ -316,25 +338,50 @@ class Box(unittest.TestCase):
             for name, (kind, of, outside, other, points) in corners.items())
         text = BOX.replace("roof, Roof, Roof, Room, , Outdoors, ,", "roof, Roof, Roof, Room, , Surface, loft floor,")
         found = self.read(text + loft)
-        (part,) = (p for p in found.shell.surfaces.values() if p.construction == "Roof")
+        (part,) = (p for p in found.whole.shell.surfaces.values() if p.construction == "Roof")
         outer, inner = 1 / (2.6 + 0.14), 1 / (2.6 + 0.2)
         self.assertAlmostEqual(part.adjustment, outer / (outer + inner), 3)
-        self.assertAlmostEqual(found.area, ALIKE * LENGTH * DEPTH)
+        self.assertAlmostEqual(found.whole.area, ALIKE * LENGTH * DEPTH)
         self.assertTrue(any("Loft" in line for line in found.left_out))
+
+    def test_each_zone_is_a_room(self):
+        """Two rooms side by side, one twice; what they have together is what the whole has."""
+        path = self.folder / "two.idf"
+        path.write_text(TWO)
+        found = idf_building.read_building(str(path), has_rooms=True)
+        self.assertEqual([room.name for room in found.rooms], ["Room", "Store"])
+        self.assertEqual([room.area for room in found.rooms], [160, 80])
+        for what in ("area", "volume"):
+            self.assertAlmostEqual(sum(getattr(room, what) for room in found.rooms), getattr(found.whole, what))
+        self.assertAlmostEqual(sum(room.shell.conductance for room in found.rooms), found.whole.shell.conductance)
+        self.assertAlmostEqual(sum(room.shell.heat_capacity for room in found.rooms), found.whole.shell.heat_capacity)
+        for name, profile in found.whole.loads.items():
+            power = sum(room.area * room.loads[name].values for room in found.rooms if name in room.loads)
+            self.assertTrue(np.allclose(power, found.whole.area * profile.values), name)
+        for flow in ("infiltration", "ventilation"):
+            air = sum(room.volume * getattr(room, flow) for room in found.rooms)
+            self.assertTrue(np.allclose(air, found.whole.volume * getattr(found.whole, flow)), flow)
+        self.assertEqual(found.rooms[1].heating.mean(), 12)
+        self.assertNotIn("people", found.rooms[1].loads)
+        # The wall between: brick, wool, brick, with a film on either side.
+        wall = 1 / (2 * 0.24 / 0.8 + 2.5 + 2 * 0.13)
+        said = next(line for line in found.left_out if "between rooms" in line)
+        self.assertIn(f"{(ALIKE + 1) / 2 * DEPTH * HEIGHT * wall:.0f} W/K", said)
 
     def test_json_says_the_same(self):
         one = self.read(BOX)
         other = self.read(as_json(self.folder / "box.idf"), "box.epJSON")
-        self.assertEqual((one.area, one.volume, one.shell.conductance, one.left_out),
-                         (other.area, other.volume, other.shell.conductance, other.left_out))
-        for name in one.loads:
-            self.assertTrue((one.loads[name].values == other.loads[name].values).all())
-        self.assertTrue((one.heating == other.heating).all())
+        self.assertEqual((one.whole.area, one.whole.volume, one.whole.shell.conductance, one.left_out),
+                         (other.whole.area, other.whole.volume, other.whole.shell.conductance, other.left_out))
+        for name in one.whole.loads:
+            self.assertTrue((one.whole.loads[name].values == other.whole.loads[name].values).all())
+        self.assertTrue((one.whole.heating == other.whole.heating).all())
 
     def test_older_files_have_other_fields(self):
         old = HOUSE.replace("25.2", "8.9").replace("south, , , , 3, 4,", "south, , , , , 3, 4,") + faces(False)
         one, other = self.read(BOX), self.read(old)
-        self.assertEqual((one.area, one.shell.conductance), (other.area, other.shell.conductance))
+        self.assertEqual((one.whole.area, one.whole.shell.conductance),
+                         (other.whole.area, other.whole.shell.conductance))
 
     def test_what_is_left_out_is_told(self):
         said = "\n".join(self.read(BOX).left_out)
@@ -423,6 +470,21 @@ class Job(usual.New):
         self.from_file(self.box(as_json(path), "box.epJSON"), force=True)
         self.assertEqual(one, self.checked())
 
+    def test_a_zone_each(self):
+        """Hours that rooms share are one schedule; numbers of a room's own have a factor."""
+        self.assertIn("2 zones of the job", self.from_file(self.box(TWO), rooms=True).stdout)
+        job = self.checked()
+        self.assertEqual([zone["name"] for zone in job["zone"]], ["Room", "Store"])
+        lights = [load["density"] for zone in job["zone"] for load in zone["load"] if load["name"] == "lights"]
+        self.assertEqual(lights, [{"value": value, "schedule": "lights"} for value in (8, 3)])
+        self.assertEqual([zone["heating_set_point"] for zone in job["zone"]],
+                         [{"value": 21, "low": 16, "schedule": "heating"}, 12])
+        priors = {p["name"]: p for p in job["parameter"]}
+        self.assertEqual(priors["heating_set_back"]["target"], ["zone.Room.heating_set_point.low"])
+        self.assertEqual(priors["people"]["target"], ["zone.Room.load.people.density"])
+        self.assertEqual((priors["infiltration"]["target"], priors["infiltration"]["mode"]),
+                         (["zone.*.flow.infiltration.air_change"], "factor"))
+
     def test_a_box_without_windows_loads_and_systems(self):
         gone = ("FenestrationSurface", "People", "Lights", "ElectricEquipment", "Coil", "ZoneControl", "ZoneInf",
                 "Sizing")
@@ -433,6 +495,8 @@ class Job(usual.New):
     def test_options(self):
         self.assertIn("leave it out beside --idf", self.from_file(self.box(), USAGE, area=100).stderr)
         self.assertIn("--area", self.new(code=USAGE, area=None).stderr)
+        self.assertIn("expected --idf", self.new(code=USAGE, rooms=True).stderr)
+        self.assertIn("leave out either", self.from_file(self.box(), USAGE, rooms=True, simulator=True).stderr)
         self.assertIn("expected an EnergyPlus file", self.from_file(self.folder / "none.idf", NO_INPUT).stderr)
         path = self.box(name="box.toml")
         self.assertIn("is an input", self.from_file(path, usual.EXISTS, job=path, force=True).stderr)
