@@ -1,6 +1,6 @@
 """The envelope of an EnergyPlus file: U-values, glazing, and surfaces that are alike in construction and direction.
 
-U-values have the films of ISO 6946, as a job's `u_value` holds them; a simple glazing system has its own. Panes: gaps
+U-values have the films of ASHRAE 90.1, as in EnergyPlus's reports; a simple glazing system has its own. Panes: gaps
 by EN 673, solar energy by EN 410 with what each pane absorbs. Mass: ISO 13790, 12.3.1, up to 0.1 m, the middle, or
 insulation. F factors: U = F P / A. Zones without a thermostat are a factor b on what lies before them (ISO 13789).
 Leaves out shading objects, frames and dividers, blinds, moisture, and materials that change.
@@ -11,7 +11,8 @@ import numpy as np
 
 from new_job.idf_geometry import C_FACTOR, F_FACTOR
 
-R_OUTSIDE, R_WALL, R_UP, R_DOWN = 0.04, 0.13, 0.10, 0.17   # m2 K/W, ISO 6946 Table 7
+IP = 0.17611                   # m2 K/W of a ft2 h F/Btu
+R_OUTSIDE, R_WALL, R_UP, R_DOWN = 0.17 * IP, 0.68 * IP, 0.61 * IP, 0.92 * IP   # m2 K/W, ASHRAE 90.1 A9.4.1
 STEEP, OVERHANG = 60, 120      # deg of tilt, between which a surface is a wall
 R_GLASS_OUTSIDE = 0.04         # m2 K/W, EN 673: 1/25
 R_GLASS_INSIDE = 0.13          # 1/7.7

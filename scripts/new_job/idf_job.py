@@ -145,9 +145,10 @@ def rounded(value, digits=4):
 def constructions(first):
     shell = first.model.whole.shell
     for each in shell.opaque.values():
-        yield section("[[construction]]", ("name", each.name), ("u_value", rounded(each.u_value), "films of ISO 6946"),
+        yield section("[[construction]]", ("name", each.name),
+                      ("u_value", rounded(each.u_value), "films of ASHRAE 90.1"),
                       ("solar_absorptance", rounded(each.absorptance)), ("emissivity", rounded(each.emissivity)),
-                      ("external_resistance", each.r_outside))
+                      ("external_resistance", rounded(each.r_outside)))
     for each in shell.glazing.values():
         yield section("[[glazing]]", ("name", each.name), ("u_value", rounded(each.u_value), each.says),
                       ("solar_transmittance", rounded(each.solar)), ("frame_fraction", 0, "the glass is the opening"))

@@ -23,6 +23,7 @@ from new_job.refused import Refused  # noqa: E402
 
 DATA, NO_INPUT, USAGE = 65, 66, 64
 LENGTH, DEPTH, HEIGHT, NORTH, ALIKE = 10, 8, 3, 30, 2
+OUTSIDE, INSIDE, UP, DOWN = 0.02994, 0.11976, 0.10743, 0.16202   # m2 K/W: films of ASHRAE 90.1 A9.4.1
 # Corners of each face, seen from outside against the clock.
 FACES = {
     "south": ("Wall", "Wall", "Outdoors", "0,0,3, 0,0,0, 10,0,0, 10,0,3"),
@@ -228,9 +229,9 @@ class Box(unittest.TestCase):
     def test_u_values_have_films(self):
         shell = self.read(BOX).whole.shell
         brick = 0.24 / 0.8
-        self.assertAlmostEqual(shell.opaque["Wall"].u_value, 1 / (0.04 + 2 * brick + 2.5 + 0.13))
-        self.assertAlmostEqual(shell.opaque["Roof"].u_value, 1 / (0.04 + 2.5 + 0.1 + 0.10))
-        self.assertAlmostEqual(shell.opaque["Slab"].u_value, 1 / (0.1 + 0.17))
+        self.assertAlmostEqual(shell.opaque["Wall"].u_value, 1 / (OUTSIDE + 2 * brick + 2.5 + INSIDE), 5)
+        self.assertAlmostEqual(shell.opaque["Roof"].u_value, 1 / (OUTSIDE + 2.5 + 0.1 + UP), 5)
+        self.assertAlmostEqual(shell.opaque["Slab"].u_value, 1 / (0.1 + DOWN), 4)
         self.assertAlmostEqual(shell.opaque["Wall"].absorptance, 0.65)
         glazing = shell.glazing["Window"]
         self.assertEqual((glazing.u_value, glazing.solar), (1.8, 0.45))
@@ -339,7 +340,7 @@ class Box(unittest.TestCase):
         text = BOX.replace("roof, Roof, Roof, Room, , Outdoors, ,", "roof, Roof, Roof, Room, , Surface, loft floor,")
         found = self.read(text + loft)
         (part,) = (p for p in found.whole.shell.surfaces.values() if p.construction == "Roof")
-        outer, inner = 1 / (2.6 + 0.14), 1 / (2.6 + 0.2)
+        outer, inner = 1 / (2.6 + OUTSIDE + UP), 1 / (2.6 + 2 * UP)
         self.assertAlmostEqual(part.adjustment, outer / (outer + inner), 3)
         self.assertAlmostEqual(found.whole.area, ALIKE * LENGTH * DEPTH)
         self.assertTrue(any("Loft" in line for line in found.left_out))
@@ -364,7 +365,7 @@ class Box(unittest.TestCase):
         self.assertEqual(found.rooms[1].heating.mean(), 12)
         self.assertNotIn("people", found.rooms[1].loads)
         # The wall between: brick, wool, brick, with a film on either side.
-        wall = 1 / (2 * 0.24 / 0.8 + 2.5 + 2 * 0.13)
+        wall = 1 / (2 * 0.24 / 0.8 + 2.5 + 2 * INSIDE)
         said = next(line for line in found.left_out if "between rooms" in line)
         self.assertIn(f"{(ALIKE + 1) / 2 * DEPTH * HEIGHT * wall:.0f} W/K", said)
 
