@@ -34,9 +34,19 @@ def effect_record(effect):
             "doubt": effect.doubt, "brings": [value_record(value) for value in effect.brings]}
 
 
+def setting_record(setting):
+    """A setting that the readings deny, as an effect on what is described: before has it, too."""
+    change = [value - setting.described for value in (setting.found, setting.least, setting.most)]
+    return {"name": f"{setting.name}: {setting.found:.3g} {setting.unit}, described {setting.described:.3g}",
+            "hook": setting.name, "driver": "always", "shape": "constant", "gate": "always", "coefficient": change[0],
+            "interval": (change[1], change[2]), "unit": "K", "class": [setting.name], "adequate": True,
+            "gain": None, "separates": "a reading of it at the controller", "doubt": "", "brings": []}
+
+
 def effects(loop):
-    """What was found, as effects.json has it."""
-    return [effect_record(effect) for effect in stored.effects_in(loop)]
+    """What was found, as effects.json has it: effects, and settings that are not as described."""
+    return [effect_record(effect) for effect in stored.effects_in(loop)] + \
+        [setting_record(setting) for setting in stored.settings_in(loop)]
 
 
 def finite(value):

@@ -55,6 +55,9 @@ EFFECT = {"name": text("effect"), "hook": text("effect_hook"), "driver": text("e
 EFFECT_VALUE = {"value": number("effect_value"), "of": text("effect_value_of"),
                 "effect": number("effect_value_effect"), "unit": text("effect_value_unit"),
                 "least": number("effect_value_least"), "most": number("effect_value_most")}
+SETTING = {"name": text("setting"), "parameter": text("setting_parameter"), "unit": text("setting_unit"),
+           "described": number("setting_described"), "found": number("setting_found"),
+           "least": number("setting_least"), "most": number("setting_most"), "distance": number("setting_distance")}
 FUNCTION = {"name": text("function"), "hook": text("function_hook"), "driver": text("function_driver"),
             "driver_unit": text("function_driver_unit"), "size": number("function_size"),
             "unit": text("function_unit"), "evidence": number("function_evidence")}
@@ -136,6 +139,11 @@ def schedules_in(group):
     for k, schedule in enumerate(schedules):
         schedule.hours = [row for row in hours if row.schedule == k]
     return schedules
+
+
+def settings_in(group):
+    """Set-points and set-backs that the readings deny."""
+    return rows_in(group, SETTING)
 
 
 def functions_in(group):
@@ -251,7 +259,7 @@ class Loop:
         self.parameters = [parameter.name for parameter in self.of_parameters]
         self.effects, self.functions = effects_in(group), functions_in(group)
         self.schedules, self.job_parts = schedules_in(group), rows_in(group, JOB_PART)
-        self.measurements = rows_in(group, MEASUREMENT)
+        self.measurements, self.settings = rows_in(group, MEASUREMENT), settings_in(group)
         self.simulator = simulator_in(group)
         self.periods, self.resolutions, self.metrics, self.hooks, self.drivers = (
             texts_of(group, name)

@@ -87,6 +87,14 @@ def functions(loop):
     return f" Of what is left, a part follows {shown}: that says where and when, not why."
 
 
+def settings(loop):
+    """Set-points and set-backs that the readings deny."""
+    each = [f"the {setting.name} is {number(setting.found)} ({number(setting.least)} to {number(setting.most)}) "
+            f"{setting.unit.replace('degC', '°C')} and not the {number(setting.described)} that are described"
+            for setting in loop.settings]
+    return f" By the readings {listed(each)}." if each else ""
+
+
 def learned(loop):
     """Hours that nobody wrote down."""
     return ". ".join(schedule.sentence[:1].upper() + schedule.sentence[1:] for schedule in loop.schedules) + "." \
@@ -122,7 +130,7 @@ def found(loop):
     """What was found."""
     if not loop.effects:
         return f"No effect was found that the description of {loop.building} lacks: no candidate " \
-               "predicted better what was kept from it." + functions(loop)
+               "predicted better what was kept from it." + settings(loop) + functions(loop)
     n = len(loop.effects)
     text = ("One effect was" if n == 1 else f"{in_words(n)} effects were") + \
         f" found that the description of {loop.building} lacks: " + \
@@ -132,7 +140,7 @@ def found(loop):
     unsure = [effect.name + (f" ({effect.doubt})" if effect.doubt else "")
               for effect in loop.effects if not effect.is_adequate]
     return text + (f" Not adequate, the name only the nearest one: {listed(unsure)}."
-                   if unsure else "") + functions(loop)
+                   if unsure else "") + settings(loop) + functions(loop)
 
 
 def change_of(row, since, until):

@@ -17,6 +17,7 @@
 #include "loop/late_clock.hpp"
 #include "loop/loads.hpp"
 #include "loop/next_measurements.hpp"
+#include "loop/settings.hpp"
 #include "loop/stored_fits.hpp"
 #include "loop/stored_loop.hpp"
 #include "loop/unusual_end.hpp"
@@ -109,6 +110,7 @@ class Writer {
         power();
         measurements();
         unusual_ends();
+        denied_settings();
     }
 
     void names() {
@@ -330,6 +332,23 @@ class Writer {
                 decisions_.push_back({unknown.name, std::move(finding),
                                       "may stand for what the description lacks",
                                       study::DecisionKind::parameter});
+        }
+    }
+
+    void denied_settings() {
+        const Standing& last = result_.last;
+        const study::Case& building = data_.building;
+        for (std::size_t k = 0; k < last.built.first_effect(); ++k) {
+            const study::FitUnknown& unknown = last.built.unknowns[k];
+            const auto parameter = std::ranges::find(building.parameters, unknown.name,
+                                                     &physics::Parameter::name);
+            if (parameter == building.parameters.end()) continue;
+            const auto denied = denied_setting(building.building, *parameter, unknown,
+                                               last.fit.at.x[k], deviations_[k]);
+            if (denied)
+                loop_.settings.push_back({denied->name, denied->parameter, "degC",
+                                          denied->described, denied->found, denied->least,
+                                          denied->most, denied->distance});
         }
     }
 

@@ -108,6 +108,7 @@ class Concluder {
         });
         for (StoredLoop::EffectValue& value : stored.effect_values)
             value.effect = new_index[of_index(value.effect)];
+        stored.settings.clear();  // The twin's are its program's.
         if (!stored.functions.empty() && !is_kept(n)) {
             stored.steps.push_back({"functions", why_left(n), nan, nan, nan});
             stored.functions.clear();

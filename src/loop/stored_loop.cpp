@@ -79,6 +79,16 @@ void visit_tables(Loop& loop, Table&& table) {
         see("effect_value_least", row.least);
         see("effect_value_most", row.most);
     });
+    table("setting", loop.settings, [](auto& row, auto&& see) {
+        see("setting", row.name);
+        see("setting_parameter", row.parameter);
+        see("setting_unit", row.unit);
+        see("setting_described", row.described);
+        see("setting_found", row.found);
+        see("setting_least", row.least);
+        see("setting_most", row.most);
+        see("setting_distance", row.distance);
+    });
     table("function", loop.functions, [](auto& row, auto&& see) {
         see("function", row.name);
         see("function_hook", row.hook);

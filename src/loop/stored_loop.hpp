@@ -57,6 +57,11 @@ struct StoredLoop {
         std::vector<std::string> members{};  ///< of its class, one by one
         bool is_adequate() const { return adequate == 1; }
     };
+    /// A set-point or set-back that the readings deny: see Setting.
+    struct Setting {
+        std::string name, parameter, unit;
+        double described = nan, found = nan, least = nan, most = nan, distance = nan;
+    };
     /// What an effect brings to a meter, to cost or to emissions: see worth_of_effects.
     struct EffectValue {
         double effect = 0;  ///< index of the effect
@@ -110,6 +115,7 @@ struct StoredLoop {
     std::vector<Candidate> candidates;
     std::vector<Effect> effects;
     std::vector<EffectValue> effect_values;
+    std::vector<Setting> settings;
     std::vector<Function> functions;
     std::vector<FunctionPoint> function_points;
     std::vector<Schedule> schedules;

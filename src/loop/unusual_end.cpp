@@ -20,12 +20,16 @@ std::string value_with_unit(const study::FitUnknown& unknown, double x) {
 
 }  // namespace
 
+bool is_far_from_prior(const study::FitUnknown& unknown, double x) {
+    return unknown.has_prior && std::abs(x) > far;
+}
+
 std::string unusual_end(const study::FitUnknown& unknown, double x) {
     const bool is_lowest = x <= unknown.lowest();
     if (is_lowest || x >= unknown.highest())
         return fmt::format("at the {} end of its range: {}",
                            is_lowest ? "lower" : "upper", value_with_unit(unknown, x));
-    if (unknown.has_prior && std::abs(x) > far)
+    if (is_far_from_prior(unknown, x))
         return fmt::format("{:.1f} prior sd from its mean: {}", std::abs(x),
                            value_with_unit(unknown, x));
     return "";

@@ -8,6 +8,10 @@
 
 namespace bemcal::loop {
 
+/// Further than noise takes a number whose prior is right.
+/// \param x  in prior standard deviations from its mean
+bool is_far_from_prior(const study::FitUnknown& unknown, double x);
+
 /// "at the lower end of its range: 0.4", "3.7 prior sd from its mean: 3.65 K"; "" =
 /// neither.
 /// \param x  in prior standard deviations from its mean

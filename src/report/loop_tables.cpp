@@ -71,6 +71,19 @@ std::vector<Brings> brings_of(const StoredLoop& loop) {
     return all;
 }
 
+/// What is set otherwise than described: before and after have it.
+std::string setting_table(const StoredLoop& loop) {
+    TextTable table({"set otherwise than described", "described", "found",
+                     "90 % interval", "unit", "prior sd off"});
+    for (const StoredLoop::Setting& setting : loop.settings)
+        table.add({setting.name, three_digits(setting.described),
+                   three_digits(setting.found),
+                   fmt::format("{} to {}", three_digits(setting.least),
+                               three_digits(setting.most)),
+                   setting.unit, fmt::format("{:.1f}", setting.distance)});
+    return text_of(table, 36);
+}
+
 /// The largest first: what an owner would act on.
 std::string worth_table(const StoredLoop& loop) {
     TextTable table({"what it brings", "of", "more with it", "90 % interval", "unit"});
@@ -340,6 +353,8 @@ std::string loop_section(const Group& study) {
     for (const StoredLoop::Effect& effect : loop.effects) effects += effect_lines(effect);
     if (const std::string worth = worth_table(loop); !worth.empty())
         effects += "\n" + worth;
+    if (const std::string settings = setting_table(loop); !settings.empty())
+        effects += "\n" + settings;
     effects += is_around ? simulator_given_table(simulator) : sections_of(loop);
     const std::string building = study.path().substr(0, study.path().rfind('/'));
     const Texts of_data = study.elsewhere(building + "/data").texts("finding");

@@ -187,6 +187,11 @@ def background(study, channels, found, random):
     text(study, "decision_action", ("masked", "told apart where it is large",
                                     "may stand for what the description lacks"))
     text(study, "decision_kind", ("data", "class", "parameter"))
+    text(study, "setting", ["heating set-back"])
+    text(study, "setting_parameter", ["heating_setback"])
+    text(study, "setting_unit", ["degC"])
+    for name, value in (("described", 16.0), ("found", 19.3), ("least", 18.9), ("most", 19.7), ("distance", 3.3)):
+        study[f"setting_{name}"] = [value]
     text(study, "hook", HOOKS)
     text(study, "driver", DRIVERS)
     before = 0.9 * random.random((len(HOOKS), len(DRIVERS)))

@@ -231,6 +231,9 @@ def write_result(path):
         f"learned_hours_{name}": [0.0] for name in (
             "of", "from", "until", "from_least", "from_most", "until_least", "until_most", "usual_from",
             "usual_until")}
+    words |= {"setting": ["heating set-back"], "setting_parameter": ["heating_setback"], "setting_unit": ["degC"]}
+    numbers |= {"setting_described": [16.0], "setting_found": [19.25], "setting_least": [19.0], "setting_most": [19.5],
+                "setting_distance": [3.25]}
     begin = np.datetime64("2018-01-01T00", "s").astype(np.int64)
     with h5py.File(path, "w") as file:
         for building in ("a", "b"):
@@ -263,13 +266,15 @@ class Results(Folders):
             self.assertEqual(rows[-1][0], "2018-01-03T00:00:00")
 
     def test_an_effect_is_a_record(self):
-        effect, = json.loads((self.folder / "effects.json").read_text())
+        effect, setting = json.loads((self.folder / "effects.json").read_text())
         self.assertEqual(effect["class"], ["heat island", "sky loss"])
         self.assertEqual(effect["interval"], [1.2, 1.8])
         self.assertIs(effect["adequate"], False)
         self.assertEqual(effect["doubt"], "others do nearly as well")
         self.assertEqual((effect["name"], effect["hook"], effect["coefficient"], effect["unit"]),
                          ("heat island", "outdoor air", 1.5, "K"))
+        self.assertEqual((setting["name"], setting["coefficient"], setting["interval"], setting["unit"]),
+                         ("heating set-back: 19.2 degC, described 16", 3.25, [3.0, 3.5], "K"))
 
     def test_a_function_is_a_record_with_its_points(self):
         function, = json.loads((self.folder / "functions.json").read_text())
