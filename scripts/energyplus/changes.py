@@ -48,7 +48,8 @@ class Changes:
     def __init__(self, model, n_hours):
         self.model, self.n_hours = model, n_hours
         self.series, self.slots, self.sensors, self.actuators = {}, {}, {}, {}
-        self.names, self.lines_of_heat = set(), []
+        self.names, self.lines_of_heat, self.lines_of_schedules = set(), [], []
+        self.of_walls = ""         # series by which outer faces are warmed
 
     def new_name(self, said):
         """Letters, digits and underscores, as a program of EMS takes them."""
@@ -108,6 +109,15 @@ class Changes:
         name = f"{PREFIX}_always"
         if self.model.find("Schedule:Constant", name) is None:
             self.model.add("Schedule:Constant", name, {"hourly_value": 1})
+        return name
+
+    def follow(self, said, parts, times):
+        """Name of a schedule that is a sum of sensors times another one."""
+        name = self.new_name(said)
+        self.model.add("Schedule:Constant", name, {"hourly_value": 0})
+        value = self.actuator(name, "Schedule:Constant", "Schedule Value")
+        sums = [f"SET {value} = {value} + {part}" for part in parts[1:]]
+        self.lines_of_schedules += [f"SET {value} = {parts[0]}", *sums, f"SET {value} = {value} * {times}"]
         return name
 
     def write_slots(self):
@@ -173,7 +183,7 @@ class Changes:
             "energyplus_model_calling_point": point, "programs": [{"program_name": name}]})
 
     def finish(self):
-        self.add_program("schedules", self.write_slots(), BEFORE)
+        self.add_program("schedules", self.write_slots() + self.lines_of_schedules, BEFORE)
         self.add_program("heat", self.lines_of_heat, AFTER)
 
     def write_series(self, folder):

@@ -127,7 +127,7 @@ HOOKS = {
     "window boundary": Hook("outdoor temperature that windows see", outside.warm_windows),
     "infiltration": Hook("ZoneInfiltration:DesignFlowRate; less of it as heat", inside.add_infiltration),
     "leakage": Hook("schedules of infiltration", change_schedules(INFILTRATION, "factor", least=0)),
-    "ventilation": Hook("schedules of outdoor air and ZoneVentilation", inside.change_ventilation("factor")),
+    "ventilation": Hook("schedules of outdoor air and ZoneVentilation", inside.change_ventilation()),
     "venting": Hook("ZoneVentilation:DesignFlowRate, while the room is warm", inside.open_windows),
     "opaque conductance": Hook("insulating layers; of time: a share of conducted heat", outside.change_walls),
     "window conductance": Hook("glazing's U-value; of time: a share of U A dT", outside.change_glass),

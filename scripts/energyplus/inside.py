@@ -11,7 +11,7 @@ from energyplus import parameters
 from energyplus.changes import PREFIX
 from energyplus.hours import IDEAL
 from energyplus.model import ZONE
-from energyplus.place import CannotEnter, change, internal, program, rooms, sensors_of_room, usual_value
+from energyplus.place import CannotEnter, change, internal, nodes_of, program, rooms, sensors_of_room, usual_value
 
 AIR_HEAT = 0.34                # Wh/(m3 K)
 OPENS_ABOVE = 23               # degC of the room, where an effect does not say it
@@ -70,23 +70,31 @@ def widen_dampers(at, referred, most):
                     fields[key] *= most
 
 
-def change_ventilation(how):
-    """Outdoor air of ideal loads and terminals, of controllers, and ventilation of zones."""
+def change_ventilation(how=""):
+    """Outdoor air of ideal loads and terminals, of controllers, and ventilation of zones: a share of the most that the
+    model says (`add`), or of what flows (`factor`), as the effect says unless `how` does.
+    """
     def enter(at):
-        referred, dampers = referred_air(at.model), at.model.all("Controller:OutdoorAir")
-        found = [("ZoneVentilation:DesignFlowRate", name, fields, "schedule_name")
-                 for name, fields in at.model.all("ZoneVentilation:DesignFlowRate") if not name.startswith(PREFIX)]
-        found += [("DesignSpecification:OutdoorAir", name, fields, "outdoor_air_schedule_name")
-                  for name, fields in at.model.all("DesignSpecification:OutdoorAir") if name.lower() in referred]
-        if found or not dampers:
-            change(at, found, how, at.values, 1.0, 0)
-        most = float(max(1 + at.effect.values.max(), 1)) if how == "factor" else 1
-        if dampers:
-            widen_dampers(at, referred, most)
-            values = (1 + at.values) / most - 1 if most > 1 else at.values
-            change(at, [("Controller:OutdoorAir", name, fields, "minimum_outdoor_air_schedule_name")
-                        for name, fields in dampers], how, values, 1.0, 0)
+        return move_ventilation(at, how or at.effect.says("enters") or "add")
     return enter
+
+
+def move_ventilation(at, how):
+    referred, dampers = referred_air(at.model), at.model.all("Controller:OutdoorAir")
+    found = [("ZoneVentilation:DesignFlowRate", name, fields, "schedule_name")
+             for name, fields in at.model.all("ZoneVentilation:DesignFlowRate") if not name.startswith(PREFIX)]
+    found += [("DesignSpecification:OutdoorAir", name, fields, "outdoor_air_schedule_name")
+              for name, fields in at.model.all("DesignSpecification:OutdoorAir") if name.lower() in referred]
+    if found or not dampers:
+        change(at, found, how, at.values, 1.0, 0)
+    if dampers:
+        most = float(max(1 + at.effect.values.max(), 1))
+        widen_dampers(at, referred, most)
+        found = [("Controller:OutdoorAir", name, fields, "minimum_outdoor_air_schedule_name")
+                 for name, fields in dampers]
+        if how == "add" and most > 1:
+            change(at, found, "factor", np.full_like(at.values, 1 / most - 1), 1.0, 0)
+        change(at, found, how, (1 + at.values) / most - 1 if how == "factor" else at.values / most, 1.0, 0)
 
 
 def add_heat(at):
@@ -138,12 +146,6 @@ def recover_heat(at):
                 count += 1
     if not count:
         raise CannotEnter("the model has no outdoor air of ideal loads and no heat exchanger")
-
-
-def nodes_of(model, said):
-    """Names, in small letters, of a node or a list of nodes."""
-    listed = model.find("NodeList", said) or {}
-    return {str(row.get("node_name", "")).lower() for row in listed.get("nodes", [])} or {str(said).lower()}
 
 
 def nodes_with_set_point(model):

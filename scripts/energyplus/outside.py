@@ -1,18 +1,24 @@
 """Hooks of weather, walls and windows.
 
 A facade is one of eight directions, or the roof, as in the job. Sun that comes or goes is a share of what windows
-transmit. Leaves out what panes absorb of it, and films: a shift of the boundary acts at 1 / 0.04 W/(m2 K) of ISO 6946.
+transmit. A shift of the boundary is heat on the outer face, by its film as EnergyPlus last found it. A conductance that
+changes in some hours is a share of the steady heat from face to face. Leaves out what panes absorb of less sun, and
+what walls store of more heat.
 """
 from energyplus import parameters
-from energyplus.changes import PREFIX
 from energyplus.parameters import as_read
-from energyplus.place import HOURS_OF_ROOM, CannotEnter, internal, is_constant, program, rooms, sensors_of_room
+from energyplus.place import (HOURS_OF_ROOM, CannotEnter, internal, is_constant, nodes_of, program, rooms,
+                              sensors_of_room)
 from new_job import idf_envelope, idf_geometry
 from new_job.refused import Refused
 
-H_OUTSIDE = 25                 # W/(m2 K), 1 / 0.04 of ISO 6946: a shift of the boundary as heat on the outer face
+# Parts of an outer face's film [W/(m2 K)], as outputs of EnergyPlus.
+FILM = tuple(f"Surface Outside Face {part} Heat Transfer Coefficient" for part in (
+    "Convection", "Thermal Radiation to Sky", "Thermal Radiation to Ground", "Thermal Radiation to Air"))
+FACES = "Surface Outside Face Temperature", "Surface Inside Face Temperature"
 SOURCES, SOURCE = "SurfaceProperty:HeatBalanceSourceTerm", "outside_face_heat_source_term_schedule_name"
 SIDES = ("north", "north-east", "east", "south-east", "south", "south-west", "west", "north-west")
+RADIANT_OF_WALLS, RADIANT_OF_GLASS = 1.0, 0.5   # shares of heat that they give off inside
 ROOF_TILT = 22.5               # deg, below which a window is the roof's
 
 
@@ -27,12 +33,20 @@ def shift_air(at, component, kind, control, series):
     at.changes.add_line(f"SET {act} = {known or at.changes.sensor(HOURS_OF_ROOM[1], '*')} + {series}")
 
 
+def outdoor_nodes(model):
+    """Those that take air from outdoors, by themselves or in a list."""
+    listed = [row.get("node_or_nodelist_name", "") for _, fields in model.all("OutdoorAir:NodeList")
+              for row in fields.get("nodes", [])]
+    single = [name.lower() for name, _ in model.all("OutdoorAir:Node")]
+    return sorted({*single, *(node for said in listed for node in nodes_of(model, said))})
+
+
 def warm_supply(at):
     """Outdoor air that zones and air systems take in."""
     series = at.changes.sensor("Schedule Value", at.series(at.values))
     for zone in rooms(at):
         shift_air(at, zone, "Zone", "Outdoor Air Drybulb Temperature", series)
-    for node, _ in at.model.all("OutdoorAir:Node"):
+    for node in outdoor_nodes(at.model):
         shift_air(at, node, "Outdoor Air System Node", "Drybulb Temperature", series)
 
 
@@ -43,17 +57,18 @@ def outer(at, kinds):
 
 
 def warm_walls(at):
-    """The shift of the boundary as heat on outer faces: K times 1 / 0.04 W/(m2 K). Several effects add up."""
+    """The shift of the boundary [K] times the outer face's film [W/(m2 K)], as heat there. Several effects add up."""
     names = outer(at, parameters.SURFACES[:3])
     if not names:
         raise CannotEnter("the model has no opaque surface to outdoors that is described by its corners")
-    known = next((fields[SOURCE] for name, fields in at.model.all(SOURCES) if name.startswith(PREFIX)), None)
-    if known:
-        at.changes.series[known] = at.changes.series[known] + at.values * H_OUTSIDE
+    if at.changes.of_walls:
+        at.changes.series[at.changes.of_walls] = at.changes.series[at.changes.of_walls] + at.values
         return
-    series = at.series(at.values * H_OUTSIDE)
+    at.changes.of_walls = at.series(at.values)
+    shift = at.changes.sensor("Schedule Value", at.changes.of_walls)
     for name in names:
-        at.model.add(SOURCES, at.changes.new_name(f"{at.effect.name} {name}"), {"surface_name": name, SOURCE: series})
+        heat = at.changes.follow(f"{at.effect.name} {name}", [at.changes.sensor(part, name) for part in FILM], shift)
+        at.model.add(SOURCES, at.changes.new_name(f"{at.effect.name} {name}"), {"surface_name": name, SOURCE: heat})
 
 
 def geometry(at):
@@ -69,7 +84,8 @@ def facade_of(surface):
 
 def windows(at):
     """[(zone, opening, surface)] of conditioned zones on the effect's facade."""
-    conditioned, facade = {zone.lower() for zone in at.model.conditioned()}, at.effect.says("facade")
+    conditioned = {zone.lower() for zone in at.model.conditioned()}
+    facade = at.effect.says("facade").removesuffix(" facade")   # "south facade", "roof"
     found = [(zone.given.name, opening, surface) for key, zone in geometry(at).items() if key in conditioned
              for surface in zone.surfaces if surface.outside == "outdoors" for opening in surface.openings
              if opening.is_glass and facade in ("", facade_of(surface))]
@@ -98,36 +114,49 @@ def change_sun(at):
 
 
 def change_walls(at):
-    """A constant factor on U-values is that; one of time is its share of the heat that outer surfaces conduct."""
+    """A constant factor on U-values is that; one of time is its share of the steady heat through outer surfaces."""
     if is_constant(at):
         for name in parameters.OPAQUE:
             parameters.scale_opaque(at.model, name, 1 + at.values.max())
         return
-    series, conditioned = at.changes.sensor("Schedule Value", at.series(at.values)), set(rooms(at))
-    of_zone = {}
-    for kind in parameters.SURFACES[:3]:
-        for name, fields in at.model.all(kind):
-            zone = next(iter(at.model.zones_named(fields.get("zone_name", ""))), None)
-            if zone in conditioned and fields.get("outside_boundary_condition", "").lower() == "outdoors":
-                of_zone.setdefault(zone, []).append(
-                    at.changes.sensor("Surface Inside Face Conduction Heat Transfer Rate", name))
-    for zone, flows in of_zone.items():
-        program(at, zone, at.effect.name, ["SET {heat} = 0", *(f"SET {{heat}} = {{heat}} + {flow}" for flow in flows),
-                                           f"SET {{heat}} = {{heat}} * {series}"], radiant=1.0)
+    conditioned, read = {zone.lower() for zone in at.model.conditioned()}, as_read(at.model)
+    found = [(zone.given.name, surface.given.name, surface.net * steady(read, surface.given))
+             for key, zone in geometry(at).items() if key in conditioned
+             for surface in zone.surfaces if surface.outside == "outdoors"]
+    conduct(at, found, RADIANT_OF_WALLS)
+
+
+def steady(read, surface):
+    """[W/(m2 K)] from face to face."""
+    try:
+        return idf_envelope.opaque_of(read, surface, 0, 0).bare
+    except Refused as error:
+        raise CannotEnter(f"a U-value is not read: {error}") from None
 
 
 def change_glass(at):
-    """A constant factor on U-values is that; one of time is its share of U A times the difference of temperature."""
+    """The same of windows."""
     if is_constant(at):
         parameters.scale_windows(at.model, "u_factor", 1 + at.values.max())
         return
-    series, read, of_zone = at.changes.sensor("Schedule Value", at.series(at.values)), as_read(at.model), {}
-    for zone, opening, _ in windows(at):
-        of_zone[zone] = of_zone.get(zone, 0) + opening.area * idf_envelope.glazing_of(read, opening.given).u_value
-    for zone, conductance in of_zone.items():
-        room, outdoor = sensors_of_room(at, zone)
-        program(at, zone, at.effect.name, [f"SET {{heat}} = {conductance:.4f} * {outdoor} - {conductance:.4f} * {room}",
-                                           f"SET {{heat}} = {{heat}} * {series}"], radiant=0.5)
+    read = as_read(at.model)
+    conduct(at, [(zone, opening.given.name, opening.area * without_films(
+        idf_envelope.glazing_of(read, opening.given).u_value)) for zone, opening, _ in windows(at)], RADIANT_OF_GLASS)
+
+
+def without_films(u_value):
+    return 1 / max(1 / u_value - parameters.FILMS, parameters.LEAST_RESISTANCE)
+
+
+def conduct(at, found, radiant):
+    """The series' share of the heat through surfaces, in their zones. `found`: (zone, surface, W/K of its faces)."""
+    series, of_zone = at.changes.sensor("Schedule Value", at.series(at.values)), {}
+    for zone, name, conductance in found:
+        outside, inside = (at.changes.sensor(face, name) for face in FACES)
+        of_zone.setdefault(zone, []).append(f"{conductance:.4f} * {outside} - {conductance:.4f} * {inside}")
+    for zone, flows in of_zone.items():
+        program(at, zone, at.effect.name, ["SET {heat} = 0", *(f"SET {{heat}} = {{heat}} + {flow}" for flow in flows),
+                                           f"SET {{heat}} = {{heat}} * {series}"], radiant)
 
 
 def add_neighbour(at):

@@ -71,6 +71,12 @@ def rooms(at):
     return found
 
 
+def nodes_of(model, said):
+    """Names, in small letters, of a node or a list of nodes."""
+    listed = model.find("NodeList", said) or {}
+    return {str(row.get("node_name", "")).lower() for row in listed.get("nodes", [])} or {str(said).lower()}
+
+
 def program(at, zone, said, lines, radiant=0.0):
     """Heat in a zone: lines that set `{heat}`."""
     heat = at.changes.heat(zone, said, radiant)

@@ -96,7 +96,8 @@ GIVEN = {"name": text("simulator_given"), "hooks": text("simulator_given_hooks")
          "scale": number("simulator_given_scale")}
 GIVEN_SERIES = {"of": number("simulator_series_of"), "hook": text("simulator_series_hook"),
                 "unit": text("simulator_series_unit"), "enters": text("simulator_series_enters"),
-                "facade": text("simulator_series_facade"), "meter": text("simulator_series_meter")}
+                "facade": text("simulator_series_facade"), "meter": text("simulator_series_meter"),
+                "opens_above": number("simulator_series_opens_above")}
 SIMULATOR_RUN = {"of": text("simulator_run"), "failure": text("simulator_run_failure"),
                  "distance": number("simulator_run_distance")}
 EMULATED = {"name": text("simulator_channel"), "error": number("simulator_emulator_error")}
@@ -339,7 +340,8 @@ def loop_in(file, stage):
     if stage not in stages:
         names = ", ".join(stages)
         raise ValueError(f"{file.filename} has " + (f"the loops {names}; choose one by --stage"
-                                           if stages else "no study of kind \"loop\""))
+                                           if stages else "no finished study of kind \"loop\"; expected one "
+                                           "that found its models: where it could not, the run says NOT REACHED"))
     return Loop(file, stage)
 
 

@@ -130,6 +130,14 @@ void place_load(const physics::Load& load, HookSeries& series) {
     }
 }
 
+/// [1/h] that all fans of a zone bring at most.
+double full_flow(const physics::Zone& zone) {
+    double sum = 0;
+    for (const physics::AirFlow& flow : zone.flows)
+        if (is_fan(flow)) sum += flow.air_change.value;
+    return sum;
+}
+
 /// By the parts of the target.
 HookSeries placed_at(const InputRow& row, const Target& target,
                      const Building& building) {
@@ -137,7 +145,9 @@ HookSeries placed_at(const InputRow& row, const Target& target,
     const auto index = static_cast<std::size_t>(target.index),
                inner = static_cast<std::size_t>(target.inner);
     if (row.part == Part::flow && is_fan(building.zones[index].flows[inner]))
-        if (series.hook == "infiltration") series.hook = "ventilation";
+        if (series.hook == "infiltration") series = {"ventilation", "-", false, {}, {}};
+    if (series.hook == "venting")
+        series.opens_above = building.zones[index].venting.opens_above;
     if (row.part == Part::load) place_load(building.zones[index].loads[inner], series);
     if (row.part == Part::window) {
         const int plane = building.zones[index].windows[inner].plane;
@@ -150,6 +160,11 @@ HookSeries placed_at(const InputRow& row, const Target& target,
 
 bool is_same_place(const HookSeries& a, const HookSeries& b) {
     return a.hook == b.hook && a.facade == b.facade && a.meter == b.meter;
+}
+
+/// By a flow; nothing flows where it is 0.
+void divide(Series& series, double by) {
+    for (double& value : series) value = by > 0 ? value / by : 0;
 }
 
 void add_to(Series& sum, const Series& more) {
@@ -213,6 +228,8 @@ std::vector<HookSeries> changes_between(const Version& without, const Version& w
         if (is_nothing(change)) continue;
         HookSeries series = placed_at(*row, target, with.building);
         series.values = std::move(change);
+        if (series.hook == "ventilation")
+            divide(series.values, full_flow(without.building.zones[0]));
         take(all, std::move(series), row->part == Part::load || row->part == Part::flow);
     }
     join_facades(all, n_facades_of(with.building));

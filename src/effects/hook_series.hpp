@@ -2,6 +2,7 @@
 /// follow. Another program can take them where its own model has the like.
 #pragma once
 
+#include "base/nan.hpp"
 #include "physics/building.hpp"
 #include "physics/drive.hpp"
 
@@ -17,6 +18,7 @@ struct HookSeries {
         false;  ///< what is there is multiplied by 1 + value; else it is added
     std::string facade, meter;     ///< where it is at one of them; "" = at all
     std::vector<double> values{};  ///< [hours] of the drive's period
+    double opens_above = nan;      ///< [degC] of the room, from which venting opens
 };
 
 /// A building over a period.
@@ -26,9 +28,9 @@ struct Version {
 };
 
 /// What one version has that another lacks, of a building's first zone (effects enter all
-/// zones alike). Inputs that no other program could know of (a boundary that an effect
-/// added, a second mass) are left out, and so is what a flow does beside the declared
-/// name of infiltration or fans.
+/// zones alike). What fans bring is a share of all that they bring at most. Inputs that
+/// no other program could know of (a boundary that an effect added, a second mass) are
+/// left out, and so is what a flow does beside the declared name of infiltration or fans.
 std::vector<HookSeries> changes_between(const Version& without, const Version& with);
 
 /// The hours of one period after those of another; hooks that only one has are 0 in the

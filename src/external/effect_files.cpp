@@ -5,6 +5,7 @@
 
 #include "external/regular_file.hpp"
 
+#include <cmath>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -34,6 +35,8 @@ std::string section_of(const std::string& name, const effects::HookSeries& at,
     add("enters", at.is_factor ? "factor" : "add");
     add("facade", at.facade);
     add("meter", at.meter);
+    if (!std::isnan(at.opens_above))
+        text += fmt::format("opens_above = {}\n", at.opens_above);
     add("column", column);
     return text + "\n";
 }

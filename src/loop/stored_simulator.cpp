@@ -38,6 +38,7 @@ void visit_lists(Simulator& simulator, Table&& table) {
         see("simulator_series_enters", row.enters);
         see("simulator_series_facade", row.facade);
         see("simulator_series_meter", row.meter);
+        see("simulator_series_opens_above", row.opens_above);
     });
     table("simulator_left_out", simulator.left_out,
           [](auto& row, auto&& see) { see("simulator_left_out", row.why); });
@@ -73,7 +74,7 @@ void add_given(const std::vector<study::GivenEffect>& effects,
         for (const effects::HookSeries& at : effects[k].at) {
             simulator.series.push_back({index, at.hook, at.unit,
                                         at.is_factor ? by_factor : by_adding, at.facade,
-                                        at.meter});
+                                        at.meter, at.opens_above});
             for (const double value : at.values) values.push_back(scales[k] * value);
         }
     }
@@ -98,7 +99,8 @@ std::vector<study::GivenEffect> given_in(const StoredSimulator& simulator) {
                                  row.enters == by_factor,
                                  row.facade,
                                  row.meter,
-                                 {begin, begin + static_cast<std::ptrdiff_t>(n_hours)}});
+                                 {begin, begin + static_cast<std::ptrdiff_t>(n_hours)},
+                                 row.opens_above});
     }
     return effects;
 }

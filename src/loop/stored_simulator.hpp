@@ -29,6 +29,7 @@ struct StoredSimulator {
     struct Series {
         double of = 0;  ///< index of the given
         std::string hook, unit, enters, facade, meter;
+        double opens_above = nan;  ///< [degC] of venting
     };
     struct LeftOut {
         std::string why;  ///< as the program says it

@@ -600,6 +600,8 @@ constexpr LayoutRow own_rows[] = {
      "add: it is added; factor: what is there is multiplied by 1 + value"},
     {"simulator_series_facade", "simulator_series", text, "", "where it is at one"},
     {"simulator_series_meter", "simulator_series", text, "", "where it is at one"},
+    {"simulator_series_opens_above", "simulator_series", number, "degC",
+     "of venting: of the room, from which it opens"},
     {"simulator_series_value", "simulator_series simulator_hour", number,
      "of simulator_series_unit", "hours of all periods, one period after the other"},
     {"simulator_left_out", "simulator_left_out", text, "",

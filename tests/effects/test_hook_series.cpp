@@ -1,6 +1,7 @@
 #include "effects/catalogue.hpp"
 #include "effects/hook_series.hpp"
 #include "effects/hooks.hpp"
+#include "effects/sites.hpp"
 #include "office.hpp"
 
 #include <algorithm>
@@ -60,6 +61,28 @@ TEST(HookSeries, AConstantEffectIsItsCoefficientAtItsHook) {
     EXPECT_NEAR(only_change(Hook::window_conductance, "window conductance", true), 0.2,
                 1e-12);
     EXPECT_NEAR(only_change(Hook::meter_addition, "meter addition", false), 0.2, 1e-12);
+}
+
+TEST(HookSeries, AirOfFansIsAShareOfTheirMost) {
+    const physics::Building& building = office().building;
+    for (const physics::AirFlow& flow : building.zones[0].flows)
+        if (is_fan(flow)) {
+            const auto all = changes_of(effect_at(Hook::ventilation), 0.2);
+            ASSERT_EQ(all.size(), 1U);
+            EXPECT_EQ(all[0].hook, "ventilation");
+            EXPECT_EQ(all[0].unit, "-");
+            EXPECT_NEAR(*std::ranges::max_element(all[0].values), 0.2, 1e-9);
+            return;
+        }
+    FAIL() << "the office has no fan";
+}
+
+TEST(HookSeries, OpeningsSayFromWhatTheyOpen) {
+    Effect effect = effect_at(Hook::venting);
+    effect.shape.at = 22;
+    const auto all = changes_of(effect, 2);
+    ASSERT_EQ(all.size(), 1U);
+    EXPECT_EQ(all[0].opens_above, 22);
 }
 
 TEST(HookSeries, FacadesThatChangeAlikeAreOne) {

@@ -41,11 +41,12 @@ std::string without_folder(const std::string& failure) {
     return failure.substr(0, failure.find(" (in point-"));
 }
 
-/// An effect of two hours at two hooks.
+/// An effect of two hours at three hooks.
 std::vector<GivenEffect> some_effect() {
     return {{"a \"name\"",
              {{"infiltration", "1/h", false, "", "", {0.25, 0.5}},
-              {"aperture", "-", true, "south facade", "", {-0.1, 0}}}}};
+              {"aperture", "-", true, "south facade", "", {-0.1, 0}},
+              {"venting", "1/h", false, "", "", {2, 2}, 22.5}}}};
 }
 
 TEST(HourlyCommand, ReadsARowForEachHour) {
@@ -93,13 +94,15 @@ TEST(HourlyCommand, EffectsAreHandedOverAsFiles) {
     const auto simulated = hours_of(options, some_effect());
     EXPECT_EQ(simulated.failure, "");
     EXPECT_EQ(simulated.left_out, std::vector<std::string>{"aperture: no shades"});
-    EXPECT_EQ(
-        folder.text("effects.toml"),
-        "[[effect]]\nname = \"a \\\"name\\\"\"\nhook = \"infiltration\"\nunit = "
-        "\"1/h\"\nenters = \"add\"\ncolumn = \"effect_1\"\n\n"
-        "[[effect]]\nname = \"a \\\"name\\\"\"\nhook = \"aperture\"\nunit = \"-\"\n"
-        "enters = \"factor\"\nfacade = \"south facade\"\ncolumn = \"effect_2\"\n\n");
-    EXPECT_EQ(folder.text("effects.csv"), "effect_1,effect_2\n0.25,-0.1\n0.5,0\n");
+    EXPECT_EQ(folder.text("effects.toml"),
+              "[[effect]]\nname = \"a \\\"name\\\"\"\nhook = \"infiltration\"\nunit = "
+              "\"1/h\"\nenters = \"add\"\ncolumn = \"effect_1\"\n\n"
+              "[[effect]]\nname = \"a \\\"name\\\"\"\nhook = \"aperture\"\nunit = \"-\"\n"
+              "enters = \"factor\"\nfacade = \"south facade\"\ncolumn = \"effect_2\"\n\n"
+              "[[effect]]\nname = \"a \\\"name\\\"\"\nhook = \"venting\"\nunit = "
+              "\"1/h\"\nenters = \"add\"\nopens_above = 22.5\ncolumn = \"effect_3\"\n\n");
+    EXPECT_EQ(folder.text("effects.csv"),
+              "effect_1,effect_2,effect_3\n0.25,-0.1,2\n0.5,0,2\n");
 }
 
 // A point whose files cannot be laid out leaves no more behind than one that fails later.

@@ -1,5 +1,7 @@
 #include "loop/stored_simulator.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace bemcal::loop {
@@ -13,7 +15,9 @@ const std::vector<GivenEffect> effects{
      {{"infiltration", "1/h", false, "", "", {1, 2}},
       {"aperture", "-", true, "south facade", "", {-0.5, 0}}}},
     {"nothing it knows", {}},
-    {"a step", {{"meter factor", "-", true, "", "gas", {0, 0.25}}}}};
+    {"a step",
+     {{"meter factor", "-", true, "", "gas", {0, 0.25}},
+      {"venting", "1/h", false, "", "", {2, 0}, 23}}}};
 
 void expect_same(const GivenEffect& one, const GivenEffect& other) {
     EXPECT_EQ(one.name, other.name);
@@ -25,6 +29,9 @@ void expect_same(const GivenEffect& one, const GivenEffect& other) {
         EXPECT_EQ(one.at[k].facade, other.at[k].facade);
         EXPECT_EQ(one.at[k].meter, other.at[k].meter);
         EXPECT_EQ(one.at[k].values, other.at[k].values);
+        EXPECT_EQ(std::isnan(one.at[k].opens_above), std::isnan(other.at[k].opens_above));
+        if (!std::isnan(one.at[k].opens_above))
+            EXPECT_EQ(one.at[k].opens_above, other.at[k].opens_above);
     }
 }
 

@@ -43,16 +43,18 @@ PARAMETERS = {
     "u_walls": (1.3, 1, None, -1), "u_roof": (1.3, 1, None, None), "u_windows": (1.3, 1, -1, -1),
     "g_windows": (0.8, 1, -1, -1),
 }
+BY = {"enters": "factor"}
 # Hook, values, more of its section, signs.
 HOOKS = (
     ("outdoor air", 1, {}, -1, 1, 1), ("supply air", 2, {}, -1, 1, 1), ("opaque boundary", 2, {}, -1, 1, 1),
     ("window boundary", 2, {}, -1, 1, 1), ("infiltration", 0.3 * EVENING + 0.1, {}, 1, -1, -1),
     ("infiltration", -0.2 * EVENING, {}, -1, 1, 1), ("leakage", 0.5, {}, 1, -1, -1),
-    ("ventilation", 0.5, {}, 1, -1, None), ("ventilation", -0.5, {}, -1, 1, None), ("venting", 2, {}, None, -1, -1),
+    ("ventilation", 0.5, BY, 1, -1, None), ("ventilation", -0.5, BY, -1, 1, None),
+    ("ventilation", 0.5 * EVENING, {}, None, -1, -1), ("venting", 2, {}, None, -1, -1),
     ("opaque conductance", 0.2, {}, 1, None, -1), ("opaque conductance", 0.2 * IN_WINTER, {}, 1, 0, -1),
     ("window conductance", 0.2, {}, 1, -1, -1), ("window conductance", 0.2 * IN_WINTER, {}, 1, 0, -1),
     ("neighbour", 0.2, {"temperature": 16}, 1, -1, -1), ("aperture", -0.4, {}, 1, -1, -1),
-    ("aperture", -0.4, {"facade": "south"}, 1, -1, -1), ("heat recovery", 0.5, {}, -1, None, None),
+    ("aperture", -0.4, {"facade": "south facade"}, 1, -1, -1), ("heat recovery", 0.5, {}, -1, None, None),
     ("gains", 3, {}, -1, 1, 1), ("gains", -3 * EVENING, {}, 1, -1, -1), ("loads", -0.3, {}, 1, -1, -1),
     ("lights and equipment", 4 * EVENING, {}, -1, 1, 1), ("lights and equipment", -2 * EVENING, {}, 1, -1, -1),
     ("heating set-point", 2 * EVENING, {}, 1, 0, 1), ("heating set-point", 12 * EVENING, {}, 1, None, 1),
@@ -159,7 +161,7 @@ class Office(unittest.TestCase):
         for values, given in (({"infiltration": 1.5}, ({"hook": "leakage"}, 0.5)),
                               ({"infiltration": 1.5}, ({"hook": "infiltration"}, 0.2)),
                               ({"heating_set_point": 1.0}, ({"hook": "heating set-point"}, 1.0)),
-                              ({"outdoor_air": 0.7}, ({"hook": "ventilation"}, -0.3)),
+                              ({"outdoor_air": 0.7}, ({"hook": "ventilation", **BY}, -0.3)),
                               ({"heating_efficiency": 0.8}, ({"hook": "heating efficiency"}, -0.2))):
             with self.subTest(given[0]["hook"]):
                 one, other = self.simulate(values), self.simulate({}, [given])
