@@ -100,17 +100,23 @@ class Hours:
         return table.setdefault(name, np.full(self.n_hours, np.nan))
 
     def read(self, path, spans):
+        try:
+            self.take(self.rows_of(path), spans)
+        except sqlite3.Error as error:
+            raise Failed(f"{path}: {error}; expected hours as EnergyPlus writes them, and room on the disk") from None
+
+    def rows_of(self, path):
+        """Of meters and rooms by the hour; zones are read beside."""
         with contextlib.closing(sqlite3.connect(f"file:{path}?mode=ro", uri=True)) as db:
             self.zones |= {name.upper(): (volume * times, area * times) for name, volume, area, times in db.execute(
                 "SELECT ZoneName, Volume, FloorArea, Multiplier * ListMultiplier FROM Zones")}
-            rows = db.execute(
+            return db.execute(
                 "SELECT d.Name, d.KeyValue, d.IsMeter, t.Year, t.Month, t.Day, t.Hour, r.Value FROM ReportData r "
                 "JOIN ReportDataDictionary d ON d.ReportDataDictionaryIndex = r.ReportDataDictionaryIndex "
                 "JOIN Time t ON t.TimeIndex = r.TimeIndex "
                 "JOIN EnvironmentPeriods e ON e.EnvironmentPeriodIndex = t.EnvironmentPeriodIndex "
                 "WHERE e.EnvironmentType = 3 AND t.IntervalType = 1 AND COALESCE(t.WarmupFlag, 0) = 0 "
                 "AND d.ReportingFrequency = 'Hourly'").fetchall()
-        self.take(rows, spans)
 
     def take(self, rows, spans):
         at = {}

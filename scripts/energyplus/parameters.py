@@ -6,6 +6,7 @@ g by EN 673 and EN 410. Sizes that EnergyPlus finds follow by themselves. Leaves
 glass is given by wavelength.
 """
 import copy
+import difflib
 from fnmatch import fnmatch
 
 from energyplus.changes import Term
@@ -66,6 +67,8 @@ LAYERS = ("outside_layer", *(f"layer_{k}" for k in range(2, 11)))
 SIMPLE = "WindowMaterial:SimpleGlazingSystem"
 USUAL = (*FACTORS, *SET_POINTS, *OPAQUE, *WINDOWS)   # all names that need no row of their own
 HOW = ("factor", "add", "value")
+ROW = ("parameter", "class", "object", "field", "how")   # keys of a row
+LEAST_ALIKE, MOST_NAMES = 0.6, 6   # of names that are told as the nearest; told where none is
 
 
 def is_number(value):
@@ -76,6 +79,7 @@ def apply(model, values, rows, changes, plant):
     """Sets the model to the parameters' values; `changes` takes what set-points need, `plant` efficiencies of ideal
     loads. A parameter that finds nothing to change is a Failed.
     """
+    check_rows(values, rows)
     for name, value in values.items():
         if not is_number(value):
             raise Failed(f"parameters: {name}: {value!r} is no number")
@@ -96,7 +100,8 @@ def apply_usual(model, name, value, changes, plant):
         return scale_opaque(model, name, value)
     if name in WINDOWS:
         return scale_windows(model, WINDOWS[name], value)
-    raise Failed(f"parameters: {name}: is not known; expected one of {', '.join(USUAL)}, or a row for it in \"rows\"")
+    raise Failed(f"parameters: {name}: is not known; expected one of {', '.join(USUAL)}, or a row for it in "
+                 "\"rows\"" + nearest(name, USUAL))
 
 
 def scale(model, table, value):
@@ -128,20 +133,52 @@ def shift(model, name, value, changes):
 
 def apply_rows(model, name, value, rows):
     """Rows of the user's own: class, object ("*": all), field, how."""
-    count = 0
     for row in rows:
-        kind, key, how = row.get("class", ""), row.get("field", ""), row.get("how", "value")
+        key, how = row.get("field", ""), row.get("how", "value")
         if how not in HOW:
             raise Failed(f"rows: {name}: how: {how!r}; expected one of {', '.join(HOW)}")
-        for each, fields in model.all(kind):
-            if row.get("object", "*") not in ("*", each):
-                continue
+        for each, fields in objects_of(model, name, row):
             own = fields.get(key)
             if how != "value" and not is_number(own):
-                raise Failed(f"rows: {name}: {kind} {each!r}: {key} is {own!r}; expected a number there")
+                raise Failed(f"rows: {name}: {model.path}: {row['class']} {each!r}: {key!r} is "
+                             f"{'not there' if own is None else repr(own)}; expected a field with a number"
+                             + nearest(key, [each for each in fields if is_number(fields[each])]))
             fields[key] = value if how == "value" else own * value if how == "factor" else own + value
-            count += 1
-    return count
+    return len(rows)
+
+
+def objects_of(model, name, row):
+    """[(name, fields)] that a row is of; never empty."""
+    kind, said = row.get("class", ""), row.get("object", "*")
+    known = model.all(kind)
+    if not known:
+        raise Failed(f"rows: {name}: class: {model.path} has no {kind!r}" + nearest(kind, model.objects))
+    found = [(each, fields) for each, fields in known if said == "*" or each.lower() == str(said).lower()]
+    if not found:
+        raise Failed(f"rows: {name}: object: {model.path} has no {kind} {said!r}; \"*\" is all of them"
+                     + nearest(said, [each for each, _ in known]))
+    return found
+
+
+def nearest(said, known):
+    """What was meant, for the end of a message."""
+    lower = {each.lower(): each for each in known}
+    names = [lower[each] for each in difflib.get_close_matches(str(said).lower(), lower, 3, LEAST_ALIKE)]
+    if names:
+        return f"; the nearest: {', '.join(map(repr, names))}"
+    return f"; there are: {', '.join(map(repr, list(known)[:MOST_NAMES]))}" + ", ..." * (len(known) > MOST_NAMES) \
+        if known else ""
+
+
+def check_rows(values, rows):
+    """Keys of rows, and that each is of a parameter."""
+    for row in rows:
+        unknown = next((key for key in row if key not in ROW), None)
+        if unknown is not None:
+            raise Failed(f"rows: {unknown!r} is not known; expected keys {', '.join(ROW)}")
+        if row.get("parameter") not in values:
+            raise Failed(f"rows: parameter: {row.get('parameter')!r} is none of \"parameters\""
+                         + nearest(row.get("parameter"), values))
 
 
 def constructions_of(model, name):

@@ -9,12 +9,14 @@ import re
 import shutil
 import subprocess
 
-from energyplus.failed import Failed
+from energyplus.failed import Failed, read_text
 from energyplus.model import read_epjson, version_of
 
 HELP = ('write "energyplus": "/usr/local/EnergyPlus-25-2-0" in run.json.in, set ENERGYPLUS_DIR to that folder, or put '
         "it on PATH")
-MOST_WORDS = 300               # letters of EnergyPlus's message that are passed on
+MOST_WORDS = 300               # letters of a message of EnergyPlus that are passed on
+MOST_MESSAGES = 3              # of eplusout.err
+CONTINUED = "**   ~~~   **"    # a line that goes on with the one above
 CONVERTER = "ConvertInputFormat"
 UPDATER = "IDFVersionUpdater"
 
@@ -49,9 +51,9 @@ def run(words, folder):
 def program_version(program):
     """(major, minor)"""
     said = run([program, "--version"], ".").stdout
-    match = re.search(r"(\d+)\.(\d+)", said)
+    match = re.search(r"EnergyPlus.*?(\d+)\.(\d+)", said)
     if match is None:
-        raise Failed(f"{program}: tells no version: {said[:80]!r}; expected EnergyPlus")
+        raise Failed(f"{program}: is not EnergyPlus: to --version it says {said.strip()[:80]!r}; {HELP}")
     return int(match[1]), int(match[2])
 
 
@@ -69,29 +71,42 @@ def check_version(path, version, program):
     if version == own:
         return
     how = (f"bring it up to date by EnergyPlus's {UPDATER} (programs Transition-{transition(version)}-to-... up to "
-           f"{transition(own)})" if version < own else "use that EnergyPlus or a newer one")
+           f"{transition(own)})" if version < own else f"use EnergyPlus {dotted(version)}: {HELP}")
     raise Failed(f"{path}: Version: is {dotted(version)}, but {program} is EnergyPlus {dotted(own)}; {how}")
+
+
+def version_in(path):
+    """Of a file as it lies there."""
+    if str(path).lower().endswith(".idf"):
+        return idf_version(path, read_text(path, "an EnergyPlus model, .epJSON or .idf", "latin-1"))
+    return read_epjson(path).version
 
 
 def idf_version(path, text):
     match = re.search(r"^\s*version\s*,[^;]*?([\d.]+)\s*;", re.sub(r"!.*", "", text), re.IGNORECASE | re.MULTILINE)
-    if match is None:
-        raise Failed(f"{path}: has no object Version; expected one like Version, 25.2;")
+    if match is None or version_of(match[1]) is None:
+        raise Failed(f"{path}: has no object Version with a number; expected one like Version, 25.2;")
     return version_of(match[1])
 
 
+def messages(text, level):
+    """Those of eplusout.err of a level, each with the lines that go on with it."""
+    found, is_open = [], False
+    for line in text.splitlines():
+        start = re.match(r"\s*\*+\s*(\w+)\s*\*+\s*(.*)", line)
+        if start and start[1] == level:
+            found.append(start[2])
+        elif is_open and CONTINUED in line:
+            found[-1] += " " + line.partition(CONTINUED)[2]
+        is_open = bool(found) and (bool(start and start[1] == level) or is_open and CONTINUED in line)
+    return [" ".join(each.split())[:MOST_WORDS] for each in found]
+
+
 def severe_words(text):
-    """The first severe or fatal message of eplusout.err, with the lines that go on with it."""
-    lines = text.splitlines()
-    for k, line in enumerate(lines):
-        if "** Severe" in line or "**  Fatal" in line:
-            said = [re.sub(r"^\s*\*+\s*(Severe|Fatal)\s*\*+\s*", "", line)]
-            for more in lines[k + 1:]:
-                if "**   ~~~" not in more:
-                    break
-                said.append(more.partition("~~~   **")[2])
-            return " ".join(" ".join(said).split())[:MOST_WORDS]
-    return ""
+    """The first severe messages of eplusout.err; where there is none the fatal one."""
+    found = messages(text, "Severe") or messages(text, "Fatal")
+    more = f" (and {len(found) - MOST_MESSAGES} more)" if len(found) > MOST_MESSAGES else ""
+    return "; ".join(found[:MOST_MESSAGES]) + more
 
 
 def severe_of(folder):
@@ -102,11 +117,15 @@ def severe_of(folder):
         return ""
 
 
-def complain(folder, done, what):
-    """EnergyPlus's own words, from eplusout.err or from what it printed."""
+def complain(folder, done, what, rest=""):
+    """EnergyPlus's own words, from eplusout.err or from what it printed; `rest`: where more of them are."""
     printed = (done.stderr or done.stdout).strip().splitlines()
     said = severe_of(folder) or (printed[-1][:MOST_WORDS] if printed else "it says nothing")
-    raise Failed(f"EnergyPlus {what}, exit code {done.returncode}: {said}")
+    raise Failed(f"EnergyPlus {what}, {how_ended(done.returncode)}: {said}{rest}")
+
+
+def how_ended(code):
+    return f"exit code {code}" if code >= 0 else f"signal {-code}"
 
 
 def simulate(program, model_file, weather, folder):
@@ -114,7 +133,7 @@ def simulate(program, model_file, weather, folder):
     folder.mkdir(parents=True, exist_ok=True)
     done = run([program, "-d", folder, "-w", weather, model_file], folder)
     if done.returncode or not (folder / "eplusout.sql").is_file():
-        complain(folder, done, f"failed in {folder.name}")
+        complain(folder, done, f"failed in {folder.name}", f"; all that it says is in {folder.name}/eplusout.err")
 
 
 def convert(program, source, folder):

@@ -135,7 +135,10 @@ class Job:
         """(model, changes, plant) of a calendar year."""
         model = model.copy()
         changes, plant = Changes(model, year.n_hours), hours.plant_of(model, self.given["plant"])
-        parameters.apply(model, self.given["parameters"], self.given["rows"], changes, plant)
+        try:
+            parameters.apply(model, self.given["parameters"], self.given["rows"], changes, plant)
+        except Failed as error:
+            raise Failed(f"{self.path}: {error}") from None
         effects.enter(self.effects, model, changes, year.values, year.warm, self.given["schedules"], self.left_out)
         changes.finish()
         return model, changes, plant

@@ -36,6 +36,10 @@ class Epw:
     rows: list                 # lists of texts
     years: set = field(default_factory=set)
 
+    def says_years(self):
+        years = sorted(self.years)
+        return ", ".join(map(str, years)) if len(years) < 3 else f"{len(years)} years from {years[0]} to {years[-1]}"
+
 
 def read_day(path, said):
     try:
@@ -106,15 +110,16 @@ def is_typical(epw):
 
 
 def rows_of_year(files, year):
-    """(Epw, its rows of a year). A single file that is typical, or of one other year, stands for every year."""
+    """(Epw, its rows of a year). A single file that is typical stands for every year."""
     for epw in files:
         rows = [row for row in epw.rows if int(row[YEAR]) == year]
         if rows and not is_typical(epw):
             return epw, rows
-    if len(files) == 1 and len(files[0].rows) in (8760, 8784):
+    if len(files) == 1 and len(files[0].rows) in (8760, 8784) and is_typical(files[0]):
         return files[0], files[0].rows
-    names = ", ".join(str(epw.path) for epw in files)
-    raise Failed(f"weather: no file has the year {year}: {names}; expected an EPW of it")
+    names = ", ".join(f"{epw.path} has {epw.says_years()}" for epw in files)
+    raise Failed(f"weather: no file has the year {year}, which the periods need: {names}; expected an EPW of {year} in "
+                 "\"weather\", or other periods")
 
 
 def hour_of(row, year):

@@ -68,6 +68,20 @@ class Simulator:
     sections: list
 
 
+def check_version(path):
+    """Before all else is read: what another version calls otherwise would be told as a mistake."""
+    try:
+        found = program.find_program()
+    except Failed:
+        return                     # is told when the model is read
+    if not pathlib.Path(path).is_file():
+        return                     # likewise
+    try:
+        program.check_version(path, program.version_in(path), found)
+    except Failed as error:
+        raise Refused(f"--simulator: {error}", DATA) from None
+
+
 def read_model(options, told):
     """(Model as epJSON, program); the program may be absent where nothing has to be converted."""
     try:

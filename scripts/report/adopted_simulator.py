@@ -4,13 +4,13 @@ The files of a point as the last best run had them: templates with its parameter
 effects.toml and effects.csv. Of an EnergyPlus model also what EnergyPlus receives, and how that differs from the model.
 Nothing of the job is changed.
 """
+import math
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 
-from .refused import CONFIG, FAILED, Refused
+from .refused import CONFIG, FAILED, NO_INPUT, Refused
 
 RUNNER = "energyplus_hours"           # scripts/energyplus_hours, which can write the changed model alone
 ENDINGS = (".in", ".template")        # of templates, which a point's files lack
@@ -35,8 +35,10 @@ def effects_text(simulator):
     """The sections of effects.toml."""
     sections = []
     for k, one in enumerate(simulator.series, 1):
-        lines = [("name", simulator.given[int(one.of)].name)] + [(key, getattr(one, key)) for key in SECTION_KEYS] + [("column", f"effect_{k}")]
-        sections.append("[[effect]]\n" + "".join(f"{key} = {quoted(value)}\n" for key, value in lines if value))
+        lines = [("name", simulator.given[int(one.of)].name), *((key, getattr(one, key)) for key in SECTION_KEYS),
+                 ("column", f"effect_{k}")]
+        above = f"opens_above = {one.opens_above:g}\n" if math.isfinite(one.opens_above) else ""
+        sections.append("[[effect]]\n" + "".join(f"{key} = {quoted(value)}\n" for key, value in lines if value) + above)
     return "\n".join(sections)
 
 
@@ -54,15 +56,29 @@ def beside(job_folder, name):
     return path if path.is_absolute() else job_folder / path
 
 
-def write_inputs(section, values, job_folder, folder):
-    """Templates with the values, and the files beside them."""
+def read_input(path, key):
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise Refused(f"{path}: {error.strerror}; expected the file that the job names in simulator.{key}",
+                      NO_INPUT) from None
+
+
+def inputs_of(section, values, job_folder):
+    """{name: bytes} of templates with the values, and of the files beside them."""
+    found = {}
     for template in section.get("template", []):
         source = beside(job_folder, str(template["file"]))
         name = str(template.get("as", "")) or name_of_filled(source)
-        (folder / name).write_text(filled(source.read_text(encoding="utf-8"), values), encoding="utf-8")
+        try:
+            text = read_input(source, "template").decode("utf-8")
+        except UnicodeDecodeError:
+            raise Refused(f"{source}: is no text in UTF-8; expected a template with places such as @name@") from None
+        found[name] = filled(text, values).encode("utf-8")
     for name in section.get("files", []):
         source = beside(job_folder, str(name))
-        shutil.copyfile(source, folder / source.name)
+        found[source.name] = read_input(source, "files")
+    return found
 
 
 def patch(section, job_folder, folder):
@@ -75,7 +91,8 @@ def patch(section, job_folder, folder):
                           capture_output=True, text=True, check=False)
     if done.returncode != 0:
         last = (done.stderr.strip().splitlines() or ["it said nothing"])[-1]
-        raise Refused(f"{folder}: is written, but the changed model is not: {last}", FAILED)
+        raise Refused(f"{folder}: is written, but the changed model is not: {last}; mend that and run there: {runner} "
+                      f"{command[-1]} --patch-only", FAILED)
     return done.stdout.splitlines()
 
 
@@ -87,8 +104,10 @@ def adopt(loop, job, job_file, folder):
     job_folder = pathlib.Path(job_file).resolve().parent
     values = {row.name: row.after for row in loop.simulator.parameters}
     folder = pathlib.Path(folder)
+    inputs = inputs_of(section, values, job_folder)
     folder.mkdir()
-    write_inputs(section, values, job_folder, folder)
+    for name, content in inputs.items():
+        (folder / name).write_bytes(content)
     write_effects(loop.simulator, folder)
     lines = [f"parameter {name}: {value:.4g}" for name, value in values.items()]
     lines += [f"effect {row.name}: at {row.hooks}, {row.scale:.3g} times what was found"

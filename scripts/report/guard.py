@@ -72,7 +72,7 @@ def reading(path):
         yield
     except (ArithmeticError, AttributeError, LookupError, MemoryError, OSError, RuntimeError, TypeError,
             ValueError) as error:
-        what = str(error).strip("'\"") or type(error).__name__
+        what = str(error.args[0] if isinstance(error, KeyError) and error.args else error) or type(error).__name__
         raise Refused(what if str(path) in what else f"{path}: damaged: {what}") from error
 
 

@@ -154,12 +154,22 @@ class LoopAround : public study::Stage {
 
     std::string shortfall(const std::vector<study::ItemAnswer>& answers) const override {
         const std::size_t at = before_search();
-        if (answers.size() <= at)
-            return "too few runs of the simulator succeeded for a calibration";
+        if (answers.size() <= at) return too_few(runs_in(answers));
         return answers[at].error;
     }
 
   private:
+    /// What to do depends on whether runs failed.
+    static std::string too_few(const std::vector<SimulatorRun>& runs) {
+        const auto n_failed = std::ranges::count_if(
+            runs, [](const SimulatorRun& run) { return !run.failure.empty(); });
+        return fmt::format(
+            "too few runs of the simulator succeeded for a calibration: {} of {}; {}",
+            runs.size() - n_of(static_cast<int>(n_failed)), runs.size(),
+            n_failed > 0 ? "expected a simulator that runs: see why they failed"
+                         : "expected a larger `runs` in the study, such as 80");
+    }
+
     std::string group() const { return written_.building.name + "/" + name_; }
 
     std::size_t before_search() const {

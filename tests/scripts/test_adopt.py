@@ -18,6 +18,7 @@ sys.path[:0] = [str(ROOT / "scripts"), str(pathlib.Path(__file__).parent)]
 import fake_loop_result  # noqa: E402
 import fake_simulator  # noqa: E402
 from report import adopted, result  # noqa: E402
+from report.refused import NO_INPUT  # noqa: E402
 
 JOB = """# A job.
 name = "office"   # of a street
@@ -251,6 +252,25 @@ class OfAProgram(unittest.TestCase):
                          'unit = "1/h"\nenters = "add"\ncolumn = "effect_1"\n')
         self.assertEqual(self.text("effects.csv"), "effect_1\n0.1\n0.2\n0.3\n")
         self.assertEqual(tomllib.loads(self.text("effects.toml"))["effect"][0]["hook"], "infiltration")
+
+    def test_openings_say_from_what_they_open(self):
+        with h5py.File(self.folder / "result.h5", "a") as file:
+            file["office/loop/simulator_series_opens_above"] = np.array([22.5])
+        self.adopt()
+        self.assertEqual(tomllib.loads(self.text("effects.toml"))["effect"][0]["opens_above"], 22.5)
+
+    def test_inputs_that_are_gone_leave_no_folder(self):
+        for name, key in (("site.epw", "files"), ("run.json.in", "template")):
+            kept = (self.folder / name).read_text()
+            (self.folder / name).unlink()
+            done = self.adopt()
+            self.assertEqual(done.returncode, NO_INPUT, done.stderr)
+            self.assertIn(f"{name}: No such file or directory; expected the file that the job names in simulator.{key}",
+                          done.stderr)
+            self.write(name, kept)
+        (self.folder / "run.json.in").write_bytes(b"\xff")
+        self.assertIn("run.json.in: is no text in UTF-8", self.adopt().stderr)
+        self.assertFalse((self.folder / "found").exists())
 
     def test_of_energyplus_the_changed_model_is_written(self):
         done = self.adopt("./energyplus_hours")

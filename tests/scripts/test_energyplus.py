@@ -155,7 +155,9 @@ class Runs(unittest.TestCase):
         self.run_file["weather"] = ["2020.epw"]
         self.periods("a,2021-03-01,2021-03-02")
         write_epw(self.folder / "2020.epw", datetime.date(2020, 1, 1), 200)
-        self.fails("no file has the year 2021")
+        self.fails("no file has the year 2021", "2020.epw has 2020", "expected an EPW of 2021")
+        write_epw(self.folder / "2020.epw", datetime.date(2020, 1, 1), 366)
+        self.fails("no file has the year 2021")          # a whole year of other days is none of it
 
     def test_files_of_schedules_lie_beside_the_run_file(self):
         given = office.model()
@@ -183,6 +185,22 @@ class Runs(unittest.TestCase):
         (self.folder / "house.idf").write_text("Version, 9.1;\n")
         (self.folder / "hours.csv").unlink()
         self.fails("house.idf", "9.1")
+
+    def test_rows_that_find_nothing(self):
+        good = {"parameter": "mass", "class": "Lights", "field": "watts_per_floor_area", "how": "factor"}
+        self.run_file["parameters"] = {"mass": 1.1}
+        for change, words in (({"class": "Light"}, ["run.json: rows: mass: class", "model.epJSON", "'Lights'"]),
+                              ({"object": "South room light"}, ["object", "'South room lights'"]),
+                              ({"field": "watts_per_area"}, ["South room lights", "nearest: 'watts_per_floor_area'"]),
+                              ({"parameter": "mas"}, ["'mas'", "nearest: 'mass'"]), ({"feild": "x"}, ["'feild'"])):
+            with self.subTest(change):
+                self.run_file["rows"] = [{**good, **change}]
+                self.fails(*words)
+        self.run_file["rows"] = [{**good, "object": "south ROOM lights"}]
+        self.assertEqual(len(self.rows()), 168)
+        (self.folder / "hours.csv").unlink()
+        self.run_file |= {"rows": [], "parameters": {"infiltraton": 1}}
+        self.fails("run.json: parameters: infiltraton", "nearest: 'infiltration'")
 
     def test_bad_run_files(self):
         good = dict(self.run_file)
@@ -368,7 +386,7 @@ class Tables(unittest.TestCase):
         self.apply([row], mass=2)
         self.assertEqual([self.field("Zone", f"{side} room", "multiplier") for side in ("South", "North")], [3, 1])
         for change, word in (({"field": "colour"}, "colour"), ({"how": "twice"}, "twice"),
-                             ({"class": "Zoo"}, "nothing")):
+                             ({"class": "Zoo"}, "no 'Zoo'; there are: 'Version'")):
             with self.assertRaisesRegex(Failed, word):
                 self.apply([{**row, **change}], mass=2)
 
@@ -433,7 +451,8 @@ class Tables(unittest.TestCase):
         self.assertEqual(left_out, {})
         sources = self.model.all("SurfaceProperty:HeatBalanceSourceTerm")
         self.assertEqual(len(sources), 8)               # of six walls and two roofs
-        self.assertAlmostEqual(self.changes.series[sources[0][1]["outside_face_heat_source_term_schedule_name"]][0], 15)
+        self.assertAlmostEqual(self.changes.series[self.changes.of_walls][0], 0.6)
+        self.assertEqual(len([line for line in self.lines() if line.endswith("* bemcal_sun_Schedule_Value")]), 8)
         first, second = [line for line in self.lines() if "South_room_Temperature" in line]
         self.assertIn("Site_Outdoor", first)
         self.assertIn("= bemcal_South_room_Temperature +", second)
@@ -444,7 +463,38 @@ class Tables(unittest.TestCase):
                          [1, 1, None, None])
         self.assertEqual(self.enter("meter factor")[0], {})
 
+    def test_supply_air_reaches_nodes_of_a_list(self):
+        """Those of ideal loads stand in an OutdoorAir:NodeList alone."""
+        self.enter("supply air", 2.0)
+        acted = {fields["actuated_component_unique_name"] for _, fields in
+                 self.model.all("EnergyManagementSystem:Actuator")}
+        self.assertLessEqual({"south room outdoor", "north room outdoor", "South room", "North room"}, acted)
+
+    def test_ventilation_by_what_flows_and_by_the_most(self):
+        self.enter("ventilation", 0.4, enters="factor")
+        self.assertTrue(any("* (1 + " in line for line in self.lines()))
+        self.setUp()
+        self.enter("ventilation", 0.4, enters="add")     # as the program writes it
+        self.assertFalse(any("* (1 + " in line for line in self.lines()))
+        self.setUp()
+        self.model.add("Controller:OutdoorAir", "Dampers", {"minimum_outdoor_air_flow_rate": 2,
+                                                            "minimum_outdoor_air_schedule_name": "Air"})
+        self.enter("ventilation", 0.5, enters="add")     # EnergyPlus cuts this schedule at 1
+        self.assertEqual(self.field("Controller:OutdoorAir", "Dampers", "minimum_outdoor_air_flow_rate"), 3)
+        least, half = list(self.changes.series.values())[-2:]
+        self.assertAlmostEqual((1 + least[0]) * 1.5, 1)
+        self.assertAlmostEqual(half[0] * 1.5, 0.5)
+
+    def test_steady_heat_of_a_conductance_in_some_hours(self):
+        """A wall's from face to face: its area over the resistance of its layers."""
+        self.enter("opaque conductance", np.linspace(0, 0.2, YEAR))
+        conductance = 6 * 3.5 / (1.8 + 0.24 / 0.8)
+        self.assertTrue(any(f"{conductance:.4f} *" in line for line in self.lines()), self.lines())
+
     def test_a_facade_by_its_name(self):
+        self.enter("aperture", -0.3, facade="south facade")     # as the program writes it
+        self.assertEqual(len([line for line in self.lines() if "Transmitted" in line]), 1)
+        self.setUp()
         self.enter("aperture", -0.3, facade="south")
         suns = [fields["output_variable_or_output_meter_index_key_name"] for _, fields in
                 self.model.all("EnergyManagementSystem:Sensor")
@@ -540,7 +590,9 @@ class Parts(unittest.TestCase):
 
     def test_words_of_the_first_severe_error(self):
         text = "  ** Warning ** a\n  ** Severe  ** b\n  **   ~~~   ** c\n  ** Severe  ** d\n"
-        self.assertEqual(program.severe_words(text), "b c")
+        self.assertEqual(program.severe_words(text), "b c; d")
+        self.assertEqual(program.severe_words(text + "  ** Severe  ** e\n" * 4), "b c; d; e (and 3 more)")
+        self.assertEqual(program.severe_words("  **  Fatal  ** the end\n  **   ~~~   ** of it\n"), "the end of it")
         self.assertEqual(program.severe_words(""), "")
 
     def test_a_typical_year_stands_for_every_year(self):

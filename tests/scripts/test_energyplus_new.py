@@ -145,6 +145,21 @@ class Simulator(unittest.TestCase):
         said = self.new(code=DATA)
         for word in ("24.1", "25.2", "IDFVersionUpdater"):
             self.assertIn(word, said)
+        given["BuildingSurface:Detailed"] = {"Odd": {}}      # is called a mistake by no means before that
+        self.write(given)
+        self.assertIn("IDFVersionUpdater", self.new(code=DATA))
+        self.model = self.folder / "mine.idf"
+        for text, words in (("Version, 9.4;\n", ("mine.idf", "9.4", "Transition-V9-4-0")),
+                            ("Version, 25;\n", ("mine.idf", "no object Version with a number")),
+                            ("Zone, a;\n", ("mine.idf", "no object Version"))):
+            self.model.write_text(text)
+            said = self.new(code=DATA)
+            for word in words:
+                self.assertIn(word, said)
+
+    def test_what_is_no_energyplus(self):
+        self.assertIn("is not EnergyPlus", self.new(code=DATA, energyplus="/usr/bin/ls"))
+        self.assertIn("is no program that can be run", self.new(code=DATA, energyplus=self.folder))
 
     def test_nothing_is_written_over(self):
         self.new()
