@@ -66,9 +66,9 @@ fmi2Status fmi2DoStep(fmi2Component c, fmi2Real time, fmi2Real step, fmi2Boolean
 
 # FMPy looks for all functions; those of no use here only have to be there.
 UNUSED = """GetTypesPlatform GetVersion SetDebugLogging Reset GetInteger GetBoolean GetString SetInteger SetBoolean
-    SetString GetFMUstate SetFMUstate FreeFMUstate SerializedFMUstateSize SerializeFMUstate DeSerializeFMUstate CancelStep
-    GetDirectionalDerivative SetRealInputDerivatives GetRealOutputDerivatives GetStatus GetRealStatus GetIntegerStatus
-    GetBooleanStatus GetStringStatus""".split()
+    SetString GetFMUstate SetFMUstate FreeFMUstate SerializedFMUstateSize SerializeFMUstate DeSerializeFMUstate
+    CancelStep GetDirectionalDerivative SetRealInputDerivatives GetRealOutputDerivatives GetStatus GetRealStatus
+    GetIntegerStatus GetBooleanStatus GetStringStatus""".split()
 
 
 def description():
