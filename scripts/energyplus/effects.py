@@ -3,6 +3,11 @@
 Three ways: a new object with the series as its schedule; a schedule of the model that a program changes (`changes`);
 or the meters' hours after the run. Left out, and told: what no hourly series can say (a second mass), and hooks whose
 objects the model does not have.
+
+The twin foretells what EnergyPlus then shows, with a correlation over the hours of 0.9 or more (bench_energyplus_patch)
+but where EnergyPlus has what the twin lacks: walls that pass heat on hours later, and let the sun in as they do
+(`opaque conductance`), a thermostat in each room (`window conductance` in some hours). Ideal loads without a limit are
+off where `heating available` is low; the twin's plant is only smaller.
 """
 import csv
 import tomllib
