@@ -14,7 +14,7 @@ LOG_DENSITY, ALL = "log_density", "all"
 MOST_DENSITIES, MOST_PAIRS, MOST_TRACES = 12, 5, 6
 MOST_DRAWS, TRACE, PLACES = 2000, 640, 48      # of a density; of all chains in a trace; of a curve
 PAIR_DOTS, BINS = 200, 20
-MOST_METERS = 6
+MOST_METERS, MOST_FAILED = 6, 20
 
 
 def names_of(study):
@@ -211,6 +211,22 @@ def table(study):
     if np.isfinite(study.number("target_rhat")):
         yield f"Aim: R-hat of at most {number(study.number('target_rhat'))} and at least " \
               f"{number(study.number('target_ess'))} effective draws (ESS)."
+
+
+def program(study):
+    """Of a posterior of another program: how many runs it is from, where they were made, which failed."""
+    of, failures = np.array(study.texts("simulator_run")), np.array(study.texts("simulator_run_failure"))
+    names, at = study.texts("simulator_parameter"), study.numbers("simulator_run_value")
+    shares = ", ".join(f"{(of == one).sum()} {one}" for one in dict.fromkeys(of))
+    failed = failures != ""
+    errors = dict(zip(study.texts("simulator_channel"), study.numbers("simulator_emulator_error")))
+    foretold = "; ".join(f"{meter} within {fixed(error, 1)} %" for meter, error in errors.items())
+    yield f"{of.size} runs of the program: {shares}; {failed.sum()} failed. " + (
+        f"The chains go on an emulator of the others. It foretells runs that it has not seen (CV(RMSE) of readings): "
+        f"{foretold}." if foretold else "")
+    if failed.any():
+        yield Table("Runs that failed", [(name, True) for name in names] + [("why", False)],
+                    [[*map(number, at[k]), failures[k]] for k in np.flatnonzero(failed)[:MOST_FAILED]])
 
 
 def judged(group):

@@ -77,6 +77,8 @@ KINDS = {
         part("Predictions", chains.fit_table),
         part("Predictions", chains.reading_ranks),
         *CONVERGENCE,
+        part("Runs of the program", chains.program, "simulator_run simulator_run_failure simulator_run_value "
+                                                    "simulator_parameter"),
         METERS)),
     "kennedy_ohagan": Kind("what is known after the data, by a statistical stand-in of the simulator?", (
         part("Predictions", field.errors, "field_cv_rmse field_cv_rmse_n1 field_nmbe"),

@@ -941,6 +941,10 @@ offset = 0
 [[study]]
 kind = "loop"
 runs = 60
+
+[[study]]
+kind = "posterior"
+runs = 60
 )toml"},
 
 {"office_hour.toml", R"toml([[study]]

@@ -5,6 +5,7 @@
 /// search is in `loop`.
 #include "description/words.hpp"
 #include "effects/catalogue.hpp"
+#include "job/hourly_outputs.hpp"
 #include "job/kind.hpp"
 #include "job/learning.hpp"
 #include "kernel/response.hpp"
@@ -136,37 +137,17 @@ void check_nominal(const schema::Section& simulator, const Job& job) {
                                        parameters[k].least, parameters[k].most));
 }
 
-/// The twin's meters that the simulator has hours of.
 void check_simulator(const StudyPlace& place, const LoopOptions& options) {
-    const schema::Section& section = place.section;
-    if (place.job.buildings.size() != 1)
-        section.fail("kind",
-                     "is of a [simulator], which has one building beside it as its "
-                     "twin; expected the building's sections in this file");
-    if (!place.job.hourly_simulator)
-        section.fail_value("kind",
-                           "needs hours of the [simulator]; expected a "
-                           "[[simulator.hourly]] for each meter");
-    const study::Case& twin = place.job.buildings[0];
-    const auto& meters = place.job.hourly_simulator->meters();
-    const schema::Section simulator = place.root.table("simulator", "simulator");
-    check_nominal(simulator, place.job);
-    const auto hours = simulator.tables("hourly", "simulator.hourly");
-    for (std::size_t k = 0; k < meters.size(); ++k)
-        description::check_word(hours[k], "meter", meters[k],
-                                description::names_of(twin.meters),
-                                "meter of " + twin.name);
-    for (const std::string& meter : options.meters)
-        description::check_word(section, "meters", meter, meters,
-                                "meter of a [[simulator.hourly]]");
+    check_hourly_outputs(place, options.meters);
+    check_nominal(place.root.table("simulator", "simulator"), place.job);
 }
 
 void check(const StudyPlace& place, StudySpec& study) {
     const auto& options = study.as<LoopOptions>();
     if (place.job.simulator)
         check_simulator(place, options);
-    else if (place.section.has("runs"))
-        place.section.fail("runs", "is of a [simulator], and the job has none");
+    else
+        check_no_runs(place.section);
     check_exclude(place.section, options);
     for (const study::Case& building : place.job.buildings)
         check_building(place.section, options, building);

@@ -1,13 +1,16 @@
 /// The kind "posterior": a calibration by chains, of each building or of several
 /// together; checked for names, parameters and meters.
+/// Of a [simulator] it is a calibration of that program, by an emulator of its runs.
 /// Source: Vehtari et al. 2021 for the targets of chains (`read_chains`).
 /// Priors are in `read_prior`. Whether buildings can be pooled is checked by
 /// `make_posterior`.
 #include "description/words.hpp"
 #include "job/chains.hpp"
+#include "job/hourly_outputs.hpp"
 #include "job/kind.hpp"
 #include "job/learning.hpp"
 #include "posterior/posterior.hpp"
+#include "posterior/simulator_posterior.hpp"
 
 #include <algorithm>
 
@@ -58,6 +61,10 @@ constexpr schema::Key keys[] = {
     {"study", "reading_weight", Type::number, "-", "1", 1e-6, 1,
      "The likelihood is raised to this power; 0.006, a week of hours for one, where "
      "errors last for long in ways that the residuals do not know."},
+    {"study", "runs", Type::integer, "", "80", 20, 100000,
+     "Of a [simulator], at most: five eighths are spread over its parameters' ranges, the "
+     "others are drawn from the posterior so far, in three rounds. Chains then go on an "
+     "emulator of all runs."},
     {"study", "temperatures", Type::numbers, "", "", 1, 1e9,
      "[1, 2, 4, 8] runs each chain at all of these and swaps between them; default: 1 "
      "alone."},
@@ -86,12 +93,14 @@ void read(const StudySource& source, StudySpec& study) {
     options.n_predictive = static_cast<int>(section.integer("n_predictive"));
     options.pooling = section.choice_as<Pooling>("pooling");
     if (options.pooling != Pooling::none) options.unseen = section.texts("unseen");
+    options.simulator_runs = static_cast<int>(section.integer("runs"));
     study.options = std::move(options);
 }
 
 /// Draws are stored under the parameter's name, beside their dimensions.
-void check_parameter_names(const schema::Section& section, const Case& building) {
-    for (const physics::Parameter& parameter : building.parameters)
+void check_parameter_names(const schema::Section& section,
+                           const std::vector<physics::Parameter>& parameters) {
+    for (const physics::Parameter& parameter : parameters)
         if (parameter.name.find('/') != std::string::npos || parameter.name == "chain" ||
             parameter.name == "draw" || parameter.name == "." || parameter.name == "..")
             section.fail("kind",
@@ -144,13 +153,31 @@ void check_unseen(const schema::Section& section, const PosteriorOptions& option
             check_meters_of_unseen(section, options, building, *seen);
 }
 
+/// Of its parameters, and of the building's meters that it has hours of.
+void check_simulator(const StudyPlace& place, const PosteriorOptions& options) {
+    const schema::Section& section = place.section;
+    check_hourly_outputs(place, options.meters);
+    if (options.pooling != Pooling::none)
+        section.fail("pooling", "is of several buildings, and a [simulator] is one");
+    const auto& parameters = place.job.hourly_simulator->parameters();
+    for (const std::string& parameter : options.parameters)
+        description::check_word(section, "parameters", parameter,
+                                description::names_of(parameters),
+                                "[[simulator.parameter]]");
+    check_parameter_names(section, parameters);
+    check_meters(section, {options.period, options.parameters, options.meters},
+                 place.job.buildings[0]);
+}
+
 void check(const StudyPlace& place, StudySpec& study) {
     const auto& options = study.as<PosteriorOptions>();
+    if (place.job.simulator) return check_simulator(place, options);
+    check_no_runs(place.section);
     check_unseen(place.section, options, place.job.buildings);
     const Learning learning{options.period, options.parameters, options.meters};
     for (const Case& building : place.job.buildings) {
         check_parameters(place.section, learning, building);
-        check_parameter_names(place.section, building);
+        check_parameter_names(place.section, building.parameters);
     }
     for (const Case& building : place.job.buildings)
         if (!is_unseen(options, building))
@@ -165,6 +192,10 @@ bool is_pooled(const StudySpec& study) {
 Stages stages(const StudySpec& study, const Job& job) {
     auto options = study.as<PosteriorOptions>();
     options.chains.first_chain = job.first_chain;
+    if (job.hourly_simulator)
+        return only(posterior::make_simulator_posterior(
+            stage_name(study, job.buildings.at(0)), job.buildings.at(0),
+            job.hourly_simulator, options));
     if (is_pooled(study))
         return only(posterior::make_posterior(study.name, job.buildings, options));
     return for_each_building(study, job, [&](std::string name, const Case& building) {
@@ -189,6 +220,7 @@ double simulations_per_transition(sampling::Method method, std::size_t n_paramet
 /// With its whole budget.
 void cost(const StudyStage& stage, Effort& effort) {
     const posterior::ChainOptions& chains = stage.study.as<PosteriorOptions>().chains;
+    if (stage.job.simulator) return;  // its runs are what takes time
     const sampling::SamplerOptions& sampler = chains.sampler;
     const double transitions =
         sampler.n_warm_up + static_cast<double>(chains.most_draws) * sampler.thin;
@@ -217,6 +249,7 @@ std::vector<Fitted> fitted(const StudySpec& study, const Case& building) {
 extern const Kind posterior_kind{.word = "posterior",
                                  .sections = {sections},
                                  .keys = {learning_keys, keys, chain_keys},
+                                 .takes_twin = true,
                                  .takes_stock = true,
                                  .has_chains = true,
                                  .read = read,

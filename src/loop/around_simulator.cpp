@@ -13,7 +13,6 @@
 /// How the budget is shared is judgement.
 #include "loop/around_simulator.hpp"
 
-#include "base/nan.hpp"
 #include "loop/given_effects.hpp"
 #include "loop/search_building.hpp"
 #include "loop/simulator_plan.hpp"
@@ -22,11 +21,10 @@
 #include "loop/simulator_runs.hpp"
 #include "stats/sobol_sequence.hpp"
 #include "study/packed_conclusion.hpp"
+#include "study/simulated_hours.hpp"
 
 #include <algorithm>
 #include <stdexcept>
-
-#include <fmt/format.h>
 
 namespace bemcal::loop {
 namespace {
@@ -97,8 +95,10 @@ class LoopAround : public study::Stage {
           written_(twin, options),
           simulator_(std::move(simulator)),
           budget_(options.simulator_runs),
-          n_hours_(hours_of_periods(twin)) {
-        for (const std::size_t m : written_.meters) column_.push_back(column_of(m));
+          n_hours_(study::hours_of_periods(twin)) {
+        for (const std::size_t m : written_.meters)
+            column_.push_back(
+                study::column_of(*simulator_, written_.building.meters[m].name));
     }
 
     std::string name() const override { return name_; }
@@ -176,18 +176,6 @@ class LoopAround : public study::Stage {
         return static_cast<std::size_t>(budget_.before_search());
     }
 
-    std::size_t column_of(std::size_t meter) const {
-        const std::string& name = written_.building.meters[meter].name;
-        const auto& known = simulator_->meters();
-        const auto found = std::ranges::find(known, name);
-        if (found == known.end())
-            throw std::invalid_argument(
-                fmt::format("the meter {} has no hours of the simulator; expected a "
-                            "[[simulator.hourly]] of it, or meters without it",
-                            name));
-        return static_cast<std::size_t>(found - known.begin());
-    }
-
     std::vector<double> design_point(int item) const {
         const auto& parameters = simulator_->parameters();
         if (item > 0) {
@@ -196,29 +184,16 @@ class LoopAround : public study::Stage {
                 written_.options.seed);
             return {points.values.begin(), points.values.end()};
         }
-        std::vector<double> nominal;
-        nominal.reserve(parameters.size());
-        for (const physics::Parameter& parameter : parameters)
-            nominal.push_back((parameter.nominal - parameter.least) /
-                              (parameter.most - parameter.least));
-        return nominal;
+        return study::nominal_on_scale(parameters);
     }
 
     study::ItemAnswer simulate(std::vector<double> point,
                                std::vector<double> scales) const {
-        const auto values = values_at(point, simulator_->parameters());
-        study::SimulatedHours simulated =
-            simulator_->hours(values, scaled(plan_.effects, scales), n_hours_);
-        study::ItemAnswer answer;
-        SimulatorRun run{std::move(point), std::move(scales), {}, {}, {}};
-        run.left_out = std::move(simulated.left_out);
-        if (simulated.failure.empty())
-            for (const std::size_t column : column_)
-                run.hours.push_back(simulated.meters[column]);
-        else
-            answer.failures.push_back({0, simulated.failure});
-        answer.values = pack(run);
-        return answer;
+        const auto values = study::values_at(point, simulator_->parameters());
+        const auto effects = scaled(plan_.effects, scales);
+        return study::simulate(*simulator_,
+                               {std::move(point), std::move(scales), {}, {}, {}}, values,
+                               effects, column_, n_hours_);
     }
 
     study::ItemAnswer search() const {
@@ -244,12 +219,7 @@ class LoopAround : public study::Stage {
         std::vector<SimulatorRun> runs;
         for (std::size_t k = 0; k < answers.size(); ++k) {
             if (k == before_search()) continue;
-            SimulatorRun run;
-            run.point.assign(simulator_->parameters().size(), nan);
-            if (!answers[k].values.empty()) run = unpack_run(answers[k].values);
-            if (!answers[k].error.empty()) run.failure = answers[k].error;
-            if (!answers[k].failures.empty()) run.failure = answers[k].failures[0].reason;
-            runs.push_back(std::move(run));
+            runs.push_back(study::run_in(answers[k], simulator_->parameters().size()));
         }
         return runs;
     }

@@ -2,6 +2,8 @@
 /// Plain bookkeeping without a source. A month without a reading is left out.
 #include "loop/months.hpp"
 
+#include "study/simulated_hours.hpp"
+
 #include <array>
 #include <cmath>
 #include <map>
@@ -28,27 +30,13 @@ Months months_of(const std::vector<physics::Seconds>& begins,
     return months;
 }
 
-std::vector<double> over_intervals(const std::vector<physics::Seconds>& begins,
-                                   std::span<const double> hours,
-                                   const std::vector<physics::Seconds>& intervals,
-                                   bool is_mean) {
-    std::vector<double> sums(intervals.size(), 0.0), n(intervals.size(), 0.0);
-    std::size_t at = 0;
-    for (std::size_t k = 0; k < begins.size(); ++k) {
-        while (at + 1 < intervals.size() && intervals[at + 1] <= begins[k]) ++at;
-        sums[at] += hours[k];
-        n[at] += 1;
-    }
-    for (std::size_t k = 0; k < sums.size() && is_mean; ++k) sums[k] /= n[k];
-    return sums;
-}
-
 Months read_by_month(const std::vector<physics::Seconds>& begins,
                      std::span<const double> simulated, const kernel::Readings& readings,
                      const physics::TimeAxis& axis) {
     const auto intervals = study::begins_of(axis, readings.interval);
     const bool is_mean = physics::is_temperature(readings.quantity);
-    return months_of(intervals, over_intervals(begins, simulated, intervals, is_mean),
+    return months_of(intervals,
+                     study::over_intervals(begins, simulated, intervals, is_mean),
                      readings.values, is_mean);
 }
 

@@ -17,13 +17,6 @@ Months months_of(const std::vector<physics::Seconds>& begins,
                  std::span<const double> simulated, std::span<const double> measured,
                  bool is_mean);
 
-/// Hours summed (of a temperature their mean) over intervals that begin then. [intervals]
-/// \param begins  of the hours
-std::vector<double> over_intervals(const std::vector<physics::Seconds>& begins,
-                                   std::span<const double> hours,
-                                   const std::vector<physics::Seconds>& intervals,
-                                   bool is_mean);
-
 /// The same of a meter that is not read by the hour: the hours of its intervals, then the
 /// months of these.
 Months read_by_month(const std::vector<physics::Seconds>& begins,

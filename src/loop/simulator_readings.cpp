@@ -1,51 +1,20 @@
-/// Cuts hours of all periods to one, and reads them by the intervals of each meter.
+/// Reads hours as the channels of a loop, and puts readings in place of others.
 /// Plain bookkeeping without a source.
-/// An interval that the period cuts has the hours that lie in it.
+/// A reading that is missing stays so.
 #include "loop/simulator_readings.hpp"
 
-#include "loop/months.hpp"
+#include "study/simulated_hours.hpp"
 
 #include <cmath>
 
 namespace bemcal::loop {
-namespace {
-
-std::size_t n_hours(const study::Period& period) {
-    return static_cast<std::size_t>(study::hours_of(period));
-}
-
-}  // namespace
-
-std::size_t hours_of_periods(const study::Case& building) {
-    std::size_t n = 0;
-    for (const study::Period& period : building.periods) n += n_hours(period);
-    return n;
-}
-
-std::vector<double> hours_in(const study::Case& building, const study::Period& period,
-                             const std::vector<double>& all) {
-    std::size_t first = 0;
-    for (const study::Period& each : building.periods) {
-        if (each.name == period.name) break;
-        first += n_hours(each);
-    }
-    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
-    return {begin, begin + static_cast<std::ptrdiff_t>(n_hours(period))};
-}
-
 std::vector<double> readings_from(const LoopData& data,
                                   const std::vector<std::vector<double>>& hours) {
-    const study::Period& training = data.training();
-    const physics::TimeAxis axis = study::axis_of(data.building, training);
-    const auto begins = study::begins_of(axis, physics::Interval::hourly);
     std::vector<double> readings;
     readings.reserve(data.targets.size());
     for (std::size_t c = 0; c < data.targets.n_channels(); ++c) {
-        const kernel::Channel& channel = data.targets.channels[c];
-        const auto own =
-            over_intervals(begins, hours_in(data.building, training, hours[c]),
-                           study::begins_of(axis, channel.interval),
-                           physics::is_temperature(channel.quantity));
+        const auto own = study::readings_of_hours(data.building, data.training(),
+                                                  data.targets.channels[c], hours[c]);
         readings.insert(readings.end(), own.begin(), own.end());
     }
     return readings;

@@ -8,13 +8,6 @@
 
 namespace bemcal::loop {
 
-/// Hours of all periods of the building, one after the other.
-std::size_t hours_of_periods(const study::Case& building);
-
-/// The part that is of a period. [hours]
-std::vector<double> hours_in(const study::Case& building, const study::Period& period,
-                             const std::vector<double>& all);
-
 /// What the channels would have read in training. [targets.size()]
 /// \param hours  [channels][hours of all periods]
 std::vector<double> readings_from(const LoopData& data,

@@ -4,12 +4,14 @@
 /// Sections for a job are left out: what was found belongs into the program's model.
 #include "loop/simulator_results.hpp"
 
+#include "base/nan.hpp"
 #include "loop/given_effects.hpp"
 #include "loop/simulator_plan.hpp"
 #include "loop/simulator_readings.hpp"
 #include "loop/stored_fits.hpp"
 #include "loop/stored_simulator.hpp"
 #include "study/datasets.hpp"
+#include "study/simulated_hours.hpp"
 
 #include <algorithm>
 #include <array>
@@ -125,7 +127,7 @@ class Concluder {
         for (std::size_t m = 0; m < StoredLoop::n_models; ++m) {
             auto& channels = hours.models.emplace_back();
             for (const auto& channel : run_of(m).hours)
-                channels.push_back(hours_in(data.building, period, channel));
+                channels.push_back(study::hours_in(data.building, period, channel));
         }
         hours.outdoors = outdoors_of(*data.drive_over(period));
         return hours;
@@ -136,7 +138,7 @@ class Concluder {
         const auto& parameters = around_.simulator.parameters();
         std::vector<std::vector<double>> at;  // [models][parameters]
         for (std::size_t m = 0; m < StoredLoop::n_models; ++m)
-            at.push_back(values_at(run_of(m).point, parameters));
+            at.push_back(study::values_at(run_of(m).point, parameters));
         stored.parameters.reserve(parameters.size());
         for (std::size_t k = 0; k < parameters.size(); ++k)
             stored.parameters.push_back(

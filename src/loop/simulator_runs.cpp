@@ -7,9 +7,6 @@
 
 #include "emulator/series_fit.hpp"
 #include "loop/simulator_readings.hpp"
-#include "study/datasets.hpp"
-#include "study/packed_conclusion.hpp"
-#include "study/points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +14,6 @@
 
 namespace bemcal::loop {
 namespace {
-
-constexpr const char* run_group = "run";
 
 /// An effect was found by the twin, whose building is another: half as large to half as
 /// large again is usual (judgement), twice as large the most.
@@ -28,10 +23,6 @@ constexpr double largest_scale = 2, usual_scale = 1, sd_of_scale = 0.5;
 constexpr emulator::ScaledPrior of_parameter{0.5, 1};
 /// Of the scale of an effect that is left out: so narrow that the readings have no say.
 constexpr emulator::ScaledPrior held_at_0{0, 1e-6};
-
-const study::Dataset& dataset_of(const study::Conclusion& all, const char* leaf) {
-    return *study::find_dataset(all.datasets, std::string(run_group) + "/" + leaf);
-}
 
 std::vector<emulator::ChannelRange> ranges_of(const study::Targets& targets) {
     std::vector<emulator::ChannelRange> ranges;
@@ -52,48 +43,6 @@ std::vector<std::size_t> places_of(const std::vector<char>& flags) {
 /// Fall of the deviance that chance alone brings about once in a thousand candidates,
 /// which is how many a search looks at: 2 log 1000.
 constexpr double least_fall = 13.8;
-
-}  // namespace
-
-std::vector<double> values_at(std::span<const double> point,
-                              const std::vector<physics::Parameter>& parameters) {
-    Matrix row(1, point.size());
-    std::ranges::copy(point, row.row(0).begin());
-    return study::in_ranges(std::move(row), parameters).values;
-}
-
-std::vector<double> pack(const SimulatorRun& run) {
-    study::DatasetBuilder datasets(run_group);
-    datasets.vector("point", "parameter", run.point);
-    datasets.vector("scale", "effect", run.scales);
-    datasets.texts("left_out", "left_out", run.left_out);
-    std::vector<double> hours;
-    for (const auto& channel : run.hours)
-        hours.insert(hours.end(), channel.begin(), channel.end());
-    const std::size_t n = run.hours.size();
-    datasets.array("hours", {"channel", "time"}, {n, n > 0 ? run.hours[0].size() : 0},
-                   std::move(hours));
-    return study::pack({datasets.take()});
-}
-
-SimulatorRun unpack_run(std::span<const double> packed) {
-    const study::Conclusion all = study::unpack_conclusion(packed);
-    SimulatorRun run{dataset_of(all, "point").values,
-                     dataset_of(all, "scale").values,
-                     {},
-                     dataset_of(all, "left_out").texts,
-                     {}};
-    const study::Dataset& hours = dataset_of(all, "hours");
-    for (std::size_t c = 0; c < hours.shape[0]; ++c) {
-        const auto begin =
-            hours.values.begin() + static_cast<std::ptrdiff_t>(c * hours.shape[1]);
-        run.hours.emplace_back(begin,
-                               begin + static_cast<std::ptrdiff_t>(hours.shape[1]));
-    }
-    return run;
-}
-
-namespace {
 
 /// Whether it has an effect beside those.
 bool has_others(const SimulatorRun& run, const KeptEffects& kept) {

@@ -4,31 +4,15 @@
 
 #include "emulator/series_emulator.hpp"
 #include "loop/model.hpp"
-#include "study/stage.hpp"
+#include "study/simulator_run.hpp"
 
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace bemcal::loop {
 
-/// A run at a point, with effects at a scale each.
-struct SimulatorRun {
-    std::vector<double> point;               ///< [parameters] on the scale 0 to 1
-    std::vector<double> scales;              ///< [effects]; none before effects are known
-    std::vector<std::vector<double>> hours;  ///< [channels][hours of all periods]
-    std::vector<std::string> left_out;       ///< what the program could not take
-    std::string failure;                     ///< then there are no hours
-};
-
-/// The program's numbers at a point on the scale 0 to 1. [parameters]
-std::vector<double> values_at(std::span<const double> point,
-                              const std::vector<physics::Parameter>& parameters);
-
-/// As an item's answer, and back.
-std::vector<double> pack(const SimulatorRun& run);
-SimulatorRun unpack_run(std::span<const double> packed);
+using study::SimulatorRun;
 
 /// Where the next runs pay.
 struct NextRuns {

@@ -1,8 +1,8 @@
 /// Holds a building against its meters over a period: simulates points, adds up the
 /// meters' log likelihoods, and pulls their derivatives back to the parameters.
-/// Source: `ResidualModel` for residuals, the adjoint of `Response` for derivatives.
-/// Priors of the residuals stand here. Errors of meters count as independent of each
-/// other; those of months and years have no memory.
+/// Source: `ResidualModel` for residuals, the adjoint of a `MeterResponse` for
+/// derivatives. Priors of the residuals stand here. Errors of meters count as independent
+/// of each other; those of months and years have no memory.
 #include "posterior/building_model.hpp"
 
 #include "base/nan.hpp"
@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace bemcal::posterior {
 namespace {
@@ -75,14 +76,11 @@ std::vector<MeterModel> meter_models(const study::Case& building,
     return models;
 }
 
-std::vector<kernel::Channel> channels_of(const study::Case& building,
-                                         const std::vector<MeterModel>& meters) {
-    std::vector<kernel::Channel> channels;
-    channels.reserve(meters.size());
-    for (const MeterModel& model : meters)
-        channels.push_back({building.meters[model.meter].quantity,
-                            building.meters[model.meter].interval});
-    return channels;
+std::vector<std::size_t> numbers_of(const std::vector<MeterModel>& meters) {
+    std::vector<std::size_t> numbers;
+    numbers.reserve(meters.size());
+    for (const MeterModel& model : meters) numbers.push_back(model.meter);
+    return numbers;
 }
 
 stats::Prior lognormal(double median, double sd_log, double least = 0) {
@@ -134,18 +132,13 @@ double fortnight(physics::Interval interval) {
 stats::Prior residual_prior(const std::string& name, const study::Meter& meter,
                             const stats::ResidualOptions& options) {
     const bool is_air = physics::is_temperature(meter.quantity);
-    if (name == "constant") return lognormal(is_air ? 0.5 : 0.1, 1, least_constant);
+    if (name == "constant")
+        return lognormal(usual_constant(meter.quantity), 1, least_constant);
     if (name == "proportional")
         return is_air || !options.proportional ? fixed(0) : lognormal(0.1, 1);
     if (name == "phi") return beta(1, 1);
     if (name == "share") return uniform(0, largest_slow_share);
     return lognormal(fortnight(meter.interval), 0.7);
-}
-
-/// Four lanes at most: chains end their trajectories at different times, and of eight
-/// lanes too many would wait (a posterior takes 1.8 times as long on a Zen 4).
-kernel::InstructionSet set_of_chains() {
-    return std::min(kernel::choose_instruction_set(), kernel::InstructionSet::v3);
 }
 
 }  // namespace
@@ -156,6 +149,10 @@ double noise_scale(physics::Quantity quantity, std::span<const double> values) {
     for (const double value : values)
         if (!std::isnan(value)) sum += std::abs(value), n += 1;
     return sum > 0 ? sum / n : 1;
+}
+
+double usual_constant(physics::Quantity quantity) {
+    return physics::is_temperature(quantity) ? 0.5 : 0.1;
 }
 
 std::vector<study::Coordinate> residual_unknowns(const study::Meter& meter,
@@ -169,15 +166,12 @@ std::vector<study::Coordinate> residual_unknowns(const study::Meter& meter,
 }
 
 BuildingModel::BuildingModel(const study::Case& building, const study::Period& period,
-                             const MeterChoice& choice)
+                             const MeterChoice& choice,
+                             std::shared_ptr<const ResponseSource> source)
     : building_(building),
-      drive_(study::drive_of(building_, period)),
-      batch_(std::make_unique<kernel::Batch>(building_.building, building_.parameters,
-                                             drive_, set_of_chains())),
-      meters_(meter_models(building_, period, choice)) {
-    response_ =
-        std::make_unique<kernel::Response>(*batch_, channels_of(building_, meters_));
-}
+      source_(std::move(source)),
+      meters_(meter_models(building_, period, choice)),
+      response_(source_->response(building_, period, numbers_of(meters_))) {}
 
 std::size_t BuildingModel::first_residual_parameter(std::size_t meter) const {
     std::size_t first = 0;

@@ -3,7 +3,7 @@
 /// predicts.
 #pragma once
 
-#include "kernel/response.hpp"
+#include "posterior/meter_response.hpp"
 #include "stats/residual_model.hpp"
 #include "study/case.hpp"
 #include "study/space.hpp"
@@ -41,7 +41,12 @@ class BuildingModel {
     /// A copy of the case is kept. A meter without readings stays where it is named: it
     /// is predicted. Throws std::invalid_argument for a name that is not a meter's.
     BuildingModel(const study::Case& building, const study::Period& period,
-                  const MeterChoice& choice);
+                  const MeterChoice& choice,
+                  std::shared_ptr<const ResponseSource> source = own_model());
+    /// The same over another period.
+    BuildingModel over(const study::Period& period, const MeterChoice& choice) const {
+        return {building_, period, choice, source_};
+    }
 
     BuildingModel(const BuildingModel&) = delete;
     BuildingModel& operator=(const BuildingModel&) = delete;
@@ -58,7 +63,7 @@ class BuildingModel {
 
     /// Of a thread.
     struct Work {
-        kernel::Response::RunPointer run;
+        std::unique_ptr<MeterResponse::Run> run;
         stats::ResidualModel::Work residuals;
         std::vector<double> parameters, values, by_parameter;
     };
@@ -87,15 +92,17 @@ class BuildingModel {
                    bool derivatives, Likelihood& out, Work& work) const;
 
     study::Case building_;
-    physics::Drive drive_;
-    std::unique_ptr<kernel::Batch> batch_;
-    std::unique_ptr<kernel::Response> response_;
+    std::shared_ptr<const ResponseSource> source_;
     std::vector<MeterModel> meters_;
+    std::unique_ptr<const MeterResponse> response_;
 };
 
 /// The mean size of values that are not missing; a temperature strays by kelvins,
 /// whatever it is.
 double noise_scale(physics::Quantity quantity, std::span<const double> values);
+
+/// The constant part of residuals before the data, as a share of that: its median.
+double usual_constant(physics::Quantity quantity);
 
 /// What is believed of a meter's residuals before the data.
 std::vector<study::Coordinate> residual_unknowns(const study::Meter& meter,

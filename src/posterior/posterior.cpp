@@ -24,8 +24,10 @@ namespace {
 /// which is known of unseen ones too.
 std::unique_ptr<BuildingModel> model_of(const study::Case& building,
                                         const study::Period& period, MeterChoice choice,
-                                        const PosteriorOptions& options) {
-    auto model = std::make_unique<BuildingModel>(building, period, choice);
+                                        const PosteriorOptions& options,
+                                        std::shared_ptr<const ResponseSource> source) {
+    auto model =
+        std::make_unique<BuildingModel>(building, period, choice, std::move(source));
     if (options.pooling == Pooling::none) return model;
     choice.scales = nominal_scales(*model);
     return std::make_unique<BuildingModel>(building, period, choice);
@@ -50,15 +52,18 @@ void check_alike(const BuildingModel& first, const BuildingModel& other) {
         fail("meters");
 }
 
-std::shared_ptr<PosteriorParts> parts_of(const std::vector<study::Case>& buildings,
-                                         const PosteriorOptions& options) {
+std::shared_ptr<PosteriorParts> parts_of(
+    const std::vector<study::Case>& buildings, const PosteriorOptions& options,
+    const std::shared_ptr<const ResponseSource>& source) {
     auto parts = std::make_shared<PosteriorParts>();
+    parts->n_errors = source->n_errors();
     std::vector<std::string> names;
     for (const study::Case& building : buildings) {
         if (is_unseen(building, options)) continue;
         const study::Period& period = training_period(building, options);
-        parts->buildings.push_back(model_of(
-            building, period, training_choice(building, period, options), options));
+        parts->buildings.push_back(model_of(building, period,
+                                            training_choice(building, period, options),
+                                            options, source));
         names.push_back(building.name);
         if (parts->buildings.back()->meters().empty())
             throw std::invalid_argument(fmt::format("{}: no meter has a reading in {}",
@@ -77,11 +82,12 @@ std::shared_ptr<PosteriorParts> parts_of(const std::vector<study::Case>& buildin
 class DirectPosterior : public Posterior {
   public:
     DirectPosterior(const std::vector<study::Case>& buildings,
-                    const PosteriorOptions& options)
-        : parts_(parts_of(buildings, options)), options_(options) {
+                    const PosteriorOptions& options,
+                    const std::shared_ptr<const ResponseSource>& source)
+        : parts_(parts_of(buildings, options, source)), options_(options) {
         for (const study::Case& building : buildings)
             if (is_unseen(building, options)) unseen_.push_back(building);
-        reported_ = parts_->arrangement->reported();
+        drop_errors(parts_->arrangement->reported());
         for (const study::Coordinate& coordinate : reported_)
             unknowns_.push_back({coordinate.name, coordinate.unit});
     }
@@ -92,7 +98,11 @@ class DirectPosterior : public Posterior {
     }
     const std::vector<Unknown>& unknowns() const override { return unknowns_; }
     void read(std::span<const double> position, std::span<double> values) const override {
-        parts_->arrangement->read(position, values);
+        if (parts_->n_errors == 0) return parts_->arrangement->read(position, values);
+        std::vector<double> all(values.size() + parts_->n_errors);
+        parts_->arrangement->read(position, all);
+        all.erase(all.begin() + first_error_, all.begin() + end_of_errors());
+        std::ranges::copy(all, values.begin());
     }
     void conclude(const ChainDraws& draws, study::DatasetBuilder& datasets,
                   std::vector<study::Summary>& summaries) const override {
@@ -114,6 +124,20 @@ class DirectPosterior : public Posterior {
     }
 
   private:
+    /// Errors of the response are nobody's question. They are of one building that is
+    /// alone, where all that is free is reported, the parameters first.
+    void drop_errors(std::vector<study::Coordinate> all) {
+        const study::Space& space = *parts_->space;
+        const std::size_t first = parts_->n_parameters() - parts_->n_errors;
+        for (std::size_t f = 0; f < space.n_free(); ++f)
+            if (space.index_of(f) < first) ++first_error_;
+        if (parts_->n_errors > 0)
+            all.erase(all.begin() + first_error_, all.begin() + end_of_errors());
+        reported_ = std::move(all);
+    }
+    std::ptrdiff_t end_of_errors() const {
+        return first_error_ + static_cast<std::ptrdiff_t>(parts_->n_errors);
+    }
     /// Buildings with unknowns of their own.
     std::size_t n_apart() const {
         return options_.pooling == Pooling::partial ? parts_->buildings.size() : 0;
@@ -132,7 +156,7 @@ class DirectPosterior : public Posterior {
         std::vector<std::size_t> columns;
         const study::Space& space = *parts_->space;
         for (std::size_t f = 0; f < space.n_free(); ++f) {
-            if (space.index_of(f) >= parts_->n_parameters()) continue;
+            if (space.index_of(f) >= parts_->n_parameters() - parts_->n_errors) continue;
             points.parameters.push_back(space.coordinates()[space.index_of(f)].name);
             columns.push_back(reported[f]);
         }
@@ -146,7 +170,8 @@ class DirectPosterior : public Posterior {
     std::shared_ptr<const PosteriorParts> parts_;
     PosteriorOptions options_;
     std::vector<study::Case> unseen_;
-    std::vector<study::Coordinate> reported_;
+    std::vector<study::Coordinate> reported_;  ///< without the response's errors
+    std::ptrdiff_t first_error_ = 0;           ///< in what the arrangement reports
     std::vector<Unknown> unknowns_;
 };
 
@@ -192,9 +217,16 @@ std::unique_ptr<study::Stage> make_posterior(std::string name,
     calibrated.reserve(buildings.size());
     for (const study::Case& building : buildings)
         calibrated.push_back(with_others_fixed(building, options.parameters));
-    return make_chain_stage(std::move(name),
-                            std::make_shared<DirectPosterior>(calibrated, options),
-                            options.chains);
+    return make_chain_stage(
+        std::move(name),
+        std::make_shared<DirectPosterior>(calibrated, options, own_model()),
+        options.chains);
+}
+
+std::shared_ptr<const Posterior> make_posterior_through(
+    std::shared_ptr<const ResponseSource> source, const study::Case& building,
+    const PosteriorOptions& options) {
+    return std::make_shared<DirectPosterior>(std::vector{building}, options, source);
 }
 
 }  // namespace bemcal::posterior

@@ -3,7 +3,9 @@
 /// buildings never seen.
 #pragma once
 
+#include "posterior/meter_response.hpp"
 #include "posterior/posterior_options.hpp"
+#include "posterior/sampled_posterior.hpp"
 #include "study/case.hpp"
 #include "study/stage.hpp"
 
@@ -20,5 +22,12 @@ namespace bemcal::posterior {
 std::unique_ptr<study::Stage> make_posterior(std::string name,
                                              const std::vector<study::Case>& buildings,
                                              const PosteriorOptions& options);
+
+/// The same of one building whose readings another source answers: all of its parameters
+/// are calibrated. Throws std::invalid_argument where a meter is unknown or none has a
+/// reading in the training period.
+std::shared_ptr<const Posterior> make_posterior_through(
+    std::shared_ptr<const ResponseSource> source, const study::Case& building,
+    const PosteriorOptions& options);
 
 }  // namespace bemcal::posterior

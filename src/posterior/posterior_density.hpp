@@ -17,6 +17,7 @@ struct PosteriorParts {
     std::shared_ptr<const study::Space> space;
     std::unique_ptr<Arrangement> arrangement;
     double reading_weight = 1;  ///< power of the likelihood
+    std::size_t n_errors = 0;   ///< of the response's own, the last of the parameters
 
     std::size_t n_parameters() const { return buildings.at(0)->n_parameters(); }
     /// Room for n points of a building.

@@ -50,6 +50,7 @@ struct PosteriorOptions {
     double lasting_weeks = 0;
     Pooling pooling = Pooling::none;
     std::vector<std::string> unseen;  ///< buildings that are predicted only
+    int simulator_runs = 80;          ///< of another program, at most
 };
 
 }  // namespace bemcal::posterior

@@ -196,7 +196,7 @@ class Predictions {
                           const study::Period& period) {
         MeterChoice choice = choice_like(trained);
         choice.residuals.discrepancy |= !shares.empty();
-        const BuildingModel model(trained.building(), period, choice);
+        const BuildingModel model = trained.over(period, choice);
         if (shares.empty()) return add_period(model, of_building, period);
         add_period(model,
                    with_lasting_errors(trained, of_building, model, shares,

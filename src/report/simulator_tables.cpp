@@ -1,5 +1,5 @@
-/// Tables of the program in a loop: parameters at the runs that count, runs by what they
-/// are of, effects as they were given.
+/// Tables of the program in a loop or a posterior: parameters at the runs that count,
+/// runs by what they are of, effects as they were given.
 /// Made from stored datasets alone.
 #include "report/simulator_tables.hpp"
 
@@ -66,8 +66,12 @@ std::string emulator_line(const StoredSimulator& simulator) {
 
 std::string simulator_tables(const StoredSimulator& simulator) {
     if (simulator.parameters.empty()) return "";
-    return parameters_of_program(simulator) + run_line(simulator) +
-           emulator_line(simulator);
+    return parameters_of_program(simulator) + simulator_run_lines(simulator);
+}
+
+std::string simulator_run_lines(const StoredSimulator& simulator) {
+    if (simulator.runs.empty()) return "";
+    return run_line(simulator) + emulator_line(simulator);
 }
 
 std::string simulator_given_table(const StoredSimulator& simulator) {

@@ -10,6 +10,10 @@ namespace bemcal::report {
 /// Its parameters, its runs, how well the emulator foretold them; "" of other loops.
 std::string simulator_tables(const loop::StoredSimulator& simulator);
 
+/// How many runs there were and failed, and how well the emulator foretold them; "" where
+/// the study is of no other program.
+std::string simulator_run_lines(const loop::StoredSimulator& simulator);
+
 /// What was given to it, and what it could not take; "" where nothing was found.
 std::string simulator_given_table(const loop::StoredSimulator& simulator);
 

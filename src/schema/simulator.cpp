@@ -24,9 +24,10 @@ constexpr Key simulator_table[] = {
     {"simulator", "parameter", Type::tables, "", required, 0, 0,
      "[[simulator.parameter]]"},
     {"simulator", "output", Type::tables, "", "", 0, 0,
-     "[[simulator.output]]: numbers; all studies but a loop need them."},
+     "[[simulator.output]]: numbers; all studies but a loop and a posterior need them."},
     {"simulator", "hourly", Type::tables, "", "", 0, 0,
-     "[[simulator.hourly]]: hours of a building's meters, which a loop needs."},
+     "[[simulator.hourly]]: hours of a building's meters, which a loop and a posterior "
+     "need."},
     {"simulator", "keep", Type::choice, "failed|all|none", "failed", 0, 0,
      "The folders of which points stay."},
     {"simulator", "folder", Type::text, "", "", 0, 0,

@@ -573,7 +573,7 @@ constexpr LayoutRow own_rows[] = {
      "evidence of the best candidate that did not pass over what noise alone would show, "
      "at least 1: the factor on the variances of parameters and coefficients"},
     {"simulated", "model time", number, "of the channel", "every hour, measured or not"},
-    // loop around another program
+    // loop around another program, and its posterior
     {"simulator_parameter", "simulator_parameter", text, "",
      "parameters of the program, which its runs are calibrated in"},
     {"simulator_parameter_unit", "simulator_parameter", text, "", "their units"},
@@ -607,9 +607,12 @@ constexpr LayoutRow own_rows[] = {
     {"simulator_left_out", "simulator_left_out", text, "",
      "what the program could not take, in its own words"},
     {"simulator_run", "simulator_run", text, "",
-     "runs in their order: design, calibration, effects, refinement"},
+     "runs in their order: design, calibration, effects, refinement; of a posterior "
+     "design, posterior"},
     {"simulator_run_failure", "simulator_run", text, "",
      "why it failed; empty = it did not"},
+    {"simulator_run_value", "simulator_run simulator_parameter", number,
+     "of simulator_parameter_unit", "of a posterior: where each run was made"},
     {"simulator_run_distance", "simulator_run", number, "1",
      "from the readings of training: deviance less that of the best run"},
     {"simulator_channel", "simulator_channel", text, "", "meters that are learned from"},

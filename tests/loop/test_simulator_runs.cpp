@@ -23,7 +23,7 @@ class Runs {
 
     SimulatorRun missing_by(double error, std::vector<double> scales = {}) const {
         SimulatorRun run{{0.5, 0.5}, std::move(scales), {}, {}, {}};
-        auto& hours = run.hours.emplace_back(hours_of_periods(data_.building), 0.0);
+        auto& hours = run.hours.emplace_back(study::hours_of_periods(data_.building), 0.0);
         const auto readings = study::readings_of(data_.building, data_.training());
         for (std::size_t h = 0; h < readings[0].values.size(); ++h)
             hours[h] = readings[0].values[h] + (h % 2 == 0 ? error : -error);

@@ -1,0 +1,54 @@
+/// Readings of another program through an emulator of them, as meters' response.
+///
+/// A score of the emulator is its process' mean at a point, plus the process' standard
+/// deviation there times an error of its own, which is an unknown with the prior N(0, 1).
+/// So chains know how far the emulator can be wrong, and that its errors last: an error
+/// is the same in all readings of a draw. With the errors integrated out, readings are
+/// normal about the emulated ones with the covariance of residuals plus B V(x) B'.
+/// Source: Higdon, Gattiker, Williams and Rightley 2008, J. Am. Stat. Assoc. 103.
+#pragma once
+
+#include "emulator/series_emulator.hpp"
+#include "posterior/meter_response.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace bemcal::posterior {
+
+/// How readings of a building stand in a series: period after period, in each meter after
+/// meter.
+class SeriesLayout {
+  public:
+    /// \param meters  of the building, rising
+    SeriesLayout(const study::Case& building, std::vector<std::size_t> meters);
+
+    std::size_t size() const { return size_; }
+    const std::vector<std::size_t>& meters() const { return meters_; }
+    /// Of the period of that name. [meters]
+    const std::vector<emulator::ChannelRange>& ranges(const study::Case& building,
+                                                      const study::Period& period) const;
+    /// A run's readings. [size] \param hours  [meters][hours of all periods]
+    std::vector<double> series(const study::Case& building,
+                               const std::vector<std::vector<double>>& hours) const;
+    /// 1 / standard deviation of a reading before the data. All meters weigh alike,
+    /// however often they are read. [size]
+    std::vector<double> weights(const study::Case& building) const;
+
+  private:
+    std::vector<std::size_t> meters_;
+    std::vector<std::vector<emulator::ChannelRange>> ranges_;  ///< [periods][meters]
+    std::size_t size_ = 0;
+};
+
+/// The building with the program's parameters in place of its own, uniform in their
+/// ranges, then an error for each of the emulator's components.
+study::Case with_parameters(study::Case building,
+                            std::vector<physics::Parameter> parameters,
+                            std::size_t n_components);
+
+/// \param emulator  of a series so laid out, over the parameters on the scale 0 to 1
+std::shared_ptr<const ResponseSource> emulated_meters(
+    SeriesLayout layout, std::shared_ptr<const emulator::SeriesEmulator> emulator);
+
+}  // namespace bemcal::posterior
