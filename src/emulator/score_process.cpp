@@ -87,19 +87,13 @@ double ScoreProcess::mean(std::span<const double> point) const {
 }
 
 std::vector<double> ScoreProcess::gradient(std::span<const double> point) const {
-    return slopes(point, solved_);
-}
-
-/// Of a sum of covariances with the runs.
-std::vector<double> ScoreProcess::slopes(std::span<const double> point,
-                                         std::span<const double> factors) const {
     std::vector<double> sums(point.size());
     for (std::size_t i = 0; i < points_.rows; ++i) {
         const auto run = points_.row(i);
         const double slope = matern_at(scaled_square(point, run, scales_)).slope;
         for (std::size_t k = 0; k < point.size(); ++k) {
             const double length = scales_.lengths[k];
-            sums[k] += factors[i] * (2 * slope * (point[k] - run[k]) / (length * length) +
+            sums[k] += solved_[i] * (2 * slope * (point[k] - run[k]) / (length * length) +
                                      scales_.slope_variance * (run[k] - 0.5));
         }
     }
@@ -115,25 +109,6 @@ double ScoreProcess::variance(std::span<const double> point) const {
     const double left = covariance_between(point, point, scales_) - white.squaredNorm() +
                         of_constant * of_constant / one.squaredNorm();
     return variance_ * std::max(left, 0.0);  // below 0 it is rounding
-}
-
-ScoreProcess::Variance ScoreProcess::variance_with_gradient(
-    std::span<const double> point) const {
-    Variance made{variance(point), std::vector<double>(point.size())};
-    if (made.value <= 0) return made;
-    std::vector<double> with_runs = covariances(point);
-    auto white = eigen_view(std::span<double>(with_runs));
-    const auto factor = eigen_view(factor_).triangularView<Eigen::Lower>();
-    factor.solveInPlace(white);
-    const auto one = eigen_view(std::span<const double>(whitened_one_));
-    // By a covariance with a run: -2 K^-1 (k + 1 (1 - 1'K^-1 k) / 1'K^-1 1).
-    white = -2 * (white + one * ((1 - one.dot(white)) / one.squaredNorm()));
-    factor.transpose().solveInPlace(white);
-    made.gradient = slopes(point, with_runs);
-    for (std::size_t k = 0; k < point.size(); ++k)
-        made.gradient[k] = variance_ * (made.gradient[k] +
-                                        2 * scales_.slope_variance * (point[k] - 0.5));
-    return made;
 }
 
 std::vector<double> ScoreProcess::leave_one_out() const {

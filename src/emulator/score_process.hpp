@@ -42,12 +42,6 @@ class ScoreProcess {
     std::vector<double> gradient(std::span<const double> point) const;
     /// Of the score without its nugget.
     double variance(std::span<const double> point) const;
-    struct Variance {
-        double value = 0;
-        std::vector<double> gradient;  ///< [parameters]
-    };
-    /// The same with d variance / d point.
-    Variance variance_with_gradient(std::span<const double> point) const;
     /// Of what is no function of the parameters.
     double nugget_variance() const { return variance_ * scales_.nugget; }
     /// Where it is known to promise too much.
@@ -57,8 +51,6 @@ class ScoreProcess {
 
   private:
     std::vector<double> covariances(std::span<const double> point) const;
-    std::vector<double> slopes(std::span<const double> point,
-                               std::span<const double> factors) const;
 
     Matrix points_;
     ScoreScales scales_;

@@ -14,9 +14,6 @@
 namespace bemcal::emulator {
 namespace {
 
-/// Of the runs' weighted variance: what is left out has 1 % of their standard deviation,
-/// less than readings scatter about the best of models.
-constexpr double share_kept = 0.9999;
 /// A spread of 1e-12 of the series themselves, squared, is rounding: they are all the
 /// same.
 constexpr double share_of_rounding = 1e-24;
@@ -46,19 +43,21 @@ Eigen::MatrixXd gram_matrix(const Matrix& centred, std::span<const double> weigh
 }
 
 /// How many of the rising eigenvalues carry the share that is kept.
-Eigen::Index n_kept(const Eigen::VectorXd& variances, double square_of_mean) {
+Eigen::Index n_kept(const Eigen::VectorXd& variances, double square_of_mean,
+                    double share) {
     const double total = variances.cwiseMax(0).sum();
     if (total <= share_of_rounding * square_of_mean) return 0;
     double carried = 0;
     Eigen::Index kept = 0;
-    while (kept < variances.size() && carried < share_kept * total)
+    while (kept < variances.size() && carried < share * total)
         carried += variances[variances.size() - ++kept];
     return kept;
 }
 
 }  // namespace
 
-SeriesComponents components_of(Matrix series, std::span<const double> weights) {
+SeriesComponents components_of(Matrix series, std::span<const double> weights,
+                               double share) {
     SeriesComponents made;
     made.mean = centre(series);
     const Eigen::MatrixXd gram = gram_matrix(series, weights);
@@ -69,7 +68,7 @@ SeriesComponents components_of(Matrix series, std::span<const double> weights) {
         eigen_view(weights)
             .cwiseProduct(eigen_view(std::span<const double>(made.mean)))
             .squaredNorm();
-    const Eigen::Index kept = n_kept(solver.eigenvalues(), square_of_mean);
+    const Eigen::Index kept = n_kept(solver.eigenvalues(), square_of_mean, share);
     const Eigen::VectorXd deviations =
         solver.eigenvalues().tail(kept).reverse().cwiseSqrt();
     const Eigen::MatrixXd directions =

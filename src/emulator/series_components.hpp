@@ -23,7 +23,13 @@ struct SeriesComponents {
     Matrix remainder;
 };
 
+/// Of the runs' weighted variance: what is left out has 1 % of their standard deviation,
+/// less than readings scatter about the best of models.
+constexpr double usual_share = 0.9999;
+
 /// \param series  [runs x n]   \param weights  [n]
-SeriesComponents components_of(Matrix series, std::span<const double> weights);
+/// \param share   of the runs' weighted variance that is kept at least
+SeriesComponents components_of(Matrix series, std::span<const double> weights,
+                               double share = usual_share);
 
 }  // namespace bemcal::emulator

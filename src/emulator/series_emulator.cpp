@@ -73,11 +73,11 @@ std::vector<ScoreScales> scales_of(const Matrix& points, const Matrix& scores) {
 }  // namespace
 
 SeriesEmulator::SeriesEmulator(const Matrix& points, Matrix series,
-                               std::span<const double> weights)
+                               std::span<const double> weights, double share)
     : points_(points) {
     check_series_runs(points, series, weights);
     check_scales(points, weights);
-    parts_ = components_of(std::move(series), weights);
+    parts_ = components_of(std::move(series), weights, share);
     const std::vector<ScoreScales> scales = scales_of(points, parts_.scores);
     const std::vector<double> factors = variance_factors(points, parts_.gram, scales);
     processes_.reserve(scales.size());

@@ -25,9 +25,11 @@ class SeriesEmulator {
     /// out by the caller
     /// \param series   [runs x n] in the simulator's units, one meter after the other
     /// \param weights  [n] 1 / standard deviation of a reading; 0 = not of interest
+    /// \param share    of the runs' variance that components carry at least
     /// Throws std::invalid_argument: shapes that do not fit, fewer than 2 runs, a number
     /// that is not finite, a point outside the scale, no weight above 0.
-    SeriesEmulator(const Matrix& points, Matrix series, std::span<const double> weights);
+    SeriesEmulator(const Matrix& points, Matrix series, std::span<const double> weights,
+                   double share = usual_share);
 
     std::size_t n_runs() const { return points_.rows; }
     std::size_t n_parameters() const { return points_.cols; }

@@ -26,15 +26,6 @@ using emulator::SeriesEmulator;
 
 constexpr int n_lanes = 4;  ///< chains that share the components' way through the cache
 
-/// Where it is the emulator's, at all points: below it an error has no slope to follow.
-constexpr double least_variance = 1e-24;
-
-/// Of a run of the program about the process' mean: beside the process' own variance what
-/// is no function of the parameters.
-double more_variance(const ScoreProcess& process) {
-    return process.nugget_variance() + least_variance;
-}
-
 /// Components over part of the series. [components x part]
 auto components_over(const SeriesEmulator& emulator, std::size_t first,
                      std::size_t size) {
@@ -52,8 +43,10 @@ class EmulatedResponse : public MeterResponse {
   public:
     /// \param ranges  of the meters, one after the other in the emulator's series
     EmulatedResponse(std::shared_ptr<const SeriesEmulator> emulator,
-                     const study::Case& building, std::vector<ChannelRange> ranges)
+                     const study::Case& building, std::vector<ChannelRange> ranges,
+                     const std::vector<double>& variance)
         : emulator_(std::move(emulator)), ranges_(std::move(ranges)) {
+        for (const double of_score : variance) sd_.push_back(std::sqrt(of_score));
         for (std::size_t k = 0; k < emulator_->n_parameters(); ++k) {
             least_.push_back(building.parameters[k].least);
             width_.push_back(building.parameters[k].most - building.parameters[k].least);
@@ -140,8 +133,7 @@ class EmulatedResponse : public MeterResponse {
         std::vector<double> scores(n_components());
         for (std::size_t c = 0; c < scores.size(); ++c) {
             const ScoreProcess& process = emulator_->processes()[c];
-            const double sd = std::sqrt(process.variance(point) + more_variance(process));
-            scores[c] = process.mean(point) + sd * errors[c];
+            scores[c] = process.mean(point) + sd_[c] * errors[c];
         }
         return scores;
     }
@@ -149,43 +141,43 @@ class EmulatedResponse : public MeterResponse {
     void pull_scores_back(std::span<const double> slopes, std::span<const double> row,
                           std::span<double> gradient) const {
         const std::vector<double> point = on_scale(row);
-        const auto errors = row.subspan(point.size());
         std::ranges::fill(gradient, 0);
         for (std::size_t c = 0; c < slopes.size(); ++c) {
-            const ScoreProcess& process = emulator_->processes()[c];
-            const auto variance = process.variance_with_gradient(point);
-            const double sd = std::sqrt(variance.value + more_variance(process));
-            const std::vector<double> of_mean = process.gradient(point);
+            const std::vector<double> of_mean = emulator_->processes()[c].gradient(point);
             for (std::size_t k = 0; k < point.size(); ++k)
-                gradient[k] += slopes[c] / width_[k] *
-                               (of_mean[k] + errors[c] * variance.gradient[k] / (2 * sd));
-            gradient[point.size() + c] = slopes[c] * sd;
+                gradient[k] += slopes[c] / width_[k] * of_mean[k];
+            gradient[point.size() + c] = slopes[c] * sd_[c];
         }
     }
 
     std::shared_ptr<const SeriesEmulator> emulator_;
     std::vector<ChannelRange> ranges_;
+    std::vector<double> sd_;             ///< [components]
     std::vector<double> least_, width_;  ///< [parameters of the program]
 };
 
 class EmulatedMeters : public ResponseSource {
   public:
-    EmulatedMeters(SeriesLayout layout, std::shared_ptr<const SeriesEmulator> emulator)
-        : layout_(std::move(layout)), emulator_(std::move(emulator)) {}
+    EmulatedMeters(SeriesLayout layout, std::shared_ptr<const SeriesEmulator> emulator,
+                   std::vector<double> variance)
+        : layout_(std::move(layout)),
+          emulator_(std::move(emulator)),
+          variance_(std::move(variance)) {}
 
     std::unique_ptr<MeterResponse> response(
         const study::Case& building, const study::Period& period,
         std::span<const std::size_t> meters) const override {
         require(std::ranges::equal(meters, layout_.meters()),
                 "meters other than the emulator's");
-        return std::make_unique<EmulatedResponse>(emulator_, building,
-                                                  layout_.ranges(building, period));
+        return std::make_unique<EmulatedResponse>(
+            emulator_, building, layout_.ranges(building, period), variance_);
     }
     std::size_t n_errors() const override { return emulator_->n_components(); }
 
   private:
     SeriesLayout layout_;
     std::shared_ptr<const SeriesEmulator> emulator_;
+    std::vector<double> variance_;
 };
 
 /// Of a reading's error before the data: medians of the priors of residuals.
@@ -267,9 +259,22 @@ study::Case with_parameters(study::Case building,
     return building;
 }
 
+std::vector<double> mean_variance(const SeriesEmulator& emulator, const Matrix& points) {
+    std::vector<double> mean(emulator.n_components());
+    for (std::size_t c = 0; c < mean.size(); ++c) {
+        const ScoreProcess& process = emulator.processes()[c];
+        for (std::size_t r = 0; r < points.rows; ++r)
+            mean[c] += process.variance(points.row(r)) / static_cast<double>(points.rows);
+        mean[c] += process.nugget_variance();
+    }
+    return mean;
+}
+
 std::shared_ptr<const ResponseSource> emulated_meters(
-    SeriesLayout layout, std::shared_ptr<const SeriesEmulator> emulator) {
-    return std::make_shared<EmulatedMeters>(std::move(layout), std::move(emulator));
+    SeriesLayout layout, std::shared_ptr<const SeriesEmulator> emulator,
+    std::vector<double> variance) {
+    return std::make_shared<EmulatedMeters>(std::move(layout), std::move(emulator),
+                                            std::move(variance));
 }
 
 }  // namespace bemcal::posterior

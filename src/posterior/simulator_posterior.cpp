@@ -55,6 +55,14 @@ class Budget {
     int of_round_, design_;
 };
 
+/// Of the runs' variance that is emulated: errors that remember each other let small
+/// changes from hour to hour speak, so a tenth of the usual is left out.
+constexpr double share_emulated = 1 - 1e-6;
+/// Points over which the emulator's variance is a mean, before anything is drawn.
+constexpr std::size_t n_first_points = 64;
+/// Times that the posterior and the emulator's variance over it are found anew.
+constexpr int n_passes = 2;
+
 /// Short chains, to draw next runs from.
 ChainOptions chains_between(ChainOptions chains, std::size_t round) {
     chains.sampler = {};
@@ -72,6 +80,12 @@ void append(std::vector<double>& packed, const Matrix& matrix) {
     packed.insert(packed.end(), matrix.values.begin(), matrix.values.end());
 }
 
+Matrix row_of(const std::vector<double>& values) {
+    Matrix row(1, values.size());
+    row.values = values;
+    return row;
+}
+
 /// Takes the first off what is left.
 Matrix take_matrix(std::span<const double>& packed) {
     Matrix matrix(static_cast<std::size_t>(packed[0]),
@@ -86,6 +100,15 @@ Matrix take_matrix(std::span<const double>& packed) {
 struct UsedRuns {
     Matrix points;  ///< [runs x chosen parameters] on the scale 0 to 1
     Matrix series;  ///< [runs x readings of all periods]
+};
+
+using EmulatorPointer = std::shared_ptr<const emulator::SeriesEmulator>;
+using PosteriorPointer = std::shared_ptr<const Posterior>;
+
+/// What short chains say.
+struct SoFar {
+    Matrix points;                 ///< [draws x parameters] on the scale 0 to 1
+    std::vector<double> variance;  ///< of the emulator over them [components]
 };
 
 /// Those of the simulator that have readings to learn from, as the job has them.
@@ -186,13 +209,15 @@ class SimulatorPosterior : public study::Stage {
         const UsedRuns used = used_of(answers);
         if (!are_enough(used)) return std::nullopt;
         study::Round round;
+        const SoFar so_far = look_at(emulator_of(used), answers.size());
         if (answers.size() < n_runs()) {
             round.n_items = budget_.of_round();
-            append(round.needed, next_points(used, answers.size()));
+            append(round.needed, next_points(so_far, answers.size()));
         } else {
-            round.n_items = make_chains(used, options_.chains)->n_items();
+            round.n_items = make_chains(used, so_far.variance)->n_items();
             append(round.needed, used.points);
             append(round.needed, used.series);
+            append(round.needed, row_of(so_far.variance));
         }
         return round;
     }
@@ -201,8 +226,9 @@ class SimulatorPosterior : public study::Stage {
         std::span<const double> packed = round.needed;
         first_item_ = first_item;
         next_ = take_matrix(packed);
-        if (!packed.empty())
-            chains_ = make_chains({next_, take_matrix(packed)}, options_.chains);
+        if (packed.empty()) return;
+        const UsedRuns used{next_, take_matrix(packed)};
+        chains_ = make_chains(used, take_matrix(packed).values);
     }
 
     study::Conclusion conclude(
@@ -269,47 +295,66 @@ class SimulatorPosterior : public study::Stage {
         return used.points.rows >= least_runs(parameters_.size());
     }
 
-    emulator::SeriesEmulator emulator_of(const UsedRuns& used) const {
-        return {used.points, used.series, layout_->weights(building_)};
+    EmulatorPointer emulator_of(const UsedRuns& used) const {
+        return std::make_shared<const emulator::SeriesEmulator>(
+            used.points, used.series, layout_->weights(building_), share_emulated);
     }
-    std::shared_ptr<const Posterior> posterior_of(const UsedRuns& used) const {
-        auto emulator =
-            std::make_shared<const emulator::SeriesEmulator>(emulator_of(used));
+    PosteriorPointer posterior_of(EmulatorPointer emulator,
+                                  std::vector<double> variance) const {
         const study::Case emulated =
             with_parameters(building_, parameters_, emulator->n_components());
-        return make_posterior_through(emulated_meters(*layout_, std::move(emulator)),
-                                      emulated, options_);
+        return make_posterior_through(
+            emulated_meters(*layout_, std::move(emulator), std::move(variance)), emulated,
+            options_);
     }
     std::unique_ptr<study::Stage> make_chains(const UsedRuns& used,
-                                              const ChainOptions& chains) const {
-        return make_chain_stage(name_, posterior_of(used), chains);
+                                              std::vector<double> variance) const {
+        return make_chain_stage(
+            name_, posterior_of(emulator_of(used), std::move(variance)), options_.chains);
     }
 
-    /// Draws of the posterior so far, each moved by a little; where no chain has started
-    /// more of the design. [runs x parameters]
-    Matrix next_points(const UsedRuns& used, std::size_t n_so_far) const {
-        Matrix points(static_cast<std::size_t>(budget_.of_round()), parameters_.size());
-        const auto posterior = posterior_of(used);
-        const ChainDraws draws =
-            draws_of(posterior, chains_between(options_.chains, n_so_far));
-        if (draws.n_draws == 0) return sobol_points(n_so_far, points.rows);
-        const auto rows = study::chosen_rows(draws.positions.rows, budget_.of_round());
-        Stream random(options_.chains.seed, reach_stream, n_so_far);
-        std::vector<double> values(posterior->unknowns().size());
+    /// The emulator's variance over the posterior, which follows from it.
+    SoFar look_at(const EmulatorPointer& emulator, std::size_t n_so_far) const {
+        SoFar so_far{sobol_points(0, n_first_points), {}};
+        for (int pass = 0; pass < n_passes; ++pass) {
+            const auto posterior =
+                posterior_of(emulator, mean_variance(*emulator, so_far.points));
+            Matrix points =
+                points_of(*posterior,
+                          draws_of(posterior, chains_between(options_.chains, n_so_far)));
+            if (points.rows > 0) so_far.points = std::move(points);
+        }
+        so_far.variance = mean_variance(*emulator, so_far.points);
+        return so_far;
+    }
+    /// All rounds of some chains, here and now.
+    ChainDraws draws_of(PosteriorPointer posterior, const ChainOptions& chains) const;
+    /// [draws x parameters] on the scale 0 to 1
+    Matrix points_of(const Posterior& posterior, const ChainDraws& draws) const {
+        Matrix points(draws.positions.rows, parameters_.size());
+        std::vector<double> values(posterior.unknowns().size());
         for (std::size_t r = 0; r < points.rows; ++r) {
-            posterior->read(draws.positions.row(rows[r % rows.size()]), values);
+            posterior.read(draws.positions.row(r), values);
             for (std::size_t k = 0; k < points.cols; ++k) {
                 const physics::Parameter& of = parameters_[k];
-                const double at = (values[k] - of.least) / (of.most - of.least);
-                points(r, k) = std::clamp(
-                    at + least_reach * sampling::standard_normal(random), 0.0, 1.0);
+                points(r, k) = (values[k] - of.least) / (of.most - of.least);
             }
         }
         return points;
     }
-    /// All rounds of some chains, here and now.
-    ChainDraws draws_of(std::shared_ptr<const Posterior> posterior,
-                        const ChainOptions& chains) const;
+    /// Some of the draws, each moved by a little. [runs x parameters]
+    Matrix next_points(const SoFar& so_far, std::size_t n_so_far) const {
+        Matrix points(static_cast<std::size_t>(budget_.of_round()), parameters_.size());
+        const auto rows = study::chosen_rows(so_far.points.rows, budget_.of_round());
+        Stream random(options_.chains.seed, reach_stream, n_so_far);
+        for (std::size_t r = 0; r < points.rows; ++r)
+            for (std::size_t k = 0; k < points.cols; ++k)
+                points(r, k) =
+                    std::clamp(so_far.points(rows[r % rows.size()], k) +
+                                   least_reach * sampling::standard_normal(random),
+                               0.0, 1.0);
+        return points;
+    }
 
     std::vector<study::ItemAnswer> of_chains(
         const std::vector<study::ItemAnswer>& answers) const {
@@ -334,7 +379,7 @@ class SimulatorPosterior : public study::Stage {
     std::unique_ptr<study::Stage> chains_;  ///< once the runs are there
 };
 
-ChainDraws SimulatorPosterior::draws_of(std::shared_ptr<const Posterior> posterior,
+ChainDraws SimulatorPosterior::draws_of(PosteriorPointer posterior,
                                         const ChainOptions& chains) const {
     const ChainLayout layout{chains.n_chains, chains.chains_per_item,
                              posterior->make_density()->dimension()};
@@ -380,7 +425,7 @@ void SimulatorPosterior::add_runs(const std::vector<study::ItemAnswer>& answers,
     if (!are_enough(used)) return;
     datasets.texts("simulator_channel", "simulator_channel", options_.meters);
     datasets.vector("simulator_emulator_error", "simulator_channel",
-                    emulator_of(used).leave_one_out(layout_->ranges(
+                    emulator_of(used)->leave_one_out(layout_->ranges(
                         building_, training_period(building_, options_))));
 }
 

@@ -145,6 +145,7 @@ class SmallHouse(unittest.TestCase):
     """Makes readings and runs the job. A test class has `STUDY`, a [[study]], and may have air that follows wind."""
     STUDY = ""
     BY_WIND = 0.0                 # 1/h per m/s: what no description has
+    PROGRAM_TEXT = HOUSE
 
     @classmethod
     def setUpClass(cls):
@@ -152,7 +153,7 @@ class SmallHouse(unittest.TestCase):
         cls.addClassCleanup(holder.cleanup)
         cls.folder = pathlib.Path(holder.name)
         (cls.folder / WEATHER).write_bytes((ROOT / "jobs" / "energyplus_office" / WEATHER).read_bytes())
-        (cls.folder / "house.py").write_text(HOUSE.replace("N_HOURS", str(N_HOURS)))
+        (cls.folder / "house.py").write_text(cls.PROGRAM_TEXT.replace("N_HOURS", str(N_HOURS)))
         (cls.folder / "run.json.in").write_text('{"u": @u@, "leaks": @leaks@}')
         (cls.folder / "job.toml").write_text(JOB.replace("STUDY", cls.STUDY))
         cls.write_readings()

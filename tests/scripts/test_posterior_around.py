@@ -3,10 +3,12 @@
 import subprocess
 import unittest
 
-from small_house import PROGRAM, TRUTH, SmallHouse
+from small_house import HOUSE, PROGRAM, TRUTH, SmallHouse
 
 
 class PosteriorOfAProgram(SmallHouse):
+    # Air that follows the wind can be told from walls.
+    PROGRAM_TEXT = HOUSE.replace('(values["leaks"] + more)', 'values["leaks"] * float(row[21]) / 4')
     STUDY = """[[study]]
 kind = "posterior"
 runs = 32
