@@ -86,8 +86,8 @@ class Room : public study::HourlySimulator {
 const std::vector<double> truth{1.2, 20.5, 0.5};
 
 /// A fortnight, and a week that is held out, with hourly heat of the room. \param phi  of
-/// the errors: how much of one is left in the next
-Case measured(double phi = 0) {
+/// the errors: how much of one is left in the next \param noise  their sd [kWh]
+Case measured(double phi = 0, double noise = 0.15) {
     Case made = test::small_case();
     made.periods = {{"training", test::day(0), test::day(14)},
                     {"held_out", test::day(14), test::day(21)}};
@@ -95,7 +95,7 @@ Case measured(double phi = 0) {
     Stream random(7, 0, 0);
     double error = 0;
     for (double& value : heat)
-        value += error = phi * error + 0.15 * sampling::standard_normal(random);
+        value += error = phi * error + noise * sampling::standard_normal(random);
     const study::Period all{"all", test::day(0), test::day(21)};
     made.meters = {{"heating", physics::Quantity::heating, physics::Interval::hourly,
                     study::axis_of(made, all), heat}};
@@ -322,7 +322,7 @@ TEST(SimulatorPosterior, IsThatOfTheProgramForEveryDraw) {
 /// Chains on an emulator of few runs of the design; with its own error or as if it had
 /// none.
 Fitted by_few_runs(const Case& building, bool has_errors) {
-    constexpr std::size_t n_runs = 7;
+    constexpr std::size_t n_runs = 5;
     const Room room(building);
     const SeriesLayout layout(building, {0});
     const Matrix points = stats::scrambled_sobol_points(0, n_runs, 3, 4);
@@ -363,13 +363,13 @@ double farthest(const Fitted& fitted) {
 }
 
 TEST(SimulatorPosterior, IsWiderWhereTheEmulatorIsWrong) {
-    const Case building = measured();
+    const Case building = measured(0, 0.03);
     const double knowing = farthest(by_few_runs(building, true)),
                  pretending = farthest(by_few_runs(building, false));
-    std::printf("measured: 7 runs: the truth is %.1f sd away, without the error %.1f\n",
+    std::printf("measured: 5 runs: the truth is %.1f sd away, without the error %.1f\n",
                 knowing, pretending);
-    EXPECT_LT(knowing, 3);
-    EXPECT_GT(pretending, 4);
+    EXPECT_LT(knowing, 4);
+    EXPECT_GT(pretending, 8);
 }
 
 TEST(SimulatorPosterior, RunsThatFailAreToldAndLeftOut) {
