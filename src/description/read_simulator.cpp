@@ -253,9 +253,10 @@ CommandOptions read_simulator(const schema::Section& simulator, input::InputFile
     is_whole &= simulator.attempt([&] { options.hours = read_hours(simulator); });
     if (!is_whole) throw schema::Follows();
     if (options.outputs.empty() && options.hours.empty())
-        simulator.fail("output",
-                       "is missing; expected sections [[simulator.output]], for a loop "
-                       "[[simulator.hourly]]");
+        simulator.fail(
+            "output",
+            "is missing; expected sections [[simulator.output]], for a loop or "
+            "a posterior [[simulator.hourly]]");
     read_inputs(simulator, files, options);
     read_command(simulator, options);
     check_use(simulator, options);

@@ -80,8 +80,9 @@ struct Kind {
     bool needs_parameters = true;  ///< of a building
     bool takes_simulator = false;  ///< a [simulator] may stand in place of the building
     bool takes_twin = false;  ///< of a [simulator], with the building beside it as a twin
-    bool takes_stock = false;  ///< it can be done with every building of a stock
-    bool has_chains = false;   ///< it draws in rounds until it has converged
+    bool calibrates_twin = false;  ///< and the twin's parameters are needed, too
+    bool takes_stock = false;      ///< it can be done with every building of a stock
+    bool has_chains = false;       ///< it draws in rounds until it has converged
 
     /// Reads its keys: options, period. Throws UserError.
     void (*read)(const StudySource& source, StudySpec& study);

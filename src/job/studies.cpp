@@ -42,8 +42,11 @@ bool has_period(const study::Case& building, const std::string& name) {
 /// Parameters, and the period that it names.
 void check_buildings(const schema::Section& section, const StudySpec& study,
                      const Job& job) {
+    const Kind& kind = *study.kind;
+    const bool are_needed =
+        kind.needs_parameters && (!job.simulator || kind.calibrates_twin);
     for (const study::Case& building : job.buildings) {
-        if (study.kind->needs_parameters && building.parameters.empty())
+        if (are_needed && building.parameters.empty())
             section.fail(
                 "kind",
                 fmt::format("needs parameters, and {} has none; add [[parameter]]",
