@@ -1,6 +1,7 @@
 #include "loop/simulator_readings.hpp"
 #include "loop/simulator_runs.hpp"
 #include "loop/windy_case.hpp"
+#include "study/simulated_hours.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,8 @@ class Runs {
 
     SimulatorRun missing_by(double error, std::vector<double> scales = {}) const {
         SimulatorRun run{{0.5, 0.5}, std::move(scales), {}, {}, {}};
-        auto& hours = run.hours.emplace_back(study::hours_of_periods(data_.building), 0.0);
+        auto& hours =
+            run.hours.emplace_back(study::hours_of_periods(data_.building), 0.0);
         const auto readings = study::readings_of(data_.building, data_.training());
         for (std::size_t h = 0; h < readings[0].values.size(); ++h)
             hours[h] = readings[0].values[h] + (h % 2 == 0 ? error : -error);
@@ -123,7 +125,7 @@ TEST(SimulatorRuns, AreKeptInAnAnswer) {
     const Runs runs;
     SimulatorRun run = runs.missing_by(1, {0, 0.5});
     run.left_out = {"a line"};
-    const SimulatorRun same = unpack_run(pack(run));
+    const SimulatorRun same = study::unpack_run(pack(run));
     EXPECT_EQ(same.point, run.point);
     EXPECT_EQ(same.scales, run.scales);
     EXPECT_EQ(same.hours, run.hours);
