@@ -5,6 +5,7 @@ is never written over. Leaves out IDF text, which EnergyPlus itself converts (`p
 """
 import copy
 import json
+import pathlib
 
 from energyplus.failed import Failed, read_text
 
@@ -25,6 +26,7 @@ class Model:
 
     def __init__(self, objects, path="model"):
         self.objects, self.path = objects, path
+        self.schema = None         # path of EnergyPlus's own names of classes and fields, where it is known
         self.classes = {kind.lower(): kind for kind in objects}
         self.version = version_of(self.said_version())
         if self.version is None:
@@ -34,7 +36,17 @@ class Model:
         return next((fields.get("version_identifier") for fields in self.objects.get("Version", {}).values()), None)
 
     def copy(self):
-        return Model(copy.deepcopy(self.objects), self.path)
+        made = Model(copy.deepcopy(self.objects), self.path)
+        made.schema = self.schema
+        return made
+
+    def fields_of(self, kind):
+        """Names that a class may have: by the schema, else those that its objects have."""
+        try:
+            found = json.loads(pathlib.Path(self.schema or "").read_text(encoding="utf-8"))["properties"]
+            return list(next(iter(found[self.classes[kind.lower()]]["patternProperties"].values()))["properties"])
+        except (OSError, LookupError, StopIteration, ValueError):
+            return list(dict.fromkeys(key for _, fields in self.all(kind) for key in fields))
 
     def all(self, kind):
         """[(name, fields)] of a class; empty where there is none."""

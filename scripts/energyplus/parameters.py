@@ -137,7 +137,11 @@ def apply_rows(model, name, value, rows):
         key, how = row.get("field", ""), row.get("how", "value")
         if how not in HOW:
             raise Failed(f"rows: {name}: how: {how!r}; expected one of {', '.join(HOW)}")
-        for each, fields in objects_of(model, name, row):
+        found = objects_of(model, name, row)
+        if all(key not in fields for _, fields in model.all(row["class"])) and key not in model.fields_of(row["class"]):
+            raise Failed(f"rows: {name}: field: {row['class']} has no {key!r}; EnergyPlus would leave it out"
+                         + nearest(key, model.fields_of(row["class"])))
+        for each, fields in found:
             own = fields.get(key)
             if how != "value" and not is_number(own):
                 raise Failed(f"rows: {name}: {model.path}: {row['class']} {each!r}: {key!r} is "

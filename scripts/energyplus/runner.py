@@ -19,6 +19,7 @@ from energyplus.failed import Failed, read_text
 RUN, HOURS_FILE, LEFT_OUT = "run.json", "hours.csv", "effects_left_out.txt"
 KEYS = {"model": str, "weather": list, "periods": str, "meters": list, "parameters": dict}
 MORE = {"energyplus": str, "rows": list, "plant": dict, "schedules": dict}
+SCHEMA = "Energy+.schema.epJSON"
 KEPT = ("eplusout.err",)       # of what EnergyPlus writes
 FILES = ("Schedule:File", "Schedule:File:Shading")
 RUN_PERIOD = ("use_weather_file_holidays_and_special_days", "use_weather_file_daylight_saving_period",
@@ -124,6 +125,7 @@ class Job:
     def read_model(self):
         """With the files that its schedules read named as they lie in the point's folder."""
         model = program.read_model(self.program, self.folder / self.given["model"], self.folder / "model")
+        model.schema = self.program.parent / SCHEMA
         for kind in FILES:
             for _, fields in model.all(kind):
                 path = self.folder / fields.get("file_name", "")

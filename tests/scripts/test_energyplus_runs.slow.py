@@ -93,8 +93,8 @@ class Office(unittest.TestCase):
         finally:
             shutil.rmtree(folder)
 
-    @classmethod
-    def in_folder(cls, folder, values, given):
+    @staticmethod
+    def prepare(folder, values):
         text = re.sub(r"@(\w+)@", "null", (JOB / "run.json.in").read_text())
         run = json.loads(text) | {"energyplus": energyplus(), "parameters": values, "weather": ["weather_2021.epw.gz"],
                                   "meters": [{"name": name, "quantity": of} for name, of in METERS.items()]}
@@ -102,8 +102,16 @@ class Office(unittest.TestCase):
             (folder / name).symlink_to(JOB / name)
         (folder / "run.json").write_text(json.dumps(run))
         (folder / "periods.csv").write_text(f"period,first,last\nwinter,{WINTER}\nsummer,{SUMMER}\n")
+
+    @staticmethod
+    def call(folder):
+        return subprocess.run([RUNNER, folder / "run.json"], capture_output=True, text=True, check=False)
+
+    @classmethod
+    def in_folder(cls, folder, values, given):
+        cls.prepare(folder, values)
         cls.write_effects(folder, given)
-        done = subprocess.run([RUNNER, folder / "run.json"], capture_output=True, text=True, check=False)
+        done = cls.call(folder)
         if done.returncode:
             raise AssertionError(done.stderr)
         errors = (folder / "run_2021" / "eplusout.err").read_text()
@@ -132,6 +140,37 @@ class Office(unittest.TestCase):
             moved = 0 if abs(change) < noticed else np.sign(change)
             if sign is not None:
                 self.assertEqual(moved, sign, f"{meter}: {change:+.4g} of {self.plain[meter].mean():.4g}")
+
+    def test_fields_are_known_by_the_schema(self):
+        """One that no object of the model has may be set; one that the class lacks is told with the nearest."""
+        folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, folder)
+        self.prepare(folder, {"sight": 0.1})
+        run = json.loads((folder / "run.json").read_text())
+        row = {"parameter": "sight", "class": "Lights", "field": "return_air_fraction", "how": "value"}
+        for field, code in (("return_air_fraction", 0), ("return_air_fractoin", 65)):
+            (folder / "run.json").write_text(json.dumps(run | {"rows": [{**row, "field": field}]}))
+            done = subprocess.run([RUNNER, folder / "run.json", "--patch-only"], capture_output=True, text=True,
+                                  check=False)
+            self.assertEqual(done.returncode, code, done.stderr)
+        self.assertIn("nearest: 'return_air_fraction'", done.stderr)
+
+    def test_severe_errors_are_quoted(self):
+        """A schedule and a construction that objects name are not there."""
+        for change, words in ((lambda model: model["Schedule:Compact"].pop("Plugs"), ("ROOM PLUGS", "schedule_name")),
+                              (lambda model: model["Construction"].pop("Roof"), ("SOUTH ROOM ROOF",))):
+            folder = pathlib.Path(tempfile.mkdtemp())
+            self.addCleanup(shutil.rmtree, folder)
+            self.prepare(folder, {})
+            model = json.loads((folder / "office.epJSON").read_text())
+            change(model)
+            (folder / "office.epJSON").unlink()          # a link to the job's
+            (folder / "office.epJSON").write_text(json.dumps(model))
+            done = self.call(folder)
+            self.assertEqual((done.returncode, len(done.stderr.splitlines())), (65, 1), done.stderr)
+            for word in (*words, "run_2021/eplusout.err"):
+                self.assertIn(word, done.stderr)
+            self.assertTrue((folder / "run_2021" / "eplusout.err").is_file())
 
     def test_parameters(self):
         self.assertEqual(set(PARAMETERS), set(parameters.USUAL))
