@@ -191,7 +191,8 @@ class Runs(unittest.TestCase):
         self.run_file["parameters"] = {"mass": 1.1}
         for change, words in (({"class": "Light"}, ["run.json: rows: mass: class", "model.epJSON", "'Lights'"]),
                               ({"object": "South room light"}, ["object", "'South room lights'"]),
-                              ({"field": "watts_per_area"}, ["Lights has no 'watts_per_area'", "nearest: 'watts_per_floor_area'"]),
+                              ({"field": "watts_per_area"},
+                               ["Lights has no 'watts_per_area'", "nearest: 'watts_per_floor_area'"]),
                               ({"parameter": "mas"}, ["'mas'", "nearest: 'mass'"]), ({"feild": "x"}, ["'feild'"])):
             with self.subTest(change):
                 self.run_file["rows"] = [{**good, **change}]
