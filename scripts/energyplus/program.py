@@ -53,7 +53,8 @@ def program_version(program):
     said = run([program, "--version"], ".").stdout
     match = re.search(r"EnergyPlus.*?(\d+)\.(\d+)", said)
     if match is None:
-        raise Failed(f"{program}: is not EnergyPlus: to --version it says {(said.strip().splitlines() or [''])[0][:80]!r}; {HELP}")
+        line = said.strip().partition("\n")[0]
+        raise Failed(f"{program}: is not EnergyPlus: to --version it says {line[:80]!r}; {HELP}")
     return int(match[1]), int(match[2])
 
 
