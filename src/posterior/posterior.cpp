@@ -224,7 +224,7 @@ std::unique_ptr<study::Stage> make_posterior(std::string name,
 }
 
 std::shared_ptr<const Posterior> make_posterior_through(
-    std::shared_ptr<const ResponseSource> source, const study::Case& building,
+    const std::shared_ptr<const ResponseSource>& source, const study::Case& building,
     const PosteriorOptions& options) {
     return std::make_shared<DirectPosterior>(std::vector{building}, options, source);
 }

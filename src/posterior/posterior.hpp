@@ -27,7 +27,7 @@ std::unique_ptr<study::Stage> make_posterior(std::string name,
 /// are calibrated. Throws std::invalid_argument where a meter is unknown or none has a
 /// reading in the training period.
 std::shared_ptr<const Posterior> make_posterior_through(
-    std::shared_ptr<const ResponseSource> source, const study::Case& building,
+    const std::shared_ptr<const ResponseSource>& source, const study::Case& building,
     const PosteriorOptions& options);
 
 }  // namespace bemcal::posterior

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The posterior of a small program through an emulator of its runs: near the truth, told, the same bits on any ranks."""
+"""The posterior of a small program by an emulator of its runs: near the truth, told, the same bits on any ranks."""
 import subprocess
 import unittest
 
