@@ -2,8 +2,9 @@
 
 A series is a column of one CSV file for a calendar year. A changed schedule is a Schedule:Constant that an
 EnergyManagementSystem:Program sets to (own value + sums) x factors in each time step, where own value is the schedule
-that stood in its place: holidays, seasons and summer time stay those of the model. Source: EnergyPlus, Application
-Guide for EMS. Leaves out sizing: design days see the series of their date.
+that stood in its place: holidays, seasons and summer time stay those of the model. Design days see no series: what a
+building does sizes no plant. Source: EnergyPlus, Application Guide for EMS. Leaves out design days of other types than
+SummerDesignDay and WinterDesignDay, which see the series of their date.
 """
 from dataclasses import dataclass, field
 
@@ -13,6 +14,7 @@ DECIMALS = 6                   # of a series
 WORKED, LIMIT = "changed", "limit"   # variables of the program
 MOST_LETTERS = 70              # of a name
 BEFORE = "BeginZoneTimestepBeforeInitHeatBalance"   # schedules are read after it
+IN_USE = f"{PREFIX}_in_use"     # schedule: 0 on design days
 AFTER = "BeginZoneTimestepAfterInitHeatBalance"     # heat is added after it, from what the last step found
 DEAD_BAND = 0.1                # K, least distance of a thermostat's two set-points
 THERMOSTAT = "thermostatsetpoint:"
@@ -50,6 +52,7 @@ class Changes:
         self.series, self.slots, self.sensors, self.actuators = {}, {}, {}, {}
         self.names, self.lines_of_heat, self.lines_of_schedules = set(), [], []
         self.of_walls = ""         # series by which outer faces are warmed
+        self.acting = {}           # schedule of a field: the series that it follows
 
     def new_name(self, said):
         """Letters, digits and underscores, as a program of EMS takes them."""
@@ -68,6 +71,21 @@ class Changes:
             "number_of_hours_of_data": self.n_hours, "column_separator": "Comma", "interpolate_to_timestep": "No",
             "minutes_per_item": 60, "adjust_schedule_for_daylight_savings": "No"})
         return name
+
+    def act(self, series):
+        """Name of a schedule for a field, which follows a series but on design days."""
+        name = self.new_name(f"{series} acts")
+        self.model.add("Schedule:Constant", name, {"hourly_value": 0})
+        self.acting[name] = series
+        return name
+
+    def in_use(self):
+        """Name of 0 on design days, else 1, in a program."""
+        if self.model.find("Schedule:Compact", IN_USE) is None:
+            rows = ("Through: 12/31", "For: SummerDesignDay WinterDesignDay", "Until: 24:00", 0,
+                    "For: AllOtherDays", "Until: 24:00", 1)
+            self.model.add("Schedule:Compact", IN_USE, {"data": [{"field": row} for row in rows]})
+        return self.sensor("Schedule Value", IN_USE)
 
     def slot(self, kind, name, fields, key, usual=1.0):
         """The one of a field, made once."""
@@ -120,6 +138,13 @@ class Changes:
         self.lines_of_schedules += [f"SET {value} = {parts[0]}", *sums, f"SET {value} = {value} * {times}"]
         return name
 
+    def in_program(self, series):
+        return f"{self.sensor('Schedule Value', series)} * {self.in_use()}"
+
+    def write_acting(self):
+        return [f"SET {self.actuator(name, 'Schedule:Constant', 'Schedule Value')} = {self.in_program(series)}"
+                for name, series in self.acting.items()]
+
     def write_slots(self):
         """Lines of the program that changes schedules; fields that would follow the same one share it."""
         lines, made = [], {}
@@ -149,7 +174,7 @@ class Changes:
         start = self.sensor("Schedule Value", slot.own) if slot.own else slot.usual
         lines = [f"SET {WORKED} = {start}"]
         for term in slot.terms:
-            what = self.sensor("Schedule Value", term.what) if term.what in self.series else term.what
+            what = self.in_program(term.what) if term.what in self.series else term.what
             lines.append(f"SET {WORKED} = {WORKED} " + (f"+ {what}" if term.how == "add" else f"* (1 + {what})"))
         if slot.least is not None:
             lines.append(f"SET {WORKED} = @Max {WORKED} {slot.least}")
@@ -183,8 +208,9 @@ class Changes:
             "energyplus_model_calling_point": point, "programs": [{"program_name": name}]})
 
     def finish(self):
-        self.add_program("schedules", self.write_slots() + self.lines_of_schedules, BEFORE)
-        self.add_program("heat", self.lines_of_heat, AFTER)
+        self.add_program("schedules", [*self.write_acting(), *self.write_slots(), *self.lines_of_schedules], BEFORE)
+        if self.lines_of_heat:
+            self.add_program("heat", [f"IF {self.in_use()} == 0", "RETURN", "ENDIF", *self.lines_of_heat], AFTER)
 
     def write_series(self, folder):
         """The CSV file of all Schedule:File objects, beside the model."""

@@ -127,7 +127,7 @@ _HEATING, _COOLING = SET_POINTS["heating_set_point"], SET_POINTS["cooling_set_po
 _NO_HEAT, _NO_COLD = NO_LIMIT["heating_set_point"], NO_LIMIT["cooling_set_point"]
 HOOKS = {
     "outdoor air": Hook("outdoor temperature of the EPW's copy", outside.warm_outdoors),
-    "supply air": Hook("outdoor temperature that zones and OutdoorAir:Node see", outside.warm_supply),
+    "supply air": Hook("outdoor temperature that zones and air systems take in", outside.warm_supply),
     "opaque boundary": Hook("SurfaceProperty:HeatBalanceSourceTerm on outer faces", outside.warm_walls),
     "window boundary": Hook("outdoor temperature that windows see", outside.warm_windows),
     "infiltration": Hook("ZoneInfiltration:DesignFlowRate; less of it as heat", inside.add_infiltration),

@@ -25,7 +25,7 @@ RECOVERY = ("sensible_effectiveness_at_100_heating_air_flow", "sensible_effectiv
 def add_infiltration(at):
     """More air is an object of its own; less is the heat that the model's infiltration loses too much."""
     more, less = np.maximum(at.values, 0), np.minimum(at.values, 0)
-    series = at.series(more, "more") if more.any() else None
+    series = at.schedule(more, "more") if more.any() else None
     fewer = at.series(less, "less") if less.any() else None
     for zone in rooms(at):
         if series:
@@ -42,7 +42,7 @@ def add_infiltration(at):
 
 
 def open_windows(at):
-    series, above = at.series(np.maximum(at.values, 0)), at.effect.more.get("opens_above", OPENS_ABOVE)
+    series, above = at.schedule(np.maximum(at.values, 0)), at.effect.more.get("opens_above", OPENS_ABOVE)
     for zone in rooms(at):
         at.model.add("ZoneVentilation:DesignFlowRate", at.changes.new_name(f"{at.effect.name} {zone}"), {
             ZONE: zone, "schedule_name": series, "design_flow_rate_calculation_method": "AirChanges/Hour",
@@ -111,7 +111,7 @@ def add_heat(at):
 
 def add_power(at, kind, key, values, **more):
     """An object of 1 W/m2 in each zone, whose schedule is the series."""
-    series = at.series(values, "more")
+    series = at.schedule(values, "more")
     for zone in rooms(at):
         at.model.add(kind, at.changes.new_name(f"{at.effect.name} {zone}"), {
             ZONE: zone, "schedule_name": series, "design_level_calculation_method": "Watts/Area", key: 1,

@@ -33,12 +33,15 @@ def shift_air(at, component, kind, control, series):
     at.changes.add_line(f"SET {act} = {known or at.changes.sensor(HOURS_OF_ROOM[1], '*')} + {series}")
 
 
-def outdoor_nodes(model):
-    """Those that take air from outdoors, by themselves or in a list."""
-    listed = [row.get("node_or_nodelist_name", "") for _, fields in model.all("OutdoorAir:NodeList")
-              for row in fields.get("nodes", [])]
-    single = [name.lower() for name, _ in model.all("OutdoorAir:Node")]
-    return sorted({*single, *(node for said in listed for node in nodes_of(model, said))})
+def intakes(model):
+    """Nodes, in small letters, at which air systems take in outdoor air; that of condensers is none."""
+    nodes = {name.lower() for name, _ in model.all("OutdoorAir:Node")}
+    for _, fields in model.all("OutdoorAir:NodeList"):
+        for row in fields.get("nodes", []):
+            nodes |= nodes_of(model, row.get("node_or_nodelist_name", ""))
+    condensers = {str(value).lower() for named in model.objects.values() for fields in named.values()
+                  for key, value in fields.items() if "condenser" in key and "node" in key}
+    return sorted(nodes - condensers)
 
 
 def warm_supply(at):
@@ -46,7 +49,7 @@ def warm_supply(at):
     series = at.changes.sensor("Schedule Value", at.series(at.values))
     for zone in rooms(at):
         shift_air(at, zone, "Zone", "Outdoor Air Drybulb Temperature", series)
-    for node in outdoor_nodes(at.model):
+    for node in intakes(at.model):
         shift_air(at, node, "Outdoor Air System Node", "Drybulb Temperature", series)
 
 
@@ -65,7 +68,7 @@ def warm_walls(at):
         at.changes.series[at.changes.of_walls] = at.changes.series[at.changes.of_walls] + at.values
         return
     at.changes.of_walls = at.series(at.values)
-    shift = at.changes.sensor("Schedule Value", at.changes.of_walls)
+    shift = at.changes.in_program(at.changes.of_walls)
     for name in names:
         heat = at.changes.follow(f"{at.effect.name} {name}", [at.changes.sensor(part, name) for part in FILM], shift)
         at.model.add(SOURCES, at.changes.new_name(f"{at.effect.name} {name}"), {"surface_name": name, SOURCE: heat})

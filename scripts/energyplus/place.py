@@ -45,6 +45,10 @@ class Place:
     def series(self, values, said=""):
         return self.changes.add_series(f"{self.effect.name} {said}".strip(), values)
 
+    def schedule(self, values, said=""):
+        """For a field that names one."""
+        return self.changes.act(self.series(values, said))
+
 
 def change_schedules(places, how, usual=1.0, times=1.0, least=None):
     """Of fields that name schedules: how is add or factor."""
@@ -96,6 +100,12 @@ def sensors_of_room(at, zone):
     """(room's, outdoor) temperature."""
     room, outdoor = HOURS_OF_ROOM
     return at.changes.sensor(room, zone), at.changes.sensor(outdoor, "*")
+
+
+def nodes_of(model, said):
+    """Names, in small letters, of a node or a list of nodes."""
+    listed = model.find("NodeList", said) or {}
+    return {str(row.get("node_name", "")).lower() for row in listed.get("nodes", [])} or {str(said).lower()}
 
 
 def usual_value(values):

@@ -411,7 +411,7 @@ class Tables(unittest.TestCase):
         lines = self.lines()
         self.assertEqual([line.replace("bemcal_", "") for line in lines], [
             "IF Heat_Schedule_Value == 0", "SET Heat_changed_Value = Null", "ELSE", "SET changed = Heat_Schedule_Value",
-            "SET changed = changed + 0.5", "SET changed = changed + it_Schedule_Value",
+            "SET changed = changed + 0.5", "SET changed = changed + it_Schedule_Value * in_use_Schedule_Value",
             "SET limit = Cold_Schedule_Value - 0.1", "SET changed = @Min changed limit",
             "SET Heat_changed_Value = changed", "ENDIF"])
         made = self.field("ThermostatSetpoint:DualSetpoint", "Set-points", "heating_setpoint_temperature_schedule_name")
@@ -453,10 +453,36 @@ class Tables(unittest.TestCase):
         sources = self.model.all("SurfaceProperty:HeatBalanceSourceTerm")
         self.assertEqual(len(sources), 8)               # of six walls and two roofs
         self.assertAlmostEqual(self.changes.series[self.changes.of_walls][0], 0.6)
-        self.assertEqual(len([line for line in self.lines() if line.endswith("* bemcal_sun_Schedule_Value")]), 8)
+        self.assertEqual(len([line for line in self.lines() if "* bemcal_sun_Schedule_Value" in line]), 8)
         first, second = [line for line in self.lines() if "South_room_Temperature" in line]
         self.assertIn("Site_Outdoor", first)
         self.assertIn("= bemcal_South_room_Temperature +", second)
+
+    def test_supply_air_comes_in_at_listed_nodes_and_not_at_condensers(self):
+        self.model.add("OutdoorAir:Node", "Roof", {})
+        self.model.add("OutdoorAir:Node", "Outdoor unit", {})
+        self.model.add("NodeList", "More", {"nodes": [{"node_name": "Hatch"}]})
+        self.model.add("OutdoorAir:NodeList", "Lists", {"nodes": [{"node_or_nodelist_name": "More"}]})
+        self.model.add("Coil:Cooling:DX:SingleSpeed", "Coil", {"condenser_air_inlet_node_name": "OUTDOOR UNIT"})
+        self.enter("supply air", 1.0)
+        nodes = {fields["actuated_component_unique_name"] for _, fields in
+                 self.model.all("EnergyManagementSystem:Actuator")
+                 if fields["actuated_component_type"] == "Outdoor Air System Node"}
+        self.assertEqual(nodes, {"roof", "hatch", "south room outdoor", "north room outdoor"})
+
+    def test_design_days_see_no_series(self):
+        """Fields name schedules that a program sets, and heat by a program ends at once."""
+        self.enter("gains", np.where(np.arange(YEAR) < 100, 3, -2))
+        more = next(fields for _, fields in self.model.all("OtherEquipment") if fields.get("power_per_floor_area"))
+        self.assertIsNotNone(self.model.find("Schedule:Constant", more["schedule_name"]))
+        self.assertIn("SET bemcal_it_more_acts_Value = bemcal_it_more_Schedule_Value * bemcal_in_use_Schedule_Value",
+                      self.lines())
+        heat = next(fields["lines"] for name, fields in self.model.all("EnergyManagementSystem:Program")
+                    if name == "bemcal_heat")
+        self.assertEqual([row["program_line"] for row in heat[:3]],
+                         ["IF bemcal_in_use_Schedule_Value == 0", "RETURN", "ENDIF"])
+        days = [row["field"] for row in self.model.find("Schedule:Compact", "bemcal_in_use")["data"]]
+        self.assertEqual(days[days.index("For: SummerDesignDay WinterDesignDay") + 2], 0)
 
     def test_gains_of_either_sign(self):
         self.enter("gains", np.where(np.arange(YEAR) < 100, 3, -2))

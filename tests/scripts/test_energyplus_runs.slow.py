@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """EnergyPlus itself runs the shipped office: every parameter and every hook moves its meters the right way and brings
-no severe error; what ought to be the same is the same. Skipped where it is not installed (tests/energyplus/idf.py says
-how).
+no severe error; what ought to be the same is the same. Of DOE's small office effects size no plant. Skipped where
+EnergyPlus or the office is not installed (tests/energyplus/idf.py and reports.py say how).
 """
 import csv
 import json
@@ -21,12 +21,14 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests" / "energyplus")]
 
 import idf as installed  # noqa: E402  (found above)
-from energyplus import effects, parameters  # noqa: E402
+import reports  # noqa: E402
+from energyplus import effects, parameters, program  # noqa: E402
 
 JOB = ROOT / "jobs" / "energyplus_office"
 RUNNER = ROOT / "scripts" / "energyplus_hours"
 SKIPPED = 77
 WINTER, SUMMER = "2021-01-11,2021-01-31", "2021-07-05,2021-07-25"
+SMALL_OFFICE = "RefBldgSmallOfficeNew2004_Chicago.idf"
 N_WINTER = 21 * 24
 N_HOURS = 2 * N_WINTER
 METERS = {"electricity": "electricity", "gas": "gas", "cold": "cooling", "room": "air_temperature"}
@@ -77,7 +79,8 @@ def energyplus():
     return str(found) if found else None
 
 
-class Office(unittest.TestCase):
+class Runs:
+    """Of a model, in winter and summer weeks."""
     maxDiff = None
 
     @classmethod
@@ -93,13 +96,12 @@ class Office(unittest.TestCase):
         finally:
             shutil.rmtree(folder)
 
-    @staticmethod
-    def prepare(folder, values):
-        text = re.sub(r"@(\w+)@", "null", (JOB / "run.json.in").read_text())
-        run = json.loads(text) | {"energyplus": energyplus(), "parameters": values, "weather": ["weather_2021.epw.gz"],
-                                  "meters": [{"name": name, "quantity": of} for name, of in METERS.items()]}
-        for name in (run["model"], *run["weather"]):
-            (folder / name).symlink_to(JOB / name)
+    @classmethod
+    def prepare(cls, folder, values):
+        run = cls.run_file() | {"energyplus": energyplus(), "parameters": values, "weather": ["weather_2021.epw.gz"],
+                                "meters": [{"name": name, "quantity": of} for name, of in METERS.items()]}
+        for path in (cls.model_file(), JOB / "weather_2021.epw.gz"):
+            (folder / path.name).symlink_to(path)
         (folder / "run.json").write_text(json.dumps(run))
         (folder / "periods.csv").write_text(f"period,first,last\nwinter,{WINTER}\nsummer,{SUMMER}\n")
 
@@ -122,6 +124,14 @@ class Office(unittest.TestCase):
         return {name: np.array([float(row[name]) for row in rows]) for name in METERS}
 
     @staticmethod
+    def run_file():
+        return json.loads(re.sub(r"@(\w+)@", "null", (JOB / "run.json.in").read_text()))
+
+    @staticmethod
+    def model_file():
+        return JOB / "office.epJSON"
+
+    @staticmethod
     def write_effects(folder, given):
         if not given:
             return
@@ -132,6 +142,10 @@ class Office(unittest.TestCase):
                 file.write("[[effect]]\n" + "".join(f"{key} = {json.dumps(value)}\n" for key, value in keys.items()))
         np.savetxt(folder / "effects.csv", np.transpose(columns), delimiter=",", comments="",
                    header=",".join(f"c{k}" for k in range(len(given))))
+
+
+class Office(Runs, unittest.TestCase):
+    """The shipped one, with ideal loads."""
 
     def check_signs(self, found, signs):
         for meter, sign in zip(("gas", "cold", "room"), signs):
@@ -228,6 +242,44 @@ class Office(unittest.TestCase):
         self.assertGreater(moved[18:22].sum(), 3 * abs(moved[6:17]).sum())
         self.assertGreater(moved[18], 0.1)
         self.assertLessEqual(moved[17], 1e-3)      # less, for the room is warmer still
+
+
+def small_office():
+    return reports.file_like(program.find_program(energyplus()), SMALL_OFFICE)
+
+
+class SmallOffice(Runs, unittest.TestCase):
+    """DOE's, whose air systems EnergyPlus sizes by design days in January and July."""
+
+    @staticmethod
+    def run_file():
+        return {"model": SMALL_OFFICE, "periods": "periods.csv"}
+
+    @staticmethod
+    def model_file():
+        return small_office()
+
+    @classmethod
+    def setUpClass(cls):
+        if small_office() is None:
+            raise unittest.SkipTest(reports.HOW)
+        super().setUpClass()
+
+    def test_effects_size_no_plant(self):
+        """What a building does in summer leaves its winter as it was."""
+        for hook, size in (("lights and equipment", 5), ("gains", 5), ("loads", 0.5), ("cooling set-point", -1.5),
+                           ("infiltration", 1), ("schedule of lights", 0.5)):
+            with self.subTest(hook):
+                found = self.simulate({}, [({"hook": hook}, size * IN_SUMMER)])
+                for meter in METERS:
+                    np.testing.assert_allclose(found[meter][:N_WINTER], self.plain[meter][:N_WINTER], rtol=1e-6)
+                self.assertGreater(abs(found["electricity"] - self.plain["electricity"])[N_WINTER:].max(), 0.05)
+
+    def test_supply_air_is_that_of_air_systems(self):
+        """Whose fans bring far more outdoor air than leaks do."""
+        leaks = self.simulate({"infiltration": 0.01}, [({"hook": "supply air"}, 5)])
+        cold = self.simulate({"infiltration": 0.01})
+        self.assertLess(leaks["gas"][:N_WINTER].sum(), 0.93 * cold["gas"][:N_WINTER].sum())
 
 
 if __name__ == "__main__":
