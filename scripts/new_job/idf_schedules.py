@@ -37,9 +37,12 @@ def minute(thing, key, said):
 
 
 def kinds_of(thing, key, said, taken):
-    """Kinds of day that a "For:" names; AllOtherDays are those that none named before."""
-    found = set()
-    for word in said.lower().replace(",", " ").split():
+    """Kinds of day that a "For:" names; AllOtherDays are those that none named before. Words that are no kind beside one
+    that is are passed over, as EnergyPlus does: DOE's small office of ASHRAE 90.1 has "Weedends WinterDesignDay".
+    """
+    found, unknown = set(), []
+    words = said.lower().replace(",", " ").split()
+    for word in words:
         if word == "allotherdays":
             found |= set(range(KINDS)) - taken
         elif word in GROUPS:
@@ -47,7 +50,9 @@ def kinds_of(thing, key, said, taken):
         elif word.removesuffix("s") in KIND_OF:
             found.add(KIND_OF[word.removesuffix("s")])
         elif word not in NOT_USED:
-            thing.refuse(key, f"{word!r} is no kind of day; expected AllDays, Weekdays, Weekends, Monday, ...")
+            unknown.append(word)
+    if unknown and len(unknown) == len(words):
+        thing.refuse(key, f"{unknown[0]!r} is no kind of day; expected AllDays, Weekdays, Weekends, Monday, ...")
     return found
 
 

@@ -275,6 +275,13 @@ class Box(unittest.TestCase):
         profile = self.read(text).whole.loads["lights"].values
         self.assertAlmostEqual(profile[10, 7, 12], 0.8)
 
+    def test_words_that_are_no_day_beside_one_that_is(self):
+        thing = idf.Object("x", "Schedule:Compact", {})
+        self.assertEqual(idf_schedules.kinds_of(thing, "field", "Weedends Sunday", set()), {6})
+        self.assertEqual(idf_schedules.kinds_of(thing, "field", "Weedends WinterDesignDay", set()), set())
+        with self.assertRaisesRegex(Refused, "'weedends' is no kind of day"):
+            idf_schedules.kinds_of(thing, "field", "Weedends", set())
+
     def test_loads_air_and_set_points(self):
         found = self.read(BOX)
         people = LENGTH * DEPTH / 10
