@@ -55,11 +55,12 @@ class Changes:
         self.acting = {}           # schedule of a field: the series that it follows
 
     def new_name(self, said):
-        """Letters, digits and underscores, as a program of EMS takes them."""
+        """Letters, digits and underscores, as a program of EMS takes them; no other differs by case alone."""
         plain = "".join(letter if letter.isalnum() and letter.isascii() else "_" for letter in said)
         base = f"{PREFIX}_{plain.removeprefix(PREFIX + '_')[:MOST_LETTERS]}"
-        name = next(each for each in (base, *(f"{base}_{k}" for k in range(2, 10000))) if each not in self.names)
-        self.names.add(name)
+        name = next(each for each in (base, *(f"{base}_{k}" for k in range(2, 10000)))
+                    if each.lower() not in self.names)
+        self.names.add(name.lower())
         return name
 
     def add_series(self, said, values):

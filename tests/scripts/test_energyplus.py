@@ -26,7 +26,7 @@ sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests" / "generator")]
 
 import energyplus_office as office  # noqa: E402  (found above)
 from energyplus import effects, hours, model, parameters, program, weather  # noqa: E402
-from energyplus.changes import Changes  # noqa: E402
+from energyplus.changes import Changes, Term  # noqa: E402
 from energyplus.failed import Failed  # noqa: E402
 
 STUB = ROOT / "tests" / "energyplus" / "stub.py"
@@ -418,6 +418,17 @@ class Tables(unittest.TestCase):
         self.assertEqual(self.field("Schedule:Constant", made, "hourly_value"), 0)
         self.assertEqual(self.field("ThermostatSetpoint:DualSetpoint", "Set-points",
                                     "cooling_setpoint_temperature_schedule_name"), "Cold")
+
+    def test_schedules_written_in_several_ways(self):
+        """A use written in capitals, with another factor: EnergyPlus sees no case."""
+        self.model.add("Lights", "Sign", {**self.model.all("Lights")[0][1], "schedule_name": "LIGHT"})
+        slots = [self.changes.slot("Lights", name, fields, "schedule_name") for name, fields in
+                 (self.model.all("Lights")[0], ("Sign", self.model.find("Lights", "Sign")))]
+        for slot, factor in zip(slots, ("0.1", "0.2")):
+            slot.terms.append(Term("factor", factor))
+        self.changes.finish()
+        names = [slot.made.lower() for slot in slots]
+        self.assertEqual(len(set(names)), 2)
 
     def test_fields_that_follow_one_schedule_share_what_is_made_of_it(self):
         self.model.add("ThermostatSetpoint:DualSetpoint", "Others", {
