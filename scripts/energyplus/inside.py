@@ -61,7 +61,9 @@ def referred_air(model):
 
 
 def widen_dampers(at, referred, most):
-    """EnergyPlus cuts a controller's schedule at 1: more outdoor air than that is a larger minimum, times `most`."""
+    """EnergyPlus cuts a controller's schedule at 1: more outdoor air than that is a larger minimum, times `most`, by which
+    coils are sized, too.
+    """
     parameters.scale(at.model, (("Controller:OutdoorAir", ("minimum_outdoor_air_flow_rate",), None),), most)
     for name, fields in at.model.all("DesignSpecification:OutdoorAir"):
         if name.lower() not in referred:

@@ -61,7 +61,7 @@ constexpr schema::Key keys[] = {
      "than training may differ from what is predicted: use and operation change. It "
      "widens the 90 % intervals there; default: 0.06 of electricity, 0.18 of others."},
     {"study", "runs", Type::integer, "", "80", 20, 100000,
-     "Of a [simulator], at most: half to two thirds are spread over its parameters' "
+     "Of a [simulator], about: a half are spread over its parameters' "
      "ranges, then come those near the optimum, with each effect found, and with all."},
     {"study", "columns", Type::texts, "", "", 0, 0,
      "Names of [[series]] that an effect beside the catalogue's may follow: rain, carbon "
