@@ -180,6 +180,13 @@ Judged RunsSoFar::judge_effects(std::size_t first, std::size_t n_effects,
     }
     judged.in_doubt.reset();
     judged.is_over = true;
+    // Doubts of the others may have come nearest without one that had stayed.
+    if (const auto nearest = best(judged.kept)) {
+        std::vector<double> scales = runs_[*nearest].scales;
+        scales.resize(n_effects, 0.0);
+        for (std::size_t k = 0; k < n_effects; ++k)
+            if (scales[k] == 0) judged.kept[k] = 0;
+    }
     return judged;
 }
 

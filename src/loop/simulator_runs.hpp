@@ -61,7 +61,7 @@ class RunsSoFar {
     /// Which effects the program's own runs speak for. First they are tried one after the
     /// other, each beside those kept before it; then runs refine all that were kept; then
     /// each is doubted, the last first. An effect stays where the nearest run with it is
-    /// nearer to the readings than that without it.
+    /// nearer to the readings than that without it, and the nearest of all has it.
     /// \param first  index of the first trial in the runs
     Judged judge_effects(std::size_t first, std::size_t n_effects,
                          std::size_t n_refinement) const;

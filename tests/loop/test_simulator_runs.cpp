@@ -101,6 +101,21 @@ TEST(JudgedEffects, LeaveWhereTheProgramIsAsNearWithoutThem) {
     EXPECT_FALSE(judged.in_doubt);
 }
 
+// The second stayed in its own doubt, but without the first it is no longer needed.
+TEST(JudgedEffects, LeaveWhereTheNearestRunHasNoneOfThem) {
+    const Runs runs;
+    auto all = runs.before();
+    add(all, runs, {1.2, 0.8}, {1, 0});
+    add(all, runs, {0.7, 0.6}, {1, 1});
+    add(all, runs, {0.55, 0.5}, {1, 1});  // refinement
+    add(all, runs, {0.62, 0.6}, {1, 0});
+    EXPECT_EQ(judge(runs, all, 2).kept, (std::vector<char>{1, 1}));
+    add(all, runs, {0.48, 0.45}, {0, 0});
+    const Judged judged = judge(runs, all, 2);
+    EXPECT_EQ(judged.kept, (std::vector<char>{0, 0}));
+    EXPECT_TRUE(judged.is_over);
+}
+
 TEST(SimulatorRuns, ReadingsAreSumsOfTheirHours) {
     const Runs runs;
     const auto readings = readings_from(runs.data(), runs.missing_by(0).hours);
