@@ -137,6 +137,7 @@ class Concluder {
         StoredSimulator stored;
         const auto& parameters = around_.simulator.parameters();
         std::vector<std::vector<double>> at;  // [models][parameters]
+        at.reserve(StoredLoop::n_models);
         for (std::size_t m = 0; m < StoredLoop::n_models; ++m)
             at.push_back(study::values_at(run_of(m).point, parameters));
         stored.parameters.reserve(parameters.size());
