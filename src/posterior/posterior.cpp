@@ -5,6 +5,7 @@
 /// Predictions are in `posterior_results`.
 #include "posterior/posterior.hpp"
 
+#include "kernel/response.hpp"
 #include "posterior/chain_stage.hpp"
 #include "posterior/posterior_density.hpp"
 #include "posterior/posterior_results.hpp"
