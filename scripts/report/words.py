@@ -92,7 +92,7 @@ def settings(loop):
     each = [f"the {setting.name} is {number(setting.found)} ({number(setting.least)} to {number(setting.most)}) "
             f"{setting.unit.replace('degC', '°C')} and not the {number(setting.described)} that are described"
             for setting in loop.settings]
-    return f" By the readings {listed(each)}." if each else ""
+    return f"By the readings {listed(each)}. " if each else ""
 
 
 def learned(loop):
@@ -129,10 +129,10 @@ def program_runs(loop):
 def found(loop):
     """What was found."""
     if not loop.effects:
-        return f"No effect was found that the description of {loop.building} lacks: no candidate " \
-               "predicted better what was kept from it." + settings(loop) + functions(loop)
+        return settings(loop) + f"No effect was found that the description of {loop.building} lacks: no candidate " \
+               "predicted better what was kept from it." + functions(loop)
     n = len(loop.effects)
-    text = ("One effect was" if n == 1 else f"{in_words(n)} effects were") + \
+    text = settings(loop) + ("One effect was" if n == 1 else f"{in_words(n)} effects were") + \
         f" found that the description of {loop.building} lacks: " + \
         listed(found_one(effect) for effect in loop.effects) + "."
     if any(effect.others for effect in loop.effects):
@@ -140,7 +140,7 @@ def found(loop):
     unsure = [effect.name + (f" ({effect.doubt})" if effect.doubt else "")
               for effect in loop.effects if not effect.is_adequate]
     return text + (f" Not adequate, the name only the nearest one: {listed(unsure)}."
-                   if unsure else "") + settings(loop) + functions(loop)
+                   if unsure else "") + functions(loop)
 
 
 def change_of(row, since, until):

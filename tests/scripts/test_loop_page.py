@@ -190,8 +190,8 @@ class LoopReport(unittest.TestCase):
         self.assertNotIn("may stand for what the description lacks thermostat", self.page.text)
 
     def test_a_setting_that_the_readings_deny_is_said_first(self):
-        self.assertIn("By the readings the heating set-back is 19.3 (18.9 to 19.7) °C and not the 16 that are described.",
-                      self.page.text)
+        self.assertIn("By the readings the heating set-back is 19.3 (18.9 to 19.7) °C and not the 16 that are "
+                      "described. Two effects were found", self.page.text)
 
     def test_limits_and_kinds_are_those_of_the_result(self):
         file = fake_loop_result.write(self.folder / "limits.h5", channels=ONE)
