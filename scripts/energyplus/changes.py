@@ -52,7 +52,6 @@ class Changes:
         self.series, self.slots, self.sensors, self.actuators = {}, {}, {}, {}
         self.names, self.lines_of_heat, self.lines_of_schedules = set(), [], []
         self.of_walls = ""         # series by which outer faces are warmed
-        self.acting = {}           # schedule of a field: the series that it follows
 
     def new_name(self, said):
         """Letters, digits and underscores, as a program of EMS takes them; no other differs by case alone."""
@@ -75,9 +74,8 @@ class Changes:
 
     def act(self, series):
         """Name of a schedule for a field, which follows a series but on design days."""
-        name = self.new_name(f"{series} acts")
-        self.model.add("Schedule:Constant", name, {"hourly_value": 0})
-        self.acting[name] = series
+        name, value = self.set_schedule(f"{series} acts")
+        self.lines_of_schedules.append(f"SET {value} = {self.in_program(series)}")
         return name
 
     def in_use(self):
@@ -130,21 +128,21 @@ class Changes:
             self.model.add("Schedule:Constant", name, {"hourly_value": 1})
         return name
 
-    def follow(self, said, parts, times):
-        """Name of a schedule that is a sum of sensors times another one."""
+    def set_schedule(self, said):
+        """(name, actuator) of a schedule that a program sets."""
         name = self.new_name(said)
         self.model.add("Schedule:Constant", name, {"hourly_value": 0})
-        value = self.actuator(name, "Schedule:Constant", "Schedule Value")
+        return name, self.actuator(name, "Schedule:Constant", "Schedule Value")
+
+    def follow(self, said, parts, times):
+        """Name of a schedule that is a sum of sensors times another one."""
+        name, value = self.set_schedule(said)
         sums = [f"SET {value} = {value} + {part}" for part in parts[1:]]
         self.lines_of_schedules += [f"SET {value} = {parts[0]}", *sums, f"SET {value} = {value} * {times}"]
         return name
 
     def in_program(self, series):
         return f"{self.sensor('Schedule Value', series)} * {self.in_use()}"
-
-    def write_acting(self):
-        return [f"SET {self.actuator(name, 'Schedule:Constant', 'Schedule Value')} = {self.in_program(series)}"
-                for name, series in self.acting.items()]
 
     def write_slots(self):
         """Lines of the program that changes schedules; fields that would follow the same one share it."""
@@ -209,7 +207,7 @@ class Changes:
             "energyplus_model_calling_point": point, "programs": [{"program_name": name}]})
 
     def finish(self):
-        self.add_program("schedules", [*self.write_acting(), *self.write_slots(), *self.lines_of_schedules], BEFORE)
+        self.add_program("schedules", [*self.lines_of_schedules, *self.write_slots()], BEFORE)
         if self.lines_of_heat:
             self.add_program("heat", [f"IF {self.in_use()} == 0", "RETURN", "ENDIF", *self.lines_of_heat], AFTER)
 

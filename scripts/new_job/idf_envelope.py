@@ -224,7 +224,7 @@ class Reader:
         self.model, self.zones, self.left_out = model, zones, left_out
         self.air_flows = air_flows                 # {zone: m3/h of infiltration}
         self.owner = {s.given.name.lower(): zone for zone in zones.values() for s in zone.surfaces}
-        self.shell, self.buffer, self.rooms = None, {}, []
+        self.shell, self.buffer, self.rooms, self.is_known = None, {}, [], False
 
     def read(self, rooms, known=None):
         """Shell of some conditioned zones. `known`: one whose constructions it has."""

@@ -225,11 +225,11 @@ def surfaces(shell):
                       ("azimuth", part.azimuth), ("tilt", part.tilt if part.tilt != 90 else None))
 
 
-def targets_of(first, key, rooms=None):
+def targets_of(first, key, is_of=lambda room: True):
     """What sets a number of all rooms, or of some."""
-    names = [room.name for room in rooms if room in first.model.rooms] if rooms is not None else \
-        ["*" if len(first.model.rooms) > 1 else first.model.whole.name]
-    return [f"zone.{name}.{key}" for name in names]
+    names = [room.name for room in first.model.rooms if is_of(room)]
+    is_of_all = len(names) == len(first.model.rooms) > 1
+    return [f"zone.{name}.{key}" for name in (["*"] if is_of_all else names)]
 
 
 def envelope_priors(first):
@@ -264,8 +264,8 @@ def load_priors(first):
 
 
 def load_targets(first, name):
-    rooms = [room for room in first.model.rooms if any(load.name == name for load in loads_in(first, room))]
-    return targets_of(first, f"load.{name}.density", rooms if len(rooms) < len(first.model.rooms) else None)
+    return targets_of(first, f"load.{name}.density",
+                      lambda room: any(load.name == name for load in loads_in(first, room)))
 
 
 def plant_priors(first):
@@ -279,10 +279,7 @@ def plant_targets(first, key):
     if not key.endswith(".low"):
         return targets_of(first, key)
     mode = key.partition("_")[0]     # heating or cooling
-    profiles_of = {room.name: profiles(room).get(mode) for room in first.model.rooms}
-    rooms = [room for room in first.model.rooms
-             if profiles_of[room.name] is not None and not is_constant(profiles_of[room.name])]
-    return targets_of(first, key, rooms if len(rooms) < len(first.model.rooms) else None)
+    return targets_of(first, key, lambda room: not is_constant(profiles(room).get(mode, 0)))
 
 
 def is_seen(first, name):

@@ -37,8 +37,8 @@ def minute(thing, key, said):
 
 
 def kinds_of(thing, key, said, taken):
-    """Kinds of day that a "For:" names; AllOtherDays are those that none named before. Words that are no kind beside one
-    that is are passed over, as EnergyPlus does: DOE's small office of ASHRAE 90.1 has "Weedends WinterDesignDay".
+    """Kinds of day that a "For:" names; AllOtherDays are those that none named before. Words that are no kind beside
+    one that is are passed over, as EnergyPlus does: DOE's small office of ASHRAE 90.1 has "Weedends WinterDesignDay".
     """
     found, unknown = set(), []
     words = said.lower().replace(",", " ").split()

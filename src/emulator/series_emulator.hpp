@@ -19,6 +19,11 @@ struct ChannelRange {
     std::size_t first = 0, size = 0;
 };
 
+/// Fewer runs tell no slopes of all parameters.
+constexpr std::size_t least_runs(std::size_t n_parameters) {
+    return n_parameters + 2;
+}
+
 class SeriesEmulator {
   public:
     /// \param points   [runs x parameters] on the scale 0 to 1; runs that failed are left

@@ -13,6 +13,7 @@
 /// How the budget is shared is judgement.
 #include "loop/around_simulator.hpp"
 
+#include "emulator/series_emulator.hpp"
 #include "loop/given_effects.hpp"
 #include "loop/search_building.hpp"
 #include "loop/simulator_plan.hpp"
@@ -42,7 +43,7 @@ class Budget {
     Budget(int n_runs, std::size_t n_parameters)
         : of_calibration_(std::max(2, n_runs / 20)),
           of_refinement_(of_calibration_),
-          design_(std::max(static_cast<int>(n_parameters + least_beside),
+          design_(std::max(static_cast<int>(emulator::least_runs(n_parameters)),
                            n_runs - n_calibrations * of_calibration_ -
                                n_refinements * of_refinement_ - for_effects)) {}
 
@@ -52,8 +53,6 @@ class Budget {
     int before_search() const { return design_ + n_calibrations * of_calibration_; }
 
   private:
-    /// An emulator needs two runs more than parameters.
-    static constexpr std::size_t least_beside = 2;
     /// A search finds some three.
     static constexpr int for_effects =
         3 * static_cast<int>(runs_of_trial + runs_of_doubt);

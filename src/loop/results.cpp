@@ -343,12 +343,9 @@ class Writer {
             const auto parameter = std::ranges::find(building.parameters, unknown.name,
                                                      &physics::Parameter::name);
             if (parameter == building.parameters.end()) continue;
-            const auto denied = denied_setting(building.building, *parameter, unknown,
-                                               last.fit.at.x[k], deviations_[k]);
-            if (denied)
-                loop_.settings.push_back({denied->name, denied->parameter, "degC",
-                                          denied->described, denied->found, denied->least,
-                                          denied->most, denied->distance});
+            if (auto denied = denied_setting(building.building, *parameter, unknown,
+                                             last.fit.at.x[k], deviations_[k]))
+                loop_.settings.push_back(std::move(*denied));
         }
     }
 

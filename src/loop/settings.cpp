@@ -61,10 +61,10 @@ std::optional<Setting> denied_setting(const physics::Building& described,
     const bool is_shift = parameter.effect == physics::Effect::offset;
     const double found = unknown.value(x) + (is_shift ? was : 0);
     const double half = stats::normal_quantile(0.95) * deviation;
-    return Setting{
-        name,       parameter.name, is_shift ? was + unknown.centre : unknown.centre,
-        found,      found - half,   found + half,
-        std::abs(x)};
+    return Setting{name,         parameter.name,
+                   "degC",       is_shift ? was + unknown.centre : unknown.centre,
+                   found,        found - half,
+                   found + half, std::abs(x)};
 }
 
 }  // namespace bemcal::loop

@@ -2,6 +2,7 @@
 /// described it, so that one far from it is a finding and no calibration.
 #pragma once
 
+#include "base/nan.hpp"
 #include "physics/parameters.hpp"
 #include "study/fit_model.hpp"
 
@@ -10,13 +11,14 @@
 
 namespace bemcal::loop {
 
-/// A setting as it is described, and as the readings have it [degC].
+/// A setting as it is described, and as the readings have it.
 struct Setting {
     std::string name;       ///< "heating set-back of zone office"
     std::string parameter;  ///< that calibrated it
-    double described = 0, found = 0;
-    double least = 0, most = 0;  ///< 90 % interval
-    double distance = 0;         ///< from the prior's mean [its standard deviation]
+    std::string unit;
+    double described = nan, found = nan;
+    double least = nan, most = nan;  ///< 90 % interval
+    double distance = nan;           ///< from the prior's mean [its standard deviation]
 };
 
 /// None where the parameter sets no set-point or set-back alone, or ended near its prior.

@@ -86,7 +86,7 @@ std::vector<std::size_t> RunsSoFar::usable(const KeptEffects& kept) const {
 
 bool RunsSoFar::are_enough() const {
     const std::size_t n = usable({}).size();
-    return n > 0 && n >= runs_[0].point.size() + 2;
+    return n > 0 && n >= emulator::least_runs(runs_[0].point.size());
 }
 
 std::optional<std::size_t> RunsSoFar::best(const KeptEffects& kept) const {

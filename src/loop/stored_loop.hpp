@@ -5,6 +5,7 @@
 #include "base/nan.hpp"
 #include "loop/next_measurements.hpp"
 #include "loop/power.hpp"
+#include "loop/settings.hpp"
 #include "physics/calendar.hpp"
 #include "study/array.hpp"
 
@@ -56,11 +57,6 @@ struct StoredLoop {
         double coefficient = nan, least = nan, most = nan, gain = nan, adequate = nan;
         std::vector<std::string> members{};  ///< of its class, one by one
         bool is_adequate() const { return adequate == 1; }
-    };
-    /// A set-point or set-back that the readings deny: see Setting.
-    struct Setting {
-        std::string name, parameter, unit;
-        double described = nan, found = nan, least = nan, most = nan, distance = nan;
     };
     /// What an effect brings to a meter, to cost or to emissions: see worth_of_effects.
     struct EffectValue {

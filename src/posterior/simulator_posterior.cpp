@@ -140,11 +140,6 @@ std::vector<std::size_t> numbers_of(const study::Case& building,
     return numbers;
 }
 
-/// Runs that an emulator takes to begin with.
-std::size_t least_runs(std::size_t n_parameters) {
-    return n_parameters + 2;
-}
-
 class SimulatorPosterior : public study::Stage {
   public:
     SimulatorPosterior(std::string name, const study::Case& building,
@@ -172,7 +167,7 @@ class SimulatorPosterior : public study::Stage {
                 parameters_.push_back(all[k]);
             }
         options_.parameters.clear();
-        const std::size_t least = least_runs(parameters_.size());
+        const std::size_t least = emulator::least_runs(parameters_.size());
         if (static_cast<std::size_t>(budget_.design()) < least)
             throw std::invalid_argument(fmt::format(
                 "runs = {} has a design of {} runs for {} parameters; expected runs = {} "
@@ -209,12 +204,13 @@ class SimulatorPosterior : public study::Stage {
         const UsedRuns used = used_of(answers);
         if (!are_enough(used)) return std::nullopt;
         study::Round round;
-        const SoFar so_far = look_at(emulator_of(used), answers.size());
+        const EmulatorPointer emulator = emulator_of(used);
+        const SoFar so_far = look_at(emulator, answers.size());
         if (answers.size() < n_runs()) {
             round.n_items = budget_.of_round();
             append(round.needed, next_points(so_far, answers.size()));
         } else {
-            round.n_items = make_chains(used, so_far.variance)->n_items();
+            round.n_items = make_chains(emulator, so_far.variance)->n_items();
             append(round.needed, used.points);
             append(round.needed, used.series);
             append(round.needed, row_of(so_far.variance));
@@ -228,7 +224,7 @@ class SimulatorPosterior : public study::Stage {
         next_ = take_matrix(packed);
         if (packed.empty()) return;
         const UsedRuns used{next_, take_matrix(packed)};
-        chains_ = make_chains(used, take_matrix(packed).values);
+        chains_ = make_chains(emulator_of(used), take_matrix(packed).values);
     }
 
     study::Conclusion conclude(
@@ -292,7 +288,7 @@ class SimulatorPosterior : public study::Stage {
         ++matrix.rows;
     }
     bool are_enough(const UsedRuns& used) const {
-        return used.points.rows >= least_runs(parameters_.size());
+        return used.points.rows >= emulator::least_runs(parameters_.size());
     }
 
     EmulatorPointer emulator_of(const UsedRuns& used) const {
@@ -307,10 +303,11 @@ class SimulatorPosterior : public study::Stage {
             emulated_meters(*layout_, std::move(emulator), std::move(variance)), emulated,
             options_);
     }
-    std::unique_ptr<study::Stage> make_chains(const UsedRuns& used,
+    std::unique_ptr<study::Stage> make_chains(EmulatorPointer emulator,
                                               std::vector<double> variance) const {
-        return make_chain_stage(
-            name_, posterior_of(emulator_of(used), std::move(variance)), options_.chains);
+        return make_chain_stage(name_,
+                                posterior_of(std::move(emulator), std::move(variance)),
+                                options_.chains);
     }
 
     /// The emulator's variance over the posterior, which follows from it.

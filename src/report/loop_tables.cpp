@@ -75,7 +75,7 @@ std::vector<Brings> brings_of(const StoredLoop& loop) {
 std::string setting_table(const StoredLoop& loop) {
     TextTable table({"set otherwise than described", "described", "found",
                      "90 % interval", "unit", "prior sd off"});
-    for (const StoredLoop::Setting& setting : loop.settings)
+    for (const loop::Setting& setting : loop.settings)
         table.add({setting.name, three_digits(setting.described),
                    three_digits(setting.found),
                    fmt::format("{} to {}", three_digits(setting.least),
