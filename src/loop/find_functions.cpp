@@ -140,7 +140,8 @@ class StageSimulator {
         auto all = model_of(stage.all, found);
         if (!all) return std::nullopt;
         all->left_out = std::move(left_out);
-        all->score = deviance(data_.targets, without_.noise, all->left_out);
+        all->score = deviance(data_.targets, all->noise, all->left_out);
+        if (!explains_what_it_has_seen(data_, *all)) return std::nullopt;
         return Simulated{std::move(found), std::move(*all)};
     }
 
@@ -197,6 +198,23 @@ std::optional<Simulated> better_stage(const LoopData& data,
     return best;
 }
 
+/// Parameters were moved by linear steps, which foretell a simulation only so far. They
+/// are calibrated with the functions held, and stay there if unseen blocks are foretold
+/// better and no meter worse.
+void calibrate_with_functions(const LoopData& data, const Standing& without,
+                              std::size_t n_hooks, Standing& standing) {
+    refit(data, standing, only_derivatives);
+    Standing tried = standing;
+    for (std::size_t k = 0; k < n_hooks; ++k)
+        (tried.built.unknowns.rbegin() + static_cast<std::ptrdiff_t>(k))->least = 1;
+    refit(data, tried, to_settle);
+    if (tried.fit.failed) return;
+    score_unseen(data, tried);
+    if (tried.score >= standing.score || !spares_meters(data, without, tried)) return;
+    tried.built.unknowns = standing.built.unknowns;
+    standing = std::move(tried);
+}
+
 }  // namespace
 
 std::vector<FoundFunction> find_functions(const LoopData& data, Place& place,
@@ -214,8 +232,12 @@ std::vector<FoundFunction> find_functions(const LoopData& data, Place& place,
     if (best.functions.empty()) return {};
     standing = std::move(best.standing);
     add_columns(best.functions, drivers, place);
-    refit(data, standing, only_derivatives);
+    calibrate_with_functions(data, without, by_hook(best.functions).size(), standing);
     return std::move(best.functions);
+}
+
+bool explains_what_it_has_seen(const LoopData& data, const Standing& standing) {
+    return deviance(data.targets, standing.noise, standing.residuals) <= standing.score;
 }
 
 void add_columns(const std::vector<FoundFunction>& found,

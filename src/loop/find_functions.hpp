@@ -17,6 +17,11 @@ namespace bemcal::loop {
 std::vector<FoundFunction> find_functions(const LoopData& data, Place& place,
                                           Standing& standing);
 
+/// Whether a model explains the readings that it is fitted to at least as well as its
+/// halves foretell those that they have not seen. Else its parameters could not go where
+/// its functions ask for them to be: what lies between could not be simulated.
+bool explains_what_it_has_seen(const LoopData& data, const Standing& standing);
+
 /// Gives a place, of any period, the columns that functions' effects follow.
 /// \param drivers  of that period
 void add_columns(const std::vector<FoundFunction>& found,

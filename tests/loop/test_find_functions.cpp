@@ -2,8 +2,10 @@
 /// name.
 #include "loop/find_functions.hpp"
 #include "loop/loop.hpp"
-#include "loop/windy_case.hpp"
+#include "loop/windy_model.hpp"
 #include "study/find.hpp"
+
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -80,4 +82,33 @@ TEST(FindFunctions, NoneAreSoughtWhereTheJobWantsNone) {
     LoopOptions options = functions_only();
     options.functions = false;
     EXPECT_TRUE(test::find(searched(made, options), "function").texts.empty());
+}
+
+// Linear steps move the parameters; where they end, the simulation has nothing to gain
+// from others.
+TEST(FindFunctions, ParametersEndWhereTheSimulationWantsThem) {
+    Case made = windy_case();
+    measure(made, gains_of_the_morning(), 60, 3);
+    const LoopData data(made, functions_only());
+    Place place = make_place(data, {}, data.drive);
+    Standing standing =
+        calibrate(data, place, {}, std::vector<double>(place.unknowns.size()));
+    const auto found = find_functions(data, place, standing);
+    ASSERT_FALSE(found.empty());
+    Standing more = standing;
+    for (std::size_t k = 0; k < by_hook(found).size(); ++k)
+        more.built.unknowns[place.unknowns.size() + k].least = 1;
+    refit(data, more, to_settle);
+    ASSERT_FALSE(more.fit.failed);
+    EXPECT_LT(standing.fit.objective - more.fit.objective, 1);
+}
+
+TEST(FindFunctions, AModelThatDidNotArriveExplainsLessThanItsHalvesForetell) {
+    test::WindyModel model({"wind infiltration"});
+    Standing standing = model.standing;
+    EXPECT_TRUE(explains_what_it_has_seen(model.data, standing));
+    standing.score = deviance(model.data.targets, standing.noise, standing.residuals);
+    EXPECT_TRUE(explains_what_it_has_seen(model.data, standing));
+    standing.score = std::nextafter(standing.score, -1e300);
+    EXPECT_FALSE(explains_what_it_has_seen(model.data, standing));
 }
