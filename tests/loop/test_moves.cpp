@@ -74,6 +74,22 @@ TEST(LoopMoves, EffectsThatCarryTooLittleLeaveTheLeastFirst) {
     EXPECT_EQ(model.standing.fit.at.x.size(), model.place.unknowns.size());
 }
 
+// Wherever the parameters stood for it.
+TEST(LoopMoves, WhatIsLeftIsTheSameWhereverAnEffectLeaves) {
+    Model model;
+    Standing best = model.standing;
+    ASSERT_TRUE(take_out(model.data, model.place, best, 0));
+    Standing led = model.standing;
+    std::vector<double> elsewhere = led.fit.at.x;
+    for (std::size_t k = 0; k < led.built.first_effect(); ++k)
+        elsewhere[k] = led.built.unknowns[k].highest();
+    refit(model.data, led, elsewhere, only_derivatives);
+    ASSERT_FALSE(led.fit.failed);
+    ASSERT_TRUE(take_out(model.data, model.place, led, 0));
+    EXPECT_NEAR(led.coefficient(0), best.coefficient(0), 0.002);
+    EXPECT_LT(evidence(model.data, led, best), 1);
+}
+
 TEST(LoopMoves, AnEffectLeavesWhoseCoefficientIsNoLongerPlausible) {
     Model model;
     prune(model.data, model.place, model.standing, 10);
