@@ -146,7 +146,7 @@ study::Activity Optimisation::activity() const {
         text = fmt::format("best {:.4g} after ", history_->round_best.back());
     text += fmt::format("{} of at most {} evaluations", history_->points.rows,
                         budget_of(options_));
-    return {0, text};
+    return {0, {}, text};
 }
 
 std::optional<study::Round> Optimisation::next_round(

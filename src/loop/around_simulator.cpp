@@ -123,6 +123,7 @@ class LoopAround : public study::Stage {
     study::Activity activity() const override {
         study::Activity activity;
         under_way_.each([&](const UnderWay& each) { activity.text = each.text(); });
+        activity.n_items = under_way_.count();
         return activity;
     }
 

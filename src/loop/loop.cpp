@@ -362,6 +362,7 @@ class Loop : public study::Stage {
         under_way_.each([&](const UnderWay& each) {
             activity.text += (activity.text.empty() ? "" : "; ") + each.text();
         });
+        activity.n_items = under_way_.count();
         return activity;
     }
 

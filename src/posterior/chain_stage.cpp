@@ -7,6 +7,7 @@
 
 #include "posterior/chain_draws.hpp"
 #include "posterior/chain_results.hpp"
+#include "sampling/chain.hpp"
 
 #include <cmath>
 #include <utility>
@@ -31,7 +32,7 @@ struct ChainsAtWork {
 /// Over all chains that run here.
 struct TallySum {
     double transitions = 0, steps = 0, acceptance = 0, n_chains = 0;
-    int round = 0, of_each = 0;
+    int round = 0, of_each = 0, n_items = 0;
 
     void add(const ChainsAtWork& item) {
         transitions += static_cast<double>(item.tally.transitions.load());
@@ -40,6 +41,7 @@ struct TallySum {
         n_chains += item.n_chains;
         round = item.round;
         of_each = item.n_transitions;
+        ++n_items;
     }
     double share() const {
         const double planned = n_chains * of_each;
@@ -144,7 +146,7 @@ study::ItemAnswer ChainStage::run(int item) const {
 study::Activity ChainStage::activity() const {
     TallySum sum;
     at_work_.each([&](const ChainsAtWork& item) { sum.add(item); });
-    if (sum.n_chains == 0) return {0, so_far_};
+    if (sum.n_chains == 0) return {0, {}, so_far_};
     const int thin = sum.round == 0 ? 1 : options_.sampler.thin;
     std::string text = fmt::format("{} {:.0f} of {}", sum.round == 0 ? "warm-up" : "draw",
                                    std::floor(sum.transitions / (sum.n_chains * thin)),
@@ -154,8 +156,10 @@ study::Activity ChainStage::activity() const {
         if (options_.sampler.method == sampling::Method::nuts)
             text += fmt::format(", {:.1f} steps", sum.steps / sum.transitions);
     }
-    if (!so_far_.empty()) text += "; " + so_far_;
-    return {sum.share(), text};
+    if (sum.transitions == 0 && sum.round == 0 &&
+        sampling::climbs_first(options_.sampler))
+        text += ", climbing to the mode";
+    return {sum.share(), text, so_far_, sum.n_items};
 }
 
 /// Of all draws so far, which is also told.

@@ -24,7 +24,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::microseconds;
 constexpr microseconds shortest_wait{100}, longest_wait{5000};
-constexpr std::chrono::seconds grace{1};  ///< of what runs when all must stop soon
+constexpr std::chrono::seconds grace{1};         ///< of what runs when all must stop soon
+constexpr std::chrono::seconds asking_pause{1};  ///< a line is written as often
 constexpr std::size_t message_bytes =
     1U << 24;  ///< an answers message is sent when this long
 
@@ -39,18 +40,21 @@ void send(Comm& comm, int to, Tag tag, Bytes data) {
 /// Rank 0's other half: hands out items, collects answers, decides when it is over.
 class Master {
   public:
-    Master(Comm& comm, Items items, const DistributeOptions& options)
+    Master(Comm& comm, const study::Stage& stage, Items items,
+           const DistributeOptions& options)
         : comm_(comm),
+          stage_(stage),
           options_(options),
           first_(items.first),
           answers_(std::move(items.known)),
-          schedule_(missing(items), comm.size()) {
+          schedule_(missing(items), comm.size()),
+          activities_(static_cast<std::size_t>(comm.size())) {
         answers_.resize(static_cast<std::size_t>(items.count));
         progress_.items_total = items.count;
         progress_.items_known = static_cast<int>(std::ranges::count(items.has, true));
         progress_.items_done = progress_.items_known;
         for (const auto& answer : answers_) count_failures(answer);
-        schedule_.join(0, options.n_threads);  // first: it shows how far its items are
+        schedule_.join(0, options.n_threads);
     }
 
     void receive(const Comm::Message& message) {
@@ -67,16 +71,22 @@ class Master {
             case Tag::stopped:
                 ++n_stopped_;
                 break;
+            case Tag::activity:
+                --n_asked_;
+                activities_[static_cast<std::size_t>(message.source)] =
+                    to_activity(message.data);
+                break;
             default:
                 break;
         }
     }
 
-    /// Sends what is due; once all is done, or all have stopped, ends every rank's loop.
+    /// Sends what is due; once all is done, or all have stopped, and nobody is to answer,
+    /// ends every rank's loop.
     void hand_out() {
         const bool is_over =
             is_stopping_ ? n_stopped_ == comm_.size() : schedule_.is_complete();
-        if (is_over && !has_ended_) {
+        if (is_over && n_asked_ == 0 && !has_ended_) {
             has_ended_ = true;
             send_to_all(Tag::finish);
         }
@@ -88,7 +98,10 @@ class Master {
     void show_progress() {
         if (!options_.on_progress || seconds_since(shown_) < 0.2) return;
         shown_ = Clock::now();
+        ask_how_far();
         progress_.seconds = seconds_since(began_);
+        activities_[0] = stage_.activity();
+        progress_.activity = study::of_all(activities_);
         options_.on_progress(progress_);
     }
 
@@ -106,6 +119,15 @@ class Master {
     void count_failures(const study::ItemAnswer& answer) {
         progress_.points_failed += static_cast<long long>(answer.failures.size()) +
                                    (answer.error.empty() ? 0 : 1);
+    }
+
+    /// The other ranks, once all have answered.
+    void ask_how_far() {
+        if (has_ended_ || n_asked_ > 0 || Clock::now() - asked_ < asking_pause) return;
+        asked_ = Clock::now();
+        n_asked_ = comm_.size() - 1;
+        for (int rank = 1; rank < comm_.size(); ++rank)
+            send(comm_, rank, Tag::how_far, {});
     }
 
     void take_answers(const Comm::Message& message) {
@@ -136,22 +158,26 @@ class Master {
     }
 
     Comm& comm_;
+    const study::Stage& stage_;
     const DistributeOptions& options_;
     int first_;
     std::vector<study::ItemAnswer> answers_;
     Schedule schedule_;
     Progress progress_;
-    Clock::time_point began_ = Clock::now(), shown_{};
+    Clock::time_point began_ = Clock::now(), shown_{}, asked_ = began_;
     Stop reason_;
     bool is_stopping_ = false, has_ended_ = false;
     int n_stopped_ = 0;
+    int n_asked_ = 0;  ///< ranks that have not told yet how far they are
+    std::vector<study::Activity> activities_;  ///< [rank]
 };
 
 /// A rank's main thread: between rank 0 and the rank's compute threads.
 class Talker {
   public:
-    Talker(Comm& comm, Pool& pool, Master* master, const DistributeOptions& options)
-        : comm_(comm), pool_(pool), master_(master), options_(options) {}
+    Talker(Comm& comm, const study::Stage& stage, Pool& pool, Master* master,
+           const DistributeOptions& options)
+        : comm_(comm), stage_(stage), pool_(pool), master_(master), options_(options) {}
 
     /// Until rank 0 says finish. \return why it ended
     Stop talk() {
@@ -186,6 +212,9 @@ class Talker {
                 break;
             case Tag::stop:
                 stop(to_stop(message.data).how);
+                break;
+            case Tag::how_far:
+                send(comm_, 0, Tag::activity, to_bytes(stage_.activity()));
                 break;
             case Tag::finish:
                 is_over_ = true;
@@ -264,6 +293,7 @@ class Talker {
     }
 
     Comm& comm_;
+    const study::Stage& stage_;
     Pool& pool_;
     Master* master_;
     const DistributeOptions& options_;
@@ -281,14 +311,14 @@ Distributed distribute(Comm& comm, const study::Stage& stage, Items items,
     const auto begin = Clock::now();
     std::unique_ptr<Master> master;
     if (comm.rank() == 0)
-        master = std::make_unique<Master>(comm, std::move(items), options);
+        master = std::make_unique<Master>(comm, stage, std::move(items), options);
     std::unique_ptr<Pool> pool;
     together(comm, [&] {
         const std::chrono::duration<double> limit(options.item_seconds);
         pool = std::make_unique<Pool>(
             stage, PoolOptions{options.n_threads, limit, options.keep});
     });
-    const Stop reason = Talker(comm, *pool, master.get(), options).talk();
+    const Stop reason = Talker(comm, stage, *pool, master.get(), options).talk();
     comm.finish_sends();
     if (pool->has_left_behind()) comm.note_left_threads();
     if (!reason.text.empty()) throw UserError(reason.code, reason.text);

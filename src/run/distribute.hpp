@@ -18,7 +18,8 @@ namespace bemcal::run {
 struct Progress {
     int items_done = 0, items_known = 0, items_total = 0;  ///< done includes known
     long long points_failed = 0;
-    double seconds = 0;  ///< since these items began
+    double seconds = 0;          ///< since these items began
+    study::Activity activity{};  ///< of all ranks
 };
 
 /// Callbacks are called by main threads, never at the same time on a rank; each may be

@@ -72,7 +72,7 @@ std::string end_text(std::time_t now, double seconds_left) {
 }
 
 std::string progress_text(const StageWords& words, const Progress& progress,
-                          std::time_t now, const study::Activity& activity) {
+                          std::time_t now) {
     const bool is_known = words.n_simulations > 0;
     const double per_item = words.n_simulations / std::max(1, progress.items_total);
     const auto n_failed = static_cast<double>(progress.points_failed);
@@ -84,6 +84,7 @@ std::string progress_text(const StageWords& words, const Progress& progress,
         text += fmt::format("{:.0f} ok, ",
                             std::max(0.0, per_item * progress.items_done - n_failed));
     text += fmt::format("{:.0f} failed", n_failed);
+    const study::Activity& activity = progress.activity;
     const double share = std::clamp(activity.share, 0.0, 1.0);
     const double done = done_here(words, progress, share);
     if (done > 0 && progress.seconds > 0) {
@@ -93,7 +94,9 @@ std::string progress_text(const StageWords& words, const Progress& progress,
         text += fmt::format(", {} left{}{}", format_duration(left),
                             is_known ? "" : " in this round", end_text(now, left));
     }
-    return activity.text.empty() ? text : text + "; " + activity.text;
+    for (const std::string& more : {activity.text, activity.so_far})
+        if (!more.empty()) text += "; " + more;
+    return text;
 }
 
 RewrittenLine::RewrittenLine(int stream)
@@ -128,8 +131,7 @@ void ProgressLine::show(const Progress& progress) {
     const bool is_to_file = now - filed_ >= file_interval;
     if (!is_to_show && !is_to_file) return;
     words_.items = stage_.items_are();
-    const std::string text =
-        progress_text(words_, progress, std::time(nullptr), stage_.activity());
+    const std::string text = progress_text(words_, progress, std::time(nullptr));
     if (is_to_show) {
         shown_ = now;
         line_.show(text);

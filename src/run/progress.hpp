@@ -25,10 +25,9 @@ struct StageWords {
 /// "office/screening: 640 of 2000 items, 655360 ok, 12 failed, 81000/s, 12:05 left (ends
 /// about 14:35)". Where the number of simulations is not known, a stage goes on in
 /// rounds: "office/posterior: round 3: 0 of 2 items, 0 failed, 0:17 left in this round;
-/// draw 40 of 200, acceptance 0.81; after 200 draws R-hat 1.020, ESS 310". All items that
-/// run are taken to be as far as those of rank 0.
+/// draw 40 of 200, acceptance 0.81; after 200 draws R-hat 1.020, ESS 310".
 std::string progress_text(const StageWords& words, const Progress& progress,
-                          std::time_t now, const study::Activity& activity = {});
+                          std::time_t now);
 
 std::string format_duration(double seconds);  ///< "0:07", "12:05", "3:12:05"
 

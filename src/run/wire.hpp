@@ -5,6 +5,7 @@
 #include "run/comm.hpp"
 #include "run/pool.hpp"
 #include "run/stopping.hpp"
+#include "study/activity.hpp"
 
 #include <cstring>
 #include <string>
@@ -19,6 +20,8 @@ enum class Tag : int {
     ask_stop,  ///< to rank 0: a signal, or an error, see Stop
     stop,      ///< from rank 0: begin nothing more
     stopped,   ///< to rank 0: nothing is running here
+    how_far,   ///< from rank 0: tell how far your items are
+    activity,  ///< to rank 0: the answer
     finish,    ///< from rank 0: leave; see Stop
 };
 
@@ -54,6 +57,27 @@ inline std::vector<int> to_numbers(const Bytes& bytes) {
     std::vector<int> numbers(bytes.size() / sizeof(int));
     std::memcpy(numbers.data(), bytes.data(), bytes.size());
     return numbers;
+}
+
+inline Bytes to_bytes(const study::Activity& activity) {
+    constexpr std::size_t head = sizeof activity.share + sizeof activity.n_items;
+    Bytes bytes(head + activity.text.size());
+    std::memcpy(bytes.data(), &activity.share, sizeof activity.share);
+    std::memcpy(bytes.data() + sizeof activity.share, &activity.n_items,
+                sizeof activity.n_items);
+    std::memcpy(bytes.data() + head, activity.text.data(), activity.text.size());
+    return bytes;
+}
+
+inline study::Activity to_activity(const Bytes& bytes) {
+    study::Activity activity;
+    constexpr std::size_t head = sizeof activity.share + sizeof activity.n_items;
+    std::memcpy(&activity.share, bytes.data(), sizeof activity.share);
+    std::memcpy(&activity.n_items, bytes.data() + sizeof activity.share,
+                sizeof activity.n_items);
+    activity.text.assign(reinterpret_cast<const char*>(bytes.data()) + head,
+                         bytes.size() - head);
+    return activity;
 }
 
 /// Appends an item and its packed answer to a message.

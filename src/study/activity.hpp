@@ -6,13 +6,20 @@
 #include <mutex>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace bemcal::study {
 
 struct Activity {
     double share = 0;    ///< that is done of an item that runs, on average; 0 = not known
-    std::string text{};  ///< "draw 40 of 200, acceptance 0.81"; empty = nothing to tell
+    std::string text{};  ///< of those: "draw 40 of 200"; empty = nothing to tell
+    std::string so_far{};  ///< of what has finished, which rank 0 alone knows
+    int n_items = 0;       ///< that run
 };
+
+/// Of all ranks, rank 0 first: the share of a mean item; the texts of the ranks that are
+/// least far, for the last one ends a round.
+Activity of_all(const std::vector<Activity>& ranks);
 
 /// The items that run, each with a State of atomics, which it alone writes.
 template <class State>
@@ -40,6 +47,11 @@ class Running {
         Running& all_;
         typename std::list<State>::iterator at_;
     };
+
+    int count() const {
+        const std::scoped_lock lock(mutex_);
+        return static_cast<int>(states_.size());
+    }
 
     template <class Look>
     void each(const Look& look) const {

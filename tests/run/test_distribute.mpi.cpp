@@ -4,7 +4,9 @@
 #include "support/mpi_world.hpp"
 
 #include <atomic>
+#include <chrono>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace bemcal::run {
@@ -68,6 +70,29 @@ TEST(Distribute, EveryRankTakesPartWhereItemsTakeTime) {
     options.on_finished = [&](int, const Bytes&) { ++n_mine; };
     distribute_all(stage, options);
     EXPECT_GT(n_mine, 0);
+}
+
+/// Its items run for longer than the pause after which the ranks are asked.
+class TellingStage : public FakeStage {
+  public:
+    TellingStage() : FakeStage("a", {world().size(), std::chrono::milliseconds(2500)}) {}
+    study::Activity activity() const override {
+        const double rank = world().rank();
+        return {1 - rank / 10, fmt::format("rank {}", rank), "", 1};
+    }
+};
+
+TEST(Distribute, ProgressHoldsHowFarTheItemsOfAllRanksAre) {
+    const TellingStage stage;
+    study::Activity last;
+    DistributeOptions options;
+    options.on_progress = [&](const Progress& progress) { last = progress.activity; };
+    distribute_all(stage, options);
+    if (world().rank() != 0) return;
+    const int size = world().size();
+    EXPECT_EQ(last.n_items, size);
+    EXPECT_NEAR(last.share, 1 - (size - 1) / 20.0, 1e-12);
+    EXPECT_EQ(last.text, fmt::format("rank {}", size - 1));
 }
 
 TEST(Distribute, KnownAnswersAreNotComputedAgain) {

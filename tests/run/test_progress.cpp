@@ -73,11 +73,13 @@ TEST(Progress, OfItemsThatRunTellsTheTimeLeftByTheirShare) {
     Progress progress = half_way();
     progress.items_known = 4;
     // Two of the four that are left run, and are half done: one item in 20 s, three left.
-    EXPECT_EQ(progress_text(in_round(1), progress, noon, {0.5, "draw 10 of 20"}),
+    progress.activity = {0.5, "draw 10 of 20", "after 40 draws R-hat 1.020"};
+    EXPECT_EQ(progress_text(in_round(1), progress, noon),
               "office/posterior: round 1: 4 of 8 items, 3 failed, 1:00 left in this "
-              "round (ends about 12:01); draw 10 of 20");
+              "round (ends about 12:01); draw 10 of 20; after 40 draws R-hat 1.020");
     progress.items_done = 7;  // of the one that is left not two can run
-    EXPECT_EQ(progress_text(in_round(1), progress, noon, {0.5, ""}),
+    progress.activity = {0.5};
+    EXPECT_EQ(progress_text(in_round(1), progress, noon),
               "office/posterior: round 1: 7 of 8 items, 3 failed, 0:03 left in this "
               "round");
 }
