@@ -1,5 +1,6 @@
 /// Runs a program to its end, with what it says shown or not.
-/// Plain handling of processes, without a source. No time limit.
+/// Plain handling of processes, without a source. No time limit. Not by external's: its
+/// keeper and session are for programs of a job; scripts of ours end with the terminal.
 #include "run/program.hpp"
 
 #include <fcntl.h>

@@ -52,6 +52,13 @@ class Containers(unittest.TestCase):
                 self.assertEqual(re.findall(r"install-packages ([a-z ]+?)\s*(?:\\)?\n", text), ["build package", "run"])
                 self.assertFalse(listed & set(re.findall(r"[\w.+-]+", text)), "a package is named here, too")
 
+    def test_have_shell_that_parses(self):
+        posts = self.text("bemcal.def").split("%post\n")[1:]
+        self.assertEqual(len(posts), 2)
+        for post in posts:
+            lines = re.split(r"^(?:%|Bootstrap)", post, flags=re.M)[0]
+            subprocess.run(["sh", "-n"], input=lines, text=True, check=True)
+
     def test_copy_files_that_exist(self):
         copied = re.findall(r"^COPY (?!--from)(\S+) ", self.text("Containerfile"), re.M)
         files = self.text("bemcal.def").split("%files\n")[1].split("%post")[0].split()[::2]
