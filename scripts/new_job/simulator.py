@@ -163,9 +163,10 @@ def periods_text(first):
     return lines.getvalue()
 
 
-def sections_of(first, files, template, names):
+def sections_of(first, files, periods_file, template, names):
     yield section("[simulator]", ("command", [PYTHON, str(COMMAND), "run.json"], "runs the EnergyPlus model"),
-                  ("files", files), ("time_limit", TIME_LIMIT, "s, of all periods of a point"))
+                  ("files", files), ("periods", periods_file, "of them those that a run is needed for"),
+                  ("time_limit", TIME_LIMIT, "s, of all periods of a point"))
     yield section("[[simulator.template]]", ("file", template), ("as", "run.json"))
     for name in names:
         usual = USUAL[name]
@@ -199,7 +200,7 @@ def simulator_of(first):
     return Simulator(
         {model_file: model.text(), periods_file: periods_text(first),
          run_file: run_text(first, model_file.name, periods_file.name, moved, plant, found)},
-        list(sections_of(first, files, run_file.name, moved)))
+        list(sections_of(first, files, periods_file.name, run_file.name, moved)))
 
 
 def tell_differences(first, model):

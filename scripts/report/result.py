@@ -99,7 +99,7 @@ GIVEN_SERIES = {"of": number("simulator_series_of"), "hook": text("simulator_ser
                 "facade": text("simulator_series_facade"), "meter": text("simulator_series_meter"),
                 "opens_above": number("simulator_series_opens_above")}
 SIMULATOR_RUN = {"of": text("simulator_run"), "failure": text("simulator_run_failure"),
-                 "distance": number("simulator_run_distance")}
+                 "distance": number("simulator_run_distance"), "years": number("simulator_run_years")}
 EMULATED = {"name": text("simulator_channel"), "error": number("simulator_emulator_error")}
 NUMBERS = ("fit", "step_error", "localisation", "localisation_after", "parameter_value", "parameter_sd", "coverage")
 TRIED = {"name": text("structure"), "score": number("structure_score")}

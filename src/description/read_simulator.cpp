@@ -188,6 +188,17 @@ void read_inputs(const schema::Section& simulator, input::InputFiles& files,
     }
 }
 
+/// It is written for each run in place of a link.
+void read_periods_file(const schema::Section& simulator, CommandOptions& options) {
+    if (!simulator.has("periods")) return;
+    const fs::path path = fs::absolute(simulator.path(simulator.text("periods")));
+    if (std::erase(options.links, path) == 0)
+        simulator.fail_value("periods",
+                             "is none of files; expected the name of the file "
+                             "that says which periods to simulate");
+    options.periods_file = path.filename().string();
+}
+
 /// The words of the command; with a shell those that start it.
 std::vector<std::string> read_words(const schema::Section& simulator) {
     std::vector<std::string> words = simulator.texts("command");
@@ -258,6 +269,7 @@ CommandOptions read_simulator(const schema::Section& simulator, input::InputFile
             "is missing; expected sections [[simulator.output]], for a loop or "
             "a posterior [[simulator.hourly]]");
     read_inputs(simulator, files, options);
+    read_periods_file(simulator, options);
     read_command(simulator, options);
     check_use(simulator, options);
     options.time_limit_s = simulator.number("time_limit");

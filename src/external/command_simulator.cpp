@@ -6,6 +6,7 @@
 
 #include "base/nan.hpp"
 #include "external/effect_files.hpp"
+#include "external/periods_file.hpp"
 #include "external/point_runner.hpp"
 #include "external/regular_file.hpp"
 
@@ -74,13 +75,23 @@ class HourlyCommand : public study::HourlySimulator {
     }
     const std::vector<std::string>& meters() const override { return meters_; }
 
+    bool takes_periods() const override {
+        return !runner_.options().periods_file.empty();
+    }
+
     study::SimulatedHours hours(std::span<const double> point,
                                 std::span<const study::GivenEffect> effects,
-                                std::size_t n_hours) const override {
+                                std::span<const study::Period> periods) const override {
         study::SimulatedHours simulated;
-        simulated.failure = runner_.run(
-            point, files_of(effects),
-            [&](const fs::path& folder) { return read(folder, n_hours, simulated); });
+        std::size_t n_hours = 0;
+        for (const study::Period& period : periods)
+            n_hours += static_cast<std::size_t>(study::hours_of(period));
+        std::vector<HandedFile> files = files_of(effects);
+        if (takes_periods())
+            files.push_back({runner_.options().periods_file, text_of_periods(periods)});
+        simulated.failure = runner_.run(point, files, [&](const fs::path& folder) {
+            return read(folder, n_hours, simulated);
+        });
         if (!simulated.failure.empty()) simulated.meters.clear();
         return simulated;
     }

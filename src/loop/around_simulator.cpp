@@ -6,6 +6,7 @@
 ///     effects       one after the other: at the nearest run, at the optimum with it
 ///     refinement    parameters and scales of those with which it came nearer, twice
 ///     without one   each left out in turn: it stays where that is farther off
+///     held out      the other periods, of the runs that are reported
 ///
 /// The search sees readings as a twin would have them: what the twin says of the best
 /// run, plus what was measured, less that run. What the twin cannot say is in both.
@@ -101,7 +102,11 @@ class LoopAround : public study::Stage {
           written_(twin, options),
           simulator_(std::move(simulator)),
           budget_(options.simulator_runs, simulator_->parameters().size()),
-          n_hours_(study::hours_of_periods(twin)) {
+          n_hours_(study::hours_of_periods(twin)),
+          asked_(twin.periods.size(), simulator_->takes_periods() ? 0 : 1),
+          others_(twin.periods.size(), 0) {
+        asked_[place_of_training(written_)] = 1;
+        for (std::size_t p = 0; p < asked_.size(); ++p) others_[p] = 1 - asked_[p];
         for (const std::size_t m : written_.meters)
             column_.push_back(
                 study::column_of(*simulator_, written_.building.meters[m].name));
@@ -152,11 +157,14 @@ class LoopAround : public study::Stage {
         const auto searched = search_in(answers);
         const auto effects = effects_of(searched);
         const RunsSoFar so_far(written_, runs);
-        auto kept = judge(so_far, effects.size()).kept;
+        const Judged judged = judge(so_far, effects.size());
+        auto kept = judged.kept;
         kept.resize(effects.size(), 0);
+        auto kinds = kinds_of(runs.size(), effects.size());
+        for (std::size_t k = judged.n_runs; judged.is_over && k < runs.size(); ++k)
+            kinds[k] = "held out";
         return conclude_around({group(), written_, *simulator_, runs, so_far,
-                                kinds_of(runs.size(), effects.size()), effects, kept,
-                                searched});
+                                std::move(kinds), effects, kept, searched});
     }
 
     std::string shortfall(const std::vector<study::ItemAnswer>& answers) const override {
@@ -197,10 +205,16 @@ class LoopAround : public study::Stage {
     study::ItemAnswer simulate(std::vector<double> point,
                                std::vector<double> scales) const {
         const auto values = study::values_at(point, simulator_->parameters());
-        const auto effects = scaled(plan_.effects, scales);
+        auto effects = scaled(plan_.effects, scales);
         return study::simulate(*simulator_,
-                               {std::move(point), std::move(scales), {}, {}, {}}, values,
-                               effects, column_, n_hours_);
+                               {std::move(point),
+                                std::move(scales),
+                                plan_.is_of_others ? others_ : asked_,
+                                {},
+                                {},
+                                {}},
+                               values, std::move(effects), column_,
+                               written_.building.periods);
     }
 
     study::ItemAnswer search() const {
@@ -260,10 +274,13 @@ class LoopAround : public study::Stage {
         if (answers.size() < before_search())
             return plan_of(so_far.next(n_of(budget_.of_calibration())), {});
         if (answers.size() == before_search())
-            return {{}, {}, {}, runs[so_far.best().value_or(0)].hours};
+            return {{}, {}, {}, runs[so_far.best().value_or(0)].hours, false};
         auto effects = effects_of(search_in(answers));
         const Judged judged = judge(so_far, effects.size());
-        if (judged.is_over) return {};
+        if (judged.is_over)
+            return answers[before_search()].error.empty() && runs.size() == judged.n_runs
+                       ? of_others(so_far, runs, judged.kept, std::move(effects))
+                       : SimulatorPlan{};
         const std::size_t n_done = runs.size() - before_search();
         if (judged.kept.size() < effects.size())
             return n_done % runs_of_trial == 0
@@ -273,6 +290,27 @@ class LoopAround : public study::Stage {
                            ? so_far.next(1, judged.kept, judged.in_doubt)
                            : so_far.next(n_of(budget_.of_refinement()), judged.kept),
                        std::move(effects));
+    }
+
+    /// The periods beside training, of the runs that are reported; none where there are
+    /// no such periods.
+    SimulatorPlan of_others(const RunsSoFar& so_far,
+                            const std::vector<SimulatorRun>& runs, KeptEffects kept,
+                            std::vector<study::GivenEffect> effects) const {
+        if (std::ranges::count(others_, 1) == 0) return {};
+        kept.resize(effects.size(), 0);
+        std::vector<std::size_t> chosen;
+        for (const auto& run : so_far.reported(kept))
+            if (run && std::ranges::find(chosen, *run) == chosen.end())
+                chosen.push_back(*run);
+        Matrix points(chosen.size(), runs[0].point.size()),
+            scales(chosen.size(), effects.size());
+        for (std::size_t k = 0; k < chosen.size(); ++k) {
+            const SimulatorRun& run = runs[chosen[k]];
+            std::ranges::copy(run.point, points.row(k).begin());
+            std::ranges::copy(run.scales, scales.row(k).begin());
+        }
+        return {std::move(points), std::move(scales), std::move(effects), {}, true};
     }
 
     /// As many as can be tried; those found later have less evidence.
@@ -291,7 +329,11 @@ class LoopAround : public study::Stage {
     static std::size_t n_of(int n) { return static_cast<std::size_t>(n); }
 
     static SimulatorPlan plan_of(NextRuns next, std::vector<study::GivenEffect> effects) {
-        return {std::move(next.points), std::move(next.scales), std::move(effects), {}};
+        return {std::move(next.points),
+                std::move(next.scales),
+                std::move(effects),
+                {},
+                false};
     }
 
     /// The next effect as it was found, where the nearest run is.
@@ -304,7 +346,7 @@ class LoopAround : public study::Stage {
         std::ranges::copy(from.point, points.row(0).begin());
         std::ranges::copy(from.scales, scales.row(0).begin());
         scales(0, kept.size()) = 1;
-        return {std::move(points), std::move(scales), std::move(effects), {}};
+        return {std::move(points), std::move(scales), std::move(effects), {}, false};
     }
 
     /// The same effect where the emulator has the optimum with it.
@@ -320,6 +362,8 @@ class LoopAround : public study::Stage {
     std::shared_ptr<const study::HourlySimulator> simulator_;
     Budget budget_;
     std::size_t n_hours_;
+    study::AskedPeriods asked_;   ///< of all runs but the last: training
+    study::AskedPeriods others_;  ///< of those; none where the program gives all at once
     std::vector<std::size_t> column_;  ///< [channels] of the simulator's meters
     SimulatorPlan plan_;               ///< of this round; empty = the design
     int first_item_ = 0;

@@ -51,6 +51,7 @@ std::vector<double> pack(const SimulatorPlan& plan) {
     for (const auto& channel : plan.searched)
         searched.values.insert(searched.values.end(), channel.begin(), channel.end());
     add("searched", searched);
+    datasets.vector("is_of_others", "plan", {plan.is_of_others ? 1.0 : 0.0});
     study::Conclusion all{datasets.take()};
     std::ranges::move(datasets_of(plan_group, plan.effects),
                       std::back_inserter(all.datasets));
@@ -65,7 +66,8 @@ SimulatorPlan unpack_plan(std::span<const double> packed) {
     SimulatorPlan plan{matrix_in(datasets, at("points")),
                        matrix_in(datasets, at("scales")),
                        effects_in(datasets, plan_group),
-                       {}};
+                       {},
+                       study::find_dataset(datasets, at("is_of_others"))->values[0] != 0};
     const Matrix searched = matrix_in(datasets, at("searched"));
     for (std::size_t c = 0; c < searched.rows; ++c)
         plan.searched.emplace_back(searched.row(c).begin(), searched.row(c).end());

@@ -18,6 +18,9 @@ struct SimulatorPlan {
     /// Of the run whose residual is searched [channels][hours]; then there is one item.
     std::vector<std::vector<double>> searched;
 
+    /// The runs are of the periods beside training, at points that were run for it.
+    bool is_of_others = false;
+
     bool is_search() const { return !searched.empty(); }
     int n_items() const { return is_search() ? 1 : static_cast<int>(points.rows); }
 };

@@ -5,6 +5,7 @@
 
 #include "study/simulated_hours.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace bemcal::loop {
@@ -18,6 +19,13 @@ std::vector<double> readings_from(const LoopData& data,
         readings.insert(readings.end(), own.begin(), own.end());
     }
     return readings;
+}
+
+std::size_t place_of_training(const LoopData& data) {
+    const auto& periods = data.building.periods;
+    const auto found =
+        std::ranges::find(periods, data.training().name, &study::Period::name);
+    return static_cast<std::size_t>(found - periods.begin());
 }
 
 study::Case with_readings(const LoopData& data, std::span<const double> readings) {

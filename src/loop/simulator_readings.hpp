@@ -13,6 +13,9 @@ namespace bemcal::loop {
 std::vector<double> readings_from(const LoopData& data,
                                   const std::vector<std::vector<double>>& hours);
 
+/// Its place among the building's periods.
+std::size_t place_of_training(const LoopData& data);
+
 /// The data's building with these readings in training, where it has readings. \param
 /// readings  [targets.size()]
 study::Case with_readings(const LoopData& data, std::span<const double> readings);

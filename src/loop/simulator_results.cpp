@@ -14,7 +14,6 @@
 #include "study/simulated_hours.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -24,8 +23,26 @@
 namespace bemcal::loop {
 namespace {
 
-/// Which runs are plain, before and after; nothing where none succeeded.
-using Chosen = std::array<std::optional<std::size_t>, StoredLoop::n_models>;
+bool are_at_one_point(const SimulatorRun& one, const SimulatorRun& other) {
+    const auto n = std::max(one.scales.size(), other.scales.size());
+    std::vector<double> left = one.scales, right = other.scales;
+    left.resize(n, 0.0);
+    right.resize(n, 0.0);
+    return one.point == other.point && left == right;
+}
+
+/// Fills the periods that other runs at the same point are of.
+SimulatorRun completed(SimulatorRun run, const std::vector<SimulatorRun>& runs) {
+    for (const SimulatorRun& other : runs) {
+        if (!other.failure.empty() || other.asked == run.asked ||
+            !are_at_one_point(run, other))
+            continue;
+        for (std::size_t c = 0; c < run.hours.size(); ++c)
+            for (std::size_t h = 0; h < run.hours[c].size(); ++h)
+                if (std::isnan(run.hours[c][h])) run.hours[c][h] = other.hours[c][h];
+    }
+    return run;
+}
 
 constexpr const char* no_help =
     "left: the program's own runs are no nearer to the readings with it";
@@ -34,17 +51,15 @@ constexpr const char* not_tried = "left: as many as are tried had more evidence"
 class Concluder {
   public:
     explicit Concluder(const Around& around) : around_(around), so_far_(around.so_far) {
-        const bool has_plain = around.runs[0].failure.empty();
-        chosen_[StoredLoop::before] = so_far_.best();
-        chosen_[StoredLoop::plain] =
-            has_plain ? std::optional<std::size_t>(0) : chosen_[StoredLoop::before];
-        chosen_[StoredLoop::after] = so_far_.best(around.kept);
+        const ReportedRuns reported = so_far_.reported(around.kept);
+        has_runs_ = reported[StoredLoop::before].has_value();
+        for (const auto& run : reported)
+            reported_.push_back(completed(around.runs[run.value_or(0)], around.runs));
     }
 
     study::Conclusion conclude() {
         study::Conclusion all;
-        if (!around_.searched.datasets.empty() && chosen_[StoredLoop::before])
-            with_search(all);
+        if (!around_.searched.datasets.empty() && has_runs_) with_search(all);
         std::ranges::move(datasets_of(around_.stage, simulator()),
                           std::back_inserter(all.datasets));
         study::DatasetBuilder failures(around_.stage);
@@ -54,9 +69,7 @@ class Concluder {
     }
 
   private:
-    const SimulatorRun& run_of(std::size_t model) const {
-        return around_.runs[chosen_[model].value_or(0)];
-    }
+    const SimulatorRun& run_of(std::size_t model) const { return reported_[model]; }
 
     void with_search(study::Conclusion& all) {
         StoredLoop stored = stored_loop(around_.searched.datasets, around_.stage);
@@ -171,9 +184,11 @@ class Concluder {
     void add_runs(StoredSimulator& stored) const {
         const double least = so_far_.least_deviance(around_.kept);
         for (std::size_t k = 0; k < around_.runs.size(); ++k) {
-            const bool failed = !around_.runs[k].failure.empty();
-            stored.runs.push_back({around_.runs_are_of[k], around_.runs[k].failure,
-                                   failed ? nan : so_far_.deviance_at(k) - least});
+            const bool failed = std::isinf(so_far_.deviance_at(k));
+            stored.runs.push_back(
+                {around_.runs_are_of[k], around_.runs[k].failure,
+                 failed ? nan : so_far_.deviance_at(k) - least,
+                 study::years_of_run(around_.written.building.periods, around_.runs[k])});
         }
     }
 
@@ -196,7 +211,8 @@ class Concluder {
 
     const Around& around_;
     const RunsSoFar& so_far_;
-    Chosen chosen_;
+    std::vector<SimulatorRun> reported_;  ///< [StoredLoop::Model] with all periods
+    bool has_runs_ = false;
 };
 
 }  // namespace

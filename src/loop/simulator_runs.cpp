@@ -55,9 +55,11 @@ bool has_others(const SimulatorRun& run, const KeptEffects& kept) {
 
 RunsSoFar::RunsSoFar(const LoopData& data, const std::vector<SimulatorRun>& runs)
     : data_(data), runs_(runs) {
+    const std::size_t training = place_of_training(data);
     for (const SimulatorRun& run : runs)
-        readings_.push_back(run.failure.empty() ? readings_from(data, run.hours)
-                                                : std::vector<double>{});
+        readings_.push_back(run.failure.empty() && run.asked[training] != 0
+                                ? readings_from(data, run.hours)
+                                : std::vector<double>{});
     // All are compared by the noise of one: of the first, then of the best by that.
     rank_by(0);
     if (const auto nearest = best()) rank_by(*nearest);
@@ -94,6 +96,15 @@ std::optional<std::size_t> RunsSoFar::best(const KeptEffects& kept) const {
     if (all.empty()) return std::nullopt;
     return *std::ranges::min_element(all, {},
                                      [&](std::size_t run) { return deviances_[run]; });
+}
+
+ReportedRuns RunsSoFar::reported(const KeptEffects& kept) const {
+    ReportedRuns reported;
+    reported[StoredLoop::before] = best();
+    reported[StoredLoop::plain] = runs_[0].failure.empty() ? std::optional<std::size_t>(0)
+                                                           : reported[StoredLoop::before];
+    reported[StoredLoop::after] = best(kept);
+    return reported;
 }
 
 double RunsSoFar::least_deviance(const KeptEffects& kept) const {
@@ -168,6 +179,7 @@ Judged RunsSoFar::judge_effects(std::size_t first, std::size_t n_effects,
         if (is_kept) least = with;
     }
     judged.is_over = places_of(judged.kept).empty();
+    judged.n_runs = at;
     if (judged.is_over || at + n_refinement > runs_.size()) return judged;
     at += n_refinement;
     for (std::size_t k = n_effects; k-- > 0;) {
@@ -180,6 +192,7 @@ Judged RunsSoFar::judge_effects(std::size_t first, std::size_t n_effects,
     }
     judged.in_doubt.reset();
     judged.is_over = true;
+    judged.n_runs = at;
     // Doubts of the others may have come nearest without one that had stayed.
     if (const auto nearest = best(judged.kept)) {
         std::vector<double> scales = runs_[*nearest].scales;

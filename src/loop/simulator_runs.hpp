@@ -4,8 +4,10 @@
 
 #include "emulator/series_emulator.hpp"
 #include "loop/model.hpp"
+#include "loop/stored_loop.hpp"
 #include "study/simulator_run.hpp"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -34,11 +36,17 @@ struct Judged {
     std::vector<char> kept;                 ///< [effects that were tried]
     std::optional<std::size_t> in_doubt{};  ///< the effect that is to be left out next
     bool is_over = false;                   ///< nothing more to run
+    std::size_t n_runs = 0;                 ///< that were needed for it, where it is over
 };
+
+/// Runs that are reported: the nominal one, the nearest without effects, the nearest of
+/// all; nothing where none succeeded. [StoredLoop::Model]
+using ReportedRuns = std::array<std::optional<std::size_t>, StoredLoop::n_models>;
 
 class RunsSoFar {
   public:
-    /// \param runs  that did not fail count; `data` and they must outlive this
+    /// \param runs  that did not fail count, and are of the training period; `data` and
+    /// they must outlive this
     RunsSoFar(const LoopData& data, const std::vector<SimulatorRun>& runs);
 
     /// Whether there are enough without effects to go on.
@@ -49,6 +57,7 @@ class RunsSoFar {
     double deviance_at(std::size_t run) const { return deviances_[run]; }
     /// Of the nearest; infinite where there is none.
     double least_deviance(const KeptEffects& kept = {}) const;
+    ReportedRuns reported(const KeptEffects& kept) const;
     /// The optimum of an emulator of the runs first, then points about it.
     /// \param without  an effect whose scale is held at 0
     NextRuns next(std::size_t n, const KeptEffects& kept = {},

@@ -46,6 +46,7 @@ void visit_lists(Simulator& simulator, Table&& table) {
         see("simulator_run", row.of);
         see("simulator_run_failure", row.failure);
         see("simulator_run_distance", row.distance);
+        see("simulator_run_years", row.years);
     });
     table("simulator_channel", simulator.channels, [](auto& row, auto&& see) {
         see("simulator_channel", row.name);

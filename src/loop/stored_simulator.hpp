@@ -36,9 +36,10 @@ struct StoredSimulator {
     };
     /// A run, in their order.
     struct Run {
-        std::string of;         ///< "design", "calibration", "effects", "refinement"
+        std::string of;         ///< "design", "calibration", "effects", "held out"
         std::string failure;    ///< "" = none
         double distance = nan;  ///< from the readings: deviance less that of the best run
+        double years = nan;     ///< that it simulated
     };
     /// A meter that is learned from.
     struct Channel {

@@ -252,8 +252,14 @@ class SimulatorPosterior : public study::Stage {
     /// \param point  [chosen parameters] on the scale 0 to 1
     study::ItemAnswer simulate(std::vector<double> point) const {
         const std::vector<double> values = values_at(point);
-        return study::simulate(*simulator_, {std::move(point), {}, {}, {}, {}}, values,
-                               {}, columns_, n_hours_);
+        return study::simulate(*simulator_,
+                               {std::move(point),
+                                {},
+                                study::AskedPeriods(building_.periods.size(), 1),
+                                {},
+                                {},
+                                {}},
+                               values, {}, columns_, building_.periods);
     }
     /// Of all of the program's parameters; those that are not chosen are nominal.
     std::vector<double> values_at(std::span<const double> point) const {

@@ -7,6 +7,7 @@
 #include "report/text_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
@@ -29,6 +30,13 @@ std::string parameters_of_program(const StoredSimulator& simulator) {
     return text_of(table, 30);
 }
 
+/// " (62 annual runs)"; nothing where years are not stored.
+std::string annual_runs(const StoredSimulator& simulator) {
+    double years = 0;
+    for (const StoredSimulator::Run& run : simulator.runs) years += run.years;
+    return std::isnan(years) ? "" : fmt::format(" ({:.0f} annual runs)", years);
+}
+
 /// "62 runs: 45 design, 12 calibration, 5 effects; 1 failed"
 std::string run_line(const StoredSimulator& simulator) {
     std::vector<std::string> kinds;
@@ -43,8 +51,8 @@ std::string run_line(const StoredSimulator& simulator) {
         parts.push_back(fmt::format(
             "{} {}", std::ranges::count(simulator.runs, kind, &StoredSimulator::Run::of),
             kind));
-    std::string line = fmt::format("{} runs of the program: {}", simulator.runs.size(),
-                                   fmt::join(parts, ", "));
+    std::string line = fmt::format("{} runs of the program{}: {}", simulator.runs.size(),
+                                   annual_runs(simulator), fmt::join(parts, ", "));
     if (n_failed > 0) line += fmt::format("; {} failed", n_failed);
     return wrapped(line);
 }

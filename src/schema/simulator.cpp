@@ -21,6 +21,9 @@ constexpr Key simulator_table[] = {
     {"simulator", "template", Type::tables, "", "", 0, 0, "[[simulator.template]]"},
     {"simulator", "files", Type::texts, "", "", 0, 0,
      "Other files that it reads: they are linked into the folder of every point."},
+    {"simulator", "periods", Type::text, "", "", 0, 0,
+     "One of the files, CSV with period,first,last: it is written anew for each run, with "
+     "the periods that the run is needed for. If left out, each run is of all periods."},
     {"simulator", "parameter", Type::tables, "", required, 0, 0,
      "[[simulator.parameter]]"},
     {"simulator", "output", Type::tables, "", "", 0, 0,

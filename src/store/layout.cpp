@@ -607,7 +607,8 @@ constexpr LayoutRow own_rows[] = {
     {"simulator_left_out", "simulator_left_out", text, "",
      "what the program could not take, in its own words"},
     {"simulator_run", "simulator_run", text, "",
-     "runs in their order: design, calibration, effects, refinement; of a posterior "
+     "runs in their order: design, calibration, effects, refinement, without one, held "
+     "out; of a posterior "
      "design, posterior"},
     {"simulator_run_failure", "simulator_run", text, "",
      "why it failed; empty = it did not"},
@@ -615,6 +616,7 @@ constexpr LayoutRow own_rows[] = {
      "of simulator_parameter_unit", "of a posterior: where each run was made"},
     {"simulator_run_distance", "simulator_run", number, "1",
      "from the readings of training: deviance less that of the best run"},
+    {"simulator_run_years", "simulator_run", number, "a", "that it simulated"},
     {"simulator_channel", "simulator_channel", text, "", "meters that are learned from"},
     {"simulator_emulator_error", "simulator_channel", number, "%",
      "CV(RMSE) of readings in runs that the emulator had not seen"},

@@ -4,6 +4,7 @@
 
 #include "effects/hook_series.hpp"
 #include "physics/parameters.hpp"
+#include "study/case.hpp"
 
 #include <span>
 #include <string>
@@ -17,7 +18,7 @@ struct GivenEffect {
     std::vector<effects::HookSeries> at;  ///< all that it changes
 };
 
-/// Hours of all periods of the building, one period after the other.
+/// Hours of the periods that were asked for, one period after the other.
 struct SimulatedHours {
     std::vector<std::vector<double>> meters;  ///< [meters][hours] kWh; temperatures degC
     std::vector<std::string> left_out;        ///< effects that it could not take, and why
@@ -30,11 +31,14 @@ class HourlySimulator {
     virtual ~HourlySimulator() = default;
     virtual const std::vector<physics::Parameter>& parameters() const = 0;
     virtual const std::vector<std::string>& meters() const = 0;  ///< by the job's names
+    /// Whether it may be asked for some of the periods; else it always gives all.
+    virtual bool takes_periods() const { return false; }
     /// \param point    [parameters]
-    /// \param n_hours  that are asked for
+    /// \param effects  with values for each hour of those periods
+    /// \param periods  that are asked for
     virtual SimulatedHours hours(std::span<const double> point,
                                  std::span<const GivenEffect> effects,
-                                 std::size_t n_hours) const = 0;
+                                 std::span<const Period> periods) const = 0;
 };
 
 }  // namespace bemcal::study

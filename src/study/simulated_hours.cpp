@@ -3,6 +3,8 @@
 /// An interval that the period cuts has the hours that lie in it.
 #include "study/simulated_hours.hpp"
 
+#include "base/nan.hpp"
+
 namespace bemcal::study {
 namespace {
 
@@ -16,6 +18,50 @@ std::size_t hours_of_periods(const Case& building) {
     std::size_t n = 0;
     for (const Period& period : building.periods) n += n_hours(period);
     return n;
+}
+
+std::vector<Period> periods_asked(const std::vector<Period>& periods,
+                                  const AskedPeriods& asked) {
+    std::vector<Period> made;
+    for (std::size_t p = 0; p < periods.size(); ++p)
+        if (asked[p] != 0) made.push_back(periods[p]);
+    return made;
+}
+
+double hours_asked(const std::vector<Period>& periods, const AskedPeriods& asked) {
+    double n = 0;
+    for (const Period& period : periods_asked(periods, asked)) n += hours_of(period);
+    return n;
+}
+
+std::vector<double> cut_to_asked(const std::vector<Period>& periods,
+                                 const AskedPeriods& asked,
+                                 const std::vector<double>& all) {
+    std::vector<double> hours;
+    auto from = all.begin();
+    for (std::size_t p = 0; p < periods.size(); ++p) {
+        const auto to = from + static_cast<std::ptrdiff_t>(n_hours(periods[p]));
+        if (asked[p] != 0) hours.insert(hours.end(), from, to);
+        from = to;
+    }
+    return hours;
+}
+
+std::vector<double> spread_asked(const std::vector<Period>& periods,
+                                 const AskedPeriods& asked,
+                                 const std::vector<double>& hours) {
+    std::vector<double> all;
+    auto from = hours.begin();
+    for (std::size_t p = 0; p < periods.size(); ++p) {
+        if (asked[p] == 0) {
+            all.resize(all.size() + n_hours(periods[p]), nan);
+            continue;
+        }
+        const auto to = from + static_cast<std::ptrdiff_t>(n_hours(periods[p]));
+        all.insert(all.end(), from, to);
+        from = to;
+    }
+    return all;
 }
 
 std::vector<double> hours_in(const Case& building, const Period& period,

@@ -52,15 +52,26 @@ std::size_t column_of(const HourlySimulator& simulator, const std::string& meter
     return static_cast<std::size_t>(found - known.begin());
 }
 
+double years_of_run(const std::vector<Period>& periods, const SimulatorRun& run) {
+    constexpr double hours_of_year = 8760;
+    return run.asked.empty() ? 0 : hours_asked(periods, run.asked) / hours_of_year;
+}
+
 ItemAnswer simulate(const HourlySimulator& simulator, SimulatorRun run,
-                    std::span<const double> values, std::span<const GivenEffect> effects,
-                    std::span<const std::size_t> columns, std::size_t n_hours) {
-    SimulatedHours simulated = simulator.hours(values, effects, n_hours);
+                    std::span<const double> values, std::vector<GivenEffect> effects,
+                    std::span<const std::size_t> columns,
+                    const std::vector<Period>& periods) {
+    for (GivenEffect& effect : effects)
+        for (effects::HookSeries& at : effect.at)
+            at.values = cut_to_asked(periods, run.asked, at.values);
+    SimulatedHours simulated =
+        simulator.hours(values, effects, periods_asked(periods, run.asked));
     ItemAnswer answer;
     run.left_out = std::move(simulated.left_out);
     if (simulated.failure.empty())
         for (const std::size_t column : columns)
-            run.hours.push_back(simulated.meters[column]);
+            run.hours.push_back(
+                spread_asked(periods, run.asked, simulated.meters[column]));
     else
         answer.failures.push_back({0, simulated.failure});
     answer.values = pack(run);
@@ -80,6 +91,7 @@ std::vector<double> pack(const SimulatorRun& run) {
     DatasetBuilder datasets(run_group);
     datasets.vector("point", "parameter", run.point);
     datasets.vector("scale", "effect", run.scales);
+    datasets.vector("asked", "period", {run.asked.begin(), run.asked.end()});
     datasets.texts("left_out", "left_out", run.left_out);
     std::vector<double> hours;
     for (const auto& meter : run.hours)
@@ -92,11 +104,10 @@ std::vector<double> pack(const SimulatorRun& run) {
 
 SimulatorRun unpack_run(std::span<const double> packed) {
     const Conclusion all = unpack_conclusion(packed);
-    SimulatorRun run{dataset_of(all, "point").values,
-                     dataset_of(all, "scale").values,
-                     {},
-                     dataset_of(all, "left_out").texts,
-                     {}};
+    const auto& asked = dataset_of(all, "asked").values;
+    SimulatorRun run{dataset_of(all, "point").values,   dataset_of(all, "scale").values,
+                     {asked.begin(), asked.end()},      {},
+                     dataset_of(all, "left_out").texts, {}};
     const Dataset& hours = dataset_of(all, "hours");
     for (std::size_t c = 0; c < hours.shape[0]; ++c) {
         const auto begin =

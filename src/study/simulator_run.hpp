@@ -3,6 +3,7 @@
 #pragma once
 
 #include "study/hourly_simulator.hpp"
+#include "study/simulated_hours.hpp"
 #include "study/stage.hpp"
 
 #include <span>
@@ -13,11 +14,13 @@ namespace bemcal::study {
 
 /// A run at a point, with effects at a scale each.
 struct SimulatorRun {
-    std::vector<double> point;               ///< [parameters] on the scale 0 to 1
-    std::vector<double> scales;              ///< [effects]; none before effects are known
-    std::vector<std::vector<double>> hours;  ///< [meters][hours of all periods]
-    std::vector<std::string> left_out;       ///< what the program could not take
-    std::string failure;                     ///< then there are no hours
+    std::vector<double> point;   ///< [parameters] on the scale 0 to 1
+    std::vector<double> scales;  ///< [effects]; none before effects are known
+    AskedPeriods asked;          ///< periods that it is of
+    /// [meters][hours of all periods]; NaN in periods that were not asked for.
+    std::vector<std::vector<double>> hours;
+    std::vector<std::string> left_out;  ///< what the program could not take
+    std::string failure;                ///< then there are no hours
 };
 
 /// The program's numbers at a point on the scale 0 to 1. [parameters]
@@ -31,13 +34,18 @@ std::vector<double> nominal_on_scale(const std::vector<physics::Parameter>& para
 /// has.
 std::size_t column_of(const HourlySimulator& simulator, const std::string& meter);
 
+/// What a run costs, in years of hours that are simulated.
+double years_of_run(const std::vector<Period>& periods, const SimulatorRun& run);
+
 /// Runs the program at the numbers; the answer holds the run with its hours, or a
 /// failure.
-/// \param run      its point and scales
+/// \param run      its point, scales and the periods asked for
+/// \param effects  with values for each hour of all periods
 /// \param columns  of the program's meters, whose hours are kept
 ItemAnswer simulate(const HourlySimulator& simulator, SimulatorRun run,
-                    std::span<const double> values, std::span<const GivenEffect> effects,
-                    std::span<const std::size_t> columns, std::size_t n_hours);
+                    std::span<const double> values, std::vector<GivenEffect> effects,
+                    std::span<const std::size_t> columns,
+                    const std::vector<Period>& periods);
 
 /// The run that an answer holds. One that was not made has a point of NaN.
 SimulatorRun run_in(const ItemAnswer& answer, std::size_t n_parameters);

@@ -40,12 +40,14 @@ class OtherBuilding : public study::HourlySimulator {
 
     SimulatedHours hours(std::span<const double> point,
                          std::span<const GivenEffect> effects,
-                         std::size_t n_hours) const override {
+                         std::span<const study::Period> periods) const override {
         SimulatedHours simulated;
         if (fails_each_ > 0 && std::lround(1e6 * point[0]) % fails_each_ == 0) {
             simulated.failure = "it was told to fail";
             return simulated;
         }
+        std::size_t n_hours = 0;
+        for (const study::Period& period : periods) n_hours += count_of(period);
         std::vector<double> air(n_hours, 0.0);
         for (const GivenEffect& effect : effects)
             for (const effects::HookSeries& at : effect.at)
@@ -53,15 +55,15 @@ class OtherBuilding : public study::HourlySimulator {
                     for (std::size_t h = 0; h < n_hours; ++h) air[h] += at.values[h];
                 else
                     simulated.left_out.push_back(effect.name + " at " + at.hook);
-        simulated.meters = {gas(point, air)};
+        simulated.meters = {gas(point, air, periods)};
         return simulated;
     }
 
-    /// [hours of all periods] \param air  more air from outdoors [1/h]
-    std::vector<double> gas(std::span<const double> point,
-                            const std::vector<double>& air) const {
+    /// [hours of the periods] \param air  more air from outdoors [1/h]
+    std::vector<double> gas(std::span<const double> point, const std::vector<double>& air,
+                            std::span<const study::Period> periods) const {
         std::vector<double> all;
-        for (const study::Period& period : case_.periods) {
+        for (const study::Period& period : periods) {
             physics::Drive drive = study::drive_of(case_, period);
             physics::Building building = case_.building;
             building.constructions[0].u_value.value *= point[0];
@@ -74,7 +76,13 @@ class OtherBuilding : public study::HourlySimulator {
         return all;
     }
 
+    bool takes_periods() const override { return takes_periods_; }
+    void take_periods() { takes_periods_ = true; }
+
   private:
+    static std::size_t count_of(const study::Period& period) {
+        return static_cast<std::size_t>(study::hours_of(period));
+    }
     static void add_air(physics::Building& building, physics::Drive& drive, double leaks,
                         const std::vector<double>& air, std::size_t first) {
         Matrix more(drive.profiles.rows + 1, static_cast<std::size_t>(drive.n_steps()));
@@ -92,7 +100,7 @@ class OtherBuilding : public study::HourlySimulator {
 
     Case case_;
     int fails_each_;
-    bool is_deaf_;
+    bool is_deaf_, takes_periods_ = false;
     std::vector<physics::Parameter> parameters_;
     std::vector<std::string> meters_{"gas"};
 };
@@ -111,7 +119,7 @@ Case measured(double by_wind) {
         for (int step = drive.n_warm_up; step < drive.n_steps(); ++step)
             air.push_back(by_wind * wind[static_cast<std::size_t>(step)]);
     }
-    auto gas = other.gas(std::vector{1.2, 1.4}, air);
+    auto gas = other.gas(std::vector{1.2, 1.4}, air, twin.periods);
     double mean = 0;
     for (const double value : gas) mean += value / static_cast<double>(gas.size());
     Stream random(3, 0, 0);
@@ -187,6 +195,28 @@ TEST(LoopAroundSimulator, FindsAnEffectAndGivesItToTheSimulator) {
     EXPECT_NEAR(simulator.parameters[0].after, 1.2, 0.15);
     ASSERT_EQ(simulator.channels.size(), 1U);
     EXPECT_LT(simulator.channels[0].emulator_error, 3);
+}
+
+// Runs of training alone decide the same; the reported ones then get the other period.
+TEST(LoopAroundSimulator, RunsOnlyTrainingWhereThatIsEnough) {
+    const Case twin = measured(0.08);
+    const auto other = std::make_shared<OtherBuilding>(twin);
+    const AllRounds whole = run_of(twin, other);
+    const auto short_runs = std::make_shared<OtherBuilding>(twin);
+    short_runs->take_periods();
+    const AllRounds run = run_of(twin, short_runs);
+    EXPECT_EQ(run.shortfall, "");
+    ASSERT_EQ(run.loop().effects.size(), 1U);
+    for (const auto model : {StoredLoop::plain, StoredLoop::before, StoredLoop::after})
+        EXPECT_EQ(run.error(model), whole.error(model));
+    const auto years = [](const AllRounds& of) {
+        double sum = 0;
+        for (const auto& each : of.simulator().runs) sum += each.years;
+        return sum;
+    };
+    EXPECT_EQ(run.n_items, whole.n_items + 3);
+    EXPECT_EQ(run.simulator().runs.back().of, "held out");
+    EXPECT_LT(years(run), 0.8 * years(whole));
 }
 
 TEST(LoopAroundSimulator, FindsNothingWhereNothingIs) {

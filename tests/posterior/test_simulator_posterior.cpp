@@ -37,7 +37,7 @@ class Room : public study::HourlySimulator {
     const std::vector<std::string>& meters() const override { return meters_; }
     study::SimulatedHours hours(std::span<const double> point,
                                 std::span<const study::GivenEffect>,
-                                std::size_t) const override {
+                                std::span<const study::Period>) const override {
         study::SimulatedHours simulated;
         if (fails_each_ > 0 && std::lround(1e6 * point[0]) % fails_each_ == 0)
             simulated.failure = "it was told to fail";
