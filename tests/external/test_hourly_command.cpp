@@ -31,10 +31,17 @@ CommandOptions hourly(const Folder& folder, const std::string& text) {
     return options;
 }
 
+/// From 2021 on.
+study::Period days_of(std::size_t n_hours) {
+    const physics::Seconds from = physics::parse_time("2021-01-01");
+    return {"training", from, from + std::chrono::hours(n_hours)};
+}
+
 study::SimulatedHours hours_of(const CommandOptions& options,
                                const std::vector<GivenEffect>& effects = {},
                                std::size_t n_hours = 2) {
-    return make_hourly_simulator(options)->hours(std::vector{3.0}, effects, n_hours);
+    const std::vector<study::Period> periods{days_of(n_hours)};
+    return make_hourly_simulator(options)->hours(std::vector{3.0}, effects, periods);
 }
 
 std::string without_folder(const std::string& failure) {
@@ -67,6 +74,19 @@ TEST(HourlyCommand, SaysHowManyHoursAreExpected) {
               "no hours of gas: hours.csv: the column \"gas\" has 1 numbers; expected "
               "8760, one for each hour of the periods");
     EXPECT_TRUE(simulated.meters.empty());
+}
+
+TEST(HourlyCommand, WritesThePeriodsThatAreAskedFor) {
+    const Folder folder;
+    CommandOptions options = hourly(folder,
+                                    "test \"`cat days.csv | tr '\\n' ' '`\" = "
+                                    "'period,first,last training,2021-01-01,2021-01-02 '"
+                                    " && (echo gas; seq 48) > hours.csv");
+    EXPECT_FALSE(make_hourly_simulator(options)->takes_periods());
+    options.periods_file = "days.csv";
+    EXPECT_TRUE(make_hourly_simulator(options)->takes_periods());
+    const auto simulated = hours_of(options, {}, 48);
+    EXPECT_EQ(simulated.failure, "");
 }
 
 TEST(HourlyCommand, SaysWhyThereIsNothing) {

@@ -23,7 +23,12 @@ class Runs {
     const LoopData& data() const { return data_; }
 
     SimulatorRun missing_by(double error, std::vector<double> scales = {}) const {
-        SimulatorRun run{{0.5, 0.5}, std::move(scales), {}, {}, {}};
+        SimulatorRun run{{0.5, 0.5},
+                         std::move(scales),
+                         study::AskedPeriods(data_.building.periods.size(), 1),
+                         {},
+                         {},
+                         {}};
         auto& hours =
             run.hours.emplace_back(study::hours_of_periods(data_.building), 0.0);
         const auto readings = study::readings_of(data_.building, data_.training());

@@ -18,18 +18,24 @@ WEATHER = "weather_2021.epw.gz"
 N_HOURS = 24 * 120            # January to April
 TRUTH = {"u": 1.25, "leaks": 0.3}
 STOPPED = 75
+PERIODS = "period,first,last\ntraining,2021-01-01,2021-03-31\nheld_out,2021-04-01,2021-04-30\n"
 
 HOUSE = '''
 """A house of one temperature: heat by transmission and air, less gains, by a boiler."""
-import csv, gzip, json, os, sys
+import csv, datetime, gzip, json, os, sys
 values = json.load(open("run.json"))
 with gzip.open("weather_2021.epw.gz", "rt") as file:
-    rows = [line.split(",") for line in file.readlines()[8:8 + N_HOURS]]
-air = [0.0] * N_HOURS
+    year = [line.split(",") for line in file.readlines()[8:]]
+rows, day = [], datetime.date.fromisoformat
+for period in csv.DictReader(open("periods.csv")):
+    first, last = (24 * (day(period[key]) - day("2021-01-01")).days for key in ("first", "last"))
+    rows += year[first:last + 24]
+air = [0.0] * len(rows)
 if os.path.exists("effects.csv"):
     sections = open("effects.toml").read()
     if 'hook = "infiltration"' in sections:
         air = [float(row["effect_1"]) for row in csv.DictReader(open("effects.csv"))]
+        assert len(air) == len(rows)
     else:
         open("effects_left_out.txt", "w").write("only air is known\\n")
 if int(1e6 * values["u"]) % 17 == 0:
@@ -114,7 +120,8 @@ prior = {kind = "normal", mean = 0.5, sd = 0.3}
 
 [simulator]
 command = ["/usr/bin/python3", "house.py"]
-files = ["house.py", "weather_2021.epw.gz"]
+files = ["house.py", "weather_2021.epw.gz", "periods.csv"]
+periods = "periods.csv"
 
 [[simulator.template]]
 file = "run.json.in"
@@ -153,7 +160,8 @@ class SmallHouse(unittest.TestCase):
         cls.addClassCleanup(holder.cleanup)
         cls.folder = pathlib.Path(holder.name)
         (cls.folder / WEATHER).write_bytes((ROOT / "jobs" / "energyplus_office" / WEATHER).read_bytes())
-        (cls.folder / "house.py").write_text(cls.PROGRAM_TEXT.replace("N_HOURS", str(N_HOURS)))
+        (cls.folder / "house.py").write_text(cls.PROGRAM_TEXT)
+        (cls.folder / "periods.csv").write_text(PERIODS)
         (cls.folder / "run.json.in").write_text('{"u": @u@, "leaks": @leaks@}')
         (cls.folder / "job.toml").write_text(JOB.replace("STUDY", cls.STUDY))
         cls.write_readings()
@@ -167,6 +175,7 @@ class SmallHouse(unittest.TestCase):
         truth = cls.folder / "truth"
         truth.mkdir()
         (truth / WEATHER).symlink_to(cls.folder / WEATHER)
+        (truth / "periods.csv").symlink_to(cls.folder / "periods.csv")
         (truth / "run.json").write_text(json.dumps(TRUTH))
         (truth / "effects.toml").write_text('[[effect]]\nhook = "infiltration"\n')
         (truth / "effects.csv").write_text("effect_1\n" + "".join(f"{cls.BY_WIND * speed}\n" for speed in wind))

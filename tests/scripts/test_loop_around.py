@@ -2,6 +2,8 @@
 """A loop around a small program: an effect is found and given to it; the same bits on any ranks and after a stop."""
 import unittest
 
+import numpy as np
+
 from small_house import SmallHouse
 
 
@@ -23,6 +25,13 @@ functions = false
         self.assertAlmostEqual(loop["effect_coefficient"][0], self.BY_WIND, delta=0.01)
         self.assertLess(after[0], 0.75 * before[0])
         self.assertLess(after[1], before[1])     # the month that was held out, mostly noise
+
+    def test_only_what_is_reported_is_run_for_the_held_out_month(self):
+        of, years = self.texts("simulator_run"), self.stored()["simulator_run_years"][:]
+        held_out = np.array([each == "held out" for each in of])
+        self.assertIn(held_out.sum(), (2, 3))
+        np.testing.assert_allclose(years[held_out], 30 / 365)
+        np.testing.assert_allclose(years[~held_out], 90 / 365)
 
     def test_runs_that_fail_are_told(self):
         self.check_failures_are_told()
