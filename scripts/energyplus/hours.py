@@ -101,35 +101,26 @@ class Hours:
 
     def read(self, path, spans):
         try:
-            self.take(self.rows_of(path), spans)
+            with contextlib.closing(sqlite3.connect(f"file:{path}?mode=ro", uri=True)) as db:
+                self.take(db, spans)
         except sqlite3.Error as error:
             raise Failed(f"{path}: {error}; expected hours as EnergyPlus writes them, and room on the disk") from None
 
-    def rows_of(self, path):
-        """Of meters and rooms by the hour; zones are read beside."""
-        with contextlib.closing(sqlite3.connect(f"file:{path}?mode=ro", uri=True)) as db:
-            self.zones |= {name.upper(): (volume * times, area * times) for name, volume, area, times in db.execute(
-                "SELECT ZoneName, Volume, FloorArea, Multiplier * ListMultiplier FROM Zones")}
-            return db.execute(
-                "SELECT d.Name, d.KeyValue, d.IsMeter, t.Year, t.Month, t.Day, t.Hour, r.Value FROM ReportData r "
-                "JOIN ReportDataDictionary d ON d.ReportDataDictionaryIndex = r.ReportDataDictionaryIndex "
-                "JOIN Time t ON t.TimeIndex = r.TimeIndex "
-                "JOIN EnvironmentPeriods e ON e.EnvironmentPeriodIndex = t.EnvironmentPeriodIndex "
-                "WHERE e.EnvironmentType = 3 AND t.IntervalType = 1 AND COALESCE(t.WarmupFlag, 0) = 0 "
-                "AND d.ReportingFrequency = 'Hourly'").fetchall()
-
-    def take(self, rows, spans):
-        at = {}
-        for span in spans:
-            at |= {span.begin + k * HOURS: span.at + k for k in range(span.n_hours)}
-        stamps = {}
-        for name, key, is_meter, year, month, day, hour, value in rows:
-            stamp = (year, month, day, hour)
-            if stamp not in stamps:
-                stamps[stamp] = at.get(datetime.datetime(year, month, day) + (hour - 1) * HOURS)
-            if stamps[stamp] is not None:
-                series = self.series(self.meters, name) if is_meter else self.series(self.rooms, key.upper())
-                series[stamps[stamp]] = value / KWH if is_meter else value
+    def take(self, db, spans):
+        """Meters and rooms by the hour, each by one query; zones beside."""
+        self.zones |= {name.upper(): (volume * times, area * times) for name, volume, area, times in db.execute(
+            "SELECT ZoneName, Volume, FloorArea, Multiplier * ListMultiplier FROM Zones")}
+        place = places_of_times(db, spans)
+        for index, name, key, is_meter in db.execute(
+                "SELECT ReportDataDictionaryIndex, Name, KeyValue, IsMeter FROM ReportDataDictionary "
+                "WHERE ReportingFrequency = 'Hourly'").fetchall():
+            rows = np.array(db.execute("SELECT TimeIndex, Value FROM ReportData WHERE ReportDataDictionaryIndex = ?",
+                                       (index,)).fetchall(), dtype=float).reshape(-1, 2)
+            at = place[rows[:, 0].astype(int)]
+            if not (at >= 0).any():
+                continue
+            series = self.series(self.meters, name) if is_meter else self.series(self.rooms, key.upper())
+            series[at[at >= 0]] = rows[at >= 0, 1] / (KWH if is_meter else 1)
 
     def sum(self, names):
         """Of meters that EnergyPlus knows; zeros where it knows none."""
@@ -143,6 +134,20 @@ class Hours:
     def floor_area(self):
         """[m2] of zones with a thermostat."""
         return sum(self.zones[zone][1] for zone in self.rooms)
+
+
+def places_of_times(db, spans):
+    """[TimeIndex] of a weather hour its row in hours.csv; -1 of design days, warm-up and what no span has."""
+    at = {}
+    for span in spans:
+        at |= {span.begin + k * HOURS: span.at + k for k in range(span.n_hours)}
+    place = np.full(1 + db.execute("SELECT COALESCE(MAX(TimeIndex), 0) FROM Time").fetchone()[0], -1)
+    for index, year, month, day, hour in db.execute(
+            "SELECT t.TimeIndex, t.Year, t.Month, t.Day, t.Hour FROM Time t "
+            "JOIN EnvironmentPeriods e ON e.EnvironmentPeriodIndex = t.EnvironmentPeriodIndex "
+            "WHERE e.EnvironmentType = 3 AND t.IntervalType = 1 AND COALESCE(t.WarmupFlag, 0) = 0"):
+        place[index] = at.get(datetime.datetime(year, month, day) + (hour - 1) * HOURS, -1)
+    return place
 
 
 @dataclass
