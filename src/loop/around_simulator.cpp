@@ -161,8 +161,8 @@ class LoopAround : public study::Stage {
         auto kept = judged.kept;
         kept.resize(effects.size(), 0);
         auto kinds = kinds_of(runs.size(), effects.size());
-        for (std::size_t k = judged.n_runs; judged.is_over && k < runs.size(); ++k)
-            kinds[k] = "held out";
+        for (std::size_t k = 0; k < runs.size(); ++k)
+            if (is_of_others(runs[k])) kinds[k] = "held out";
         return conclude_around({group(), written_, *simulator_, runs, so_far,
                                 std::move(kinds), effects, kept, searched});
     }
@@ -275,10 +275,12 @@ class LoopAround : public study::Stage {
             return plan_of(so_far.next(n_of(budget_.of_calibration())), {});
         if (answers.size() == before_search())
             return {{}, {}, {}, runs[so_far.best().value_or(0)].hours, false};
+        // More runs may turn a verdict on an effect; after the others nothing is asked.
+        if (is_of_others(runs.back())) return {};
         auto effects = effects_of(search_in(answers));
         const Judged judged = judge(so_far, effects.size());
         if (judged.is_over)
-            return answers[before_search()].error.empty() && runs.size() == judged.n_runs
+            return answers[before_search()].error.empty() && !runs.back().asked.empty()
                        ? of_others(so_far, runs, judged.kept, std::move(effects))
                        : SimulatorPlan{};
         const std::size_t n_done = runs.size() - before_search();
@@ -291,6 +293,8 @@ class LoopAround : public study::Stage {
                            : so_far.next(n_of(budget_.of_refinement()), judged.kept),
                        std::move(effects));
     }
+
+    bool is_of_others(const SimulatorRun& run) const { return run.asked == others_; }
 
     /// The periods beside training, of the runs that are reported; none where there are
     /// no such periods.

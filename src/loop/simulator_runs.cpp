@@ -179,7 +179,6 @@ Judged RunsSoFar::judge_effects(std::size_t first, std::size_t n_effects,
         if (is_kept) least = with;
     }
     judged.is_over = places_of(judged.kept).empty();
-    judged.n_runs = at;
     if (judged.is_over || at + n_refinement > runs_.size()) return judged;
     at += n_refinement;
     for (std::size_t k = n_effects; k-- > 0;) {
@@ -192,7 +191,6 @@ Judged RunsSoFar::judge_effects(std::size_t first, std::size_t n_effects,
     }
     judged.in_doubt.reset();
     judged.is_over = true;
-    judged.n_runs = at;
     // Doubts of the others may have come nearest without one that had stayed.
     if (const auto nearest = best(judged.kept)) {
         std::vector<double> scales = runs_[*nearest].scales;

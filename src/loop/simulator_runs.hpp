@@ -36,7 +36,6 @@ struct Judged {
     std::vector<char> kept;                 ///< [effects that were tried]
     std::optional<std::size_t> in_doubt{};  ///< the effect that is to be left out next
     bool is_over = false;                   ///< nothing more to run
-    std::size_t n_runs = 0;                 ///< that were needed for it, where it is over
 };
 
 /// Runs that are reported: the nominal one, the nearest without effects, the nearest of
