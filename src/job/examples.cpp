@@ -918,7 +918,8 @@ periods = {training = ["2021-01-01", "2021-01-31"], held_out = ["2021-02-01", "2
 
 [simulator]                           # the user's own model of the same house
 command = ["python3", "house.py", "house.json"]
-files = ["house.py"]
+files = ["house.py", "days.csv"]
+periods = "days.csv"                  # written for each run: the periods it is needed for
 
 [[simulator.template]]
 file = "house.json.in"                # with @u_value@ in it
@@ -931,7 +932,7 @@ max = 1.6
 
 [[simulator.hourly]]
 meter = "gas"
-file = "hours.csv"                    # a row for each hour of both periods
+file = "hours.csv"                    # a row for each hour of these periods
 column = "gas"
 header = 1
 skip = 1                              # a line of units

@@ -129,6 +129,7 @@ void write_examples(const Folder& folder) {
          "house,120,2,2021.epw,meters.csv,gas_kwh\n"},
         {"houses.csv", "name,weather,area,gas\nhouse,2021.epw,120,meters.csv\n"},
         {"house.py", "# a program\n"},
+        {"days.csv", "period,first,last\n"},
         {"house.json.in", "{\"u_value\": @u_value@}\n"},
         {"bills_by_month.csv", "outdoor,gas\n1.2,2773.8\n2.1,2631.0\n9,1000\n"},
         {"field.csv", "y,x\n1,0\n2,0.5\n3,1\n"},
