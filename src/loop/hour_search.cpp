@@ -6,10 +6,11 @@
 #include "loop/hour_search.hpp"
 
 #include "stats/least_squares.hpp"
+#include "stats/sums.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace bemcal::loop {
 namespace {
@@ -19,16 +20,6 @@ using physics::DayKind;
 using physics::WeekHours;
 
 constexpr study::FitOptions short_fit{4, 1e-3};
-
-/// Four sums beside each other: an addition need not wait for the one before it.
-double product_of(std::span<const double> a, std::span<const double> b) {
-    std::array<double, 4> sums{};
-    std::size_t k = 0;
-    for (; k + sums.size() <= a.size(); k += sums.size())
-        for (std::size_t s = 0; s < sums.size(); ++s) sums[s] += a[k + s] * b[k + s];
-    for (; k < a.size(); ++k) sums[0] += a[k] * b[k];
-    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
-}
 
 /// Lets the parameters of a model follow a change of what it predicts, along its
 /// tangents. Residuals are seen through their products with these, channel by channel:
@@ -52,14 +43,13 @@ class Follower {
 
     TriedRun follow(const DailyRun& run, std::span<const double> predicted) const {
         const auto residuals = study::residuals_of(targets_.measured, predicted);
-        const Matrix products = products_of(residuals);
+        const std::vector<Products> products = products_of(residuals);
         const std::vector<double> by = moves_by(products);
         std::vector<double> x = standing_.fit.at.x, squares;
         for (std::size_t p = 0; p < x.size(); ++p) x[p] += by[p];
         for (std::size_t c = 0; c < targets_.n_channels(); ++c) {
-            const auto own = targets_.of(c, residuals);
-            const double left = product_of(own, own) -
-                                2 * product_of(by, products.row(c)) +
+            const double left = products[c].with_itself -
+                                2 * dot(by, products[c].with_slopes) +
                                 squared(by, grams_[c]);
             squares.push_back(n_[c] > 0 ? std::max(0.0, left) / n_[c] : 0);
         }
@@ -69,47 +59,59 @@ class Follower {
     }
 
   private:
-    std::span<const double> slope(std::size_t parameter, std::size_t channel) const {
-        return targets_.of(channel, slopes_.row(parameter));
-    }
+    /// Of a channel's residuals.
+    struct Products {
+        std::vector<double> with_slopes;  ///< [parameters]
+        double with_itself;
+    };
 
     void add_channel(std::size_t c) {
+        stats::Rows& rows = rows_.emplace_back();
+        for (std::size_t p = 0; p < slopes_.rows; ++p)
+            rows.push_back(targets_.of(c, slopes_.row(p)).data());
+        const auto measured = targets_.of(c, targets_.measured);
         Matrix gram(slopes_.rows, slopes_.rows);
-        for (std::size_t p = 0; p < gram.rows; ++p)
-            for (std::size_t q = 0; q <= p; ++q)
-                gram(p, q) = gram(q, p) = product_of(slope(p, c), slope(q, c));
+        gram.values =
+            stats::weighted_gram(rows, std::vector<double>(measured.size(), 1.0));
         for (std::size_t k = 0; k < gram.values.size(); ++k)
             matrix_.values[k] += noise_[c].weight() * gram.values[k];
         grams_.push_back(std::move(gram));
-        n_.push_back(static_cast<double>(
-            std::ranges::count_if(targets_.of(c, targets_.measured),
-                                  [](double value) { return !std::isnan(value); })));
+        n_.push_back(static_cast<double>(std::ranges::count_if(
+            measured, [](double value) { return !std::isnan(value); })));
     }
 
-    /// [channels x parameters]
-    Matrix products_of(std::span<const double> residuals) const {
-        Matrix products(targets_.n_channels(), slopes_.rows);
-        for (std::size_t c = 0; c < products.rows; ++c)
-            for (std::size_t p = 0; p < products.cols; ++p)
-                products(c, p) = product_of(slope(p, c), targets_.of(c, residuals));
-        return products;
+    /// [channels]
+    std::vector<Products> products_of(std::span<const double> residuals) const {
+        std::vector<Products> all;
+        for (std::size_t c = 0; c < targets_.n_channels(); ++c) {
+            const auto own = targets_.of(c, residuals);
+            stats::Rows rows = rows_[c];
+            rows.push_back(own.data());
+            Products& of_channel = all.emplace_back(stats::products(rows, own), 0.0);
+            of_channel.with_itself = of_channel.with_slopes.back();
+            of_channel.with_slopes.pop_back();
+        }
+        return all;
+    }
+
+    static double dot(std::span<const double> a, std::span<const double> b) {
+        return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
     }
 
     static double squared(std::span<const double> by, const Matrix& gram) {
         double sum = 0;
-        for (std::size_t p = 0; p < by.size(); ++p)
-            sum += by[p] * product_of(gram.row(p), by);
+        for (std::size_t p = 0; p < by.size(); ++p) sum += by[p] * dot(gram.row(p), by);
         return sum;
     }
 
     /// By how much the parameters move, within their ranges.
-    std::vector<double> moves_by(const Matrix& products) const {
+    std::vector<double> moves_by(const std::vector<Products>& products) const {
         const auto& unknowns = standing_.built.unknowns;
         const auto& x = standing_.fit.at.x;
         std::vector<double> right(x.size(), 0.0);
         for (std::size_t p = 0; p < x.size(); ++p) {
-            for (std::size_t c = 0; c < products.rows; ++c)
-                right[p] += noise_[c].weight() * products(c, p);
+            for (std::size_t c = 0; c < products.size(); ++c)
+                right[p] += noise_[c].weight() * products[c].with_slopes[p];
             if (unknowns[p].has_prior) right[p] -= x[p];
         }
         std::vector<double> by =
@@ -124,9 +126,10 @@ class Follower {
     const study::Targets& targets_;
     const std::vector<ChannelNoise>& noise_;
     const Standing& standing_;
-    Matrix slopes_;              ///< 0 where nothing is measured [parameters x targets]
-    std::vector<Matrix> grams_;  ///< [channels] of the slopes
-    std::vector<double> n_;      ///< [channels] readings
+    Matrix slopes_;  ///< 0 where nothing is measured [parameters x targets]
+    std::vector<stats::Rows> rows_;  ///< [channels] of slopes_
+    std::vector<Matrix> grams_;      ///< [channels] of the slopes
+    std::vector<double> n_;          ///< [channels] readings
     Matrix matrix_;
     std::vector<double> diagonal_;
 };

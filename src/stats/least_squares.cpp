@@ -1,9 +1,11 @@
-/// Linear least squares with a normal prior by Eigen: normal equations, solution,
-/// inverse, and a jackknife whose blocks are cut from the same sums.
+/// Linear least squares with a normal prior: normal equations by `sums`; solution,
+/// inverse, and a jackknife whose blocks are cut from the same sums, by Eigen.
 /// Source: textbook; jackknife: Kuensch 1989, one linear step for each block. Left out:
 /// iterations and bounds (unknowns are only held fixed). Normal equations square the
 /// condition.
 #include "stats/least_squares.hpp"
+
+#include "stats/sums.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,6 +51,20 @@ Eigen::MatrixXd reduced(const Matrix& matrix, std::span<const double> diagonal,
     return full(free, free);
 }
 
+Rows rows_of(const Matrix& matrix) {
+    Rows rows;
+    rows.reserve(matrix.rows + 2);
+    for (std::size_t r = 0; r < matrix.rows; ++r) rows.push_back(matrix.row(r).data());
+    return rows;
+}
+
+/// Element by element.
+std::vector<double> product_of(std::span<const double> a, std::span<const double> b) {
+    std::vector<double> product(a.begin(), a.end());
+    for (std::size_t k = 0; k < product.size(); ++k) product[k] *= b[k];
+    return product;
+}
+
 /// A run of readings of one block.
 struct Run {
     Eigen::Index begin, size;
@@ -70,21 +86,23 @@ std::vector<std::vector<Run>> runs_of(std::span<const int> block_of) {
 
 NormalEquations normal_equations(const Matrix& derivatives, std::span<const double> r,
                                  std::span<const double> weights) {
-    const View J = view(derivatives);
-    const Eigen::VectorXd roots = view(weights).cwiseSqrt();
-    const RowMajor scaled = J * roots.asDiagonal();
-    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(J.rows(), J.rows());
-    A.selfadjointView<Eigen::Lower>().rankUpdate(scaled);
-    A = Eigen::MatrixXd(A.selfadjointView<Eigen::Lower>());
-    const Eigen::VectorXd right = J * view(weights).cwiseProduct(view(r));
-    return {to_matrix(A), {right.begin(), right.end()}};
+    const Rows rows = rows_of(derivatives);
+    NormalEquations made{Matrix(rows.size(), rows.size()),
+                         products(rows, product_of(weights, r))};
+    made.matrix.values = weighted_gram(rows, weights);
+    return made;
 }
 
 Bordered bordered(const Matrix& derivatives, std::span<const double> s,
                   std::span<const double> r, std::span<const double> weights) {
-    const Eigen::VectorXd weighted = view(weights).cwiseProduct(view(s));
-    const Eigen::VectorXd others = view(derivatives) * weighted;
-    return {{others.begin(), others.end()}, weighted.dot(view(s)), weighted.dot(view(r))};
+    Rows rows = rows_of(derivatives);
+    rows.insert(rows.end(), {s.data(), r.data()});
+    Bordered made{products(rows, product_of(weights, s))};
+    made.with_residual = made.with_others.back();
+    made.with_others.pop_back();
+    made.with_itself = made.with_others.back();
+    made.with_others.pop_back();
+    return made;
 }
 
 std::vector<double> solve(const Matrix& matrix, std::span<const double> diagonal,
