@@ -21,12 +21,9 @@ constexpr std::size_t n_draws = 64;  ///< a deviation is then known within 9 %
 
 /// The calibrated values first, then draws; functions stay as they are. [points x
 /// unknowns]
-Matrix points_about(const LoopData& data, const Standing& last, std::size_t n_found,
-                    std::vector<double> deviations, double misfit) {
+Matrix points_about(const LoopData& data, const Standing& last,
+                    const std::vector<double>& deviations, double misfit) {
     const auto& unknowns = last.built.unknowns;
-    std::fill(deviations.begin() +
-                  static_cast<std::ptrdiff_t>(last.built.first_effect() + n_found),
-              deviations.end(), 0.0);
     Matrix points = stats::normal_draws(correlations_of(data, last, misfit), n_draws,
                                         data.options.seed);
     for (std::size_t r = 0; r < points.rows; ++r)
@@ -112,13 +109,13 @@ std::vector<Account> accounts_of(const LoopData& data) {
 
 std::vector<std::vector<Worth>> worth_of_effects(const LoopData& data, const Place& place,
                                                  const Standing& last,
-                                                 std::size_t n_found,
                                                  const std::vector<double>& deviations,
                                                  double misfit,
                                                  const std::vector<Account>& accounts) {
+    const std::size_t n_found = last.model.effects.size();
     std::vector<std::vector<Worth>> all(n_found, std::vector<Worth>(accounts.size()));
     if (n_found == 0) return all;
-    const Matrix points = points_about(data, last, n_found, deviations, misfit);
+    const Matrix points = points_about(data, last, deviations, misfit);
     const Matrix with = totals_of(data, *last.built.fit_model, points, accounts);
     for (std::size_t k = 0; k < n_found; ++k) {
         auto fewer = last.model.effects;

@@ -31,11 +31,9 @@ struct Worth {
 };
 
 /// With the effect less without it, all else as it is. [effects found][accounts]
-/// \param n_found  of last's effects; those that follow are functions
 /// \param deviations  of last's unknowns, in their units
 std::vector<std::vector<Worth>> worth_of_effects(const LoopData& data, const Place& place,
                                                  const Standing& last,
-                                                 std::size_t n_found,
                                                  const std::vector<double>& deviations,
                                                  double misfit,
                                                  const std::vector<Account>& accounts);

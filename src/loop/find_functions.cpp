@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include <fmt/format.h>
@@ -51,30 +52,32 @@ bool simulate_at(const LoopData& data, const Series& x, Standing& standing) {
     return true;
 }
 
+/// A model that is simulated, and where.
+struct Joined {
+    Standing standing;
+    Place place;
+};
+
 /// The model with functions, its parameters moved from x; by less, or not at all, where
 /// the whole way leads to what cannot be simulated. Nothing where no step does.
-std::optional<Standing> joined(const LoopData& data,
-                               const effects::FunctionDrivers& drivers, Place& place,
-                               const Standing& without, const Series& x,
-                               const Series& moves,
-                               const std::vector<FoundFunction>& found) {
-    add_columns(found, drivers, place);
-    Standing with = without;
-    for (const FunctionsAtHook& one : by_hook(found))
-        with.model.effects.push_back(effect_of(one.at));
+std::optional<Joined> joined(const LoopData& data,
+                             const effects::FunctionDrivers& drivers, const Place& place,
+                             const Standing& without, const Series& x,
+                             const Series& moves,
+                             const std::vector<FoundFunction>& found) {
+    Joined with{without, with_functions(place, found, drivers)};
     try {
-        with.built = build(place, with.model.effects);
+        with.standing.built = build(with.place, without.model.effects);
     } catch (const CannotSimulate&) {
         return std::nullopt;
     }
-    const auto& unknowns = with.built.unknowns;
+    const auto& unknowns = with.standing.built.unknowns;
     for (const double step : {1.0, 0.5, 0.25, 0.0}) {
-        Series at(unknowns.size(), 1.0);
-        for (std::size_t k = 0; k < at.size(); ++k) {
-            if (k < x.size()) at[k] = x[k] + step * moves[k];
-            at[k] = std::clamp(at[k], unknowns[k].lowest(), unknowns[k].highest());
-        }
-        if (simulate_at(data, at, with)) return with;
+        Series at(x.size());
+        for (std::size_t k = 0; k < at.size(); ++k)
+            at[k] = std::clamp(x[k] + step * moves[k], unknowns[k].lowest(),
+                               unknowns[k].highest());
+        if (simulate_at(data, at, with.standing)) return with;
     }
     return std::nullopt;
 }
@@ -84,6 +87,7 @@ std::optional<Standing> joined(const LoopData& data,
 struct Simulated {
     std::vector<FoundFunction> functions;
     Standing standing;  ///< its left_out and score are of the halves
+    Place place;        ///< with the functions
 };
 
 /// Those that leave set-points alone: of heating and cooling they must not come closer
@@ -100,17 +104,16 @@ std::vector<FoundFunction> apart_from_set_points(std::vector<FoundFunction> foun
 /// Simulates stages of a search.
 class StageSimulator {
   public:
+    /// \param place  without functions
     StageSimulator(const LoopData& data, const effects::FunctionDrivers& drivers,
-                   Place& place, const Standing& without, const Standing& from,
+                   const Place& place, const Standing& without, const Standing& from,
                    const Remainder& remainder)
         : data_(data),
           drivers_(drivers),
           place_(place),
           without_(without),
           remainder_(remainder),
-          x_(from.fit.at.x) {
-        x_.resize(without.built.unknowns.size());
-    }
+          x_(from.fit.at.x) {}
 
     /// nothing where it cannot be simulated.
     std::optional<Simulated> simulated(const functions::Stage& stage) const {
@@ -135,28 +138,29 @@ class StageSimulator {
             if (!one) return std::nullopt;
             for (std::size_t k = 0; k < left_out.size(); ++k)
                 if (static_cast<std::size_t>(data_.blocks[k]) % 2 == half)
-                    left_out[k] = one->residuals[k];
+                    left_out[k] = one->standing.residuals[k];
         }
         auto all = model_of(stage.all, found);
         if (!all) return std::nullopt;
-        all->left_out = std::move(left_out);
-        all->score = deviance(data_.targets, all->noise, all->left_out);
-        if (!explains_what_it_has_seen(data_, *all)) return std::nullopt;
-        return Simulated{std::move(found), std::move(*all)};
+        Standing& standing = all->standing;
+        standing.left_out = std::move(left_out);
+        standing.score = deviance(data_.targets, standing.noise, standing.left_out);
+        if (!explains_what_it_has_seen(data_, standing)) return std::nullopt;
+        return Simulated{std::move(found), std::move(standing), std::move(all->place)};
     }
 
-    std::optional<Standing> model_of(const functions::JointFit& fit,
-                                     const std::vector<FoundFunction>& found) const {
+    std::optional<Joined> model_of(const functions::JointFit& fit,
+                                   const std::vector<FoundFunction>& found) const {
         return joined(data_, drivers_, place_, without_, x_, remainder_.moves_of(fit),
                       found);
     }
 
     const LoopData& data_;
     const effects::FunctionDrivers& drivers_;
-    Place& place_;
+    const Place& place_;
     const Standing& without_;
     const Remainder& remainder_;
-    Series x_;  ///< where the parameters move from
+    const Series& x_;  ///< where the parameters move from
 };
 
 /// Whether no meter's unseen readings are foretold worse.
@@ -174,13 +178,12 @@ bool spares_meters(const LoopData& data, const Standing& without, const Standing
 /// is better than that and spares all meters. Derivatives of the best so far are found.
 std::optional<Simulated> better_stage(const LoopData& data,
                                       const effects::FunctionDrivers& drivers,
-                                      Place& place, const Standing& without,
+                                      const Place& place, const Standing& without,
                                       Simulated& so_far) {
-    add_columns(so_far.functions, drivers, place);
     Standing& from = so_far.standing;
     if (!so_far.functions.empty()) refit(data, from, only_derivatives);
-    const Remainder remainder(data, place, from, drivers, so_far.functions,
-                              without.built.unknowns.size(), without.noise);
+    const Remainder remainder(data, so_far.place, from, drivers, so_far.functions,
+                              without.noise);
     const functions::Path path = remainder.search();
     const StageSimulator simulator(data, drivers, place, without, from, remainder);
     std::optional<Simulated> best;
@@ -199,20 +202,17 @@ std::optional<Simulated> better_stage(const LoopData& data,
 }
 
 /// Parameters were moved by linear steps, which foretell a simulation only so far. They
-/// are calibrated with the functions held, and stay there if unseen blocks are foretold
-/// better and no meter worse.
+/// are calibrated with the functions as they are, and stay there if unseen blocks are
+/// foretold better and no meter worse.
 void calibrate_with_functions(const LoopData& data, const Standing& without,
-                              std::size_t n_hooks, Standing& standing) {
+                              Standing& standing) {
     refit(data, standing, only_derivatives);
     Standing tried = standing;
-    for (std::size_t k = 0; k < n_hooks; ++k)
-        (tried.built.unknowns.rbegin() + static_cast<std::ptrdiff_t>(k))->least = 1;
     refit(data, tried, to_settle);
     if (tried.fit.failed) return;
     score_unseen(data, tried);
-    if (tried.score >= standing.score || !spares_meters(data, without, tried)) return;
-    tried.built.unknowns = standing.built.unknowns;
-    standing = std::move(tried);
+    if (tried.score < standing.score && spares_meters(data, without, tried))
+        standing = std::move(tried);
 }
 
 }  // namespace
@@ -221,18 +221,18 @@ std::vector<FoundFunction> find_functions(const LoopData& data, Place& place,
                                           Standing& standing) {
     const effects::FunctionDrivers drivers =
         effects::function_drivers(surroundings_of(place));
-    Standing without = standing;
-    score_unseen(data, without);
-    Simulated best{{}, without};
+    score_unseen(data, standing);
+    const Standing& without = standing;
+    Simulated best{{}, without, place};
     for (int round = 0; round < n_rounds; ++round) {
         auto better = better_stage(data, drivers, place, without, best);
         if (!better) break;
         best = std::move(*better);
     }
     if (best.functions.empty()) return {};
+    calibrate_with_functions(data, without, best.standing);
     standing = std::move(best.standing);
-    add_columns(best.functions, drivers, place);
-    calibrate_with_functions(data, without, by_hook(best.functions).size(), standing);
+    place = std::move(best.place);
     return std::move(best.functions);
 }
 
@@ -240,11 +240,16 @@ bool explains_what_it_has_seen(const LoopData& data, const Standing& standing) {
     return deviance(data.targets, standing.noise, standing.residuals) <= standing.score;
 }
 
-void add_columns(const std::vector<FoundFunction>& found,
-                 const effects::FunctionDrivers& drivers, Place& place) {
-    for (const FunctionsAtHook& one : by_hook(found))
+Place with_functions(Place place, const std::vector<FoundFunction>& found,
+                     const effects::FunctionDrivers& drivers) {
+    place.surroundings = std::make_shared<effects::Surroundings>(*place.surroundings);
+    place.functions.clear();
+    for (const FunctionsAtHook& one : by_hook(found)) {
+        place.functions.push_back(effect_of(one.at));
         place.surroundings->columns[column_of(one.at)] =
             effects::column_of(one.at.hook, one.functions, drivers);
+    }
+    return place;
 }
 
 }  // namespace bemcal::loop

@@ -11,9 +11,9 @@
 
 namespace bemcal::loop {
 
-/// Functions that the standing model lacks. They join it as effects that follow columns
-/// of the place, one for each hook, after those that it has; its parameters move with
-/// them. Nothing where no function passes.
+/// Functions that the standing model lacks. They join its place, and its parameters move
+/// with them. Nothing where no function passes. The standing's unseen readings are scored
+/// by the noise that it had.
 std::vector<FoundFunction> find_functions(const LoopData& data, Place& place,
                                           Standing& standing);
 
@@ -22,9 +22,9 @@ std::vector<FoundFunction> find_functions(const LoopData& data, Place& place,
 /// its functions ask for them to be: what lies between could not be simulated.
 bool explains_what_it_has_seen(const LoopData& data, const Standing& standing);
 
-/// Gives a place, of any period, the columns that functions' effects follow.
+/// The place, of any period, with functions in place of those that it had.
 /// \param drivers  of that period
-void add_columns(const std::vector<FoundFunction>& found,
-                 const effects::FunctionDrivers& drivers, Place& place);
+Place with_functions(Place place, const std::vector<FoundFunction>& found,
+                     const effects::FunctionDrivers& drivers);
 
 }  // namespace bemcal::loop

@@ -5,9 +5,6 @@
 /// the building does.
 #include "loop/given_effects.hpp"
 
-#include <algorithm>
-#include <iterator>
-
 namespace bemcal::loop {
 namespace {
 
@@ -36,14 +33,16 @@ std::vector<effects::HookSeries> changes_by(const Place& place, const BuiltModel
                                     {whole, with.placed->drive});
 }
 
-/// What stands behind the effects found are functions: they are given as one.
-void join_functions(std::size_t n_found, std::vector<study::GivenEffect>& given) {
-    if (given.size() <= n_found) return;
-    study::GivenEffect all{"functions", {}};
-    for (std::size_t k = n_found; k < given.size(); ++k)
-        std::ranges::move(given[k].at, std::back_inserter(all.at));
-    given.resize(n_found);
-    given.push_back(std::move(all));
+/// The same because of all functions.
+std::vector<effects::HookSeries> changes_by_functions(const Place& place,
+                                                      const BuiltModel& with,
+                                                      const std::vector<double>& values,
+                                                      const LoopModel& model) {
+    Place fewer = place;
+    fewer.functions.clear();
+    const BuiltModel without = place_only(fewer, model.effects);
+    return effects::changes_between({building_at(without, values), without.placed->drive},
+                                    {building_at(with, values), with.placed->drive});
 }
 
 }  // namespace
@@ -53,6 +52,7 @@ std::vector<study::GivenEffect> given_effects(const LoopData& data,
     const auto& found = result.last.model.effects;
     std::vector<study::GivenEffect> given(found.size());
     for (std::size_t k = 0; k < found.size(); ++k) given[k].name = found[k].name;
+    if (!result.functions.empty()) given.push_back({"functions", {}});
     std::size_t n_before = 0;
     for (const study::Period& period : data.building.periods) {
         const Place place = place_in(data, result.baseline, result.last.model,
@@ -63,9 +63,12 @@ std::vector<study::GivenEffect> given_effects(const LoopData& data,
         for (std::size_t k = 0; k < found.size(); ++k)
             effects::append(given[k].at, n_before,
                             changes_by(place, built, values, found, k), n_hours);
+        if (!result.functions.empty())
+            effects::append(given.back().at, n_before,
+                            changes_by_functions(place, built, values, result.last.model),
+                            n_hours);
         n_before += n_hours;
     }
-    join_functions(result.found.size(), given);
     return given;
 }
 

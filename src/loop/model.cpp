@@ -319,14 +319,27 @@ effects::Surroundings surroundings_of(const Place& place) {
 
 namespace {
 
-/// Those of the structure first.
+/// Functions, then those of the structure.
 std::vector<effects::Effect> all_effects_of(const Place& place,
                                             const std::vector<effects::Effect>& added) {
-    std::vector<effects::Effect> all;
-    all.reserve(place.always.size() + added.size());
+    std::vector<effects::Effect> all = place.functions;
+    all.reserve(all.size() + place.always.size() + added.size());
     for (const Refinement::Always& always : place.always) all.push_back(always.effect);
     all.insert(all.end(), added.begin(), added.end());
     return all;
+}
+
+/// Functions are there as they are: their coefficients, which come first, are 1 in the
+/// building and no parameters of it any more.
+void hold_functions(const Place& place, physics::Building& building,
+                    std::vector<physics::Parameter>& parameters) {
+    const auto n = static_cast<std::ptrdiff_t>(place.functions.size());
+    if (n == 0) return;
+    const std::vector<physics::Parameter> held(parameters.begin(),
+                                               parameters.begin() + n);
+    parameters.erase(parameters.begin(), parameters.begin() + n);
+    const physics::Building without = building;
+    physics::apply(without, held, std::vector<double>(held.size(), 1.0), building);
 }
 
 }  // namespace
@@ -343,9 +356,12 @@ BuiltModel place_only(const Place& place, const std::vector<effects::Effect>& ad
     built.building = place.building;
     built.drive = place.drive;
     built.n_effects = added.size();
-    const std::vector<effects::Effect> all = all_effects_of(place, added);
-    built.placed = std::make_shared<const effects::Placed>(
-        effects::place(all, surroundings_of(place)));
+    std::vector<effects::Effect> all = all_effects_of(place, added);
+    effects::Placed placed = effects::place(all, surroundings_of(place));
+    hold_functions(place, placed.building, placed.parameters);
+    all.erase(all.begin(),
+              all.begin() + static_cast<std::ptrdiff_t>(place.functions.size()));
+    built.placed = std::make_shared<const effects::Placed>(std::move(placed));
     built.parameters = place.parameters;
     built.unknowns = place.unknowns;
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -387,7 +403,8 @@ const study::FitModel& OneMore::with(const effects::Effect& effect) {
     building_ = placer.building();
     placer.write_profiles(drive_);
     parameters_ = place_.parameters;
-    const auto& placed = placer.parameters();
+    std::vector<physics::Parameter> placed = placer.parameters();
+    hold_functions(place_, building_, placed);
     parameters_.insert(parameters_.end(), placed.begin(), placed.end());
     fit_model_ = std::make_unique<const study::FitModel>(building_, parameters_, drive_,
                                                          place_.channels);

@@ -98,6 +98,9 @@ struct Place {
     std::vector<physics::Parameter> parameters;
     std::vector<study::FitUnknown> unknowns;
     std::vector<effects::Refinement::Always> always;  ///< of the structure
+    /// What functions bring, one effect for each of their hooks: it is there as it is,
+    /// no unknown goes with it.
+    std::vector<effects::Effect> functions;
     std::vector<kernel::Channel> channels;
 };
 

@@ -90,7 +90,7 @@ void ReadingLayout::sort_into_blocks() {
 
 Remainder::Remainder(const LoopData& data, const Place& place, const Standing& standing,
                      const effects::FunctionDrivers& drivers,
-                     const std::vector<FoundFunction>& there, std::size_t n_unknowns,
+                     const std::vector<FoundFunction>& there,
                      const std::vector<ChannelNoise>& noise)
     : standing_(standing),
       layout_(data, noise),
@@ -100,7 +100,7 @@ Remainder::Remainder(const LoopData& data, const Place& place, const Standing& s
     for (const functions::Basis& basis : bases_)
         inputs_.push_back(functions::columns_of(
             basis, of_period(drivers.at(basis.driver), *place.drive)));
-    for (std::size_t k = 0; k < n_unknowns; ++k)
+    for (std::size_t k = 0; k < standing.built.unknowns.size(); ++k)
         if (standing.fit.bound[k] == 0) free_.push_back(k);
     for (const FoundFunction& function : there) {
         const auto id = id_of(function);

@@ -45,12 +45,12 @@ class ReadingLayout {
 /// driver has a number, its id.
 class Remainder {
   public:
-    /// \param there       functions that the standing model has already
-    /// \param n_unknowns  of the model without them
-    /// \param noise       that weighs the meters
+    /// \param place  with the functions that the standing model has already
+    /// \param there  these functions
+    /// \param noise  that weighs the meters
     Remainder(const LoopData& data, const Place& place, const Standing& standing,
               const effects::FunctionDrivers& drivers,
-              const std::vector<FoundFunction>& there, std::size_t n_unknowns,
+              const std::vector<FoundFunction>& there,
               const std::vector<ChannelNoise>& noise);
 
     functions::Path search() const;

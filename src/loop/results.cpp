@@ -204,9 +204,8 @@ class Writer {
                 sd = deviation_of(result_.found[k], sd, last.coefficient(k));
         }
         const auto accounts = accounts_of(data_);
-        const auto worth =
-            worth_of_effects(data_, result_.baseline.place, last, result_.found.size(),
-                             sds, result_.misfit, accounts);
+        const auto worth = worth_of_effects(data_, result_.baseline.place, last, sds,
+                                            result_.misfit, accounts);
         for (std::size_t k = 0; k < worth.size(); ++k)
             for (std::size_t a = 0; a < accounts.size(); ++a)
                 loop_.effect_values.push_back({static_cast<double>(k), accounts[a].of,
@@ -472,11 +471,11 @@ Place place_in(const LoopData& data, const Baseline& baseline, const LoopModel& 
                const std::vector<FoundFunction>& functions,
                std::shared_ptr<const physics::Drive> drive) {
     Place place = make_place(data, model.structure, std::move(drive));
-    if (!model.effects.empty())
+    if (!model.effects.empty() || !functions.empty())
         know_loads(place, baseline.chosen, baseline.place.surroundings->model);
-    if (!functions.empty())
-        add_columns(functions, effects::function_drivers(surroundings_of(place)), place);
-    return place;
+    if (functions.empty()) return place;
+    const auto drivers = effects::function_drivers(surroundings_of(place));
+    return with_functions(std::move(place), functions, drivers);
 }
 
 StoredLoop without_predictions(const std::string& stage, const LoopData& written,

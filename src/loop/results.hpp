@@ -22,7 +22,7 @@ struct LoopResult {
     Baseline baseline;
     Standing last;                         ///< with effects
     std::vector<Found> found;              ///< [last.model.effects]
-    std::vector<FoundFunction> functions;  ///< their effects follow those found
+    std::vector<FoundFunction> functions;  ///< those of baseline.place
     std::vector<LearnedHours> hours;       ///< that nobody wrote down; plain lacks them
     std::vector<LoggedStep> log;
     PowerTable power;

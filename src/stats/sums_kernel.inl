@@ -1,6 +1,6 @@
-// The loops of SumsKernel, in an unnamed namespace of the file that includes this.
-// Vectors are the compiler's own: as many registers as the instruction set needs for
-// eight parts. Four sums at once use each value that is loaded twice.
+/// The loops of SumsKernel, in an unnamed namespace of the file that includes this.
+/// Vectors are the compiler's own: as many registers as the instruction set needs for
+/// eight parts. Four sums at once use each value that is loaded twice.
 
 namespace {
 

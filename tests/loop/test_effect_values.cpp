@@ -24,7 +24,7 @@ double gas_with(double coefficient) {
 }
 
 std::vector<std::vector<Worth>> worth_in(const test::WindyModel& model) {
-    return worth_of_effects(model.data, model.place, model.standing, 1,
+    return worth_of_effects(model.data, model.place, model.standing,
                             deviations_of(model.data, model.standing, 1), 1,
                             accounts_of(model.data));
 }

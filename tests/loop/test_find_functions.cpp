@@ -96,8 +96,6 @@ TEST(FindFunctions, ParametersEndWhereTheSimulationWantsThem) {
     const auto found = find_functions(data, place, standing);
     ASSERT_FALSE(found.empty());
     Standing more = standing;
-    for (std::size_t k = 0; k < by_hook(found).size(); ++k)
-        more.built.unknowns[place.unknowns.size() + k].least = 1;
     refit(data, more, to_settle);
     ASSERT_FALSE(more.fit.failed);
     EXPECT_LT(standing.fit.objective - more.fit.objective, 1);
