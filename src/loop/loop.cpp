@@ -75,6 +75,25 @@ class Search {
                 {"last fit", "meters that were explained worse count more", 0, 0, 0, {}});
     }
 
+    /// One more effect, where functions have taken the model's misfit. Says whether one
+    /// joined whose coefficient is certain.
+    bool add_beside_functions() {
+        const std::size_t n_before = result_.found.size();
+        if (!accept_one(result_.baseline.place) || result_.found.size() <= n_before)
+            return false;
+        note_what_shapes_leave_open(result_.baseline.place);
+        const Found& newest = result_.found.back();
+        if (fate_of(certainties_of().back(), newest.gain, threshold_) == Fate::stays)
+            return true;
+        result_.log.push_back({result_.last.model.effects.back().name,
+                               "left: its coefficient may be nearly nothing",
+                               0,
+                               0,
+                               0,
+                               {}});
+        return false;
+    }
+
     /// What ended the search: all of it is to be done again by the right hour.
     const std::optional<LateClock>& late_clock() const { return late_clock_; }
 
@@ -275,6 +294,74 @@ class Search {
     std::vector<std::string> barred_;
 };
 
+/// The last model with functions, found about it as it is without any.
+void lay_rest_to_functions(const LoopData& data, const Place& place, LoopResult& result) {
+    result.baseline.place = place;
+    result.functions = find_functions(data, result.baseline.place, result.last);
+}
+
+/// What a search sees where functions have taken the misfit: readings less what functions
+/// bring to them, and the last model without functions. Candidates without a name are
+/// left to functions.
+struct BesideFunctions {
+    LoopData data;
+    LoopResult result;
+};
+
+/// Nothing where the model needs its functions to be simulated.
+std::optional<BesideFunctions> beside_functions(const LoopData& data, const Place& place,
+                                                const LoopResult& result) {
+    BesideFunctions beside{data, result};
+    beside.data.options.generic = false;
+    beside.result.baseline.place = place;
+    Standing& last = beside.result.last;
+    last.built = build(place, last.model.effects);
+    last.fit.at = {last.fit.at.x, {}, {}};
+    refit(data, last, only_derivatives);
+    if (last.fit.failed) return std::nullopt;
+    for (std::size_t k = 0; k < data.targets.size(); ++k)
+        beside.data.targets.measured[k] -=
+            result.last.fit.at.predicted[k] - last.fit.at.predicted[k];
+    settle(beside.data, last);
+    return beside;
+}
+
+/// A model's misfit hides what is small, and functions take the misfit: beside them
+/// effects with a name are searched once more. One that passes joins the model without
+/// functions, which are found again. All of it stays if it foretells unseen readings
+/// better than the functions that were there.
+void search_beside_functions(const LoopData& data, const Place& place, LoopResult& result,
+                             UnderWay& under_way) {
+    const auto most = static_cast<std::size_t>(data.options.most_effects);
+    while (!result.functions.empty() && result.last.model.effects.size() < most) {
+        under_way.begin("effects beside functions");
+        auto beside = beside_functions(data, place, result);
+        if (!beside) return;
+        LoopResult& tried = beside->result;
+        const bool is_added =
+            Search(beside->data, tried, under_way, false).add_beside_functions();
+        result.log = tried.log;
+        if (!is_added) return;
+        settle(data, tried.last);
+        if (tried.last.fit.failed) return;
+        lay_rest_to_functions(data, place, tried);
+        const auto score_of = [&](const LoopResult& one) {
+            return deviance(data.targets, result.last.noise, one.last.left_out);
+        };
+        if (score_of(tried) >= score_of(result)) {
+            result.log.push_back({tried.last.model.effects.back().name,
+                                  "left: functions foretell as much without it",
+                                  0,
+                                  0,
+                                  0,
+                                  {}});
+            return;
+        }
+        tried.candidates = result.candidates;
+        result = std::move(tried);
+    }
+}
+
 /// The building as it is written, with the hours that nobody wrote down, which are
 /// learned in the standard's model, and again in the structure that is then chosen.
 class WithHours {
@@ -428,8 +515,11 @@ Ended search_from(const LoopData& data, Baseline baseline,
     if (ended.late_clock) return ended;
     if (result.last.model.effects.empty()) result.last = result.baseline.chosen;
     under_way.begin("functions");
-    if (data.options.functions)
-        result.functions = find_functions(data, result.baseline.place, result.last);
+    if (data.options.functions) {
+        const Place without = place;
+        lay_rest_to_functions(data, without, result);
+        search_beside_functions(data, without, result, under_way);
+    }
     under_way.begin("intervals");
     result.after = localise(data, place, result.last);
     result.unexplained = unexplained_of(data, result.last);
