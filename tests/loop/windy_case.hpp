@@ -55,9 +55,9 @@ inline void add_rain(study::Case& made) {
     made.columns.push_back({"rain", "mm"});
 }
 
-/// Adds the gas meter of the building with the effect, with errors of 3 % of its mean.
-inline void measure(study::Case& made, const effects::Effect& effect, double coefficient,
-                    std::uint64_t seed) {
+/// Adds the gas meter of the building with effects, with errors of 3 % of its mean.
+inline void measure(study::Case& made, const std::vector<effects::Effect>& effects,
+                    const std::vector<double>& coefficients, std::uint64_t seed) {
     const study::Period all{"all", made.periods.front().from, made.periods.back().to};
     const physics::Drive drive = study::drive_of(made, all);
     auto around = effects::make_surroundings(made.building, drive, made.weather,
@@ -67,10 +67,9 @@ inline void measure(study::Case& made, const effects::Effect& effect, double coe
         if (made.profiles[p].is_series)
             around.columns[made.profiles[p].name].assign(row.begin(), row.end());
     }
-    const auto placed = effects::place(std::vector{effect}, around);
+    const auto placed = effects::place(effects, around);
     physics::Building building = placed.building;
-    physics::apply(placed.building, placed.parameters, std::vector{coefficient},
-                   building);
+    physics::apply(placed.building, placed.parameters, coefficients, building);
     auto gas = physics::predict(building, placed.drive,
                                 physics::simulate(building, placed.drive),
                                 physics::Quantity::gas);
@@ -80,6 +79,10 @@ inline void measure(study::Case& made, const effects::Effect& effect, double coe
     for (double& value : gas) value += 0.03 * mean * sampling::standard_normal(random);
     made.meters = {{"gas", physics::Quantity::gas, physics::Interval::hourly,
                     study::axis_of(made, all), gas}};
+}
+inline void measure(study::Case& made, const effects::Effect& effect, double coefficient,
+                    std::uint64_t seed) {
+    measure(made, std::vector{effect}, std::vector{coefficient}, seed);
 }
 
 }  // namespace bemcal::test

@@ -1,0 +1,68 @@
+/// Effects that a misfit hides, and functions show.
+#include "loop/loop.hpp"
+#include "loop/windy_case.hpp"
+#include "study/find.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+using namespace bemcal;
+using namespace bemcal::loop;
+using namespace bemcal::study;
+
+namespace {
+
+/// Heat that nobody meters, from 5 to 9 h.
+effects::Effect gains_of_the_morning() {
+    effects::Effect effect;
+    effect.name = "gains";
+    effect.hook = effects::Hook::gains;
+    effect.driver = effects::Driver::hour;
+    effect.shape = {effects::Form::within, 5, 9};
+    effect.most = 60;
+    return effect;
+}
+
+std::vector<Dataset> searched(double gains, double wind, bool functions) {
+    Case made = test::windy_case();
+    test::measure(made, {gains_of_the_morning(), test::named("wind infiltration")},
+                  {gains, wind}, 3);
+    LoopOptions options;
+    options.block_days = 7;
+    options.try_structures = false;
+    options.functions = functions;
+    options.generic = false;
+    for (const effects::Entry& entry : effects::catalogue())
+        if (entry.effect.name != "wind infiltration")
+            options.exclude.push_back(entry.effect.name);
+    const std::vector<Case> buildings = {made};
+    const auto stage = make_loop("loop", buildings, options);
+    return stage->conclude({stage->run(0)}).datasets;
+}
+
+}  // namespace
+
+TEST(BesideFunctions, WhatAMisfitHidesIsSeenBesideThem) {
+    EXPECT_TRUE(test::find(searched(40, 0.02, false), "effect").texts.empty());
+    const auto datasets = searched(40, 0.02, true);
+    EXPECT_EQ(test::find(datasets, "effect").texts,
+              std::vector<std::string>{"wind infiltration"});
+    EXPECT_GT(std::ranges::max(test::find(datasets, "step_gain").values), 100);
+    // What the functions are is not lost.
+    EXPECT_FALSE(test::find(datasets, "function").texts.empty());
+}
+
+TEST(BesideFunctions, WhereThereIsNoneNoneIsFound) {
+    for (const double gains : {10.0, 20.0, 40.0})
+        EXPECT_TRUE(test::find(searched(gains, 0, true), "effect").texts.empty());
+}
+
+TEST(BesideFunctions, WhatFunctionsForetellAsWellLeavesAgain) {
+    const auto datasets = searched(40, 0.005, true);
+    EXPECT_TRUE(test::find(datasets, "effect").texts.empty());
+    const auto& verdicts = test::find(datasets, "step_verdict").texts;
+    ASSERT_GE(verdicts.size(), 2U);
+    EXPECT_EQ(verdicts[verdicts.size() - 2], "accepted");
+    EXPECT_EQ(verdicts.back(), "left: functions foretell as much without it");
+}
