@@ -7,6 +7,8 @@
 
 #include "kernel/regime.hpp"
 
+#include <algorithm>
+
 namespace bemcal::kernel {
 
 namespace {
@@ -141,22 +143,26 @@ void write_general_row(const Regime& regime, int step, Columns columns) {
         columns.add(physics::venting_conductance(regime.zone, regime.drive, step));
 }
 
+double* regime_at(const ZonePlan& plan, int regime, const LaneTables& tables) {
+    return tables.regimes +
+           static_cast<long>(regime) * plan.regime_columns() * tables.lanes;
+}
+double* row_at(const ZonePlan& plan, int row, const LaneTables& tables) {
+    return tables.rows + static_cast<long>(row) * plan.row_columns() * tables.lanes;
+}
+
 /// Calls write(first step of the row, its columns).
 template <class Write>
 void for_rows(const Regime& regime, const LaneTables& tables, Write write) {
     const ZonePlan& plan = regime.plan;
-    for (int row : plan.rows_of_regime[static_cast<std::size_t>(regime.index)]) {
-        double* at =
-            tables.rows + static_cast<long>(row) * plan.row_columns() * tables.lanes;
-        write(plan.rows.first[static_cast<std::size_t>(row)], Columns{at, tables.lanes});
-    }
+    for (int row : plan.rows_of_regime[static_cast<std::size_t>(regime.index)])
+        write(plan.rows.first[static_cast<std::size_t>(row)],
+              Columns{row_at(plan, row, tables), tables.lanes});
 }
 
 void write_regime(const Regime& regime, const LaneTables& tables) {
     const ZonePlan& plan = regime.plan;
-    const Columns columns{tables.regimes + static_cast<long>(regime.index) *
-                                               plan.regime_columns() * tables.lanes,
-                          tables.lanes};
+    const Columns columns{regime_at(plan, regime.index, tables), tables.lanes};
     if (plan.is_standard()) {
         const StandardRows rows(regime);
         write_standard_regime(regime, columns);
@@ -172,11 +178,21 @@ void write_regime(const Regime& regime, const LaneTables& tables) {
 
 }  // namespace
 
-void write_coefficients(const ZonePlan& plan, const physics::Building& building,
-                        const physics::Drive& drive, physics::Network& network,
-                        const LaneTables& tables) {
-    for (int index = 0; index < plan.regimes.size(); ++index)
-        write_regime(make_regime(plan, index, building, drive, network), tables);
+void write_coefficients(const ZonePlan& plan, int regime,
+                        const physics::Building& building, const physics::Drive& drive,
+                        physics::Network& network, const LaneTables& tables) {
+    write_regime(make_regime(plan, regime, building, drive, network), tables);
+}
+
+void repeat_coefficients(const ZonePlan& plan, int regime, int first,
+                         const LaneTables& tables) {
+    const auto repeat = [&](double* columns, int n) {
+        for (int k = 0; k < n; ++k, columns += tables.lanes)
+            std::fill(columns + first, columns + tables.lanes, columns[first - 1]);
+    };
+    repeat(regime_at(plan, regime, tables), plan.regime_columns());
+    for (const int row : plan.rows_of_regime[static_cast<std::size_t>(regime)])
+        repeat(row_at(plan, row, tables), plan.row_columns());
 }
 
 void write_start(const ZonePlan& plan, double theta_start, double* state, int lanes) {

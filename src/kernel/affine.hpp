@@ -13,11 +13,17 @@ struct LaneTables {
     int lanes;
 };
 
-/// Throws CannotSimulate where the zone leaves the method (make_network, control_at).
+/// Of one regime and its rows. Throws CannotSimulate where the zone leaves the method
+/// (make_network, control_at).
 /// \param network  scratch, so that nothing is allocated
-void write_coefficients(const ZonePlan& plan, const physics::Building& building,
-                        const physics::Drive& drive, physics::Network& network,
-                        const LaneTables& tables);
+void write_coefficients(const ZonePlan& plan, int regime,
+                        const physics::Building& building, const physics::Drive& drive,
+                        physics::Network& network, const LaneTables& tables);
+
+/// Gives lanes [first, all) those of the lane before them.
+/// \param tables  of lane 0
+void repeat_coefficients(const ZonePlan& plan, int regime, int first,
+                         const LaneTables& tables);
 
 /// The lane's state before the warm-up, all temperatures alike.
 /// \param state  the lane's first element of [states x lanes]

@@ -61,16 +61,23 @@ void run_plain(BatchGroup& group, int lane) {
     }
 }
 
-/// One lane; returns why it failed, empty = it did not.
-std::string prepare_lane(std::span<const double> point, int lane, BatchGroup& group) {
-    try {
-        group.write_lane(point, lane);
-        if (group.plan.plain) run_plain(group, lane);
-        return {};
-    } catch (const CannotSimulate& error) {
-        group.clear_lane(lane);
-        return error.what();
+/// Buildings that run plain, one after the other; of one that cannot, why. Lanes beyond
+/// them are as the last.
+void run_plain(BatchGroup& group, std::vector<std::string>& failures) {
+    const int count = static_cast<int>(failures.size());
+    for (int lane = 0; lane < count; ++lane) {
+        std::string& failure = failures[static_cast<std::size_t>(lane)];
+        try {
+            if (failure.empty()) run_plain(group, lane);
+        } catch (const CannotSimulate& error) {
+            failure = error.what();
+        }
+        if (failure.empty()) continue;
+        for (LaneArray& rows : group.plain) rows.clear_lane(lane);
     }
+    for (LaneArray& rows : group.plain)
+        for (int lane = count; lane < group.plan.table.lanes && !rows.empty(); ++lane)
+            rows.copy_lane(count - 1, lane);
 }
 
 }  // namespace
@@ -142,11 +149,8 @@ std::vector<Batch::GroupPointer> Batch::make_groups(std::size_t n,
 
 std::vector<std::string> Batch::prepare(const Matrix& points, std::size_t first,
                                         std::size_t count, Group& group) const {
-    std::vector<std::string> failures(count);
-    for (std::size_t k = 0; k < count; ++k)
-        failures[k] = prepare_lane(points.row(first + k), static_cast<int>(k), group);
-    for (int lane = static_cast<int>(count); lane < lanes(); ++lane)
-        group.copy_lane(static_cast<int>(count) - 1, lane);
+    std::vector<std::string> failures = group.write(points, first, count);
+    if (plan_->plain) run_plain(group, failures);
     if (group.meter_at_once) group.meter(*group.meter_at_once);
     return failures;
 }

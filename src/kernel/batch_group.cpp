@@ -3,6 +3,7 @@
 /// Follows from affine, meter_rows and the kernel's table. Numbers before the first that
 /// changed are not written again. What the points share is in batch_plan, buildings that
 /// run plain are run in batch.cpp.
+#include "base/error.hpp"
 #include "base/nan.hpp"
 #include "kernel/batch_plan.hpp"
 #include "kernel/meter_rows.hpp"
@@ -84,43 +85,72 @@ void BatchGroup::write_building(std::span<const double> point, std::size_t lane)
     std::ranges::copy(point, before.begin());
 }
 
-void BatchGroup::write_lane(std::span<const double> point, int lane) {
-    const int lanes = plan.table.lanes;
-    write_building(point, static_cast<std::size_t>(lane));
-    const physics::Building& building = buildings[static_cast<std::size_t>(lane)];
+std::vector<std::string> BatchGroup::write(const Matrix& points, std::size_t first,
+                                           std::size_t count) {
+    std::vector<std::string> failures(count);
     meter_is_made_.fill(false);
     mixed_is_of_.reset();
+    for (std::size_t lane = 0; lane < count; ++lane) {
+        write_building(points.row(first + lane), lane);
+        write_start(static_cast<int>(lane));
+    }
+    for (std::size_t zone = 0; zone < zones.size(); ++zone) write_zone(zone, failures);
+    for (std::size_t lane = 0; lane < count; ++lane)
+        if (!failures[lane].empty()) clear_lane(static_cast<int>(lane));
+    const int last = static_cast<int>(count) - 1;
+    for (int lane = last + 1; lane < plan.table.lanes; ++lane) repeat_lane(last, lane);
+    return failures;
+}
+
+void BatchGroup::write_start(int lane) {
+    const physics::Building& building = buildings[static_cast<std::size_t>(lane)];
     is_broken_[static_cast<std::size_t>(lane)] = 0;
     for (std::size_t z = 0; z < zones.size(); ++z) {
-        Zone& zone = zones[z];
-        write_coefficients(plan.zones[z], building, plan.drive, network_,
-                           {zone.regimes.data() + lane, zone.rows.data() + lane, lanes});
-        write_start(plan.zones[z], plan.drive.theta_start, zone.state.data() + lane,
-                    lanes);
+        kernel::write_start(plan.zones[z], plan.drive.theta_start,
+                            zones[z].state.data() + lane, plan.table.lanes);
         floor_share_.column(z)[lane] =
             building.zones[z].floor_area / building.floor_area();
     }
 }
 
-void BatchGroup::copy_lane(int from, int to) {
+/// Regime by regime, all lanes of each: where every hour has its own, the tables are
+/// larger than any cache.
+void BatchGroup::write_zone(std::size_t zone, std::vector<std::string>& failures) {
+    const int lanes = plan.table.lanes;
+    double *const regimes = zones[zone].regimes.data(), *const rows =
+                                                            zones[zone].rows.data();
+    for (int regime = 0; regime < plan.zones[zone].regimes.size(); ++regime) {
+        for (std::size_t lane = 0; lane < failures.size(); ++lane) {
+            if (!failures[lane].empty()) continue;
+            try {
+                write_coefficients(plan.zones[zone], regime, buildings[lane], plan.drive,
+                                   network_, {regimes + lane, rows + lane, lanes});
+            } catch (const CannotSimulate& error) {
+                failures[lane] = error.what();
+            }
+        }
+        repeat_coefficients(plan.zones[zone], regime, static_cast<int>(failures.size()),
+                            {regimes, rows, lanes});
+    }
+}
+
+/// All but the coefficients.
+void BatchGroup::repeat_lane(int from, int to) {
     const auto source = static_cast<std::size_t>(from),
                target = static_cast<std::size_t>(to);
     buildings[target] = buildings[source];
     std::ranges::copy(written->points.row(source), written->points.row(target).begin());
-    for (Zone& zone : zones)
-        for (LaneArray* array : {&zone.regimes, &zone.rows, &zone.state})
-            array->copy_lane(from, to);
-    for (LaneArray& rows : plain) rows.copy_lane(from, to);
+    for (Zone& zone : zones) zone.state.copy_lane(from, to);
     floor_share_.copy_lane(from, to);
 }
 
+/// Coefficients that stay finite, for a lane that failed.
 void BatchGroup::clear_lane(int lane) {
     buildings[static_cast<std::size_t>(lane)] = plan.nominal;
     std::ranges::fill(written->points.row(static_cast<std::size_t>(lane)), nan);
     for (Zone& zone : zones)
         for (LaneArray* array : {&zone.regimes, &zone.rows, &zone.state})
             array->clear_lane(lane);
-    for (LaneArray& rows : plain) rows.clear_lane(lane);
 }
 
 bool BatchGroup::is_finite(int lane) const {

@@ -69,12 +69,12 @@ struct BatchGroup {
     /// One that writes into buildings of others, and reads this meter at once.
     BatchGroup(const BatchPlan& shared, std::shared_ptr<Written> buildings,
                std::optional<physics::Quantity> meter);
-    /// One lane's coefficients and start. Throws CannotSimulate where the point is
-    /// impossible.
-    void write_lane(std::span<const double> point, int lane);
-    void copy_lane(int from, int to);
+    /// Coefficients and starts of points [first, first + count), which take the first
+    /// lanes; lanes beyond are as the last of these. Says of each why it is impossible,
+    /// empty = it is not; its coefficients then are finite.
+    std::vector<std::string> write(const Matrix& points, std::size_t first,
+                                   std::size_t count);
     bool is_finite(int lane) const;  ///< all states are numbers
-    void clear_lane(int lane);  ///< coefficients that stay finite, for a lane that failed
     /// Steps [begin, end) of all zones; no more than a chunk if something is shown.
     /// Returns the building's rows.
     PowerRows run(int begin, int end, Show show);
@@ -104,6 +104,10 @@ struct BatchGroup {
   private:
     void make_room(Show show);
     void write_building(std::span<const double> point, std::size_t lane);
+    void write_start(int lane);
+    void write_zone(std::size_t zone, std::vector<std::string>& failures);
+    void repeat_lane(int from, int to);
+    void clear_lane(int lane);
     void write_mixed(physics::Quantity quantity);
 
     physics::Network network_;  ///< scratch
