@@ -82,9 +82,11 @@ class Search {
         if (!accept_one(result_.baseline.place) || result_.found.size() <= n_before)
             return false;
         note_what_shapes_leave_open(result_.baseline.place);
-        const Found& newest = result_.found.back();
-        if (fate_of(certainties_of().back(), newest.gain, threshold_) == Fate::stays)
+        Found& newest = result_.found.back();
+        if (fate_of(certainties_of().back(), newest.gain, threshold_) == Fate::stays) {
+            if (newest.doubt.empty()) newest.doubt = "it is seen only beside functions";
             return true;
+        }
         result_.log.push_back({result_.last.model.effects.back().name,
                                "left: its coefficient may be nearly nothing",
                                0,
