@@ -5,8 +5,6 @@
 /// to meters.
 #include "kernel/affine.hpp"
 
-#include "kernel/regime.hpp"
-
 #include <algorithm>
 
 namespace bemcal::kernel {
@@ -180,8 +178,8 @@ void write_regime(const Regime& regime, const LaneTables& tables) {
 
 void write_coefficients(const ZonePlan& plan, int regime,
                         const physics::Building& building, const physics::Drive& drive,
-                        physics::Network& network, const LaneTables& tables) {
-    write_regime(make_regime(plan, regime, building, drive, network), tables);
+                        RegimeRoom& room, const LaneTables& tables) {
+    write_regime(make_regime(plan, regime, building, drive, room), tables);
 }
 
 void repeat_coefficients(const ZonePlan& plan, int regime, int first,

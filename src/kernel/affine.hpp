@@ -2,7 +2,7 @@
 /// (step_map.hpp), contracted with what drives the zone, and each row's constants.
 #pragma once
 
-#include "kernel/plan.hpp"
+#include "kernel/regime.hpp"
 
 namespace bemcal::kernel {
 
@@ -15,10 +15,9 @@ struct LaneTables {
 
 /// Of one regime and its rows. Throws CannotSimulate where the zone leaves the method
 /// (make_network, control_at).
-/// \param network  scratch, so that nothing is allocated
 void write_coefficients(const ZonePlan& plan, int regime,
                         const physics::Building& building, const physics::Drive& drive,
-                        physics::Network& network, const LaneTables& tables);
+                        RegimeRoom& room, const LaneTables& tables);
 
 /// Gives lanes [first, all) those of the lane before them.
 /// \param tables  of lane 0

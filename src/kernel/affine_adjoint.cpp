@@ -328,9 +328,10 @@ void pull_regime(RegimeBack& regime, int index, const LaneAdjoints& tables) {
 void pull_coefficients(const ZonePlan& plan, const physics::Building& building,
                        const physics::Drive& drive, NetworkPair& scratch,
                        const LaneAdjoints& tables, physics::Building& of_building) {
-    auto& [network, of_network] = scratch;
+    auto& [room, of_network] = scratch;
+    const physics::Network& network = room.network;
     for (int index = 0; index < plan.regimes.size(); ++index) {
-        const Regime regime = make_regime(plan, index, building, drive, network);
+        const Regime regime = make_regime(plan, index, building, drive, room);
         adjoint::clear_adjoints(network, of_network);
         const adjoint::PlaceBack place{
             building, plan.zone, drive,

@@ -16,7 +16,8 @@ struct LaneAdjoints {
 
 /// Scratch, so that nothing is allocated.
 struct NetworkPair {
-    physics::Network network, of_network;
+    RegimeRoom room;
+    physics::Network of_network;
 };
 
 /// Of write_coefficients: adds to the building's adjoints.

@@ -124,7 +124,7 @@ void BatchGroup::write_zone(std::size_t zone, std::vector<std::string>& failures
             if (!failures[lane].empty()) continue;
             try {
                 write_coefficients(plan.zones[zone], regime, buildings[lane], plan.drive,
-                                   network_, {regimes + lane, rows + lane, lanes});
+                                   room_, {regimes + lane, rows + lane, lanes});
             } catch (const CannotSimulate& error) {
                 failures[lane] = error.what();
             }

@@ -110,8 +110,8 @@ struct BatchGroup {
     void clear_lane(int lane);
     void write_mixed(physics::Quantity quantity);
 
-    physics::Network network_;  ///< scratch
-    LaneArray floor_share_;     ///< [zones x lanes]
+    RegimeRoom room_;
+    LaneArray floor_share_;  ///< [zones x lanes]
     std::size_t most_steps_ = 1;
     Rows of_zone_, of_building_;   ///< of a chunk
     LaneArray shown_;              ///< a quantity over a chunk

@@ -87,7 +87,8 @@ Line cooling_line(const Regime& regime) {
 }
 
 Regime make_regime(const ZonePlan& plan, int index, const physics::Building& building,
-                   const physics::Drive& drive, physics::Network& network) {
+                   const physics::Drive& drive, RegimeRoom& room) {
+    physics::Network& network = room.network;
     const physics::Zone& zone = building.zones[plan.zone];
     const int step = plan.regimes.first[static_cast<std::size_t>(index)];
     physics::make_network(building, zone, drive, step, network);
@@ -100,7 +101,7 @@ Regime make_regime(const ZonePlan& plan, int index, const physics::Building& bui
             network,
             physics::radiant_split(network),
             plan.is_standard() ? physics::standard_step_map(network, dt)
-                               : physics::make_step_map(network, dt),
+                               : room.maps.of(network, dt),
             physics::control_at(zone, drive, step)};
 }
 

@@ -73,10 +73,14 @@ struct Regime {
     int step() const { return plan.regimes.first[static_cast<std::size_t>(index)]; }
 };
 
+/// Where regimes are made, one after the other.
+struct RegimeRoom {
+    physics::Network network;  ///< of the last; nothing is allocated for the next
+    physics::StepMaps maps;
+};
 /// The regime at the step in which it appears first. Throws as make_network, control_at.
-/// \param network  scratch, written
 Regime make_regime(const ZonePlan& plan, int index, const physics::Building& building,
-                   const physics::Drive& drive, physics::Network& network);
+                   const physics::Drive& drive, RegimeRoom& room);
 
 inline double span_of(const physics::Input& input) {
     return input.value - input.low;

@@ -21,6 +21,18 @@ StepMap make_step_map(const Network& network, double dt) {
     return map;
 }
 
+const StepMap& StepMaps::of(const Network& n, double dt) {
+    const std::array numbers{
+        dt,        n.A_m,     n.A_tot,       n.C_m,          n.H_tr_w,
+        n.H_tr_em, n.H_tr_ms, n.H_tr_is,     n.H_ve,         n.air_capacity,
+        n.H_2,     n.C_2,     n.tau_emitter, n.radiant_share};
+    if (numbers != numbers_) {
+        map_ = make_step_map(n, dt);
+        numbers_ = numbers;
+    }
+    return map_;
+}
+
 StepMap standard_step_map(const Network& n, double dt) {
     const StandardParts p = make_standard_parts(n, dt);
     const auto write = [&](double per_m, double per_st, double per_ia, LinearForm& form) {

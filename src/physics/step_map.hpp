@@ -11,6 +11,8 @@
 #include "physics/linear_form.hpp"
 #include "physics/network.hpp"
 
+#include <array>
+
 namespace bemcal::physics {
 
 /// Results of a step. Means of the step unless `_after`, which are at its end. The air
@@ -22,6 +24,17 @@ struct StepMap {
 
 /// \param dt  [s]
 StepMap make_step_map(const Network& network, double dt);
+
+/// Makes maps one after the other, all of one step: of buildings beside each other most
+/// numbers that a map follows from are the same, and then so is the map.
+class StepMaps {
+  public:
+    const StepMap& of(const Network& network, double dt);
+
+  private:
+    std::array<double, 14> numbers_{};  ///< of the last network; all 0: none yet
+    StepMap map_;
+};
 
 /// Of the same forms the two that the standard hour needs (theta_m_after, theta_air) at
 /// the terms that it has, from C.4 to C.11 written out: a twentieth of the work.
