@@ -6,6 +6,7 @@
 #include "loop/find_functions.hpp"
 
 #include "base/error.hpp"
+#include "loop/gates.hpp"
 #include "loop/remainder.hpp"
 
 #include <algorithm>
@@ -145,7 +146,6 @@ class StageSimulator {
         Standing& standing = all->standing;
         standing.left_out = std::move(left_out);
         standing.score = deviance(data_.targets, standing.noise, standing.left_out);
-        if (!explains_what_it_has_seen(data_, standing)) return std::nullopt;
         return Simulated{std::move(found), std::move(standing), std::move(all->place)};
     }
 
@@ -163,15 +163,25 @@ class StageSimulator {
     const Series& x_;  ///< where the parameters move from
 };
 
-/// Whether no meter's unseen readings are foretold worse.
+/// Whether no meter's unseen readings are foretold worse, or little beside what the best
+/// meter gains.
 bool spares_meters(const LoopData& data, const Standing& without, const Standing& with) {
     constexpr double most_rise = 0.01;  ///< of the error of a meter that counts whole
     const Series before = mean_squares(data.targets, without.left_out),
                  after = mean_squares(data.targets, with.left_out);
+    Series rises;
     for (std::size_t c = 0; c < before.size(); ++c)
-        if (std::sqrt(after[c] / before[c]) > 1 + most_rise / without.noise[c].share)
-            return false;
-    return true;
+        rises.push_back((std::sqrt(after[c] / before[c]) - 1) * without.noise[c].share);
+    const double in_exchange = -share_in_exchange * std::ranges::min(rises);
+    return std::ranges::max(rises) <= std::max(most_rise, in_exchange);
+}
+
+/// Whether a stage's parameters get to where its functions ask for them to be: where
+/// linear steps end before that, by simulation with the functions as they are.
+bool arrives(const LoopData& data, Standing& stage) {
+    if (explains_what_it_has_seen(data, stage)) return true;
+    refit(data, stage, to_settle);
+    return !stage.fit.failed && explains_what_it_has_seen(data, stage);
 }
 
 /// The stage that foretells unseen blocks best, of a search about the best so far, if any
@@ -193,7 +203,7 @@ std::optional<Simulated> better_stage(const LoopData& data,
     for (std::size_t k = first; k < path.stages.size(); ++k) {
         auto one = simulator.simulated(path.stages[k]);
         if (!one || one->standing.score >= least ||
-            !spares_meters(data, without, one->standing))
+            !spares_meters(data, without, one->standing) || !arrives(data, one->standing))
             continue;
         least = one->standing.score;
         best = std::move(one);

@@ -122,7 +122,7 @@ struct Demand {
         least = options.least_gain * (candidate.effect.is_named() ? 1 : more_of_grammar);
         if (is_certain_if_small(candidate, threshold, change.highest))
             least *= less_if_certain;
-        const double in_exchange = is_certain ? 0.3 : 0.15;  // of the best meter's gain
+        const double in_exchange = (is_certain ? 2 : 1) * share_in_exchange;
         most_loss = std::max(options.most_loss, -100 * in_exchange * change.lowest);
     }
     /// A season may be a wrong one, and do harm where it is: but nothing else does as

@@ -350,15 +350,17 @@ void search_beside_functions(const LoopData& data, const Place& place, LoopResul
         const auto score_of = [&](const LoopResult& one) {
             return deviance(data.targets, result.last.noise, one.last.left_out);
         };
-        if (score_of(tried) >= score_of(result)) {
-            result.log.push_back({tried.last.model.effects.back().name,
-                                  "left: functions foretell as much without it",
-                                  0,
-                                  0,
-                                  0,
-                                  {}});
-            return;
-        }
+        const double gained = score_of(result) - score_of(tried);
+        const bool is_better = gained > 0;
+        for (LoopResult* one : {&result, &tried})
+            one->log.push_back({tried.last.model.effects.back().name,
+                                is_better ? "stays: both foretell more than functions did"
+                                          : "left: functions foretell as much without it",
+                                0,
+                                0,
+                                gained,
+                                {}});
+        if (!is_better) return;
         tried.candidates = result.candidates;
         result = std::move(tried);
     }
