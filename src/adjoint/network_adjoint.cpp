@@ -4,6 +4,8 @@
 /// here: the first are no parameters, the second belong to regime_adjoint.
 #include "adjoint/network_adjoint.hpp"
 
+#include "physics/season.hpp"
+
 #include <cmath>
 
 namespace bemcal::adjoint {
@@ -200,6 +202,21 @@ void pull_limit(const PlaceBack& place, double of_limit,
     place.of_here().floor_area += of_limit * share * limit;
 }
 
+/// 1/2 + (limit - theta_rm) / ramp, where that is within 0 and 1.
+void pull_season(const PlaceBack& place, const physics::Control& of_control) {
+    const physics::Structure& structure = place.here().structure;
+    if (!structure.is_seasonal()) return;
+    const double theta_rm = place.drive.theta_rm[static_cast<std::size_t>(place.step)];
+    const auto slope = [](double share) {
+        return share > 0 && share < 1 ? 1 / physics::season_ramp : 0;
+    };
+    physics::Structure& of = place.of_here().structure;
+    of.heating_limit +=
+        of_control.heated * slope(physics::heated_share(structure, theta_rm));
+    of.cooling_limit -=
+        of_control.cooled * slope(physics::cooled_share(structure, theta_rm));
+}
+
 }  // namespace
 
 /// (low + span profile) factor + shift
@@ -258,6 +275,7 @@ void pull_control(const PlaceBack& place, const physics::Control& of_control) {
                &physics::Thermostat::heating_available);
     pull_limit(place, of_control.phi_C_max, &physics::Thermostat::cooling_capacity,
                &physics::Thermostat::cooling_available);
+    pull_season(place, of_control);
 }
 
 }  // namespace bemcal::adjoint

@@ -116,6 +116,14 @@ bool coil_that_dries(physics::Building& building) {
     });
 }
 
+/// Whether thermostats heat, or cool: there is a season to be found.
+bool has_thermostats(const physics::Building& building,
+                     physics::Input physics::Thermostat::* capacity) {
+    return std::ranges::any_of(building.zones, [&](const physics::Zone& zone) {
+        return !zone.thermostat.imposed && (zone.thermostat.*capacity).value > 0;
+    });
+}
+
 /// The long-wave loss that all hours share.
 Refinement::Number sky_difference(double mean, double sd) {
     return {"sky_difference", "zone.*.sky_temperature_difference", mean, sd, 0, 28};
@@ -216,6 +224,20 @@ const std::vector<Refinement>& refinements() {
           {"moisture_of_people", "air_system.*.people_moisture", 3, 2, 0, 20}},
          {},
          coil_that_dries},
+        {"heating season",
+         "heating that stops while the running mean outdoors is above a limit",
+         {{"heating_limit", "zone.*.heating_limit", 15, 2, 5, 25}},
+         {},
+         [](physics::Building& building) {
+             return has_thermostats(building, &physics::Thermostat::heating_capacity);
+         }},
+        {"cooling season",
+         "cooling that stops while the running mean outdoors is below a limit",
+         {{"cooling_limit", "zone.*.cooling_limit", 12, 3, 0, 25}},
+         {},
+         [](physics::Building& building) {
+             return has_thermostats(building, &physics::Thermostat::cooling_capacity);
+         }},
         {"auxiliaries",
          "electricity of pumps and fans with heat and cold",
          {{"heating_auxiliary", "plant.heating_auxiliary", 0.02, 0.02, 0, 0.3},

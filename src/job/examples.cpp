@@ -165,6 +165,8 @@ air_capacity = 15000                  # [J/(m2 K)]
 proportional_band = 0.5               # [K]
 emitter_time_constant = 1200          # [s]
 emitter_radiant_share = 0.4
+heating_limit = 16                    # [degC] of the running mean outdoors
+cooling_limit = 12
 second_mass_conductance = 2           # [W/(m2 K)]
 second_mass_capacity = 200000         # [J/(m2 K)]
 venting_air_change = {value = 2, schedule = "work"}

@@ -90,13 +90,19 @@ void for_forms(const Regime& regime, Use use) {
     for (physics::Term state : regime.plan.states) use(form_of(regime.map, state));
 }
 
+/// Of some rooms, by the plant's limit for all; also of an unlimited one.
+double most_of(double share, double limit) {
+    return share > 0 ? share * limit : 0;
+}
+
 /// In the order of GeneralColumn.
 void write_general_regime(const Regime& regime, Columns columns) {
     const physics::Input& imposed = regime.zone.thermostat.imposed_power;
-    columns.add(regime.control.phi_H_max);
-    columns.add(regime.control.phi_C_max);
-    columns.add(heating_line(regime).gain);
-    columns.add(cooling_line(regime).gain);
+    const double heated = regime.control.heated, cooled = regime.control.cooled;
+    columns.add(most_of(heated, regime.control.phi_H_max));
+    columns.add(most_of(cooled, regime.control.phi_C_max));
+    columns.add(heated * heating_line(regime).gain);
+    columns.add(cooled * cooling_line(regime).gain);
     columns.add(span_of(imposed) * regime.network.A_f);
     const auto add_term = [&](physics::Term term) {
         for_forms(regime,
@@ -135,8 +141,8 @@ void write_general_row(const Regime& regime, int step, Columns columns) {
         columns.add(regime.fixed(form) + regime.per_int(form) * phi_int);
     });
     const double imposed = imposed_base(regime, step);
-    columns.add(heating_line(regime).asked + imposed);
-    columns.add(-cooling_line(regime).asked - imposed);
+    columns.add(regime.control.heated * heating_line(regime).asked + imposed);
+    columns.add(-regime.control.cooled * cooling_line(regime).asked - imposed);
     if (regime.plan.vented)
         columns.add(physics::venting_conductance(regime.zone, regime.drive, step));
 }

@@ -177,8 +177,12 @@ class GeneralBack {
 
     /// In the order of GeneralColumn.
     void pull_columns(ColumnsBack columns) {
-        back_.of_control.phi_H_max += columns.take();
-        back_.of_control.phi_C_max += columns.take();
+        const physics::Control& control = back_.regime.control;
+        physics::Control& of = back_.of_control;
+        pull_most(control.heated, control.phi_H_max, columns.take(), of.heated,
+                  of.phi_H_max);
+        pull_most(control.cooled, control.phi_C_max, columns.take(), of.cooled,
+                  of.phi_C_max);
         of_heating_.gain += columns.take();
         of_cooling_.gain += columns.take();
         pull_imposed_span(columns.take());
@@ -251,6 +255,15 @@ class GeneralBack {
         });
     }
 
+    /// Of most_of (affine.cpp); an unlimited plant has no adjoint, nor has one that is
+    /// off.
+    static void pull_most(double share, double limit, double g, double& of_share,
+                          double& of_limit) {
+        if (g == 0 || share == 0) return;
+        of_share += g * limit;
+        of_limit += g * share;
+    }
+
     void pull_imposed_span(double g) {
         const physics::Input& power = back_.regime.zone.thermostat.imposed_power;
         pull_span(g * back_.regime.network.A_f,
@@ -293,11 +306,15 @@ class GeneralBack {
     void pull_lines() {
         const physics::Control& control = back_.regime.control;
         const double band = back_.regime.network.band;
-        const LineBack heating(heating_line(back_.regime), of_heating_,
-                               control.theta_H_set + 0.5 * band, band, control.phi_H_max);
-        const LineBack cooling(cooling_line(back_.regime), of_cooling_,
-                               control.theta_C_set - 0.5 * band, band, control.phi_C_max);
+        const Line heated_line = heating_line(back_.regime),
+                   cooled_line = cooling_line(back_.regime);
         physics::Control& of = back_.of_control;
+        const LineBack heating(
+            heated_line, pull_share(heated_line, control.heated, of_heating_, of.heated),
+            control.theta_H_set + 0.5 * band, band, control.phi_H_max);
+        const LineBack cooling(
+            cooled_line, pull_share(cooled_line, control.cooled, of_cooling_, of.cooled),
+            control.theta_C_set - 0.5 * band, band, control.phi_C_max);
         of.theta_H_set += heating.theta_set;
         of.theta_C_set += cooling.theta_set;
         of.phi_H_max += heating.limit;
@@ -308,8 +325,15 @@ class GeneralBack {
         back_.of_map.theta_air[physics::Term::phi_c] -= cooling.slope;
     }
 
+    /// Of share times a line: returns the line's adjoint.
+    static Line pull_share(const Line& line, double share, const Line& of_product,
+                           double& of_share) {
+        of_share += of_product.asked * line.asked + of_product.gain * line.gain;
+        return {share * of_product.asked, share * of_product.gain};
+    }
+
     RegimeBack& back_;
-    Line of_heating_, of_cooling_;
+    Line of_heating_, of_cooling_;  ///< of the season's share of rooms
 };
 
 template <class Back>

@@ -92,6 +92,12 @@ Partition one_class(int n_steps) {
     return {std::vector<int>(static_cast<std::size_t>(n_steps), 0), {0}};
 }
 
+Partition classes_of(std::span<const double> values) {
+    return classes_by(
+        values.size(), [&](std::size_t step) { return bits_of(values[step]); },
+        Numbering());
+}
+
 Partition both(const Partition& a, const Partition& b) {
     constexpr std::size_t most_pairs = 1 << 16;
     if (b.size() == 1) return a;
@@ -111,10 +117,7 @@ const Partition& ProfileClasses::of(int profile) {
     const auto row = static_cast<std::size_t>(profile);
     std::optional<Partition>& known = known_[row];
     if (known) return *known;
-    const auto values = drive_.profiles.row(row);
-    return known.emplace(classes_by(
-        values.size(), [&](std::size_t step) { return bits_of(values[step]); },
-        Numbering()));
+    return known.emplace(classes_of(drive_.profiles.row(row)));
 }
 
 Partition ProfileClasses::refine(Partition classes, const std::vector<int>& profiles) {

@@ -5,6 +5,7 @@
 #include "physics/drive.hpp"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace bemcal::kernel {
@@ -16,6 +17,8 @@ struct Partition {
     int size() const { return static_cast<int>(first.size()); }
 };
 Partition one_class(int n_steps);
+/// By equal values, one for each step.
+Partition classes_of(std::span<const double> values);
 /// The classes in which both are constant.
 Partition both(const Partition& a, const Partition& b);
 

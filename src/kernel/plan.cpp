@@ -4,6 +4,8 @@
 /// zone_plan and meter_plan.
 #include "kernel/plan.hpp"
 
+#include "physics/season.hpp"
+
 #include <algorithm>
 
 namespace bemcal::kernel {
@@ -11,8 +13,39 @@ namespace bemcal::kernel {
 namespace {
 
 constexpr int chunk_steps = 48;  ///< rows of 16 lanes of three quantities fill 18 KiB
+constexpr double season_margin = 0.1;  ///< beyond the ends of parameters' ranges [K]
 
 }  // namespace
+
+void SeasonLimits::add(const physics::Structure& structure) {
+    const auto extend = [](Ends& ends, double limit) {
+        ends.least = std::min(ends.least, limit);
+        ends.most = std::max(ends.most, limit);
+    };
+    extend(heating_, structure.heating_limit);
+    extend(cooling_, structure.cooling_limit);
+}
+
+Partition SeasonLimits::classes(std::span<const double> theta_rm) const {
+    Partition classes = one_class(static_cast<int>(theta_rm.size()));
+    const double reach = 0.5 * physics::season_ramp + season_margin;
+    for (const Ends& ends : {heating_, cooling_}) {
+        std::vector<double> within;
+        within.reserve(theta_rm.size());
+        for (const double theta : theta_rm)
+            within.push_back(std::clamp(theta, ends.least - reach, ends.most + reach));
+        classes = both(classes, classes_of(within));
+    }
+    return classes;
+}
+
+bool SeasonLimits::has(const physics::Structure& structure) const {
+    const auto holds = [](const Ends& ends, double limit) {
+        return limit >= ends.least - season_margin && limit <= ends.most + season_margin;
+    };
+    return holds(heating_, structure.heating_limit) &&
+           holds(cooling_, structure.cooling_limit);
+}
 
 int ZonePlan::vented_state() const {
     if (!vented) return -1;

@@ -2,10 +2,11 @@
 /// walk through with fixed coefficients.
 ///
 /// A regime is a distinct set of conductances and set-points: a distinct row of the
-/// profiles that drive them. A row is a distinct set of gains within a regime. Drivers
-/// are series that enter linearly, step by step (linear_input.hpp): outdoor air and what
-/// it differs by, boundaries, irradiance, and loads with more distinct values than are
-/// worth a table. Segments are runs of steps of one regime, in sun or in the dark.
+/// profiles that drive them, and of the season. A row is a distinct set of gains within a
+/// regime. Drivers are series that enter linearly, step by step (linear_input.hpp):
+/// outdoor air and what it differs by, boundaries, irradiance, and loads with more
+/// distinct values than are worth a table. Segments are runs of steps of one regime, in
+/// sun or in the dark.
 #pragma once
 
 #include "kernel/kernel.hpp"
@@ -14,9 +15,29 @@
 #include "physics/parameters.hpp"
 #include "physics/step_map.hpp"
 
+#include <span>
 #include <vector>
 
 namespace bemcal::kernel {
+
+/// What a zone's seasons have as limits, over all points [degC].
+class SeasonLimits {
+  public:
+    void add(const physics::Structure& structure);
+    bool is_seasonal() const {
+        return heating_.least < physics::unlimited || cooling_.most > -physics::unlimited;
+    }
+    /// Steps in which the shares of rooms are the same, whatever the limits.
+    Partition classes(std::span<const double> theta_rm) const;
+    /// Whether these are the classes of a structure, too.
+    bool has(const physics::Structure& structure) const;
+
+  private:
+    struct Ends {
+        double least = physics::unlimited, most = -physics::unlimited;
+    };
+    Ends heating_, cooling_;
+};
 
 struct ZonePlan {
     std::size_t zone = 0;
@@ -25,6 +46,7 @@ struct ZonePlan {
     std::vector<int> planes;  ///< that its elements lie in
     bool shifted = false;     ///< outdoors differs from the weather, or may
     bool vented = false;      ///< openings follow the room, or may
+    SeasonLimits season;
     std::vector<int> temperature_drivers;  ///< profiles of temperatures
     std::vector<int> load_drivers;         ///< profiles of loads that are drivers
     bool imposed_driver = false;  ///< imposed power follows a profile: the last driver

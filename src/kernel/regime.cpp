@@ -4,6 +4,10 @@
 /// that of its first step. The kernel's columns are left to affine.
 #include "kernel/regime.hpp"
 
+#include "base/error.hpp"
+
+#include <fmt/format.h>
+
 namespace bemcal::kernel {
 
 std::size_t n_temperatures(const ZonePlan& plan, const physics::Building& building) {
@@ -70,6 +74,13 @@ Line line_of(double theta_set, double slope, double band, double limit) {
     return {theta_set * gain, gain};
 }
 
+[[noreturn]] void reject_season(const physics::Zone& zone) {
+    throw CannotSimulate(fmt::format(
+        "zone {}: heating_limit = {:.6g} degC or cooling_limit = {:.6g} degC is beyond "
+        "what the ends of the parameters' ranges make of it",
+        zone.name, zone.structure.heating_limit, zone.structure.cooling_limit));
+}
+
 }  // namespace
 
 Line heating_line(const Regime& regime) {
@@ -92,6 +103,7 @@ Regime make_regime(const ZonePlan& plan, int index, const physics::Building& bui
     const physics::Zone& zone = building.zones[plan.zone];
     const int step = plan.regimes.first[static_cast<std::size_t>(index)];
     physics::make_network(building, zone, drive, step, network);
+    if (!plan.season.has(zone.structure)) reject_season(zone);
     const double dt = drive.axis.step_s;
     return {plan,
             index,

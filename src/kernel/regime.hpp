@@ -78,7 +78,8 @@ struct RegimeRoom {
     physics::Network network;  ///< of the last; nothing is allocated for the next
     physics::StepMaps maps;
 };
-/// The regime at the step in which it appears first. Throws as make_network, control_at.
+/// The regime at the step in which it appears first. Throws as make_network, control_at,
+/// and CannotSimulate where a season's limit is beyond what the plan is for.
 Regime make_regime(const ZonePlan& plan, int index, const physics::Building& building,
                    const physics::Drive& drive, RegimeRoom& room);
 
@@ -126,6 +127,7 @@ inline const physics::LinearForm& form_of(const physics::StepMap& map,
 struct Line {
     double asked = 0, gain = 0;
 };
+/// Of all rooms, whatever the season.
 Line heating_line(const Regime& regime);
 Line cooling_line(const Regime& regime);
 

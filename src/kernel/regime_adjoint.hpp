@@ -15,7 +15,7 @@ struct RegimeBack {
     physics::Network& of_network;
     physics::StepMap of_map{};
     physics::RadiantSplit of_split{0, 0};
-    physics::Control of_control{0, 0, 0, 0};
+    physics::Control of_control{0, 0, 0, 0, false, 0, 0, 0};
 
     void per_radiant(const physics::LinearForm& form, double g,
                      physics::LinearForm& of_form);

@@ -105,6 +105,7 @@ LinearProfiles gain_profiles(const Nominal& nominal, std::size_t index) {
 /// What a zone has or may have beyond the standard's hour.
 struct Options {
     physics::Structure widest;
+    SeasonLimits season;
     bool shifted = false, vented = false;
 };
 
@@ -122,6 +123,7 @@ Options options_of(const Nominal& nominal, std::size_t index) {
                   &physics::Structure::second_mass_capacity})
                 options.widest.*field =
                     std::max(options.widest.*field, zone.structure.*field);
+            options.season.add(zone.structure);
             const physics::OutdoorShift& shift = zone.outdoor_shift;
             options.shifted |= is_active(shift.supply) || is_active(shift.opaque) ||
                                is_active(shift.windows);
@@ -132,7 +134,8 @@ Options options_of(const Nominal& nominal, std::size_t index) {
 
 std::vector<physics::Term> states_of(const Options& options, bool imposed) {
     const physics::Structure& structure = options.widest;
-    if (!structure.any() && !imposed && !options.vented) return {};
+    if (!structure.any() && !options.season.is_seasonal() && !imposed && !options.vented)
+        return {};
     std::vector<physics::Term> states{physics::Term::theta_m};
     if (structure.second_mass_conductance > 0) states.push_back(physics::Term::theta_m2);
     if (structure.air_capacity > 0 || options.vented)
@@ -243,6 +246,9 @@ ZonePlan plan_zone(const Nominal& nominal, std::size_t zone, ProfileClasses& cla
     plan.regimes = classes.refine(classes.refine(one_class(drive.n_steps()),
                                                  regime_profiles(building, description)),
                                   temperatures.tabled);
+    plan.season = options.season;
+    if (plan.season.is_seasonal() && !control.imposed)
+        plan.regimes = both(plan.regimes, plan.season.classes(drive.theta_rm));
     plan_rows(plan, gain_profiles(nominal, zone), classes);
     plan.row_offset = offsets_of(plan.rows, plan.row_columns() * lanes);
     lay_drivers(plan, building, drive);

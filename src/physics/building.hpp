@@ -139,9 +139,15 @@ struct Structure {
     double emitter_radiant_share = 0;  ///< of heating [-]
     double second_mass_conductance = 0;  ///< H_2 between the masses [W/K per m2 of floor]
     double second_mass_capacity = 0;     ///< C_2 [J/K per m2 of floor]
+    /// Running means of the outdoor temperature above which there is no heating, and
+    /// below which there is no cooling [degC] (season.hpp).
+    double heating_limit = unlimited, cooling_limit = -unlimited;
+    bool is_seasonal() const {
+        return heating_limit < unlimited || cooling_limit > -unlimited;
+    }
     bool any() const {
         return air_capacity > 0 || proportional_band > 0 || emitter_time_constant > 0 ||
-               emitter_radiant_share > 0 || second_mass_conductance > 0;
+               emitter_radiant_share > 0 || second_mass_conductance > 0 || is_seasonal();
     }
 };
 

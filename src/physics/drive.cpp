@@ -6,6 +6,7 @@
 #include "physics/drive.hpp"
 
 #include "physics/moist_air.hpp"
+#include "physics/season.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -329,6 +330,8 @@ Drive make_drive(const Weather& weather, const Building& building,
     drive.n_warm_up = n_warm_up;
     drive.theta_e.resize(layout.pick.size());
     gather(temperatures(weather, layout.source), layout.pick, drive.theta_e);
+    drive.theta_rm.resize(layout.pick.size());
+    gather(running_means(weather, layout.source), layout.pick, drive.theta_rm);
     drive.pressure = standard_pressure(weather.site.elevation);
     if (const auto w = humidity_ratios(weather, layout.source); !w.empty()) {
         drive.w_e.resize(layout.pick.size());

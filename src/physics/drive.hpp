@@ -32,8 +32,9 @@ struct Drive {
     std::vector<double> w_e;   ///< its humidity ratio [kg/kg]; empty where the weather
                                ///< does not say
     double pressure = 101325;  ///< of the air [Pa]
-    Matrix irradiance;         ///< [n_planes x n_steps] on Building::planes [W/m2]
-    Matrix profiles;           ///< [n_profiles x n_steps]
+    std::vector<double> theta_rm;  ///< [n_steps] running mean of theta_e (season) [degC]
+    Matrix irradiance;             ///< [n_planes x n_steps] on Building::planes [W/m2]
+    Matrix profiles;               ///< [n_profiles x n_steps]
     int n_steps() const { return axis.n_steps; }
     /// The steps that are asked for, without the warm-up.
     TimeAxis period() const {

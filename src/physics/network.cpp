@@ -5,6 +5,7 @@
 #include "physics/network.hpp"
 
 #include "base/error.hpp"
+#include "physics/season.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -257,6 +258,11 @@ Control control_at(const Zone& zone, const Drive& drive, int step) {
     control.phi_C_max = capacity_at(zone, drive, step, thermostat.cooling_capacity,
                                     thermostat.cooling_available);
     check_control(zone, step, control);
+    if (zone.structure.is_seasonal()) {
+        const double theta_rm = drive.theta_rm[static_cast<std::size_t>(step)];
+        control.heated = heated_share(zone.structure, theta_rm);
+        control.cooled = cooled_share(zone.structure, theta_rm);
+    }
     return control;
 }
 

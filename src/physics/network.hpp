@@ -50,7 +50,8 @@ struct Control {
     double phi_H_max = unlimited;               ///< [W], >= 0
     double phi_C_max = unlimited;               ///< [W], >= 0 (a size)
     bool imposed = false;
-    double phi_imposed = 0;  ///< [W]
+    double phi_imposed = 0;         ///< [W]
+    double heated = 1, cooled = 1;  ///< shares of rooms, by the season [-]
 };
 /// Throws CannotSimulate where heating and cooling are both there and their set-points
 /// cross or lie closer than the proportional band. A zone with a radiator has no other

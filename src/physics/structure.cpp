@@ -37,10 +37,13 @@ Powers control_powers(const Control& control, const StepMap& map, double theta_a
                       double band) {
     if (control.imposed)
         return {std::max(control.phi_imposed, 0.0), std::max(-control.phi_imposed, 0.0)};
-    return {thermostat_power(control.theta_H_set - theta_air_free,
-                             map.theta_air[Term::phi_h], band, control.phi_H_max),
-            thermostat_power(theta_air_free - control.theta_C_set,
-                             -map.theta_air[Term::phi_c], band, control.phi_C_max)};
+    const double heating =
+        thermostat_power(control.theta_H_set - theta_air_free, map.theta_air[Term::phi_h],
+                         band, control.phi_H_max);
+    const double cooling =
+        thermostat_power(theta_air_free - control.theta_C_set,
+                         -map.theta_air[Term::phi_c], band, control.phi_C_max);
+    return {control.heated * heating, control.cooled * cooling};
 }
 
 NodeTemperatures temperatures(const StepMap& map, const TermValues& terms) {

@@ -10,7 +10,8 @@
 /// - emitter: heating passes a first-order lag (exact over the step), a share of it
 /// radiant,
 ///   split to the surface and mass nodes as the standard splits radiant gains;
-/// - second mass: C_2 behind H_2 at the mass node, Crank-Nicolson like the first.
+/// - second mass: C_2 behind H_2 at the mass node, Crank-Nicolson like the first;
+/// - seasons: the power is a share of that for all rooms (season.hpp).
 /// Cooling and a negative imposed power leave the air node at once; a positive imposed
 /// power is a command to the emitter. With all off it is the standard's hour;
 /// simulate.cpp then calls hour.hpp, bit for bit.

@@ -66,6 +66,21 @@ TEST(Refinements, ANumberThatIsTakenKeepsItsPrior) {
               "mass_area_ratio of the structure");
 }
 
+TEST(Refinements, SeasonsAreOfWhatHeatsOrCools) {
+    physics::Building building = Office().building;
+    const Refinement &heating = named("heating season"),
+                     &cooling = named("cooling season");
+    EXPECT_TRUE(heating.change(building));
+    EXPECT_TRUE(cooling.change(building));
+    EXPECT_EQ(add_number(heating.numbers[0], {}, building)->unit, "degC");
+    EXPECT_EQ(building.zones[0].structure.heating_limit, 15);
+    building.zones[0].thermostat.cooling_capacity.value = 0;
+    EXPECT_FALSE(cooling.change(building));
+    EXPECT_TRUE(heating.change(building));
+    building.zones[0].thermostat.imposed = true;
+    EXPECT_FALSE(heating.change(building));
+}
+
 TEST(Refinements, LimitsAreTheNearerOfPriorAndRange) {
     EXPECT_EQ(limits_of(10, 2, 0, 12), std::pair(5.0, 12.0));
     EXPECT_EQ(limits_of(10, 2, 6, 99), std::pair(6.0, 15.0));

@@ -3,6 +3,7 @@
 #include "kernel/batch.hpp"
 #include "kernel/plain_answer.hpp"
 #include "kernel/random_hooks.hpp"
+#include "kernel/random_season.hpp"
 #include "kernel/random_supply.hpp"
 #include "support/measured.hpp"
 
@@ -150,6 +151,7 @@ void expect_answers(const RandomCase& made, unsigned seed, std::size_t n_points)
 class FastAgainstPlain : public testing::TestWithParam<unsigned> {};
 class FastWithEffectsAgainstPlain : public testing::TestWithParam<unsigned> {};
 class FastWithAirSystemsAgainstPlain : public testing::TestWithParam<unsigned> {};
+class FastWithSeasonsAgainstPlain : public testing::TestWithParam<unsigned> {};
 
 }  // namespace
 
@@ -163,6 +165,10 @@ TEST_P(FastWithEffectsAgainstPlain, TotalsMonthsAndErrorsAgree) {
 
 TEST_P(FastWithAirSystemsAgainstPlain, TotalsMonthsAndErrorsAgree) {
     expect_answers(test::random_supplied_case(GetParam()), GetParam() + 6000, 3);
+}
+
+TEST_P(FastWithSeasonsAgainstPlain, TotalsMonthsAndErrorsAgree) {
+    expect_answers(test::random_seasonal_case(GetParam()), GetParam() + 8000, 5);
 }
 
 /// What advance() writes for one lane, in predict()'s unit; the period in two parts.
@@ -216,6 +222,33 @@ TEST_P(FastWithAirSystemsAgainstPlain, EveryStepAgrees) {
     expect_steps(test::random_supplied_case(GetParam()), GetParam() + 7000);
 }
 
+TEST_P(FastWithSeasonsAgainstPlain, EveryStepAgrees) {
+    expect_steps(test::random_seasonal_case(GetParam()), GetParam() + 9000);
+}
+
+/// A season's days are sorted for the ends of parameters' ranges.
+TEST(FastWithSeasons, RefusesLimitsBeyondTheRanges) {
+    RandomCase made = random_case(3);
+    made.building.zones.resize(1);
+    made.building.zones[0].couplings.clear();
+    made.building.zones[0].thermostat.imposed = false;
+    test::add_running_means(made.drive);
+    made.building.zones[0].structure.heating_limit = 15;
+    made.parameters = {
+        test::parameter(made.building, "zone.*.heating_limit", -2, 2, Effect::offset)};
+    const kernel::Batch batch(made.building, made.parameters, made.drive);
+    Matrix points(2, 1);
+    points(0, 0) = 2;
+    points(1, 0) = 6;
+    kernel::Request request;
+    request.annual = {Quantity::heating};
+    const auto answers = batch.evaluate(points, request);
+    EXPECT_EQ(answers[0].failure, "");
+    EXPECT_NE(answers[1].failure.find("heating_limit = 21 degC"), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(RandomBuildings, FastWithSeasonsAgainstPlain,
+                         testing::Range(1U, 41U));
 INSTANTIATE_TEST_SUITE_P(RandomBuildings, FastWithAirSystemsAgainstPlain,
                          testing::Range(1U, 41U));
 INSTANTIATE_TEST_SUITE_P(RandomBuildings, FastAgainstPlain, testing::Range(1U, 61U));

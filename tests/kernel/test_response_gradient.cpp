@@ -1,5 +1,6 @@
-/// The derivative of a response for every number of sixty random buildings, and of sixty
-/// with air systems.
+/// The derivative of a response for every number of sixty random buildings, of sixty with
+/// air systems, and of sixty with seasons.
+#include "kernel/random_season.hpp"
 #include "kernel/random_supply.hpp"
 #include "kernel/response_derivative.hpp"
 
@@ -9,6 +10,7 @@ namespace {
 
 class ResponseOfEveryNumber : public testing::TestWithParam<unsigned> {};
 class ResponseOfAirSystems : public testing::TestWithParam<unsigned> {};
+class ResponseOfSeasons : public testing::TestWithParam<unsigned> {};
 
 }  // namespace
 
@@ -22,7 +24,13 @@ TEST_P(ResponseOfAirSystems, DerivativeIsThatOfCentralDifferences) {
     if (made.building.zones[0].couplings.empty()) test::expect_derivative(made);
 }
 
+TEST_P(ResponseOfSeasons, DerivativeIsThatOfCentralDifferences) {
+    const test::RandomCase made = test::random_seasonal_case(GetParam());
+    if (made.building.zones[0].couplings.empty()) test::expect_derivative(made);
+}
+
 INSTANTIATE_TEST_SUITE_P(RandomBuildings, ResponseOfEveryNumber, testing::Range(1U, 61U));
 INSTANTIATE_TEST_SUITE_P(RandomBuildings, ResponseOfAirSystems, testing::Range(1U, 61U));
+INSTANTIATE_TEST_SUITE_P(RandomBuildings, ResponseOfSeasons, testing::Range(1U, 61U));
 
 }  // namespace bemcal::physics

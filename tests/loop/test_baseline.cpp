@@ -64,3 +64,22 @@ TEST(LoopBaseline, EachRefinementThatWasChosenLoweredTheScore) {
         before = tried->score;
     }
 }
+
+/// Heating that stops at a running mean of 13.4 degC, in weather that swings about 14.
+TEST(LoopBaseline, FindsTheHeatingSeason) {
+    constexpr double limit = 13.4, warmer = 11;
+    Case made = test::windy_case();
+    for (double& theta : made.weather.theta_e) theta += warmer;
+    physics::Structure& structure = made.building.zones[0].structure;
+    structure.heating_limit = limit;
+    test::measure(made, test::named("wind infiltration"), 0, 3);
+    structure.heating_limit = physics::unlimited;
+    const LoopData data(made, LoopOptions{});
+    const Standing chosen = make_baseline(data).chosen;
+    const auto& unknowns = chosen.built.unknowns;
+    const auto found =
+        std::ranges::find(unknowns, "heating_limit", &study::FitUnknown::name);
+    ASSERT_NE(found, unknowns.end());
+    const auto k = static_cast<std::size_t>(found - unknowns.begin());
+    EXPECT_NEAR(values_in(chosen.built, chosen)[k], limit, 0.3);
+}
