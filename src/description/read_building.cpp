@@ -290,7 +290,8 @@ class BuildingReader {
         numbers_.read(section, Part::zone, &zone);
         if (section.has("radiator")) read_radiator(section, zone);
         zone.thermostat.imposed = section.has("imposed_power");
-        for (const char* key : {"heating_set_point", "cooling_set_point"})
+        for (const char* key :
+             {"heating_set_point", "cooling_set_point", "heating_limit", "cooling_limit"})
             if (zone.thermostat.imposed && section.has(key))
                 section.fail(key,
                              "has no effect beside imposed_power; remove one of them");
@@ -313,9 +314,9 @@ class BuildingReader {
     }
 
     void read_radiator(const schema::Section& section, Zone& zone) {
-        for (const char* key :
-             {"heating_set_point", "heating_capacity", "heating_available",
-              "imposed_power", "emitter_time_constant", "emitter_radiant_share"})
+        for (const char* key : {"heating_set_point", "heating_capacity",
+                                "heating_available", "heating_limit", "imposed_power",
+                                "emitter_time_constant", "emitter_radiant_share"})
             if (section.has(key))
                 section.fail(key,
                              "has no effect beside [zone.radiator]; remove one of them");

@@ -116,11 +116,18 @@ bool coil_that_dries(physics::Building& building) {
     });
 }
 
-/// Whether thermostats heat, or cool: there is a season to be found.
-bool has_thermostats(const physics::Building& building,
-                     physics::Input physics::Thermostat::* capacity) {
-    return std::ranges::any_of(building.zones, [&](const physics::Zone& zone) {
-        return !zone.thermostat.imposed && (zone.thermostat.*capacity).value > 0;
+/// Whether a thermostat heats: there is a season to be found.
+bool is_heated(physics::Building& building) {
+    return std::ranges::any_of(building.zones, [](const physics::Zone& zone) {
+        const physics::Thermostat& control = zone.thermostat;
+        return !zone.radiator && !control.imposed && control.heating_capacity.value > 0;
+    });
+}
+
+bool is_cooled(physics::Building& building) {
+    return std::ranges::any_of(building.zones, [](const physics::Zone& zone) {
+        const physics::Thermostat& control = zone.thermostat;
+        return !control.imposed && control.cooling_capacity.value > 0;
     });
 }
 
@@ -228,16 +235,12 @@ const std::vector<Refinement>& refinements() {
          "heating that stops while the running mean outdoors is above a limit",
          {{"heating_limit", "zone.*.heating_limit", 15, 2, 5, 25}},
          {},
-         [](physics::Building& building) {
-             return has_thermostats(building, &physics::Thermostat::heating_capacity);
-         }},
+         is_heated},
         {"cooling season",
          "cooling that stops while the running mean outdoors is below a limit",
          {{"cooling_limit", "zone.*.cooling_limit", 12, 3, 0, 25}},
          {},
-         [](physics::Building& building) {
-             return has_thermostats(building, &physics::Thermostat::cooling_capacity);
-         }},
+         is_cooled},
         {"auxiliaries",
          "electricity of pumps and fans with heat and cold",
          {{"heating_auxiliary", "plant.heating_auxiliary", 0.02, 0.02, 0, 0.3},

@@ -77,6 +77,9 @@ TEST(Refinements, SeasonsAreOfWhatHeatsOrCools) {
     building.zones[0].thermostat.cooling_capacity.value = 0;
     EXPECT_FALSE(cooling.change(building));
     EXPECT_TRUE(heating.change(building));
+    building.zones[0].radiator.emplace();
+    EXPECT_FALSE(heating.change(building));
+    building.zones[0].radiator.reset();
     building.zones[0].thermostat.imposed = true;
     EXPECT_FALSE(heating.change(building));
 }
