@@ -6,7 +6,7 @@ rooms, and what LEFT_OUT names.
 import os
 from dataclasses import dataclass, field
 
-from new_job import idf, idf_envelope, idf_geometry, idf_use
+from new_job import idf, idf_envelope, idf_fans, idf_geometry, idf_use
 from new_job.building import Load, Plant
 from new_job.envelopes import Envelope
 
@@ -29,7 +29,8 @@ LEFT_OUT = (
     ("daylighting:", "lights that daylight dims"), ("energymanagementsystem:program", "programs of EnergyPlus"),
     ("refrigeration:", "refrigeration"), ("generator:", "generators"),
     ("zonehvac:lowtemperatureradiant", "radiant systems"),
-    ("fan:", "fans; an [[air_system]] may stand for them"),
+    *((kind, "fans; an [[air_system]] may stand for them")
+      for kind in ("fan:variablevolume", "fan:componentmodel", "fan:zoneexhaust")),
     ("runperiodcontrol:specialdays", "holidays; those of --place hold"))
 HVAC_TEMPLATES = "hvactemplate:"
 LEAST_SIZE = 1                 # m2 and m3, below which nothing is a room
@@ -59,6 +60,7 @@ class Described:
     heaters: list
     coolers: list
     is_ideal: bool
+    fans_say: str
     left_out: list = field(default_factory=list)
 
 
@@ -76,7 +78,7 @@ class Reader:
         self.zones = idf_geometry.read_zones(model)
         idf_use.mark_conditioned(model, self.zones, left_out)
         self.rooms = [zone for zone in self.zones.values() if zone.is_conditioned]
-        self.envelope = None
+        self.envelope = self.fans = None
 
     def whole(self):
         area, volume = size_of(self.rooms)
@@ -109,6 +111,9 @@ class Reader:
         area, volume = size_of(zones)
         for profile in loads.values():
             profile.values = profile.values / area
+        self.fans = self.fans or idf_fans.load_of(self.model, use.schedules, size_of(self.rooms)[0])
+        if self.fans.values.any():
+            loads["fans"] = self.fans
         return Room(name, area, volume, shell, loads, infiltration / volume, use.ventilation() / volume, heating,
                     cooling)
 
@@ -119,7 +124,8 @@ def read_building(path, has_rooms=False):
     whole = reader.whole()
     rooms = reader.each(whole) if has_rooms else [whole]
     found = Described(path, whole, rooms, idf_use.machines(model, idf_use.HEATERS),
-                      idf_use.machines(model, idf_use.COOLERS), bool(model.all(*IDEAL)))
+                      idf_use.machines(model, idf_use.COOLERS), bool(model.all(*IDEAL)),
+                      idf_fans.says(model))
     found.left_out = list(dict.fromkeys([*left_out, *left_out_of(model)]))
     return found
 
@@ -146,7 +152,7 @@ def envelope_of(found):
 
 def loads_of(found, others):
     """Those of the file, and hot water, which is a table's."""
-    names = {"equipment": "equipment", "lights": "lights", "people": "people, sensible"}
+    names = {"equipment": "equipment", "lights": "lights", "people": "people, sensible", "fans": found.fans_say}
     loads = [Load(name, float(profile.values.max()), name, profile.carrier, names.get(name, "equipment by gas"))
              for name, profile in found.whole.loads.items()]
     return [*loads, *(load for load in others if load.name == "hot_water")]
@@ -160,7 +166,7 @@ def plant_of(found, by_meters, meters, told):
     if found.whole.cooling is None or not (cooler or found.is_ideal):
         plant.cooling, plant.cooling_says = None, "no cooling in the file"
         return plant
-    if "cooling" in seen:
+    if "cooling" in seen and not (cooler and cooler[1] in seen):
         plant.cooling, plant.cooling_says = "none", "its cold is metered"
         return plant
     plant.cooling, plant.cop = (cooler[1], cooler[2]) if cooler else ("electricity", plant.cop)
@@ -169,7 +175,7 @@ def plant_of(found, by_meters, meters, told):
 
 
 def heating_of(found, by_meters, seen, told):
-    if "heating" in seen or not found.heaters:
+    if not found.heaters or "heating" in seen and not any(carrier in seen for _, carrier, _ in found.heaters):
         return by_meters
     kinds = list(dict.fromkeys(kind for kind, _, _ in found.heaters))
     kind, carrier, value = next((each for each in found.heaters if each[1] in seen), found.heaters[0])

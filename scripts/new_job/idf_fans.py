@@ -1,11 +1,14 @@
-"""Whether outdoor air flows at all hours, or only while a coil runs.
+"""What fans draw, and whether outdoor air flows at all hours or only while a coil runs.
 
 Source: EnergyPlus Input Output Reference, Supply Air Fan Operating Mode Schedule: 0 or none is a fan that cycles with
-its coil. Leaves out the zones of a unit other than the one that controls it, and units not in UNITS.
+its coil; Engineering Reference, Simple Fan: power, and the share of it that warms the air. Leaves out the zones of a
+unit other than the one that controls it, units not in UNITS, fans that change their flow, and that fans run by night
+where a room asks for it.
 """
 import numpy as np
 
 from new_job import idf_schedules
+from new_job.profile import Profile
 
 UNITS = ("AirLoopHVAC:UnitaryHeatCool", "AirLoopHVAC:Unitary:Furnace:HeatCool", "AirLoopHVAC:UnitarySystem",
          "AirLoopHVAC:UnitaryHeatPump:AirToAir")
@@ -14,6 +17,38 @@ VENTILATOR = "zonehvac:energyrecoveryventilator"   # which brings a zone its air
 MODE = "supply_air_fan_operating_mode_schedule_name"
 # Of a year that such a fan runs: EnergyPlus's mean of the units of DOE's mid-rise apartment building in Chicago.
 SHARE_OF_TIME = 0.2
+
+# {class of constant flow: names of its flow, pressure and motor's share in the air stream}
+FANS = {"Fan:SystemModel": ("design_maximum_air_flow_rate", "design_pressure_rise", "motor_in_air_stream_fraction"),
+        **dict.fromkeys(("Fan:ConstantVolume", "Fan:OnOff"),
+                        ("maximum_flow_rate", "pressure_rise", "motor_in_airstream_fraction"))}
+EFFICIENCY, MOTOR, IN_STREAM = 0.7, 0.9, 1   # EnergyPlus's defaults
+# m3/(s m2) where EnergyPlus finds the size: 90 W/m2 of cooling, and the middle of what EnergyPlus takes for a coil of
+# one speed, 4.0e-5 to 6.0e-5 m3/s a W.
+USUAL_FLOW = 90 * 5e-5
+
+
+def says(model):
+    sizes = [fan.number(FANS[kind][0]) for kind in FANS for fan in model.all(kind)]
+    return "fans" if None not in sizes else f"fans; where the file has no size {1000 * USUAL_FLOW:g} l/(s m2)"
+
+
+def load_of(model, schedules, area):
+    """Of all fans, by floor area [W/m2]."""
+    cycling = {unit.word(key) for unit in model.all(*UNITS, *ROOM_UNITS)
+               for key in ("supply_fan_name", "supply_air_fan_name")
+               if not unit.text(MODE) or schedules.of(unit, MODE).min() <= 0}
+    fans = [(fan, *keys) for kind, keys in FANS.items() for fan in model.all(kind)]
+    total, heat = idf_schedules.constant(0), 0.0
+    for fan, flow, pressure, in_stream in fans:
+        power = fan.number(flow, USUAL_FLOW * area / len(fans), 0, 1e4) * fan.number(pressure, 0, 0, 1e5) / \
+            fan.number("fan_total_efficiency", EFFICIENCY, 0.01, 1)
+        motor = fan.number("motor_efficiency", MOTOR, 0.01, 1)
+        time = schedules.of(fan, "availability_schedule_name")
+        drawn = power / area * np.clip(time, 0, 1) * (SHARE_OF_TIME if fan.name.lower() in cycling else 1)
+        total += drawn
+        heat += (motor + (1 - motor) * fan.number(in_stream, IN_STREAM, 0, 1)) * drawn.mean()
+    return Profile(total, heat / total.mean() if total.any() else 1, "electricity")
 
 
 def equipment_of(model):

@@ -16,7 +16,8 @@ _SIMPLE = "name construction_name building_surface_name {} multiplier starting_x
           "length height"
 _UNITARY = "name availability_schedule_name {}_air_inlet_node_name {}_air_outlet_node_name " \
            "supply_air_fan_operating_mode_schedule_name maximum_supply_air_temperature cooling_supply_air_flow_rate " \
-           "heating_supply_air_flow_rate no_load_supply_air_flow_rate controlling_zone_or_thermostat_location"
+           "heating_supply_air_flow_rate no_load_supply_air_flow_rate controlling_zone_or_thermostat_location " \
+           "supply_fan_object_type supply_fan_name"
 _COILS = "heating_coil_object_type heating_coil_name cooling_coil_object_type cooling_coil_name"
 _TERMINAL = "name availability_schedule_name air_inlet_node_name air_outlet_node_name outdoor_air_mixer_object_type " \
             "outdoor_air_mixer_name cooling_supply_air_flow_rate heating_supply_air_flow_rate " \
@@ -144,6 +145,14 @@ _TABLE = {
         "maximum_supply_air_temperature_from_supplemental_heater "
         "maximum_outdoor_dry_bulb_temperature_for_supplemental_heater_operation fan_placement "
         "supply_air_fan_operating_mode_schedule_name",
+    **dict.fromkeys(("fan:constantvolume", "fan:onoff"),
+                    "name availability_schedule_name fan_total_efficiency pressure_rise maximum_flow_rate "
+                    "motor_efficiency motor_in_airstream_fraction"),
+    "fan:systemmodel":
+        "name availability_schedule_name air_inlet_node_name air_outlet_node_name design_maximum_air_flow_rate "
+        "speed_control_method electric_power_minimum_flow_rate_fraction design_pressure_rise motor_efficiency "
+        "motor_in_air_stream_fraction design_electric_power_consumption design_power_sizing_method "
+        "electric_power_per_unit_flow_rate electric_power_per_unit_flow_rate_per_unit_pressure fan_total_efficiency",
     "coil:heating:fuel": "name availability_schedule_name fuel_type burner_efficiency",
     "coil:heating:gas": "name availability_schedule_name burner_efficiency",
     "coil:heating:electric": "name availability_schedule_name efficiency",

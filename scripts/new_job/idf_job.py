@@ -1,6 +1,7 @@
 """The text of a first job from an EnergyPlus file: its own schedules, constructions, zone and priors."""
 import os
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -116,9 +117,9 @@ def month_day(day):
         day -= n_days
 
 
-def schedules(first):
+def schedules(first, hours):
     summer_time = job.summer_time_of(first.options.country, first.options.state)
-    for name, shares in hours_of(first.model).shares.items():
+    for name, shares in hours.shares.items():
         runs = runs_of(shares)
         if len(runs) > MOST_RUNS:
             first.told.check(f"schedule {name}: it has {len(runs)} parts of the year; their mean was taken")
@@ -175,10 +176,9 @@ def set_points(first, room, names):
         if is_cooled(first, room) else NOT_COOLED
 
 
-def zones(first):
-    names = hours_of(first.model).names
+def zones(first, hours):
     for room in first.model.rooms:
-        yield from zone(first, room, names)
+        yield from zone(first, room, hours.names)
 
 
 def zone(first, room, names):
@@ -251,9 +251,12 @@ def flow_priors(first):
 
 def load_priors(first):
     names = [load.name for load in first.loads if load.name not in ("people", "hot_water")]
-    if names:
-        targets = [target for name in names for target in load_targets(first, name)]
-        yield priors.factor("lights_and_equipment", targets, 0.2, 3, 0.3, "on all")
+    # Readings by the hour tell apart what has hours of its own.
+    groups = {name: [name] for name in names} if first.is_hourly else {"lights_and_equipment": names}
+    for group, loads in groups.items():
+        targets = [target for name in loads for target in load_targets(first, name)]
+        if targets:
+            yield priors.factor(group, targets, 0.2, 3, 0.3, "relative to the file's")
     for load in first.loads:
         targets = load_targets(first, load.name)
         if load.name == "people":
@@ -299,8 +302,8 @@ def priors_of(first):
         yield as_factor(prior) if several and prior.name in OF_ROOMS and prior.mean > 0 else prior
 
 
-PARTS = (job.site, job.holidays, job.weather, job.periods, schedules, constructions, zones, job.plant, job.meters)
-
-
 def idf_text(first):
-    return job.job_text(first, header, PARTS, priors_of)
+    hours = hours_of(first.model)
+    parts = (job.site, job.holidays, job.weather, job.periods, partial(schedules, hours=hours), constructions,
+             partial(zones, hours=hours), job.plant, job.meters)
+    return job.job_text(first, header, parts, priors_of)

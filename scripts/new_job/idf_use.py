@@ -5,11 +5,10 @@ taken at usual differences of temperature and wind, wind at the zone's height by
 people: EnergyPlus Engineering Reference, People. Leaves out sizes that EnergyPlus finds, controls, air networks, and
 that outdoor air is denser than the room's (3 % more infiltration by mass in Chicago).
 """
-from dataclasses import dataclass
-
 import numpy as np
 
 from new_job import idf, idf_fans, idf_schedules
+from new_job.profile import Profile
 from new_job.refused import Refused
 
 USUAL_DIFFERENCE, USUAL_WIND = 10, 4     # K and m/s at 10 m, for coefficients of infiltration
@@ -40,14 +39,6 @@ COOLERS = (("Chiller:Electric:EIR", "reference_cop", 3, "electricity"),
            ("Coil:Cooling:DX", "", 3, "electricity"), ("DistrictCooling", "", 1, "none"))
 FUELS = {"naturalgas": "gas", "gas": "gas", "propane": "gas", "fueloilno1": "gas", "fueloilno2": "gas",
          "electricity": "electricity"}
-
-
-@dataclass
-class Profile:
-    """(365, 8, 24) values; `share`: of a load's power that heats the zone."""
-    values: np.ndarray
-    share: float = 1
-    carrier: str = ""
 
 
 class Reader:

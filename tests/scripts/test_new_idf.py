@@ -9,6 +9,7 @@ import pathlib
 import shutil
 import sys
 import tempfile
+import types
 import unittest
 
 sys.dont_write_bytecode = True
@@ -18,7 +19,8 @@ sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests" / "scripts"), str(ROOT
 import idf as energyplus  # noqa: E402  (found above)
 import numpy as np  # noqa: E402
 import test_new as usual  # noqa: E402
-from new_job import idf, idf_building, idf_envelope, idf_fields, idf_geometry, idf_schedules, idf_use  # noqa: E402
+from new_job import (  # noqa: E402
+    building, idf, idf_building, idf_envelope, idf_fields, idf_geometry, idf_schedules, idf_use)
 from new_job.refused import Refused  # noqa: E402
 
 DATA, NO_INPUT, USAGE = 65, 66, 64
@@ -215,6 +217,42 @@ class Box(unittest.TestCase):
                 found = self.read(BOX + always + text)
                 self.assertAlmostEqual(found.whole.ventilation.max(), share * usual_flow)
                 self.assertEqual(share < 1, any("cycle with their coils" in line for line in found.left_out))
+
+    def test_what_fans_draw(self):
+        """Power = flow x pressure / efficiency, at the hours of the fan; 4.5 l/(s m2) where the file has no flow. What
+        the motor loses outside of the air does not warm it; a fan that cycles with its coil runs a fifth of the time."""
+        fan = "Fan:ConstantVolume, Fan, {}, 0.5, 600, {}, 0.8, 0.5;\n"
+        unit = "AirLoopHVAC:UnitaryHeatCool, Unit, , In, Out, {}, , , , , Room, Fan:ConstantVolume, Fan;\n"
+        times = "Schedule:Constant, Never, , 0;\nSchedule:Constant, Ever, , 1;\n"
+        by_flow, usual_flow = 2 * 600 / 0.5 / (LENGTH * DEPTH * ALIKE), 0.0045 * 600 / 0.5
+        for text, power in ((fan.format("", 2), by_flow), (fan.format("", "autosize"), usual_flow),
+                            (fan.format("", 2) + unit.format("Never"), 0.2 * by_flow),
+                            (fan.format("", 2) + unit.format("Ever"), by_flow)):
+            with self.subTest(text=text):
+                fans = self.read(BOX + times + text).whole.loads["fans"]
+                self.assertAlmostEqual(fans.values.max(), power)
+                self.assertAlmostEqual(fans.share, 0.9)
+        of_hours = self.read(BOX + fan.format("Work", 2)).whole
+        self.assertTrue(np.array_equal(of_hours.loads["fans"].values > 0, of_hours.loads["lights"].values > 0))
+        system = "Fan:SystemModel, Fan, , In, Out, 2, Discrete, 0, 600, 0.8, 0.5, , , , , 0.5;\n"
+        self.assertAlmostEqual(self.read(BOX + system).whole.loads["fans"].values.max(), by_flow)
+        self.assertNotIn("fans", self.read(BOX).whole.loads)
+        self.assertIn("fans", "".join(self.read(BOX + "Fan:VariableVolume, Fan;\n").left_out))
+
+    def test_machines_whose_heat_and_cold_are_metered_draw_from_the_meter_that_is_there(self):
+        """Else the loads have to stand for the electricity of cooling. Ideal loads have no machine."""
+        def plant(text, *quantities):
+            there = [types.SimpleNamespace(quantity=quantity) for quantity in quantities]
+            by_meters = building.Plant("none", 1, 0, (1, 1), "its heat is metered")
+            return idf_building.plant_of(self.read(text), by_meters, there, None)
+        found = plant(BOX, "heating", "cooling", "gas", "electricity")
+        self.assertEqual((found.heating, found.efficiency), ("gas", 0.82))
+        self.assertEqual((found.cooling, found.cop), ("electricity", 3.4))
+        found = plant(BOX, "heating", "cooling")
+        self.assertEqual((found.heating, found.cooling), ("none", "none"))
+        no_machine = "".join(line + "\n" for line in BOX.splitlines() if not line.startswith("Coil"))
+        ideal = no_machine + "ZoneHVAC:IdealLoadsAirSystem, Ideal;\n"
+        self.assertEqual(plant(ideal, "cooling", "electricity").cooling, "none")
 
     def test_people_in_rooms_between_the_set_points(self):
         """Half-way, and where cooling is set far up 3 K above heating; sensible of 120 W are 71.9 W at 23.5 degC."""
@@ -467,7 +505,7 @@ class Job(usual.New):
         self.assertEqual([p["dates"] for p in lights["period"]], ["01-01/06-30"])
         self.assertEqual({c["name"] for c in job["construction"]}, {"Wall", "Roof", "Slab"})
         names = {p["name"] for p in job["parameter"]}
-        self.assertLessEqual({"envelope", "infiltration", "ventilation", "lights_and_equipment", "people",
+        self.assertLessEqual({"envelope", "infiltration", "ventilation", "lights", "equipment", "people",
                               "heating_set_point", "heating_set_back", "cooling_set_point"}, names)
         self.assertNotIn("cooling_set_back", names)
 
