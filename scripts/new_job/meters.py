@@ -130,9 +130,21 @@ def chosen_columns(table, request):
         return named
     if len(there) == 1:
         return [(there[0], quantity_of(os.path.basename(table.path)) or of_unit(there[0]))]
+    for name in table.values:
+        if quantity_of(name) and not is_other(name):
+            refuse_texts(table, name)
     columns = ", ".join(table.values[:20]) + (", ..." if len(table.values) > 20 else "")
     raise Refused(f"{table.path}: has no column whose name says what it is, such as gas_kwh, among {columns}; write "
                   f"--meter {table.path}:COLUMN:QUANTITY:UNIT")
+
+
+def refuse_texts(table, column):
+    """Of a column that would be a meter, were all its cells numbers."""
+    found = tables.text_among(table, column)
+    if found:
+        row, text = found
+        raise Refused(f"{table.path}: column {column}: row {row} has {text!r}, which is no number; expected numbers, "
+                      f"and where nothing was read an empty cell or NA")
 
 
 def of_unit(name):
@@ -235,7 +247,9 @@ def likely_numbers(table, column, quantity, unit, area):
     """Of 1,234 that may be a thousand or one: what is more like a year's use of a building."""
     numbers = tables.numbers_in(table, column)
     if numbers is None:
-        raise Refused(f"{table.path}: column {column}: has cells that are no numbers")
+        refuse_texts(table, column)
+        raise Refused(f"{table.path}: column {column}: has cells that are no numbers; expected numbers, or the name of "
+                      f"another column, among {', '.join(table.values)}")
     unit = unit or unit_of(column, quantity) or ("kWh", 1)
     if not numbers.is_guess or quantity not in USUAL:
         return numbers
@@ -312,7 +326,7 @@ def keys_of_meter(table, numbers, told):
     if numbers.thousands:
         keys["thousands"] = numbers.thousands
     if numbers.is_guess:
-        told.check(f"{table.path}: numbers such as 1,234 were read as "
+        told.check(f"{table.path}: numbers such as {numbers.example} were read as "
                    f"{'decimals' if numbers.thousands == 'none' else 'thousands'}")
     if table.is_guess:
         told.check(f"{table.path}: its dates were read as {table.form}, but day and month cannot be told apart")

@@ -23,6 +23,10 @@ MISSING = {"", "na", "n/a", "nan", "null", "none", "-", "missing", "#n/a", "#val
 PARTS = (("year", "yyyy", "yr"), ("month", "mo", "mon"), ("day", "dd", "dy"), ("hour", "hr", "hh"),
          ("minute", "mn", "min"))
 UNIT_CELLS = ("yyyy mm dd hh mm", "h", "-")
+# Numbers that count a time, of 1980 to 2100.
+COUNTED = ((29221, 73051, "perhaps a workbook's days since 1900; give its cells a format of date and clock before you "
+                          "save them as CSV"),
+           (315532800, 4102444800, "perhaps seconds since 1970; write them as dates and clock of standard time"))
 BLANK, BLANK_GROUP = re.compile(r"\s"), re.compile(r"\d\s\d{3}(\D|$)")
 CLOCK_CELL = re.compile(r"\d{1,2}:\d\d(:\d\d)?$")
 
@@ -141,7 +145,18 @@ def header_at(path, cells):
                 return names, k
             raise Refused(f"{path}:1: has no line with the names of its columns above the first reading; write one, "
                           "time,gas_kwh")
-    raise Refused(f"{path}: has no time column; expected one like 2021-03-05 14:00, or date and clock in two columns")
+    raise Refused(f"{path}: has no time column{counted_time(cells)}; expected one like 2021-03-05 14:00, or date and "
+                  "clock in two columns")
+
+
+def counted_time(cells):
+    """What a first column of numbers may be: days or seconds since an origin, which are not read."""
+    try:
+        values = [float(row[0]) for row in cells[-2:]]
+    except (ValueError, IndexError):
+        return ""
+    said = next((says for least, most, says in COUNTED if all(least <= value <= most for value in values)), "")
+    return said and f" that is read: its first has numbers such as {cells[-1][0]}, {said}"
 
 
 def is_row_of_times(row, next_row):
@@ -199,12 +214,22 @@ def read_table(path, country=""):
     rows = [row for row in cells[first:] if len(row) > 1]
     while len(rows) > 2 and not rows_begin_with_time(rows[-1]):
         rows.pop()                                    # a total, a note
+    check_widths(path, names, rows)
     table = Table(os.fspath(path), names, rows, separator)
     set_time(table, country)
     n_values = len(table.values)
     if n_values in DAY_COLUMNS and table.step == 86400:
         table.per_day = n_values
     return table
+
+
+def check_widths(path, names, rows):
+    """Decimal commas between separators that are commas, too, make two cells of a number."""
+    for row in rows:
+        if any(cell.strip() for cell in row[len(names):]):
+            raise Refused(f"{path}: row {','.join(row)!r} has {len(row)} cells; expected {len(names)} as in the line "
+                          "of names; if commas are decimal marks, put such cells into quotes or separate cells by "
+                          "semicolons")
 
 
 def check_order(table):
@@ -214,11 +239,19 @@ def check_order(table):
     for k, (one, other) in enumerate(zip(table.times, table.times[1:]), 2):
         if one - other > back or one == other and not has_clock:
             raise Refused(f"{table.path}: {table.time[0]}: row {k}, {other:%Y-%m-%d %H:%M}, is not later than the row "
-                          f"before ({one:%Y-%m-%d %H:%M}); sort the rows by time, each time once")
+                          f"before ({one:%Y-%m-%d %H:%M}); sort the rows by time, each time once; meters below each "
+                          "other go into columns or files of their own")
 
 
 def rows_begin_with_time(row):
     return any(is_time(cell) for cell in row[:4]) or all(cell.strip().isdigit() for cell in row[:3])
+
+
+def text_among(table, name):
+    """(row, text) of a cell that is no number, where half of the column's cells and more are; else None."""
+    cells = [cell for cell in table.column(name) if cell.lower() not in MISSING]
+    texts = [cell for cell in cells if not re.fullmatch(r"[-+]?[\d.,\s]+([eE][-+]?\d+)?", cell)]
+    return (table.column(name).index(texts[0]) + 1, texts[0]) if texts and 2 * len(texts) < len(cells) else None
 
 
 @dataclass
@@ -228,6 +261,7 @@ class Numbers:
     decimal: str = "."
     thousands: str = ""        # "" where nothing looks so, "none" where it could
     is_guess: bool = False
+    example: str = ""          # as it is written
 
 
 def form_of(cells, separator):
@@ -274,7 +308,7 @@ def numbers_in(table, name, form=None):
             values.append(float(plain.replace(decimal, ".")))
         except ValueError:
             return None
-    return Numbers(values, decimal, thousands, is_guess)
+    return Numbers(values, decimal, thousands, is_guess, next((cell for cell in there if not cell.isdigit()), ""))
 
 
 def stamp_of(table):
