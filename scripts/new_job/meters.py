@@ -142,9 +142,9 @@ def refuse_texts(table, column):
     """Of a column that would be a meter, were all its cells numbers."""
     found = tables.text_among(table, column)
     if found:
-        row, text = found
-        raise Refused(f"{table.path}: column {column}: row {row} has {text!r}, which is no number; expected numbers, "
-                      f"and where nothing was read an empty cell or NA")
+        line, text = found
+        raise Refused(f"{table.path}:{line}: {column}: {text!r} is no number; expected numbers, and where nothing was "
+                      "read an empty cell or NA")
 
 
 def of_unit(name):

@@ -214,7 +214,7 @@ def read_table(path, country=""):
     rows = [row for row in cells[first:] if len(row) > 1]
     while len(rows) > 2 and not rows_begin_with_time(rows[-1]):
         rows.pop()                                    # a total, a note
-    check_widths(path, names, rows)
+    check_widths(path, names, rows, separator)
     table = Table(os.fspath(path), names, rows, separator)
     set_time(table, country)
     n_values = len(table.values)
@@ -223,13 +223,19 @@ def read_table(path, country=""):
     return table
 
 
-def check_widths(path, names, rows):
+def line_of(path, row, separator):
+    """Number of the first line with these cells."""
+    lines = text_of(path).splitlines()
+    return next((k for k, line in enumerate(lines, 1) if cells_of([line], separator) == [row]), 1)
+
+
+def check_widths(path, names, rows, separator):
     """Decimal commas between separators that are commas, too, make two cells of a number."""
     for row in rows:
         if any(cell.strip() for cell in row[len(names):]):
-            raise Refused(f"{path}: row {','.join(row)!r} has {len(row)} cells; expected {len(names)} as in the line "
-                          "of names; if commas are decimal marks, put such cells into quotes or separate cells by "
-                          "semicolons")
+            raise Refused(f"{path}:{line_of(path, row, separator)}: has {len(row)} cells; expected {len(names)} as in "
+                          "the line of names; if commas are decimal marks, put such cells into quotes or separate "
+                          "cells by semicolons")
 
 
 def check_order(table):
@@ -248,10 +254,13 @@ def rows_begin_with_time(row):
 
 
 def text_among(table, name):
-    """(row, text) of a cell that is no number, where half of the column's cells and more are; else None."""
+    """(line, text) of a cell that is no number, where half of the column's cells and more are; else None."""
     cells = [cell for cell in table.column(name) if cell.lower() not in MISSING]
     texts = [cell for cell in cells if not re.fullmatch(r"[-+]?[\d.,\s]+([eE][-+]?\d+)?", cell)]
-    return (table.column(name).index(texts[0]) + 1, texts[0]) if texts and 2 * len(texts) < len(cells) else None
+    if not texts or 2 * len(texts) > len(cells):
+        return None
+    row = table.rows[table.column(name).index(texts[0])]
+    return line_of(table.path, row, table.separator), texts[0]
 
 
 @dataclass

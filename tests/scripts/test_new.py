@@ -461,11 +461,11 @@ class New(unittest.TestCase):
     def test_a_file_that_would_be_read_wrongly_is_told_what_is_wrong_in_it(self):
         def table(names, *lines):
             return self.written("a.csv", [names, *lines])
-        self.refused(["2021-01-01 00:00,1,5", "3 cells; expected 2", "decimal marks"], DATA,
+        self.refused(["a.csv:2: has 3 cells; expected 2", "decimal marks"], DATA,
                      table("time,gas_kwh", "2021-01-01 00:00,1,5", "2021-01-01 01:00,2,5"))
         self.refused(["44197.04", "workbook's days"], DATA, table("time,gas_kwh", "44197.00,1", "44197.04,2"))
         self.refused(["1609462800", "seconds since 1970"], DATA, table("time,gas_kwh", "1609459200,1", "1609462800,2"))
-        self.refused(["column gas_kwh: row 2 has 'offline'", "an empty cell"], DATA,
+        self.refused(["a.csv:3: gas_kwh: 'offline'", "an empty cell"], DATA,
                      table("time,gas_kwh", *(f"2021-01-01 {hour:02}:00,{'offline' if hour == 1 else hour}"
                                              for hour in range(24))))
         self.refused(["row 2, 2021-01-01 00:00, is not later", "meters below each other"], DATA,

@@ -220,7 +220,7 @@ class Box(unittest.TestCase):
 
     def test_what_fans_draw(self):
         """Power = flow x pressure / efficiency, at the hours of the fan; 4.5 l/(s m2) where the file has no flow. What
-        the motor loses outside of the air does not warm it; a fan that cycles with its coil runs a fifth of the time."""
+        the motor loses outside of the air does not warm it; one that cycles with its coil runs a fifth of the time."""
         fan = "Fan:ConstantVolume, Fan, {}, 0.5, 600, {}, 0.8, 0.5;\n"
         unit = "AirLoopHVAC:UnitaryHeatCool, Unit, , In, Out, {}, , , , , Room, Fan:ConstantVolume, Fan;\n"
         times = "Schedule:Constant, Never, , 0;\nSchedule:Constant, Ever, , 1;\n"
