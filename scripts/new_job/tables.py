@@ -254,10 +254,10 @@ def rows_begin_with_time(row):
 
 
 def text_among(table, name):
-    """(line, text) of a cell that is no number, where half of the column's cells and more are; else None."""
+    """(line, text) of a cell that is no number, where others are or it begins as one; else None."""
     cells = [cell for cell in table.column(name) if cell.lower() not in MISSING]
     texts = [cell for cell in cells if not re.fullmatch(r"[-+]?[\d.,\s]+([eE][-+]?\d+)?", cell)]
-    if not texts or 2 * len(texts) > len(cells):
+    if not texts or 2 * len(texts) > len(cells) and not texts[0][:1].isdigit():
         return None
     row = table.rows[table.column(name).index(texts[0])]
     return line_of(table.path, row, table.separator), texts[0]
@@ -275,7 +275,8 @@ class Numbers:
 
 def form_of(cells, separator):
     """(decimal, thousands, whether it was guessed). A mark before three digits everywhere is one of thousands where
-    numbers below 1000 stand among them, which have none."""
+    numbers from 1 to 999 stand among them, which have none; one of decimals where a longer one has none. A zero or a
+    code such as -99 says nothing."""
     if any(BLANK_GROUP.search(cell) for cell in cells):
         return ("," if any("," in cell for cell in cells) else "."), " ", False
     both = [cell for cell in cells if "," in cell and "." in cell]
@@ -287,7 +288,12 @@ def form_of(cells, separator):
             continue
         if not all(re.fullmatch(rf"-?[1-9]\d{{0,2}}(\{mark}\d{{3}})+", cell) for cell in marked):
             return mark, "", False
-        if len(marked) < len(cells) or any(cell.count(mark) > 1 for cell in marked):
+        if any(cell.count(mark) > 1 for cell in marked):
+            return other, mark, False
+        unmarked = {cell for cell in cells if mark not in cell}
+        if any(re.fullmatch(r"-?\d{4,}", cell) for cell in unmarked):
+            return mark, "none", False
+        if any(re.fullmatch(r"0*[1-9]\d{0,2}", cell) for cell in unmarked):
             return other, mark, False
         return (other, mark, True) if mark == separator else (mark, "none", True)
     return ".", "", False

@@ -468,6 +468,8 @@ class New(unittest.TestCase):
         self.refused(["a.csv:3: gas_kwh: 'offline'", "an empty cell"], DATA,
                      table("time,gas_kwh", *(f"2021-01-01 {hour:02}:00,{'offline' if hour == 1 else hour}"
                                              for hour in range(24))))
+        self.refused(["a.csv:2: gas_kwh: '1.5 kWh' is no number"], DATA,
+                     table("time,gas_kwh", "2021-01-01 00:00,1.5 kWh", "2021-01-01 01:00,1.7 kWh"))
         self.refused(["row 2, 2021-01-01 00:00, is not later", "meters below each other"], DATA,
                      table("time,meter,gas_kwh", "2021-01-01 00:00,A,1", "2021-01-01 00:00,B,2",
                            "2021-01-01 01:00,A,1", "2021-01-01 01:00,B,2"))
@@ -476,6 +478,12 @@ class New(unittest.TestCase):
         lines = rows(gas, cell=lambda value: f"{value:.3f}")
         said = self.new(self.written("gas.csv", ["time,gas_kwh", *lines])).stdout
         self.assertIn(f"numbers such as {lines[0].split(',')[1]} were read as decimals", said)
+
+    def test_a_code_among_numbers_of_three_decimals_makes_them_no_thousands(self):
+        lines = rows(gas, cell=lambda value: f"{value:.3f}")
+        lines[100] = lines[100].split(",")[0] + ",-9999"
+        self.new(self.written("gas.csv", ["time,gas_kwh", *lines]))
+        self.assertEqual(self.meter()["thousands"], "none")
 
     def test_nothing_is_written_over(self):
         self.new()
@@ -527,7 +535,9 @@ class Parts(unittest.TestCase):
                                 (["1.234,5"], (",", ".", False)),
                                 (["1,234.5"], (".", ",", False)), (["1,234"], (",", "none", True)),
                                 (["1,234", "567"], (".", ",", False)), (["1.234", "567"], (",", ".", False)),
-                                (["1 234,5"], (",", " ", False))):
+                                (["2.048", "-9999"], (".", "none", False)), (["2.048", "0"], (".", "none", True)),
+                                (["2.048", "-99"], (".", "none", True)), (["2,048", "12345"], (",", "none", False)),
+                                (["1.234.567", "0"], (",", ".", False)), (["1 234,5"], (",", " ", False))):
             self.assertEqual(tables.form_of(cells, ";"), expected)
 
 
