@@ -26,8 +26,8 @@ UNIT_CELLS = ("yyyy mm dd hh mm", "h", "-")
 # Numbers that count a time, of 1980 to 2100.
 COUNTED = ((29221, 73051, "perhaps a workbook's days since 1900; give its cells a format of date and clock before you "
                           "save them as CSV"),
-           (315532800, 4102444800, "perhaps seconds since 1970; write them as dates and clock of standard time, or the meter by hand "
-                                 "with time_format = \"%s\""))
+           (315532800, 4102444800, "perhaps seconds since 1970; write them as dates and clock of standard time, or the "
+                                   "meter by hand with time_format = \"%s\""))
 BLANK, BLANK_GROUP = re.compile(r"\s"), re.compile(r"\d\s\d{3}(\D|$)")
 CLOCK_CELL = re.compile(r"\d{1,2}:\d\d(:\d\d)?$")
 
