@@ -145,7 +145,7 @@ class StageSimulator {
         if (!all) return std::nullopt;
         Standing& standing = all->standing;
         standing.left_out = std::move(left_out);
-        standing.score = deviance(data_.targets, standing.noise, standing.left_out);
+        standing.score = score_of_halves(data_, standing);
         return Simulated{std::move(found), std::move(standing), std::move(all->place)};
     }
 
@@ -169,19 +169,13 @@ bool spares_meters(const LoopData& data, const Standing& without, const Standing
     constexpr double most_rise = 0.01;  ///< of the error of a meter that counts whole
     const Series before = mean_squares(data.targets, without.left_out),
                  after = mean_squares(data.targets, with.left_out);
+    const Series seen = mean_squares(data.targets, with.residuals);
     Series rises;
     for (std::size_t c = 0; c < before.size(); ++c)
-        rises.push_back((std::sqrt(after[c] / before[c]) - 1) * without.noise[c].share);
+        rises.push_back((std::sqrt(std::max(after[c], seen[c]) / before[c]) - 1) *
+                        without.noise[c].share);
     const double in_exchange = -share_in_exchange * std::ranges::min(rises);
     return std::ranges::max(rises) <= std::max(most_rise, in_exchange);
-}
-
-/// Whether a stage's parameters get to where its functions ask for them to be: where
-/// linear steps end before that, by simulation with the functions as they are.
-bool arrives(const LoopData& data, Standing& stage) {
-    if (explains_what_it_has_seen(data, stage)) return true;
-    refit(data, stage, to_settle);
-    return !stage.fit.failed && explains_what_it_has_seen(data, stage);
 }
 
 /// The stage that foretells unseen blocks best, of a search about the best so far, if any
@@ -203,7 +197,7 @@ std::optional<Simulated> better_stage(const LoopData& data,
     for (std::size_t k = first; k < path.stages.size(); ++k) {
         auto one = simulator.simulated(path.stages[k]);
         if (!one || one->standing.score >= least ||
-            !spares_meters(data, without, one->standing) || !arrives(data, one->standing))
+            !spares_meters(data, without, one->standing))
             continue;
         least = one->standing.score;
         best = std::move(one);
@@ -246,8 +240,9 @@ std::vector<FoundFunction> find_functions(const LoopData& data, Place& place,
     return std::move(best.functions);
 }
 
-bool explains_what_it_has_seen(const LoopData& data, const Standing& standing) {
-    return deviance(data.targets, standing.noise, standing.residuals) <= standing.score;
+double score_of_halves(const LoopData& data, const Standing& whole) {
+    return std::max(deviance(data.targets, whole.noise, whole.left_out),
+                    deviance(data.targets, whole.noise, whole.residuals));
 }
 
 Place with_functions(Place place, const std::vector<FoundFunction>& found,

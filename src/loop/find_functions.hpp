@@ -17,10 +17,11 @@ namespace bemcal::loop {
 std::vector<FoundFunction> find_functions(const LoopData& data, Place& place,
                                           Standing& standing);
 
-/// Whether a model explains the readings that it is fitted to at least as well as its
-/// halves foretell those that they have not seen. Else its parameters could not go where
-/// its functions ask for them to be: what lies between could not be simulated.
-bool explains_what_it_has_seen(const LoopData& data, const Standing& standing);
+/// Of a model and what its halves foretold of blocks that they had not seen (left_out):
+/// the deviance of that, but no less than its own of all readings. Where its parameters
+/// could not go to where its functions ask for them to be, since what lies between cannot
+/// be simulated, the halves promise more than it keeps.
+double score_of_halves(const LoopData& data, const Standing& whole);
 
 /// The place, of any period, with functions in place of those that it had.
 /// \param drivers  of that period
