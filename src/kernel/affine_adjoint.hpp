@@ -3,7 +3,7 @@
 /// numbers are parameters.
 #pragma once
 
-#include "kernel/plan.hpp"
+#include "kernel/regime.hpp"
 
 namespace bemcal::kernel {
 
