@@ -124,13 +124,6 @@ bool is_heated(physics::Building& building) {
     });
 }
 
-bool is_cooled(physics::Building& building) {
-    return std::ranges::any_of(building.zones, [](const physics::Zone& zone) {
-        const physics::Thermostat& control = zone.thermostat;
-        return !control.imposed && control.cooling_capacity.value > 0;
-    });
-}
-
 /// The long-wave loss that all hours share.
 Refinement::Number sky_difference(double mean, double sd) {
     return {"sky_difference", "zone.*.sky_temperature_difference", mean, sd, 0, 28};
@@ -236,11 +229,6 @@ const std::vector<Refinement>& refinements() {
          {{"heating_limit", "zone.*.heating_limit", 15, 2, 5, 25}},
          {},
          is_heated},
-        {"cooling season",
-         "cooling that stops while the running mean outdoors is below a limit",
-         {{"cooling_limit", "zone.*.cooling_limit", 12, 3, 0, 25}},
-         {},
-         is_cooled},
         {"auxiliaries",
          "electricity of pumps and fans with heat and cold",
          {{"heating_auxiliary", "plant.heating_auxiliary", 0.02, 0.02, 0, 0.3},
