@@ -340,6 +340,7 @@ void search_beside_functions(const LoopData& data, const Place& place, LoopResul
         auto beside = beside_functions(data, place, result);
         if (!beside) return;
         LoopResult& tried = beside->result;
+        tried.log.push_back({"", "functions join; once more beside them", 0, 0, 0, {}});
         const bool is_added =
             Search(beside->data, tried, under_way, false).add_beside_functions();
         result.log = tried.log;
