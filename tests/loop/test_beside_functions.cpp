@@ -13,20 +13,9 @@ using namespace bemcal::study;
 
 namespace {
 
-/// Heat that nobody meters, from 5 to 9 h.
-effects::Effect gains_of_the_morning() {
-    effects::Effect effect;
-    effect.name = "gains";
-    effect.hook = effects::Hook::gains;
-    effect.driver = effects::Driver::hour;
-    effect.shape = {effects::Form::within, 5, 9};
-    effect.most = 60;
-    return effect;
-}
-
 std::vector<Dataset> searched(double gains, double wind, bool functions) {
     Case made = test::windy_case();
-    test::measure(made, {gains_of_the_morning(), test::named("wind infiltration")},
+    test::measure(made, {test::gains_of_the_morning(), test::named("wind infiltration")},
                   {gains, wind}, 3);
     LoopOptions options;
     options.block_days = 7;

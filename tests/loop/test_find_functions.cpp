@@ -12,7 +12,7 @@
 using namespace bemcal;
 using namespace bemcal::loop;
 using namespace bemcal::study;
-using test::measure, test::windy_case;
+using test::gains_of_the_morning, test::measure, test::windy_case;
 
 namespace {
 
@@ -22,17 +22,6 @@ LoopOptions functions_only() {
     options.try_structures = false;
     options.most_effects = 0;
     return options;
-}
-
-/// Heat that nobody meters, from 5 to 9 h.
-effects::Effect gains_of_the_morning() {
-    effects::Effect effect;
-    effect.name = "gains";
-    effect.hook = effects::Hook::gains;
-    effect.driver = effects::Driver::hour;
-    effect.shape = {effects::Form::within, 5, 9};
-    effect.most = 20;
-    return effect;
 }
 
 std::vector<Dataset> searched(const Case& made, const LoopOptions& options) {

@@ -21,6 +21,17 @@ inline effects::Effect named(const std::string& name) {
     throw std::out_of_range(name);
 }
 
+/// Heat that nobody meters, from 5 to 9 h.
+inline effects::Effect gains_of_the_morning() {
+    effects::Effect effect;
+    effect.name = "gains";
+    effect.hook = effects::Hook::gains;
+    effect.driver = effects::Driver::hour;
+    effect.shape = {effects::Form::within, 5, 9};
+    effect.most = 60;
+    return effect;
+}
+
 /// Five months of wind, a training period and one that is held out, no meters yet.
 inline study::Case windy_case() {
     study::Case made = small_case();
