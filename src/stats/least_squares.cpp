@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <Eigen/Dense>
 
@@ -67,7 +68,7 @@ std::vector<double> product_of(std::span<const double> a, std::span<const double
 
 /// A run of readings of one block.
 struct Run {
-    Eigen::Index begin, size;
+    std::size_t begin, size;
 };
 
 std::vector<std::vector<Run>> runs_of(std::span<const int> block_of) {
@@ -75,22 +76,42 @@ std::vector<std::vector<Run>> runs_of(std::span<const int> block_of) {
     std::vector<std::vector<Run>> runs(static_cast<std::size_t>(n_blocks));
     for (std::size_t k = 0; k < block_of.size(); ++k) {
         auto& of_block = runs[static_cast<std::size_t>(block_of[k])];
-        if (k == 0 || block_of[k] != block_of[k - 1])
-            of_block.push_back({static_cast<Eigen::Index>(k), 0});
+        if (k == 0 || block_of[k] != block_of[k - 1]) of_block.push_back({k, 0});
         ++of_block.back().size;
     }
     return runs;
+}
+
+NormalEquations equations_of(const Rows& rows, std::span<const double> r,
+                             std::span<const double> weights) {
+    NormalEquations made{Matrix(rows.size(), rows.size()),
+                         products(rows, product_of(weights, r))};
+    made.matrix.values = weighted_gram(rows, weights);
+    return made;
+}
+
+/// Of a block's readings alone.
+NormalEquations equations_of(const Rows& rows, const std::vector<Run>& block,
+                             std::span<const double> r, std::span<const double> weights) {
+    NormalEquations sum{Matrix(rows.size(), rows.size()),
+                        std::vector<double>(rows.size(), 0.0)};
+    for (const Run& run : block) {
+        Rows part = rows;
+        for (const double*& row : part) row += run.begin;
+        const NormalEquations of_run = equations_of(part, r.subspan(run.begin, run.size),
+                                                    weights.subspan(run.begin, run.size));
+        std::ranges::transform(sum.matrix.values, of_run.matrix.values,
+                               sum.matrix.values.begin(), std::plus());
+        std::ranges::transform(sum.right, of_run.right, sum.right.begin(), std::plus());
+    }
+    return sum;
 }
 
 }  // namespace
 
 NormalEquations normal_equations(const Matrix& derivatives, std::span<const double> r,
                                  std::span<const double> weights) {
-    const Rows rows = rows_of(derivatives);
-    NormalEquations made{Matrix(rows.size(), rows.size()),
-                         products(rows, product_of(weights, r))};
-    made.matrix.values = weighted_gram(rows, weights);
-    return made;
+    return equations_of(rows_of(derivatives), r, weights);
 }
 
 Bordered bordered(const Matrix& derivatives, std::span<const double> s,
@@ -135,34 +156,25 @@ std::vector<double> jackknife_deviations(const Matrix& derivatives,
                                          std::span<const int> block_of,
                                          std::span<const double> diagonal,
                                          std::span<const char> fixed) {
-    const View J = view(derivatives);
+    const Rows rows = rows_of(derivatives);
     const auto free = free_of(fixed);
-    const auto total = normal_equations(derivatives, r, weights);
+    const auto total = equations_of(rows, r, weights);
     const Eigen::MatrixXd A = reduced(total.matrix, diagonal, free);
     const auto blocks = runs_of(block_of);
-    const auto n_blocks = static_cast<Eigen::Index>(blocks.size());
-    Eigen::MatrixXd moves(A.rows(), n_blocks);
+    Eigen::MatrixXd moves(A.rows(), static_cast<Eigen::Index>(blocks.size()));
     std::vector<bool> is_told_by_one(fixed.size(), false);
-    for (Eigen::Index b = 0; b < n_blocks; ++b) {
-        Eigen::MatrixXd A_b = Eigen::MatrixXd::Zero(J.rows(), J.rows());
-        Eigen::VectorXd g_b = Eigen::VectorXd::Zero(J.rows());
-        for (const Run& run : blocks[static_cast<std::size_t>(b)]) {
-            const auto part = J.middleCols(run.begin, run.size);
-            const auto w = view(weights).segment(run.begin, run.size);
-            const RowMajor scaled = part * w.cwiseSqrt().asDiagonal();
-            A_b.selfadjointView<Eigen::Lower>().rankUpdate(scaled);
-            g_b += part * w.cwiseProduct(view(r).segment(run.begin, run.size));
-        }
-        A_b = Eigen::MatrixXd(A_b.selfadjointView<Eigen::Lower>());
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        const auto own = equations_of(rows, blocks[b], r, weights);
         for (std::size_t k = 0; k < fixed.size(); ++k)
-            if (A_b.diagonal()[static_cast<Eigen::Index>(k)] > 0.5 * total.matrix(k, k))
-                is_told_by_one[k] = true;
-        const Eigen::MatrixXd others = A - Eigen::MatrixXd(A_b(free, free));
-        moves.col(b) = -others.ldlt().solve(Eigen::VectorXd(g_b(free)));
+            if (own.matrix(k, k) > 0.5 * total.matrix(k, k)) is_told_by_one[k] = true;
+        const Eigen::MatrixXd others = A - Eigen::MatrixXd(view(own.matrix)(free, free));
+        const VectorView right = view(own.right);
+        moves.col(static_cast<Eigen::Index>(b)) =
+            -others.ldlt().solve(Eigen::VectorXd(right(free)));
     }
     const Eigen::VectorXd squares =
         (moves.colwise() - moves.rowwise().mean()).rowwise().squaredNorm();
-    const double n = static_cast<double>(n_blocks);
+    const double n = static_cast<double>(blocks.size());
     std::vector<double> deviations(fixed.size(), 0.0);
     for (std::size_t k = 0; k < free.size(); ++k) {
         const auto unknown = static_cast<std::size_t>(free[k]);
