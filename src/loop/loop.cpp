@@ -44,6 +44,8 @@ void log_step(const Step& step, std::vector<LoggedStep>& log) {
     }
 }
 
+constexpr const char* nearly_nothing = "left: its coefficient may be nearly nothing";
+
 class Search {
   public:
     Search(const LoopData& data, LoopResult& result, UnderWay& under_way,
@@ -87,12 +89,8 @@ class Search {
             if (newest.doubt.empty()) newest.doubt = "it is seen only beside functions";
             return true;
         }
-        result_.log.push_back({result_.last.model.effects.back().name,
-                               "left: its coefficient may be nearly nothing",
-                               0,
-                               0,
-                               0,
-                               {}});
+        result_.log.push_back(
+            {result_.last.model.effects.back().name, nearly_nothing, 0, 0, 0, {}});
         return false;
     }
 
@@ -218,7 +216,7 @@ class Search {
         const auto gone =
             weakest ? take_out(data_, place, result_.last, *weakest) : std::nullopt;
         if (!gone) return false;
-        drop({*gone}, "left: its coefficient may be nearly nothing");
+        drop({*gone}, nearly_nothing);
         return true;
     }
 
@@ -352,16 +350,17 @@ void search_beside_functions(const LoopData& data, const Place& place, LoopResul
             return deviance(data.targets, result.last.noise, one.last.left_out);
         };
         const double gained = score_of(result) - score_of(tried);
-        const bool is_better = gained > 0;
-        for (LoopResult* one : {&result, &tried})
-            one->log.push_back({tried.last.model.effects.back().name,
-                                is_better ? "stays: both foretell more than functions did"
-                                          : "left: functions foretell as much without it",
-                                0,
-                                0,
-                                gained,
-                                {}});
-        if (!is_better) return;
+        tried.log.push_back({tried.last.model.effects.back().name,
+                             gained > 0 ? "stays: both foretell more than functions did"
+                                        : "left: functions foretell as much without it",
+                             0,
+                             0,
+                             gained,
+                             {}});
+        if (gained <= 0) {
+            result.log = tried.log;
+            return;
+        }
         tried.candidates = result.candidates;
         result = std::move(tried);
     }
