@@ -5,6 +5,9 @@
 /// the building does.
 #include "loop/given_effects.hpp"
 
+#include <algorithm>
+#include <memory>
+
 namespace bemcal::loop {
 namespace {
 
@@ -33,13 +36,15 @@ std::vector<effects::HookSeries> changes_by(const Place& place, const BuiltModel
                                     {whole, with.placed->drive});
 }
 
-/// The same because of all functions.
+/// The same because of all functions. Where these are 0, all parts stay where they are.
 std::vector<effects::HookSeries> changes_by_functions(const Place& place,
                                                       const BuiltModel& with,
                                                       const std::vector<double>& values,
                                                       const LoopModel& model) {
     Place fewer = place;
-    fewer.functions.clear();
+    fewer.surroundings = std::make_shared<effects::Surroundings>(*place.surroundings);
+    for (const effects::Effect& function : place.functions)
+        std::ranges::fill(fewer.surroundings->columns[function.column], 0.0);
     const BuiltModel without = place_only(fewer, model.effects);
     return effects::changes_between({building_at(without, values), without.placed->drive},
                                     {building_at(with, values), with.placed->drive});
