@@ -4,8 +4,7 @@
 
 namespace {
 
-using Register =
-    double __attribute__((vector_size(width * sizeof(double)), aligned(sizeof(double))));
+using Register = double __attribute__((vector_size(width * sizeof(double))));
 constexpr long n_registers = parts / width;
 
 /// A sum in its parts.
@@ -15,8 +14,11 @@ struct Parts {
     double& operator[](long part) { return reinterpret_cast<double*>(registers)[part]; }
 };
 
+/// A copy, since readings need not stand where a register may be read in place.
 inline Register register_at(const double* values, long i) {
-    return *reinterpret_cast<const Register*>(values + i * width);
+    Register values_of_i;
+    __builtin_memcpy(&values_of_i, values + i * width, sizeof values_of_i);
+    return values_of_i;
 }
 
 /// Holds a value in its register; the compiler would load it again for each use.
