@@ -169,8 +169,8 @@ void judge_left_out(const LoopData& data, const Standing& before, Unseen& unseen
     }
 }
 
-/// Dozens of candidates stand beside each other; only while one is judged are its
-/// derivatives kept.
+/// Dozens of candidates stand beside each other; derivatives are kept of those alone that
+/// are judged, until they are.
 void know_derivatives(Standing& standing) {
     study::linearise(*standing.built.fit_model, standing.built.unknowns, standing.fit.at);
 }
@@ -195,6 +195,7 @@ std::vector<Refitted> refit_all(const LoopData& data, const Place& place,
             if (candidate.standing.fit.failed) continue;
             candidate.gain =
                 evidence(data, standing, candidate.standing) - occam(*screened);
+            drop_derivatives(candidate.standing);
             ranking.push_back(std::move(candidate));
         } catch (const CannotSimulate&) {
             continue;  // It cannot enter together with the others: no candidate.
@@ -231,7 +232,7 @@ constexpr std::size_t most_judged = 14;
 void finish(const LoopData& data, const Standing& before, Refitted& candidate) {
     Standing& standing = candidate.standing;
     const double was = evidence(data, before, standing);
-    refit(data, standing, {10, 2e-4, study::without_derivatives});
+    refit(data, standing, {10, 2e-4});
     candidate.gain += evidence(data, before, standing) - was;
 }
 

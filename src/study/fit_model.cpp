@@ -1,6 +1,8 @@
 /// Fits a building to its readings by least squares: Levenberg-Marquardt within the
-/// ranges, one-sided differences, four damped steps simulated at once and the best taken.
-/// Source: Marquardt 1963 (J. SIAM 11); normal equations of `least_squares`.
+/// ranges, four damped steps simulated at once and the best taken. Derivatives are by
+/// one-sided differences once, then by what the steps show, as long as these help.
+/// Source: Marquardt 1963 (J. SIAM 11); Madsen, Nielsen and Tingleff 2004 (Methods for
+/// non-linear least squares problems), 3.5, for steps by secants; `least_squares`.
 /// It ends in the nearest minimum. How errors hang together is left to the weights.
 #include "study/fit_model.hpp"
 
@@ -125,6 +127,34 @@ struct Descent {
 
 constexpr std::array dampings = {0.0, 0.05, 0.6, 6.0};
 
+/// Broyden's update: derivatives that foretell what a step has shown, and change as little
+/// as that needs. Its x and predictions are the step's.
+void learn_from(Linearised&& step, Linearised& at) {
+    std::vector<double> moved(at.x.size()), missed(at.predicted.size());
+    double square = 0;
+    for (std::size_t j = 0; j < moved.size(); ++j) {
+        moved[j] = step.x[j] - at.x[j];
+        square += moved[j] * moved[j];
+    }
+    if (square > 0) {
+        for (std::size_t i = 0; i < missed.size(); ++i)
+            missed[i] = (step.predicted[i] - at.predicted[i]) / square;
+        for (std::size_t j = 0; j < moved.size(); ++j) {
+            const auto row = at.derivatives.row(j);
+            const double share = moved[j] / square;
+            for (std::size_t i = 0; i < missed.size(); ++i) missed[i] -= share * row[i];
+        }
+        for (std::size_t j = 0; j < moved.size(); ++j) {
+            if (moved[j] == 0) continue;
+            const auto row = at.derivatives.row(j);
+            for (std::size_t i = 0; i < missed.size(); ++i) row[i] += moved[j] * missed[i];
+        }
+    }
+    at.x = std::move(step.x);
+    at.predicted = std::move(step.predicted);
+    at.by_secants = true;
+}
+
 /// The best of the damped steps.
 struct Tried {
     Linearised at;
@@ -225,7 +255,8 @@ std::vector<double> prior_diagonal(std::span<const FitUnknown> unknowns) {
 void linearise(const FitModel& model, std::span<const FitUnknown> unknowns,
                Linearised& at) {
     predict_at(model, unknowns, at);
-    if (at.has_derivatives()) return;
+    if (at.has_derivatives() && !at.by_secants) return;
+    at.by_secants = false;
     at.derivatives = Matrix(at.x.size(), at.predicted.size());
     std::vector<Moved> moves;
     moves.reserve(at.x.size());
@@ -254,18 +285,26 @@ Fit fit(const FitModel& model, std::span<const FitUnknown> unknowns,
     result.failed = std::isinf(result.objective);
     result.bound.assign(unknowns.size(), 0);
     for (int step = 0; step < options.most_steps && !result.failed; ++step) {
-        linearise(model, unknowns, result.at);
+        if (!result.at.has_derivatives()) linearise(model, unknowns, result.at);
+        const bool was_by_secants = result.at.by_secants;
         const stats::NormalEquations all = descent.equations(result.at);
         const std::vector<char> held = descent.held(result.at, all.right);
         result.bound = held;
         Tried best = best_step(descent, result.at, held, all);
-        if (best.objective >= result.objective) break;
         const double gained = result.objective - best.objective;
-        result.at = std::move(best.at);
-        result.objective = best.objective;
-        if (gained < options.tolerance * result.objective) break;
+        if (gained > 0) {
+            learn_from(std::move(best.at), result.at);
+            result.objective = best.objective;
+        }
+        if (gained >= options.tolerance * result.objective) continue;
+        // Differences that foretold next to nothing hold where that has led.
+        if (!was_by_secants) result.at.by_secants = false;
+        // What secants foretold may be wrong: no end before differences say the same.
+        if (!was_by_secants || (gained > 0 && !options.derivatives)) break;
+        result.at.derivatives = {};
     }
     if (options.derivatives && !result.failed) linearise(model, unknowns, result.at);
+    if (result.at.by_secants) result.at = {result.at.x, result.at.predicted};
     return result;
 }
 

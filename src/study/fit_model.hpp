@@ -77,6 +77,7 @@ struct Linearised {
     std::vector<double> x{};          ///< [p]
     std::vector<double> predicted{};  ///< [n]
     Matrix derivatives{};             ///< [p x n]; rows of 0 where a difference failed
+    bool by_secants = false;          ///< derivatives are not by differences at x
 
     bool has_derivatives() const { return derivatives.cols > 0; }
 };
@@ -95,7 +96,7 @@ struct Fit {
     std::vector<char> bound;  ///< [p] 1 = held at an end of its range
 };
 
-/// Simulates what is not known yet.
+/// Simulates what is not known yet; derivatives are by differences then.
 void linearise(const FitModel& model, std::span<const FitUnknown> unknowns,
                Linearised& at);
 
