@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace bemcal::loop {
 namespace {
@@ -66,6 +67,31 @@ std::vector<const Screened*> shortlist(const std::vector<Screened>& screened) {
     return list;
 }
 
+/// Where a model with one more effect begins: the other's derivatives, and the secant of
+/// the effect. Nothing where it cannot be simulated.
+std::optional<study::Linearised> one_more_from(const study::Linearised& from,
+                                               const BuiltModel& built,
+                                               double coefficient) {
+    const study::FitUnknown& of_effect = built.unknowns.back();
+    study::Linearised start{from.x};
+    start.x.push_back(std::clamp(coefficient / of_effect.scale, of_effect.lowest(),
+                                 of_effect.highest()));
+    Matrix point(1, start.x.size());
+    for (std::size_t k = 0; k < start.x.size(); ++k)
+        point(0, k) = built.unknowns[k].within(start.x[k]);
+    start.predicted = built.fit_model->predict(point).values;
+    if (std::isnan(start.predicted[0])) return std::nullopt;
+    const std::size_t n = start.predicted.size(), last = from.x.size();
+    if (!from.has_derivatives() || start.x.back() == 0) return start;
+    start.by_secants = true;
+    start.derivatives = Matrix(last + 1, n);
+    std::ranges::copy(from.derivatives.values, start.derivatives.values.begin());
+    for (std::size_t k = 0; k < n; ++k)
+        start.derivatives(last, k) =
+            (start.predicted[k] - from.predicted[k]) / start.x.back();
+    return start;
+}
+
 /// A model with one more effect, from where the other stands. The tangent may lead to
 /// where nothing can be simulated (air flows below 0): then less of it.
 Standing with_effect(const LoopData& data, const Place& place, const Standing& from,
@@ -75,11 +101,13 @@ Standing with_effect(const LoopData& data, const Place& place, const Standing& f
     next.model.effects.push_back(screened.effect);
     next.noise = from.noise;
     next.built = build(place, next.model.effects);
+    next.fit.failed = true;
     for (const double part : {1.0, 0.7, 0.4}) {
-        std::vector<double> start = from.fit.at.x;
-        start.push_back(part * screened.coefficient / next.built.unknowns.back().scale);
-        refit(data, next, std::move(start), {4, 1e-3, study::without_derivatives});
-        if (!next.fit.failed) break;
+        auto start = one_more_from(from.fit.at, next.built, part * screened.coefficient);
+        if (!start) continue;
+        next.fit.at = std::move(*start);
+        refit(data, next, {4, 1e-3, study::without_derivatives});
+        break;
     }
     return next;
 }
@@ -216,7 +244,7 @@ void add_other_hours(const LoopData& data, const Place& place, const Standing& s
             continue;
         Screened as_found{found.effect, 0, 1, 0, {}, {}, {}, 0};
         Standing from = standing;
-        from.fit.at.x = std::move(found.x);
+        from.fit.at = {std::move(found.x), {}, {}};
         Refitted candidate{found.effect, with_effect(data, place, from, as_found)};
         if (candidate.standing.fit.failed) continue;
         candidate.gain = evidence(data, standing, candidate.standing) - found.price;
