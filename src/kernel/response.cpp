@@ -150,8 +150,8 @@ void Response::DeleteRun::operator()(Run* run) const {
     delete run;
 }
 
-Response::RunPointer Response::make_run() const {
-    return RunPointer(new Run(*plan_));
+Response::RunPointer Response::make_run(Way way) const {
+    return RunPointer(new Run(*plan_, way));
 }
 
 std::vector<std::string> Response::predict(const Matrix& points, std::size_t first,

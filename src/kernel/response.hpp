@@ -26,6 +26,9 @@ bool has_derivatives(const physics::Building& building);
 struct ResponsePlan;
 struct ResponseRun;
 
+/// What a run has memory for: readings alone, or also the way back to the parameters.
+enum class Way { there, there_and_back };
+
 class Response {
   public:
     /// The batch must outlive it.
@@ -43,7 +46,7 @@ class Response {
         void operator()(Run* run) const;
     };
     using RunPointer = std::unique_ptr<Run, DeleteRun>;
-    RunPointer make_run() const;
+    RunPointer make_run(Way way = Way::there_and_back) const;
 
     /// Simulates rows [first, first + count) of points, 1 <= count <= lanes(); unused
     /// lanes repeat the last. Returns each lane's failure (empty = none).
@@ -56,7 +59,8 @@ class Response {
     double* sensitivities(Run& run, std::size_t channel) const;
     /// d objective / d parameter of the rows predicted last; NaN where a row has failed.
     /// Of two parameters that write to the same number the last one has its derivative.
-    /// Allocates nothing. Throws std::logic_error where not is_differentiable().
+    /// Allocates nothing. Throws std::logic_error where not is_differentiable(), or
+    /// the run goes there alone.
     /// \param gradient  [count or more x parameters]
     void pull_back(Run& run, Matrix& gradient) const;
 

@@ -251,6 +251,7 @@ void write_gradient(const ResponsePlan& plan, const physics::Building& of_buildi
 
 void Response::pull_back(Run& run, Matrix& gradient) const {
     if (!is_differentiable()) throw std::logic_error("this building has no derivatives");
+    if (run.way == Way::there) throw std::logic_error("this run has no way back");
     clear_adjoints(plan_->zeros, run);
     for (std::size_t k = plan_->stretches.size(); k-- > 0;)
         StretchBack(*plan_, k, run).pull();

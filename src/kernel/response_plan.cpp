@@ -140,8 +140,8 @@ bool is_metered(physics::Quantity quantity) {
     return quantity != physics::Quantity::air_temperature;
 }
 
-LaneArray like(const Partition& classes, int columns, int lanes) {
-    return {static_cast<std::size_t>(classes.size() * columns), lanes};
+std::size_t columns_of(const Partition& classes, int each) {
+    return static_cast<std::size_t>(classes.size() * each);
 }
 
 int tape_columns(const ZonePlan& zone) {
@@ -151,18 +151,45 @@ int tape_columns(const ZonePlan& zone) {
 }
 
 ResponseRun::OfZone make_zone(const ResponsePlan& plan, const ZonePlan& zone,
-                              std::size_t n_steps) {
+                              std::size_t n_steps, Way way) {
     const int lanes = plan.lanes();
     const std::size_t n_states = zone.is_standard() ? 1 : zone.states.size();
-    return {LaneArray(plan.stretches.size() * n_states, lanes),
-            LaneArray(n_states, lanes),
-            LaneArray(n_steps * static_cast<std::size_t>(tape_columns(zone)), lanes),
-            make_rows(n_steps, lanes),
-            like(zone.regimes, zone.of_regime_columns(), lanes),
-            like(zone.rows, zone.row_columns(), lanes),
-            LaneArray(n_states, lanes),
-            LaneArray(n_steps, lanes),
-            plan.shared.supplied ? make_rows(n_steps, lanes) : BatchGroup::Rows{}};
+    ResponseRun::OfZone run;
+    run.kept = LaneArray(plan.stretches.size() * n_states, lanes);
+    if (way == Way::there) return run;
+    run.state = LaneArray(n_states, lanes);
+    run.tape = LaneArray(n_steps * static_cast<std::size_t>(tape_columns(zone)), lanes);
+    run.rows = make_rows(n_steps, lanes);
+    run.of_regimes = LaneArray(columns_of(zone.regimes, zone.of_regime_columns()), lanes);
+    run.of_rows = LaneArray(columns_of(zone.rows, zone.row_columns()), lanes);
+    run.of_state = LaneArray(n_states, lanes);
+    run.of_air = LaneArray(n_steps, lanes);
+    if (plan.shared.supplied) run.of_asked = make_rows(n_steps, lanes);
+    return run;
+}
+
+ResponseRun::OfChannel make_channel(const ChannelPlan& plan, int lanes, Way way) {
+    const std::size_t n = plan.factor.size();
+    return {LaneArray(n, lanes), way == Way::there ? LaneArray() : LaneArray(n, lanes)};
+}
+
+ResponseRun::OfMeter make_meter(const Partition& forms, int lanes, Way way) {
+    const std::size_t n = columns_of(forms, 3);
+    return {LaneArray(n, lanes), way == Way::there ? LaneArray() : LaneArray(n, lanes)};
+}
+
+/// What the building needs on the way back.
+void make_way_back(const ResponsePlan& plan, std::size_t n_steps, ResponseRun& run) {
+    const int lanes = plan.lanes();
+    run.zeros = LaneArray(n_steps, lanes);
+    run.rows = make_rows(n_steps, lanes);
+    run.of_rows = make_rows(n_steps, lanes);
+    run.of_floor_share = LaneArray(run.zones.size(), lanes);
+    if (!plan.shared.supplied) return;
+    for (LaneArray* array : {&run.fan, &run.of_fan, &run.of_shown})
+        *array = LaneArray(n_steps, lanes);
+    run.is_broken.resize(static_cast<std::size_t>(lanes));
+    run.of_lanes.assign(static_cast<std::size_t>(lanes), plan.zeros);
 }
 
 void add_channel(const Channel& channel, ResponsePlan& plan) {
@@ -189,30 +216,21 @@ ResponsePlan::ResponsePlan(const Batch& of_batch, std::vector<Channel> wanted)
             pulls_powers = true;
 }
 
-ResponseRun::ResponseRun(const ResponsePlan& plan)
-    : group(plan.batch.make_group()), of_building(plan.zeros) {
+ResponseRun::ResponseRun(const ResponsePlan& plan, Way which)
+    : way(which), group(plan.batch.make_group()), of_building(plan.zeros) {
     const int lanes = plan.lanes();
     const auto n_steps = static_cast<std::size_t>(group->most_steps());
     for (const ChannelPlan& channel : plan.of_channels) {
-        const std::size_t n = channel.factor.size();
-        channels.push_back({LaneArray(n, lanes), LaneArray(n, lanes)});
-        if (!is_metered(channel.quantity)) continue;
-        const Partition& forms = plan.shared.meter(channel.quantity).rows;
-        meter(channel.quantity) = {like(forms, 3, lanes), like(forms, 3, lanes)};
+        channels.push_back(make_channel(channel, lanes, way));
+        if (is_metered(channel.quantity))
+            meter(channel.quantity) =
+                make_meter(plan.shared.meter(channel.quantity).rows, lanes, way);
     }
     for (const ZonePlan& zone : plan.shared.zones)
-        zones.push_back(make_zone(plan, zone, n_steps));
+        zones.push_back(make_zone(plan, zone, n_steps, way));
     shown = LaneArray(n_steps, lanes);
-    zeros = LaneArray(n_steps, lanes);
-    rows = make_rows(n_steps, lanes);
-    of_rows = make_rows(n_steps, lanes);
     floor_share = LaneArray(zones.size(), lanes);
-    of_floor_share = LaneArray(zones.size(), lanes);
-    if (!plan.shared.supplied) return;
-    for (LaneArray* array : {&fan, &of_fan, &of_shown})
-        *array = LaneArray(n_steps, lanes);
-    is_broken.resize(static_cast<std::size_t>(lanes));
-    of_lanes.assign(static_cast<std::size_t>(lanes), plan.zeros);
+    if (way == Way::there_and_back) make_way_back(plan, n_steps, *this);
 }
 
 }  // namespace bemcal::kernel

@@ -5,6 +5,7 @@
 #include "kernel/batch.hpp"
 #include "kernel/batch_plan.hpp"
 #include "kernel/request.hpp"
+#include "kernel/response.hpp"
 
 namespace bemcal::kernel {
 
@@ -51,8 +52,12 @@ struct ResponsePlan {
     }
 };
 
+/// Arrays that only the way back needs are empty where it is not gone: those named of_,
+/// and tape.
 struct ResponseRun {
-    explicit ResponseRun(const ResponsePlan& plan);
+    ResponseRun(const ResponsePlan& plan, Way which);
+
+    Way way;
 
     struct OfChannel {
         LaneArray readings, sensitivities;

@@ -203,7 +203,7 @@ FitModel::FitModel(const physics::Building& building,
       batch_(std::make_unique<kernel::Batch>(building, parameters_, drive)),
       response_(std::make_unique<kernel::Response>(*batch_, std::move(channels))),
       first_{0},
-      run_(response_->make_run()) {
+      run_(response_->make_run(kernel::Way::there)) {
     for (std::size_t c = 0; c < response_->channels().size(); ++c)
         first_.push_back(first_.back() + response_->n_readings(c));
 }

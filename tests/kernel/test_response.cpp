@@ -339,6 +339,22 @@ TEST(Response, TheWayBackAllocatesNothing) {
     EXPECT_LE(n_allocations - before, 2);  // the failures, kept and returned
 }
 
+TEST(Response, ARunThatGoesThereAloneReadsTheSameAndHasNoWayBack) {
+    const RandomCase made = first_case(false);
+    const kernel::Batch batch(made.building, made.parameters, made.drive);
+    const kernel::Response response(batch, test::some_channels());
+    ASSERT_TRUE(response.is_differentiable());
+    const Matrix points = random_points(1, made.parameters, 1);
+    const auto both = response.make_run(), there = response.make_run(kernel::Way::there);
+    response.predict(points, 0, 1, *both);
+    response.predict(points, 0, 1, *there);
+    const std::size_t n = response.n_readings(0) * response.lanes();
+    EXPECT_TRUE(std::equal(response.readings(*both, 0), response.readings(*both, 0) + n,
+                           response.readings(*there, 0)));
+    Matrix gradient(1, made.parameters.size());
+    EXPECT_THROW(response.pull_back(*there, gradient), std::logic_error);
+}
+
 TEST(Response, CoupledZonesArePredictedWithoutAWayBack) {
     const RandomCase made = first_case(true);
     const kernel::Batch batch(made.building, made.parameters, made.drive);
