@@ -95,6 +95,45 @@ TEST(FitModel, GoesOnFromWhereItStandsAsFromItsPlaceAlone) {
     }
 }
 
+TEST(FitModel, DerivativesAtTheEndAreThoseOfDifferencesThere) {
+    const Room room;
+    const FitModel model = room.model();
+    const auto measured = room.readings(model, 1.7, 0.6);
+    const std::vector<double> weights(measured.size(), 1e4);
+    const Fit found = fit(model, room.unknowns, measured, weights, {-1, 2}, {30, 1e-6});
+    Linearised there{found.at.x};
+    linearise(model, room.unknowns, there);
+    EXPECT_FALSE(found.at.by_secants);
+    double wrong = 0, all = 0;
+    for (std::size_t k = 0; k < there.derivatives.values.size(); ++k) {
+        const double now = there.derivatives.values[k];
+        wrong += std::pow(found.at.derivatives.values[k] - now, 2);
+        all += now * now;
+    }
+    EXPECT_LT(std::sqrt(wrong / all), 0.01);
+}
+
+TEST(FitModel, SecantsOfAnotherModelLeadToTheSameEnd) {
+    const Room room;
+    const FitModel model = room.model();
+    const auto measured = room.readings(model, 1.7, 0.6);
+    const std::vector<double> weights(measured.size(), 1e4);
+    Linearised start{{-0.5, 1}};
+    linearise(model, room.unknowns, start);
+    const auto fitted = [&](const Linearised& from) {
+        return fit(model, room.unknowns, measured, weights, from, {30, 1e-9});
+    };
+    const Fit by_differences = fitted(start);
+    Linearised other = start;
+    other.by_secants = true;
+    for (double& derivative : other.derivatives.row(0)) derivative *= 1.5;
+    for (double& derivative : other.derivatives.row(1)) derivative *= -1;  // misleads
+    const Fit by_secants = fitted(other);
+    EXPECT_NEAR(by_secants.objective, by_differences.objective, 1e-3);
+    for (std::size_t k = 0; k < 2; ++k)
+        EXPECT_NEAR(by_secants.at.x[k], by_differences.at.x[k], 1e-3);
+}
+
 TEST(FitModel, WithoutReadingsThePriorHolds) {
     Room room;
     for (FitUnknown& unknown : room.unknowns) unknown.has_prior = true;
