@@ -48,4 +48,7 @@ struct Channel {
     physics::Intervals interval;
 };
 
+/// What a run of a response has memory for: readings alone, or also the way back.
+enum class Way { there, there_and_back };
+
 }  // namespace bemcal::kernel

@@ -26,9 +26,6 @@ bool has_derivatives(const physics::Building& building);
 struct ResponsePlan;
 struct ResponseRun;
 
-/// What a run has memory for: readings alone, or also the way back to the parameters.
-enum class Way { there, there_and_back };
-
 class Response {
   public:
     /// The batch must outlive it.

@@ -5,7 +5,6 @@
 #include "kernel/batch.hpp"
 #include "kernel/batch_plan.hpp"
 #include "kernel/request.hpp"
-#include "kernel/response.hpp"
 
 namespace bemcal::kernel {
 

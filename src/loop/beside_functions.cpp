@@ -1,0 +1,89 @@
+/// Lays what effects leave to functions, and searches for effects once more in what
+/// functions leave.
+/// What decides are unseen readings. Candidates without a name take no part beside
+/// functions.
+#include "loop/beside_functions.hpp"
+
+#include "loop/effect_search.hpp"
+#include "loop/find_functions.hpp"
+
+#include <optional>
+#include <utility>
+
+namespace bemcal::loop {
+namespace {
+
+/// What a search sees where functions have taken the misfit: readings less what functions
+/// bring to them, and the last model without functions. Candidates without a name are
+/// left to functions.
+struct BesideFunctions {
+    LoopData data;
+    LoopResult result;
+};
+
+/// Nothing where the model needs its functions to be simulated.
+std::optional<BesideFunctions> beside_functions(const LoopData& data, const Place& place,
+                                                const LoopResult& result) {
+    BesideFunctions beside{data, result};
+    beside.data.options.generic = false;
+    beside.result.baseline.place = place;
+    Standing& last = beside.result.last;
+    last.built = build(place, last.model.effects);
+    last.fit.at = {last.fit.at.x, {}, {}};
+    refit(data, last, only_derivatives);
+    if (last.fit.failed) return std::nullopt;
+    for (std::size_t k = 0; k < data.targets.size(); ++k)
+        beside.data.targets.measured[k] -=
+            result.last.fit.at.predicted[k] - last.fit.at.predicted[k];
+    settle(beside.data, last);
+    return beside;
+}
+
+}  // namespace
+
+/// The last model with functions, found about it as it is without any.
+void lay_rest_to_functions(const LoopData& data, const Place& place, LoopResult& result) {
+    result.baseline.place = place;
+    result.functions = find_functions(data, result.baseline.place, result.last);
+}
+
+/// A model's misfit hides what is small, and functions take the misfit: beside them
+/// effects with a name are searched once more. One that passes joins the model without
+/// functions, which are found again. All of it stays if it foretells unseen readings
+/// better than the functions that were there.
+void search_beside_functions(const LoopData& data, const Place& place, LoopResult& result,
+                             UnderWay& under_way) {
+    const auto most = static_cast<std::size_t>(data.options.most_effects);
+    while (!result.functions.empty() && result.last.model.effects.size() < most) {
+        under_way.begin("effects beside functions");
+        auto beside = beside_functions(data, place, result);
+        if (!beside) return;
+        LoopResult& tried = beside->result;
+        tried.log.push_back({"", "functions join; once more beside them", 0, 0, 0, {}});
+        const bool is_added = add_effect_beside_functions(beside->data, tried, under_way);
+        result.log = tried.log;
+        if (!is_added) return;
+        settle(data, tried.last);
+        if (tried.last.fit.failed) return;
+        lay_rest_to_functions(data, place, tried);
+        const auto score_of = [&](const LoopResult& one) {
+            return deviance(data.targets, result.last.noise, one.last.left_out);
+        };
+        const double gained = score_of(result) - score_of(tried);
+        tried.log.push_back({tried.last.model.effects.back().name,
+                             gained > 0 ? "stays: both foretell more than functions did"
+                                        : "left: functions foretell as much without it",
+                             0,
+                             0,
+                             gained,
+                             {}});
+        if (gained <= 0) {
+            result.log = tried.log;
+            return;
+        }
+        tried.candidates = result.candidates;
+        result = std::move(tried);
+    }
+}
+
+}  // namespace bemcal::loop

@@ -1,0 +1,21 @@
+/// Functions beside effects: what is left is laid to them, and where they have taken the
+/// model's misfit, effects are searched once more.
+#pragma once
+
+#include "loop/results.hpp"
+#include "loop/under_way.hpp"
+
+namespace bemcal::loop {
+
+/// Finds functions about result.last as it is without any; it has them then.
+/// \param place  without functions
+void lay_rest_to_functions(const LoopData& data, const Place& place, LoopResult& result);
+
+/// A model's misfit hides what is small, and functions take the misfit: beside them
+/// effects with a name are searched once more. One that passes joins the model without
+/// functions, which are found again. All of it stays if it foretells unseen readings
+/// better than the functions that were there.
+void search_beside_functions(const LoopData& data, const Place& place, LoopResult& result,
+                             UnderWay& under_way);
+
+}  // namespace bemcal::loop

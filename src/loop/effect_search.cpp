@@ -1,0 +1,300 @@
+/// Adds effects to a building's model, one after the other, until nothing passes; then
+/// those leave that do not stand out.
+/// Source: Efron 2004 (JASA 99), the empirical null, for what stands out.
+/// A step is left to `search`, its gates to `objection_to`, moves to `moves`.
+#include "loop/effect_search.hpp"
+
+#include "effects/catalogue.hpp"
+#include "loop/intervals.hpp"
+#include "loop/moves.hpp"
+#include "loop/rivals.hpp"
+#include "loop/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bemcal::loop {
+namespace {
+
+/// A term of the grammar is called by what it says.
+std::string label_of(const effects::Effect& effect) {
+    return effect.is_named() ? effect.name + ": " + effects::sentence_of(effect)
+                             : effect.name;
+}
+
+void log_step(const Step& step, std::vector<LoggedStep>& log) {
+    for (std::size_t k = 0; k < step.ranking.size() && k < 8; ++k) {
+        const Refitted& candidate = step.ranking[k];
+        const bool chosen = static_cast<int>(k) == step.chosen;
+        if (!chosen && step.chosen >= 0 && static_cast<int>(k) > step.chosen) break;
+        log.push_back({label_of(candidate.effect),
+                       chosen ? "accepted" : candidate.objection, candidate.gain,
+                       step.threshold, candidate.score, candidate.error});
+    }
+}
+
+constexpr const char* nearly_nothing = "left: its coefficient may be nearly nothing";
+
+class Search {
+  public:
+    Search(const LoopData& data, LoopResult& result, UnderWay& under_way,
+           bool may_set_clock)
+        : data_(data),
+          result_(result),
+          under_way_(under_way),
+          may_set_clock_(may_set_clock) {}
+
+    void run() {
+        const Place& place = result_.baseline.place;
+        const auto most = static_cast<std::size_t>(data_.options.most_effects);
+        // What is accepted may leave again, and must not come and go for ever.
+        for (std::size_t step = 0; step < 3 * most; ++step) {
+            under_way_.begin("effect", static_cast<int>(step) + 1);
+            if (result_.last.model.effects.size() >= most || !accept_one(place)) break;
+        }
+        if (late_clock_) return;
+        under_way_.begin("effects that do not stand out");
+        if (result_.last.model.effects.size() >= most)
+            result_.log.push_back({"", "as many effects as were asked for", 0, 0, 0, {}});
+        else
+            leave_what_does_not_stand_out(place);
+        while (leave_least_certain(place)) {
+        }
+        if (!result_.found.empty() &&
+            spare_meters(data_, result_.baseline.chosen, result_.last))
+            result_.log.push_back(
+                {"last fit", "meters that were explained worse count more", 0, 0, 0, {}});
+    }
+
+    /// One more effect, where functions have taken the model's misfit. Says whether one
+    /// joined whose coefficient is certain.
+    bool add_beside_functions() {
+        const std::size_t n_before = result_.found.size();
+        if (!accept_one(result_.baseline.place) || result_.found.size() <= n_before)
+            return false;
+        note_what_shapes_leave_open(result_.baseline.place);
+        Found& newest = result_.found.back();
+        if (fate_of(certainties_of().back(), newest.gain, threshold_) == Fate::stays) {
+            if (newest.doubt.empty()) newest.doubt = "it is seen only beside functions";
+            return true;
+        }
+        result_.log.push_back(
+            {result_.last.model.effects.back().name, nearly_nothing, 0, 0, 0, {}});
+        return false;
+    }
+
+    /// What ended the search: all of it is to be done again by the right hour.
+    const std::optional<LateClock>& late_clock() const { return late_clock_; }
+
+  private:
+    bool accept_one(const Place& place) {
+        Step step = search(data_, place, result_.last, barred_);
+        log_step(step, result_.log);
+        threshold_ = step.threshold;
+        result_.candidates.clear();
+        for (const Refitted& candidate : step.ranking)
+            if (!candidate.objection.empty())
+                result_.candidates.emplace_back(label_of(candidate.effect),
+                                                candidate.gain);
+        if (step.chosen < 0) {
+            result_.log.push_back({"", "nothing passes", 0, step.threshold, 0, {}});
+            note_what_moves(step);
+            return false;
+        }
+        const EffectClass near = class_of(data_, result_.last, step);
+        Refitted& chosen = step.ranking[static_cast<std::size_t>(step.chosen)];
+        const std::string doubt = doubt_of(chosen, near, step.threshold);
+        result_.found.push_back({near.names, doubt, chosen.gain, near.rivals});
+        const double before = alarm_of(data_, place, result_.last, chosen.effect);
+        const std::size_t newest = chosen.standing.model.effects.size() - 1;
+        const std::string name = chosen.effect.name;
+        result_.last = refine_shape(data_, place, std::move(chosen.standing), newest);
+        if (start_again(data_, place, result_.last)) {
+            result_.log.push_back({name, "calibrated anew with it", 0, 0, 0, {}});
+            result_.last = refine_shape(data_, place, std::move(result_.last), newest);
+        }
+        if (may_set_clock_ && result_.hours_late == 0)
+            late_clock_ = late_clock_in_place_of(data_, result_.last, newest);
+        if (late_clock_) return false;
+        const double needed = 0.5 * step.threshold;
+        const bool is_split = split(data_, place, result_.last, newest, needed);
+        if (doubt.empty() && !is_over(before, alarm_left(place, newest, chosen.effect)))
+            result_.found.back().doubt = "the pattern that pointed to it is still there";
+        if (is_split) note_split(newest);
+        swap_earlier(place);
+        drop(prune(data_, place, result_.last, needed), "left again: no longer needed");
+        drop(prune_implausible(data_, place, result_.last),
+             "left again: coefficient no longer plausible");
+        bar_if_gone(name);
+        return true;
+    }
+
+    /// Why an effect's name may be the nearest one only, before its alarm is looked at.
+    std::string doubt_of(const Refitted& chosen, const EffectClass& near,
+                         double threshold) const {
+        if (!chosen.effect.is_named()) return "it says where and when, not why";
+        if (!near.is_told) return "others do nearly as well";
+        if (!is_overwhelming(chosen.gain, threshold))
+            return "its evidence is less than three times what noise shows";
+        if (data_.reads_months_only()) return "months cannot show that nothing is left";
+        return "";
+    }
+
+    /// The alarm that an effect leaves where it has joined: with the shape in which it
+    /// was found, and with the one that it has now; its coefficient is held for that, or
+    /// it would follow itself.
+    double alarm_left(const Place& place, std::size_t effect,
+                      const effects::Effect& as_found) const {
+        Standing held = result_.last;
+        held.fit.bound[held.built.first_effect() + effect] = 1;
+        return std::max(alarm_of(data_, place, result_.last, as_found),
+                        alarm_of(data_, place, held, held.model.effects[effect]));
+    }
+
+    /// What has just joined and left again would be found next, from the same model.
+    void bar_if_gone(const std::string& name) {
+        if (std::ranges::none_of(result_.last.model.effects,
+                                 [&](const auto& effect) { return effect.name == name; }))
+            barred_.push_back(name);
+    }
+
+    /// What is still missing would move the coefficients: so far as candidates do that
+    /// more than noise speaks for, though none passes.
+    void note_what_moves(const Step& last) {
+        for (std::size_t k = 0; k < result_.found.size(); ++k) {
+            double squares = 0, n = 0;
+            for (const Refitted& candidate : last.ranking) {
+                if (candidate.gain <= last.threshold) continue;
+                squares += std::pow(
+                    candidate.standing.coefficient(k) - result_.last.coefficient(k), 2);
+                n += 1;
+            }
+            result_.found[k].of_missing = n > 0 ? std::sqrt(squares / n) : 0;
+        }
+    }
+
+    /// A model that is not the building leaves a residual that many terms of the
+    /// catalogue and the grammar can take a part of. An effect is told from that misfit
+    /// only where it carries clearly more than the best of those that did not pass (an
+    /// empirical null: Efron 2004, JASA 99).
+    void leave_what_does_not_stand_out(const Place& place) {
+        constexpr double least_evidence_ratio = 1.5;  ///< to the best that did not pass
+        if (result_.candidates.empty()) return;
+        if (threshold_ > 0)
+            result_.misfit = std::max(1.0, result_.candidates[0].second / threshold_);
+        drop(prune(data_, place, result_.last,
+                   least_evidence_ratio * result_.candidates[0].second),
+             "left: does not stand out from the model's misfit");
+    }
+
+    /// An effect whose coefficient may nearly be nothing leaves, the least certain first.
+    /// Says whether one did.
+    bool leave_least_certain(const Place& place) {
+        note_what_shapes_leave_open(place);
+        const auto certainties = certainties_of();
+        std::optional<std::size_t> weakest;
+        for (std::size_t k = 0; k < certainties.size(); ++k) {
+            Found& found = result_.found[k];
+            const Fate fate = fate_of(certainties[k], found.gain, threshold_);
+            if (fate == Fate::is_doubtful && found.doubt.empty())
+                found.doubt = "its coefficient may be nearly nothing";
+            if (fate == Fate::leaves &&
+                (!weakest || certainties[k] < certainties[*weakest]))
+                weakest = k;
+        }
+        const auto gone =
+            weakest ? take_out(data_, place, result_.last, *weakest) : std::nullopt;
+        if (!gone) return false;
+        drop({*gone}, nearly_nothing);
+        return true;
+    }
+
+    void note_what_shapes_leave_open(const Place& place) {
+        for (std::size_t k = 0; k < result_.found.size(); ++k)
+            result_.found[k].of_shape =
+                deviation_over_shapes(data_, place, result_.last, k, result_.misfit);
+    }
+
+    /// How many standard deviations each effect's coefficient is from 0, by all that its
+    /// interval holds.
+    std::vector<double> certainties_of() const {
+        const Standing& last = result_.last;
+        const auto sds = deviations_of(data_, last, result_.misfit);
+        std::vector<double> certainties;
+        for (std::size_t k = 0; k < result_.found.size(); ++k) {
+            const double c = last.coefficient(k);
+            const double of_noise = sds[last.built.first_effect() + k];
+            certainties.push_back(std::abs(c) /
+                                  deviation_of(result_.found[k], of_noise, c));
+        }
+        return certainties;
+    }
+
+    void note_split(std::size_t effect) {
+        const auto& all = result_.last.model.effects;
+        Found& plant = result_.found[effect];
+        plant.rivals.clear();
+        plant.equivalents = {all[effect].name};
+        Found use = plant;
+        use.equivalents = {all.back().name};
+        result_.log.push_back({all.back().name, "split from the plant's", 0, 0, 0, {}});
+        result_.found.push_back(std::move(use));
+    }
+
+    /// What was found first may have stood for what has joined since.
+    void swap_earlier(const Place& place) {
+        for (std::size_t k = 0; k + 1 < result_.found.size(); ++k) {
+            Found& found = result_.found[k];
+            const std::string was = result_.last.model.effects[k].name;
+            const int rival = swap(data_, place, result_.last, k, found.rivals);
+            if (rival < 0) continue;
+            const effects::Effect& now = result_.last.model.effects[k];
+            result_.log.push_back({label_of(now), "in place of " + was, 0, 0, 0, {}});
+            found.equivalents = {now.name, was};
+            found.doubt = "it stands in the place of another";
+        }
+    }
+
+    /// Forgets what was said of effects that have left.
+    void drop(const std::vector<Gone>& all, const char* why) {
+        for (const Gone& gone : all) {
+            result_.log.push_back({gone.name, why, 0, 0, 0, {}});
+            result_.found.erase(result_.found.begin() +
+                                static_cast<std::ptrdiff_t>(gone.index));
+        }
+        name_halves_as_wholes();
+    }
+
+    /// A half that stands for both again has the whole's name.
+    void name_halves_as_wholes() {
+        for (std::size_t k = 0; k < result_.found.size(); ++k) {
+            const std::string& name = result_.last.model.effects[k].name;
+            auto& said = result_.found[k].equivalents;
+            if (said == std::vector{name + suffix_of_use}) said = {name};
+        }
+    }
+
+    const LoopData& data_;
+    LoopResult& result_;
+    UnderWay& under_way_;
+    bool may_set_clock_;
+    double threshold_ = 0;  ///< of the last step
+    std::optional<LateClock> late_clock_;
+    std::vector<std::string> barred_;
+};
+
+}  // namespace
+
+std::optional<LateClock> search_effects(const LoopData& data, LoopResult& result,
+                                        UnderWay& under_way, bool may_set_clock) {
+    Search search(data, result, under_way, may_set_clock);
+    search.run();
+    return search.late_clock();
+}
+
+bool add_effect_beside_functions(const LoopData& data, LoopResult& result,
+                                 UnderWay& under_way) {
+    return Search(data, result, under_way, false).add_beside_functions();
+}
+
+}  // namespace bemcal::loop

@@ -1,0 +1,24 @@
+/// The search for the effects of a building: which join its model, in what order, and
+/// which leave again.
+#pragma once
+
+#include "loop/late_clock.hpp"
+#include "loop/results.hpp"
+#include "loop/under_way.hpp"
+
+#include <optional>
+
+namespace bemcal::loop {
+
+/// Adds to result.last what passes, from the model that stands there, and says of it what
+/// is to be said.
+/// \return what ended the search: all of it is to be done again by the right hour
+std::optional<LateClock> search_effects(const LoopData& data, LoopResult& result,
+                                        UnderWay& under_way, bool may_set_clock);
+
+/// One more effect, where functions have taken the model's misfit off the readings. Says
+/// whether one joined whose coefficient is certain.
+bool add_effect_beside_functions(const LoopData& data, LoopResult& result,
+                                 UnderWay& under_way);
+
+}  // namespace bemcal::loop
