@@ -127,8 +127,8 @@ struct Descent {
 
 constexpr std::array dampings = {0.0, 0.05, 0.6, 6.0};
 
-/// Broyden's update: derivatives that foretell what a step has shown, and change as little
-/// as that needs. Its x and predictions are the step's.
+/// Broyden's update: derivatives that foretell what a step has shown, and change as
+/// little as that needs. Its x and predictions are the step's.
 void learn_from(Linearised&& step, Linearised& at) {
     std::vector<double> moved(at.x.size()), missed(at.predicted.size());
     double square = 0;
@@ -147,7 +147,8 @@ void learn_from(Linearised&& step, Linearised& at) {
         for (std::size_t j = 0; j < moved.size(); ++j) {
             if (moved[j] == 0) continue;
             const auto row = at.derivatives.row(j);
-            for (std::size_t i = 0; i < missed.size(); ++i) row[i] += moved[j] * missed[i];
+            for (std::size_t i = 0; i < missed.size(); ++i)
+                row[i] += moved[j] * missed[i];
         }
     }
     at.x = std::move(step.x);
