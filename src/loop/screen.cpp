@@ -27,6 +27,7 @@ struct Tangent {
         : weights(weights_of(data.targets, standing.noise)),
           equations(stats::normal_equations(standing.fit.at.derivatives,
                                             standing.residuals, weights)),
+          borders(standing.fit.at.derivatives, standing.residuals, weights),
           diagonal(study::prior_diagonal(standing.built.unknowns)) {
         for (double& entry : diagonal) entry += 1e-6;
         inverse = stats::inverse(equations.matrix, diagonal, bound);
@@ -42,6 +43,7 @@ struct Tangent {
 
     std::vector<double> weights;
     stats::NormalEquations equations;
+    stats::Borders borders;
     std::vector<double> diagonal;
     Matrix inverse;
 };
@@ -54,6 +56,7 @@ double dot(std::span<const double> a, std::span<const double> b) {
 
 /// A secant of a candidate: what one unit of its coefficient does to the predictions.
 struct Secant {
+    double amplitude = 0;  ///< 0 = not simulated
     std::vector<double> per_unit;
     stats::Bordered sums;
     std::vector<double> followed;  ///< by how much the other unknowns follow it
@@ -64,17 +67,29 @@ struct Secant {
     double gain_at(double c) const { return 2 * c * U - c * c * I; }
 };
 
-/// \param secant  what it was is lost
-void take_secant(const Standing& standing, const Tangent& tangent,
-                 std::span<const double> predicted, double amplitude, Secant& secant) {
+/// What one unit does. \param secant  has its amplitude; what else it was is lost
+void take_secant(const Standing& standing, std::span<const double> predicted,
+                 Secant& secant) {
     secant.per_unit.resize(predicted.size());
     for (std::size_t k = 0; k < predicted.size(); ++k)
-        secant.per_unit[k] = (predicted[k] - standing.fit.at.predicted[k]) / amplitude;
-    secant.sums = stats::bordered(standing.fit.at.derivatives, secant.per_unit,
-                                  standing.residuals, tangent.weights);
-    secant.followed = tangent.times_inverse(secant.sums.with_others);
-    secant.U = secant.sums.with_residual;
-    secant.I = secant.sums.with_itself - dot(secant.sums.with_others, secant.followed);
+        secant.per_unit[k] =
+            (predicted[k] - standing.fit.at.predicted[k]) / secant.amplitude;
+}
+
+/// How far the other unknowns follow them, and what the residuals say of them.
+void compare(const Tangent& tangent, const std::vector<Secant*>& secants) {
+    std::vector<const double*> rows;
+    rows.reserve(secants.size());
+    for (const Secant* secant : secants) rows.push_back(secant->per_unit.data());
+    auto sums = tangent.borders.of(rows);
+    for (std::size_t k = 0; k < secants.size(); ++k) {
+        Secant& secant = *secants[k];
+        secant.sums = std::move(sums[k]);
+        secant.followed = tangent.times_inverse(secant.sums.with_others);
+        secant.U = secant.sums.with_residual;
+        secant.I =
+            secant.sums.with_itself - dot(secant.sums.with_others, secant.followed);
+    }
 }
 
 /// The largest coefficient that a fit may take: twice what is plausible.
@@ -127,10 +142,10 @@ Matrix points_of(const Standing& standing, const effects::Effect& effect,
 }
 
 Screened judged(const LoopData& data, const Standing& standing, const Tangent& tangent,
-                const effects::Effect& effect, const Secant& secant, double amplitude,
-                Keep keep) {
+                const effects::Effect& effect, const Secant& secant, Keep keep) {
     Screened screened{effect, 0, 0, secant.I, {}, {}, {}, 0};
-    screened.coefficient = within(secant.coefficient(), amplitude, furthest(effect));
+    screened.coefficient =
+        within(secant.coefficient(), secant.amplitude, furthest(effect));
     screened.gain = secant.gain_at(screened.coefficient);
     if (keep == Keep::gains) return screened;
     std::vector<double> own = own_part(standing, secant);
@@ -147,40 +162,57 @@ bool is_plausible_sign(const effects::Effect& effect, double amplitude) {
     return (amplitude > 0 && effect.most > 0) || (amplitude < 0 && effect.least < 0);
 }
 
-/// Secants of a candidate, of which the best is kept; used again for the next one.
+/// Secants of a candidate, by amplitude; used again for the next one.
 struct Secants {
-    Secant now, best;
+    std::array<Secant, amplitudes.size()> of;
+    std::vector<Secant*> taken;
 };
+
+/// Of the share that no other unknown follows: a small one bends less.
+constexpr std::size_t small_amplitude = 2;  ///< its place among them
+
+/// The secants of the amplitudes that are wanted and can be simulated.
+void take_secants(const Standing& standing, const effects::Effect& effect, Keep keep,
+                  OneMore& one_more, Secants& secants) {
+    secants.taken.clear();
+    for (Secant& secant : secants.of) secant.amplitude = 0;
+    const study::FitModel& model = one_more.with(effect);
+    const Matrix points = points_of(standing, effect, one_more.coefficient());
+    model.predict_each(points, [&](std::size_t a, std::span<const double> predicted) {
+        const double amplitude = points(a, points.cols - 1);
+        const bool is_wanted =
+            is_plausible_sign(effect, amplitude) && (keep != Keep::of_typical || a == 0);
+        const bool is_small = keep == Keep::of_typical && a == small_amplitude;
+        if (std::isnan(predicted[0]) || amplitude == 0 || (!is_wanted && !is_small))
+            return;
+        secants.of[a].amplitude = amplitude;
+        take_secant(standing, predicted, secants.of[a]);
+        secants.taken.push_back(&secants.of[a]);
+    });
+}
 
 /// At the best of the amplitudes; none where no amplitude moves a meter.
 std::optional<Screened> screen_one(const LoopData& data, const Standing& standing,
                                    const Tangent& tangent, const effects::Effect& effect,
                                    Keep keep, OneMore& one_more, Secants& secants) {
-    const study::FitModel& model = one_more.with(effect);
-    const Matrix points = points_of(standing, effect, one_more.coefficient());
-    double best_gain = -1, best_amplitude = 0;
-    std::optional<double> small_share;  ///< that no other unknown follows
-    model.predict_each(points, [&](std::size_t a, std::span<const double> predicted) {
-        constexpr std::size_t small_amplitude = 2;  ///< its place among them
-        const double amplitude = points(a, points.cols - 1);
-        const bool is_judged =
-            is_plausible_sign(effect, amplitude) && (keep != Keep::of_typical || a == 0);
-        const bool is_small = keep == Keep::of_typical && a == small_amplitude;
-        if (std::isnan(predicted[0]) || (!is_judged && !is_small)) return;
-        Secant& secant = secants.now;
-        take_secant(standing, tangent, predicted, amplitude, secant);
-        if (is_small && secant.sums.with_itself > 0) small_share = secant.own_share();
-        if (!is_judged || !(secant.I > 1e-12 * secant.sums.with_itself)) return;
-        const double gain =
-            secant.gain_at(within(secant.coefficient(), amplitude, furthest(effect)));
-        if (gain <= best_gain) return;
-        best_gain = gain, best_amplitude = amplitude;
-        std::swap(secants.best, secants.now);
-    });
-    if (best_gain < 0) return std::nullopt;
-    Screened screened =
-        judged(data, standing, tangent, effect, secants.best, best_amplitude, keep);
-    screened.visibility = small_share.value_or(secants.best.own_share());
+    take_secants(standing, effect, keep, one_more, secants);
+    compare(tangent, secants.taken);
+    const Secant* best = nullptr;
+    double best_gain = -1;
+    for (const Secant* secant : secants.taken) {
+        const bool is_judged = is_plausible_sign(effect, secant->amplitude) &&
+                               (keep != Keep::of_typical || secant == &secants.of[0]);
+        if (!is_judged || !(secant->I > 1e-12 * secant->sums.with_itself)) continue;
+        const double gain = secant->gain_at(
+            within(secant->coefficient(), secant->amplitude, furthest(effect)));
+        if (gain > best_gain) best_gain = gain, best = secant;
+    }
+    if (best == nullptr) return std::nullopt;
+    Screened screened = judged(data, standing, tangent, effect, *best, keep);
+    const Secant& small = secants.of[small_amplitude];
+    const bool has_small =
+        keep == Keep::of_typical && small.amplitude != 0 && small.sums.with_itself > 0;
+    screened.visibility = has_small ? small.own_share() : best->own_share();
     return screened;
 }
 

@@ -126,6 +126,32 @@ Bordered bordered(const Matrix& derivatives, std::span<const double> s,
     return made;
 }
 
+Borders::Borders(const Matrix& derivatives, std::span<const double> r,
+                 std::span<const double> weights)
+    : weighted_(derivatives.rows + 1, derivatives.cols),
+      weights_(weights.begin(), weights.end()) {
+    for (std::size_t j = 0; j < weighted_.rows; ++j)
+        std::ranges::copy(
+            product_of(weights, j < derivatives.rows ? derivatives.row(j) : r),
+            weighted_.row(j).begin());
+}
+
+std::vector<Bordered> Borders::of(const std::vector<const double*>& s) const {
+    std::vector<Bordered> all(s.size());
+    for (std::size_t j = 0; j < weighted_.rows; ++j) {
+        const auto sums = products(s, weighted_.row(j));
+        for (std::size_t k = 0; k < s.size(); ++k)
+            if (j + 1 < weighted_.rows)
+                all[k].with_others.push_back(sums[k]);
+            else
+                all[k].with_residual = sums[k];
+    }
+    for (std::size_t k = 0; k < s.size(); ++k)
+        all[k].with_itself =
+            products({s[k]}, product_of(weights_, {s[k], weights_.size()}))[0];
+    return all;
+}
+
 std::vector<double> solve(const Matrix& matrix, std::span<const double> diagonal,
                           std::span<const double> right, std::span<const char> fixed) {
     const auto free = free_of(fixed);

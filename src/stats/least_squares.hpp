@@ -30,6 +30,21 @@ struct Bordered {
 Bordered bordered(const Matrix& derivatives, std::span<const double> s,
                   std::span<const double> r, std::span<const double> weights);
 
+/// The same of several at once, time after time: the derivatives are read once for all of
+/// them, where they are larger than any cache.
+class Borders {
+  public:
+    Borders(const Matrix& derivatives, std::span<const double> r,
+            std::span<const double> weights);
+
+    /// \param s  [any] rows of [n]
+    std::vector<Bordered> of(const std::vector<const double*>& s) const;
+
+  private:
+    Matrix weighted_;  ///< [p + 1 x n] J w, r w
+    std::vector<double> weights_;
+};
+
 /// Solves (matrix + diagonal) d = right by LDL^T. Unknowns with fixed[k] keep d = 0.
 std::vector<double> solve(const Matrix& matrix, std::span<const double> diagonal,
                           std::span<const double> right, std::span<const char> fixed);

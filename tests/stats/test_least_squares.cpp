@@ -118,3 +118,18 @@ TEST(LeastSquares, BorderIsARowOfTheNormalEquations) {
     EXPECT_NEAR(border.with_itself, sums.matrix(2, 2), 1e-12);
     EXPECT_NEAR(border.with_residual, sums.right[2], 1e-12);
 }
+
+TEST(LeastSquares, BordersAreThoseOfEach) {
+    const Line line;
+    const Borders borders(line.derivatives, line.r, line.weights);
+    const auto all =
+        borders.of({line.derivatives.row(2).data(), line.derivatives.row(0).data()});
+    for (std::size_t k = 0; k < 2; ++k) {
+        const auto one = bordered(line.derivatives, line.derivatives.row(2 - 2 * k),
+                                  line.r, line.weights);
+        for (std::size_t j = 0; j < 3; ++j)
+            EXPECT_NEAR(all[k].with_others[j], one.with_others[j], 1e-12);
+        EXPECT_NEAR(all[k].with_itself, one.with_itself, 1e-12);
+        EXPECT_NEAR(all[k].with_residual, one.with_residual, 1e-12);
+    }
+}
