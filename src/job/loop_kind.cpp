@@ -51,7 +51,7 @@ constexpr schema::Key keys[] = {
      "Names of effects that are not to be tried (describe effects)."},
     {"study", "generic", Type::flag, "", "true", 0, 0,
      "Effects beside the catalogue's are tried, too: any place, what it follows, how and "
-     "when."},
+     "when. They show what else explains the same; only what follows columns joins."},
     {"study", "functions", Type::flag, "", "true", 0, 0,
      "What effects leave is laid to functions without a name: of the hour of the week, of "
      "the weather, of the load, of time, wherever they may enter. They join as long as "

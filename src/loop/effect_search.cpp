@@ -34,6 +34,8 @@ void log_step(const Step& step, std::vector<LoggedStep>& log) {
 }
 
 constexpr const char* nearly_nothing = "left: its coefficient may be nearly nothing";
+constexpr const char* too_little_beside =
+    "left: beside functions, its evidence is less than three times what noise shows";
 
 class Search {
   public:
@@ -67,26 +69,31 @@ class Search {
     }
 
     /// One more effect, where functions have taken the model's misfit. Says whether one
-    /// joined whose coefficient is certain.
+    /// joined whose evidence and coefficient leave no doubt: what is small is left to
+    /// functions, which can say it with as little.
     bool add_beside_functions() {
         const std::size_t n_before = result_.found.size();
         if (!accept_one(result_.baseline.place) || result_.found.size() <= n_before)
             return false;
-        note_what_shapes_leave_open(result_.baseline.place);
         Found& newest = result_.found.back();
-        if (fate_of(certainties_of().back(), newest.gain, threshold_) == Fate::stays) {
-            if (newest.doubt.empty()) newest.doubt = "it is seen only beside functions";
-            return true;
-        }
-        result_.log.push_back(
-            {result_.last.model.effects.back().name, nearly_nothing, 0, 0, 0, {}});
-        return false;
+        if (!is_overwhelming(newest.gain, threshold_)) return leaves(too_little_beside);
+        note_what_shapes_leave_open(result_.baseline.place);
+        if (fate_of(certainties_of().back(), newest.gain, threshold_) != Fate::stays)
+            return leaves(nearly_nothing);
+        if (newest.doubt.empty()) newest.doubt = "it is seen only beside functions";
+        return true;
     }
 
     /// What ended the search: all of it is to be done again by the right hour.
     const std::optional<LateClock>& late_clock() const { return late_clock_; }
 
   private:
+    /// Of the newest effect, beside functions.
+    bool leaves(const char* why) {
+        result_.log.push_back({result_.last.model.effects.back().name, why, 0, 0, 0, {}});
+        return false;
+    }
+
     bool accept_one(const Place& place) {
         Step step = search(data_, place, result_.last, barred_);
         log_step(step, result_.log);

@@ -313,25 +313,34 @@ double threshold_of(const LoopData& data, const Place& place, const Standing& st
                      data.options.seed);
 }
 
-/// The first that passes; one of the grammar only where nothing with a name comes near.
-/// None where what does not pass explains clearly more: then it is the model's misfit
-/// that they all take a part of.
+/// Whether more can be said of it than where and when: it has a name, or follows a series
+/// that the job names.
+bool may_join(const effects::Effect& effect) {
+    return effect.is_named() || effect.driver == effects::Driver::column;
+}
+
+/// The first with a name that passes. None where what does not pass explains clearly
+/// more: then it is the model's misfit that they all take a part of. Nor where what has
+/// no name does: that is left to functions.
 int choice_of(std::vector<Refitted>& ranking) {
     constexpr double least_share_of_best = 0.6;      ///< of its evidence, of a named one
     constexpr double largest_evidence_ratio = 1.25;  ///< of one that does not pass
-    int first = -1;
+    double best = 0;                                 ///< evidence of those that pass
     for (std::size_t k = 0; k < ranking.size(); ++k) {
-        if (!ranking[k].objection.empty()) continue;
-        if (first < 0 && ranking[0].gain > largest_evidence_ratio * ranking[k].gain) {
-            ranking[k].objection = "others that do not pass explain more";
+        Refitted& candidate = ranking[k];
+        if (!candidate.objection.empty()) continue;
+        if (best == 0 && ranking[0].gain > largest_evidence_ratio * candidate.gain) {
+            candidate.objection = "others that do not pass explain more";
             continue;
         }
-        if (first < 0) first = static_cast<int>(k);
-        const double best = ranking[static_cast<std::size_t>(first)].gain;
-        if (ranking[k].effect.is_named() && ranking[k].gain > least_share_of_best * best)
+        best = std::max(best, candidate.gain);
+        if (may_join(candidate.effect) && candidate.gain > least_share_of_best * best)
             return static_cast<int>(k);
+        candidate.objection = may_join(candidate.effect)
+                                  ? "what has no name explains more"
+                                  : "has no name: left to functions";
     }
-    return first;
+    return -1;
 }
 
 }  // namespace
