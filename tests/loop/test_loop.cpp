@@ -113,6 +113,27 @@ TEST(Loop, FindsWhatFollowsASeriesOfTheJob) {
               "it says where and when, not why");
 }
 
+// The catalogue has no set-point of Sundays. What the grammar says of it joins nothing: it
+// would say where and when, and functions say that better.
+TEST(Loop, WhatHasNoNameIsLeftToFunctions) {
+    effects::Effect sundays;
+    sundays.name = "set-point of Sundays";
+    sundays.hook = effects::Hook::heating_set_point;
+    sundays.driver = effects::Driver::sunday;
+    sundays.least = -4;
+    sundays.most = 4;
+    sundays.typical = 1;
+    Case made = windy_case();
+    measure(made, sundays, 2, 3);
+    LoopOptions options = quick();
+    options.generic = true;
+    const auto datasets = searched(made, options);
+    EXPECT_TRUE(test::find(datasets, "effect").texts.empty());
+    const auto& verdicts = test::find(datasets, "step_verdict").texts;
+    EXPECT_NE(std::ranges::find(verdicts, "has no name: left to functions"),
+              verdicts.end());
+}
+
 TEST(Loop, FindsNothingWhereNothingIs) {
     Case made = windy_case();
     measure(made, named("wind infiltration"), 0, 4);
