@@ -61,11 +61,17 @@ std::vector<ClockChange> changes_in(const physics::TimeAxis& axis,
     return changes;
 }
 
+/// To the hundredth that is printed: what rounds to nothing has no sign.
+double rounded(double hours) {
+    return std::round(hours * 100) / 100 + 0.0;
+}
+
 /// "-1.02 h at 2013-03-31, ..."
 std::string words_of(const SummerShift& shift, const physics::TimeAxis& axis) {
     std::string text;
     for (const auto& judged : shift.changes)
-        text += fmt::format("{}{:+.2f} h at {}", text.empty() ? "" : ", ", judged.hours,
+        text += fmt::format("{}{:+.2f} h at {}", text.empty() ? "" : ", ",
+                            rounded(judged.hours),
                             physics::format_date(axis.begin_of(judged.change.at)));
     return text;
 }
