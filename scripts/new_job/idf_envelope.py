@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from new_job.idf_fields import MONTHS
 from new_job.idf_geometry import C_FACTOR, F_FACTOR
 
 IP = 0.17611                   # m2 K/W of a ft2 h F/Btu
@@ -27,7 +28,10 @@ MASS_DEPTH = 0.1               # m
 INSULATION, INSULATION_R = 0.1, 0.3   # W/(m K) and m2 K/W, from which a layer is insulation
 AIR = 0.34                     # Wh/(m3 K)
 SOIL_R = (0.0607, 0.3479)      # m2 K/W and m2 K/W per m of depth: EnergyPlus Engineering Reference, C-factor walls
-GROUND_TEMPERATURE = 18        # degC, EnergyPlus's where none is given
+# What the job calls the ground, and {of it: (class, what a month has that is not given [degC])}.
+GROUND, FACTOR_GROUND = "ground", "ground of F and C factors"
+GROUND_CLASSES = {GROUND: ("Site:GroundTemperature:BuildingSurface", 18),
+                  FACTOR_GROUND: ("Site:GroundTemperature:FCfactorMethod", 13)}
 GROUNDS = ("ground", "foundation", "groundslabpreprocessoraverage", "groundslabpreprocessorcore",
            "groundslabpreprocessorperimeter", "groundbasementpreprocessoraveragewall",
            "groundbasementpreprocessoraveragefloor")
@@ -76,13 +80,22 @@ class Shell:
     heat_capacity: float = 0                       # J/K
     adiabatic: float = 0                           # m2
     between: float = 0                             # W/K to other conditioned zones
-    ground: float = GROUND_TEMPERATURE
+    grounds: dict = field(default_factory=dict)    # {boundary: (12,) degC}
 
     @property
     def conductance(self):
         """[W/K] of all parts."""
         return sum(p.area * p.adjustment * self.opaque[p.construction].u_value for p in self.surfaces.values()) + \
             sum(p.area * self.glazing[p.construction].u_value for p in self.windows.values())
+
+
+def ground_temperatures(model):
+    """{boundary: (12,) degC}. What has F and C factors without temperatures lies outdoors."""
+    found = {GROUND: np.full(len(MONTHS), float(GROUND_CLASSES[GROUND][1]))}
+    for name, (kind, usual) in GROUND_CLASSES.items():
+        for each in model.all(kind):
+            found[name] = np.array([each.number(f"{month}_ground_temperature", usual, -50, 60) for month in MONTHS])
+    return found
 
 
 def film(tilt):
@@ -230,10 +243,7 @@ class Reader:
         """Shell of some conditioned zones. `known`: one whose constructions it has."""
         self.shell = Shell(known.opaque, known.glazing) if known else Shell()
         self.rooms, self.is_known = rooms, known is not None
-        ground = next(iter(self.model.all("Site:GroundTemperature:BuildingSurface")), None)
-        if ground:
-            self.shell.ground = float(np.mean([ground.number(key, GROUND_TEMPERATURE, -50, 60) for key in
-                                               (k for k in ground.fields if k.endswith("_ground_temperature"))]))
+        self.shell.grounds = ground_temperatures(self.model)
         for surface in (surface for zone in rooms for surface in zone.surfaces):
             self.add(surface)
         for mass in self.model.all("InternalMass"):
@@ -249,9 +259,9 @@ class Reader:
         if outside == "outdoors":
             return "outdoors", 1, R_OUTSIDE
         if outside in GROUNDS:
-            return "ground", 1, 0
+            return GROUND, 1, 0
         if outside == "groundfcfactormethod":
-            return "outdoors", 1, 0
+            return FACTOR_GROUND if FACTOR_GROUND in self.shell.grounds else "outdoors", 1, 0
         other = self.neighbour(surface)
         if outside == "adiabatic" or other is surface.zone:
             self.shell.adiabatic += surface.gross * surface.zone.multiplier

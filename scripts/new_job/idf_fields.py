@@ -25,6 +25,8 @@ _TERMINAL = "name availability_schedule_name air_inlet_node_name air_outlet_node
             "cooling_outdoor_air_flow_rate heating_outdoor_air_flow_rate no_load_outdoor_air_flow_rate " \
             "supply_air_fan_object_type supply_air_fan_name"
 _WEEK = "name sunday monday tuesday wednesday thursday friday saturday holiday"
+MONTHS = ("january", "february", "march", "april", "may", "june", "july", "august", "september", "october", "november",
+          "december")
 _HOURS = " ".join(f"hour_{hour}" for hour in range(1, 25))
 
 _TABLE = {
@@ -65,9 +67,8 @@ _TABLE = {
     "construction": "name outside_layer " + " ".join(f"layer_{k}" for k in range(2, 11)),
     "construction:ffactorgroundfloor": "name f_factor area perimeterexposed",
     "construction:cfactorundergroundwall": "name c_factor height",
-    "site:groundtemperature:buildingsurface": " ".join(
-        f"{month}_ground_temperature" for month in "january february march april may june july august september "
-        "october november december".split()),
+    **dict.fromkeys(("site:groundtemperature:buildingsurface", "site:groundtemperature:fcfactormethod"),
+                    " ".join(f"{month}_ground_temperature" for month in MONTHS)),
     "people": "name zone_or_zonelist_or_space_or_spacelist_name number_of_people_schedule_name "
               "number_of_people_calculation_method number_of_people people_per_floor_area floor_area_per_person "
               "fraction_radiant sensible_heat_fraction activity_level_schedule_name",

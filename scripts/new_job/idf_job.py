@@ -7,7 +7,8 @@ import numpy as np
 
 from cases.toml import number
 from new_job import building, job, priors
-from new_job.idf_schedules import KINDS, MONTH_DAYS, runs_of
+from new_job.idf_envelope import GROUND_CLASSES
+from new_job.idf_schedules import HOURS, KINDS, MONTH_DAYS, runs_of
 from new_job.job import NOT_COOLED, section
 
 SAME_SHARE = 6                 # digits by which hours of two rooms are the same
@@ -153,9 +154,19 @@ def constructions(first):
     for each in shell.glazing.values():
         yield section("[[glazing]]", ("name", each.name), ("u_value", rounded(each.u_value), each.says),
                       ("solar_transmittance", rounded(each.solar)), ("frame_fraction", 0, "the glass is the opening"))
-    if any(part.boundary == "ground" for part in shell.surfaces.values()):
-        yield section("[[boundary]]", ("name", "ground"),
-                      ("temperature", rounded(shell.ground), "mean of Site:GroundTemperature:BuildingSurface"))
+    for name in dict.fromkeys(part.boundary for part in shell.surfaces.values() if part.boundary != "outdoors"):
+        yield from ground(name, shell.grounds[name])
+
+
+def ground(name, months):
+    """Temperatures of the file's months, as a schedule where they differ."""
+    by_day = np.repeat(months, MONTH_DAYS)[:, None, None] + np.zeros((KINDS, HOURS))
+    if not is_constant(by_day):
+        least, most = months.min(), months.max()
+        yield schedule_text(name, runs_of((by_day - least) / (most - least)), None)
+    value = rounded(months[0]) if is_constant(by_day) else \
+        job.scheduled(rounded(months.max()), rounded(months.min()), name)
+    yield section("[[boundary]]", ("name", name), ("temperature", value, f"by month: {GROUND_CLASSES[name][0]}"))
 
 
 def capacity(room):

@@ -200,6 +200,10 @@ class Box(unittest.TestCase):
         shell = self.read(house + made).whole.shell
         (floor,) = (p for p in shell.surfaces.values() if "ground floor" in p.construction)
         self.assertEqual((floor.boundary, floor.area), ("outdoors", ALIKE * LENGTH * DEPTH))
+        months = "Site:GroundTemperature:FCfactorMethod, 3, 2, 1, 2, 4, 8, 12, 15, 14, 12, 8;\n"
+        shell = self.read(house + made + months).whole.shell
+        (floor,) = (p for p in shell.surfaces.values() if "ground floor" in p.construction)
+        self.assertEqual(list(shell.grounds[floor.boundary]), [3, 2, 1, 2, 4, 8, 12, 15, 14, 12, 8, 13])
 
     def test_fans_that_cycle_bring_less_air(self):
         """A unit with a schedule of 0, or none, by its zone or in the zone's list of equipment."""
@@ -508,6 +512,24 @@ class Job(usual.New):
         self.assertLessEqual({"envelope", "infiltration", "ventilation", "lights", "equipment", "people",
                               "heating_set_point", "heating_set_back", "cooling_set_point"}, names)
         self.assertNotIn("cooling_set_back", names)
+
+    def test_ground_has_the_temperature_of_the_month(self):
+        months = "Site:GroundTemperature:BuildingSurface, 10, 10, 11, 12, 14, 16, 18, 18, 17, 15, 13, 11;\n"
+        self.from_file(self.box(BOX + months))
+        job = self.checked()
+        self.assertEqual(job["boundary"], [{"name": "ground",
+                                            "temperature": {"value": 18, "low": 10, "schedule": "ground"}}])
+        (ground,) = (s for s in job["schedule"] if s["name"] == "ground")
+        self.assertNotIn("summer_time", ground)
+        self.assertIn({"dates": "05-01/05-31", "every_day": 0.5}, ground["period"])
+        self.assertEqual(next(s["boundary"] for s in job["zone"][0]["surface"] if s["construction"] == "Slab"), "ground")
+
+    def test_a_file_whose_fuel_no_meter_shows(self):
+        said = self.from_file(self.box()).stdout
+        self.assertNotIn("no meter shows", said)
+        only = self.new(self.made / "electricity.csv", idf=self.box(), area=None, use=None, built=None, force=True)
+        self.assertIn("no meter shows the gas of heating", only.stdout)
+        self.assertEqual(self.checked()["plant"]["heating_carrier"], "gas")
 
     def test_json_gives_the_same_job(self):
         path = self.box()
