@@ -11,6 +11,7 @@ SUMMER_PEAK = 1.1              # electricity of the warmest months over that of 
 MILD = (8, 16)                 # degC, mean of a mild month
 WARM = 18                      # degC, of a warm one
 L_S_TO_M3_H = 3.6
+CARRIERS = ("gas", "electricity", "district")  # what plant and loads draw
 
 
 @dataclass
@@ -133,7 +134,7 @@ def loads_of(use, plant, meters, area, periods):
     loads.append(Load("equipment", use.equipment, "use", "electricity",
                       "ASHRAE 90.1 User's Manual" if use.lights else "EN 16798-1 Annex C, lights in it"))
     loads.append(base_load(there.get("electricity"), use, area, periods))
-    if plant.heating in ("gas", "district"):
+    if plant.heating in ("gas", "district") and plant.heating in there:
         loads.append(hot_water(there[plant.heating], use, plant.heating, area, periods))
     return loads
 
@@ -171,3 +172,16 @@ def set_points(use, country):
 def air_change(use, form):
     """[1/h] of ventilation while in use."""
     return use.air * L_S_TO_M3_H / form.height
+
+
+def tell_of_carriers(first):
+    """Meters from which nothing draws, and plant whose use no meter shows."""
+    drawn = {first.plant.heating, first.plant.cooling, *(load.carrier for load in first.loads)}
+    for meter in first.meters:
+        if meter.quantity in CARRIERS and meter.quantity not in drawn:
+            first.told.check(f"{meter.file}: {meter.column}: nothing of the job draws {meter.quantity}, so that none is "
+                             f"foretold; correct [plant], or write --meter {meter.file}:{meter.column}:heating if it "
+                             "counts the heat that rooms get")
+    for what, carrier in (("heating", first.plant.heating), ("cooling", first.plant.cooling)):
+        if carrier in CARRIERS and not first.has(carrier) and not first.has(what):
+            first.told.check(f"[plant]: no meter shows the {carrier} of {what}")

@@ -218,9 +218,10 @@ def plant(first):
 
 def meters(first):
     for meter in first.meters:
+        files = [path_from(first.options.job, file) for file in meter.files]
         yield section("[[meter]]", ("name", meter.name), ("quantity", meter.quantity),
                       ("interval", meter.interval if meter.interval != "hourly" else None),
-                      ("file", path_from(first.options.job, meter.file), "; ".join(meter.comments)),
+                      ("file", files if meter.more else files[0], "; ".join(meter.comments)),
                       ("column", meter.column), ("unit", meter.unit),
                       ("factor", meter.factor if meter.factor != 1 else None), *meter.keys.items())
 

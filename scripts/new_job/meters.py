@@ -30,7 +30,7 @@ LEAST_FACTOR = 3               # a unit but kWh is guessed only where kWh is so 
 NAMES = {"district": "heat", "air_temperature": "room"}  # of a meter, where the quantity's own says less
 
 
-@dataclass
+@dataclass(eq=False)           # a meter is itself
 class Meter:
     """`series`: (begin, reading in the job's unit or None), by the file's clock, in the order of time."""
     name: str
@@ -44,8 +44,12 @@ class Meter:
     series: list
     keys: dict = field(default_factory=dict)
     comments: list = field(default_factory=list)
-
     ends: list = field(default_factory=list)  # of bills
+    more: list = field(default_factory=list)  # files that go on where `file` ends
+
+    @property
+    def files(self):
+        return [self.file, *self.more]
 
     @property
     def is_energy(self):
@@ -54,6 +58,11 @@ class Meter:
     @property
     def is_hourly(self):
         return self.step <= 3600
+
+    @property
+    def is_regular(self):
+        """Of equal steps, not bills."""
+        return self.step <= DAY
 
     def read(self):
         return [(begin, value) for begin, value in self.series if value is not None]
@@ -374,8 +383,8 @@ def one_of_each(meters, told):
         if meter is largest:
             kept.append(meter)
         else:
-            told.check(f"{meter.file}: {meter.column}: left out, for {largest.column} shows more of {meter.quantity}; "
-                       "add the columns up if both are the building's")
+            told.check(f"{meter.file}: {meter.column}: left out, for {largest.column} of {largest.file} shows more of "
+                       f"{meter.quantity}; add them up if both are the building's")
     for k, meter in enumerate(room for room in kept if not room.is_energy):
         meter.name = f"room_{k + 1}" if k else "room"
     return kept

@@ -308,6 +308,37 @@ class New(unittest.TestCase):
         self.new(self.written("all.csv", ["time,gas_kWh,elec_kWh,T_out_C,T_room_C", *lines]))
         self.assertEqual([m["name"] for m in self.checked()["meter"]], ["gas", "electricity", "room"])
 
+    def test_files_that_follow_one_another_are_one_meter(self):
+        """In whatever order, with readings that both have, and with other line ends."""
+        first, second = rows(gas, 2021, 2021), rows(gas, 2022, 2022)
+        one = self.written("2021.csv", ["time,gas_kwh", *first, *second[:30]])
+        other = self.written("2022.csv", ["time,gas_kwh\r", *(f"{row}\r" for row in second)])
+        self.assertIn("goes on from", self.new(other, one).stdout)
+        (meter,) = self.checked()["meter"]
+        self.assertEqual(meter["file"], ["2021.csv", "2022.csv"])
+        self.assertEqual(self.checked()["periods"]["held_out"], ["2022-01-01", "2022-12-31"])
+
+    def test_files_that_a_job_cannot_read_as_one_are_told(self):
+        one = self.written("2021.csv", ["time,gas_kwh", *rows(gas, 2021, 2021), "2022-01-01 00:00,99"])
+        comma = self.written("comma.csv", ["time;gas_kwh", *rows(
+            gas, 2022, 2022, cell=lambda value: f"{value:.2f}".replace(".", ","), mark=";")])
+        said = self.new(one, comma).stdout
+        self.assertIn("comma.csv: gas_kwh: goes on from", said)
+        self.assertIn("are written in two ways", said)
+        again = self.written("again.csv", ["time,gas_kwh", *rows(gas, 2022, 2022)])
+        self.assertIn("have two readings for the same time", self.new(one, again, force=True).stdout)
+        bills = []
+        for year in (2021, 2022):
+            stamps = months(year, year)
+            bills.append(self.written(f"bills_{year}.csv", ["start,end,gas_kwh", *(
+                f"{a:%Y-%m-%d},{b:%Y-%m-%d},{total(gas, a, b):.0f}" for a, b in zip(stamps, stamps[1:]))]))
+        self.assertIn("are bills, of which a job takes one file", self.new(*bills, force=True).stdout)
+        self.checked()
+
+    def test_a_meter_from_which_nothing_draws_is_told(self):
+        heat = self.written("heat.csv", ["time,district_heat_kwh", *rows(gas)])
+        self.assertIn("nothing of the job draws district", self.new(heat, self.made / "gas.csv").stdout)
+
     def test_all_electric_and_summer_peak(self):
         def cooled(time):
             return electricity(time) + 3 * max(outdoor(time) - 16, 0)
