@@ -78,6 +78,15 @@ void doubt_clock(const schema::Section& section, const input::TimeColumns& time,
                      source.rules.site_offset_h)});
 }
 
+/// Files of one meter often show the same; it is said once.
+void add_once(const study::DataDecision& made,
+              std::vector<study::DataDecision>& decisions) {
+    if (std::ranges::none_of(decisions, [&](const study::DataDecision& known) {
+            return known.series == made.series && known.finding == made.finding;
+        }))
+        decisions.push_back(made);
+}
+
 }  // namespace
 
 TimedCsv open_csv(const schema::Section& section, const char* key,
@@ -112,16 +121,13 @@ std::string row_at(const TimedCsv& source, physics::Seconds begin) {
 void state_lines(const TimedCsv& source, std::vector<study::DataDecision>& decisions) {
     const std::string file = std::filesystem::path(source.csv->file).filename();
     for (const std::string& note : source.csv->notes)
-        if (std::ranges::none_of(decisions, [&](const study::DataDecision& known) {
-                return known.series == file && known.finding == note;
-            }))
-            decisions.push_back({file, note, "as said"});
+        add_once({file, note, "as said"}, decisions);
 }
 
 void note_stamps(const TimedCsv& source, const std::string& series,
                  std::vector<study::DataDecision>& decisions) {
     for (const input::TimeNote& note : source.stamps.notes)
-        decisions.push_back({"stamps of " + series, note.finding, note.action});
+        add_once({"stamps of " + series, note.finding, note.action}, decisions);
 }
 
 input::RegularSeries series_of(const TimedCsv& source, const std::string& column,
