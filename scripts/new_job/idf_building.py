@@ -1,7 +1,7 @@
 """A building from an EnergyPlus file: envelope, loads, air, set-points, plant, and what was left out.
 
-Zones with a thermostat are put together, or each is a room by itself; multipliers count. Leaves out what passes between
-rooms, and what LEFT_OUT names.
+Zones with a thermostat are put together, or each is a room by itself; multipliers count. Leaves out air between rooms,
+and what LEFT_OUT names.
 """
 import os
 from dataclasses import dataclass, field
@@ -38,7 +38,7 @@ SD_OF_FILE = 0.25              # of the factor on U-values that a modeller wrote
 IDEAL = ("ZoneHVAC:IdealLoadsAirSystem", "HVACTemplate:Zone:IdealLoadsAirSystem")
 
 
-@dataclass
+@dataclass(eq=False)           # a room is itself
 class Room:
     """Zones that are one in the job; the whole building is one, too."""
     name: str
@@ -95,10 +95,10 @@ class Reader:
         """A room of each zone with a floor; `whole` has their constructions."""
         rooms = [self.room(idf_envelope.plain(zone.name), [zone], whole.shell) for zone in self.rooms
                  if zone.area >= LEAST_SIZE and zone.volume >= LEAST_SIZE]
-        apart = sum(room.shell.between for room in rooms) / 2
+        apart = sum(sum(room.shell.between.values()) for room in rooms) / 2
         if apart:
-            self.left_out.append(f"{apart:.0f} W/K between rooms: nothing passes; a [[zone.coupling]] brings it, but "
-                                 "coupled zones have no derivatives, which a loop needs")
+            self.left_out.append(f"{apart:.0f} W/K between rooms: stands in the job behind #, for coupled zones have no "
+                                 "derivatives, which a loop needs; other studies can do without")
         return rooms
 
     def room(self, name, zones, known=None):

@@ -79,7 +79,7 @@ class Shell:
     windows: dict = field(default_factory=dict)
     heat_capacity: float = 0                       # J/K
     adiabatic: float = 0                           # m2
-    between: float = 0                             # W/K to other conditioned zones
+    between: dict = field(default_factory=dict)    # {other conditioned zone: W/K}
     grounds: dict = field(default_factory=dict)    # {boundary: (12,) degC}
 
     @property
@@ -275,7 +275,8 @@ class Reader:
                 return "outdoors", self.factor_of(other), r
             if other not in self.rooms:
                 u_value = opaque_of(self.model, surface.given, r, r).u_value
-                self.shell.between += surface.net * surface.zone.multiplier * u_value
+                name, conductance = plain(other.name), surface.net * surface.zone.multiplier * u_value
+                self.shell.between[name] = self.shell.between.get(name, 0) + conductance
             return None
         self.left_out.append(f'surface "{surface.given.name}": outside boundary condition '
                              f'"{surface.given.text("outside_boundary_condition")}"; taken as adiabatic')

@@ -215,6 +215,17 @@ def zone(first, room, names):
                       ("carrier", load.carrier or None),
                       ("heat_fraction", None if profile and profile.share > 0.999 else rounded(profile.share, 3)
                        if profile else 0))
+    yield from couplings(first, room)
+
+
+def couplings(first, room):
+    """With each of the rooms that follow, behind "#": a loop takes none. Where multipliers differ, the mean."""
+    rooms = first.model.rooms
+    for other in rooms[rooms.index(room) + 1:]:
+        conductance = (room.shell.between.get(other.name, 0) + other.shell.between.get(room.name, 0)) / 2
+        if conductance:
+            made = section("[[zone.coupling]]", ("zone", other.name), ("conductance", rounded(conductance), "W/K"))
+            yield "".join(f"# {line}\n" for line in made.splitlines())
 
 
 def loads_in(first, room):

@@ -6,6 +6,7 @@ The layout of fields is checked against EnergyPlus's own schema where that is th
 """
 import json
 import pathlib
+import re
 import shutil
 import sys
 import tempfile
@@ -552,6 +553,17 @@ class Job(usual.New):
         self.assertEqual(priors["people"]["target"], ["zone.Room.load.people.density"])
         self.assertEqual((priors["infiltration"]["target"], priors["infiltration"]["mode"]),
                          (["zone.*.flow.infiltration.air_change"], "factor"))
+
+    def test_couplings_of_rooms_stand_behind_a_mark_for_studies_that_take_them(self):
+        self.from_file(self.box(TWO), rooms=True)
+        text = re.sub("^# ", "", self.job.read_text().partition("[[zone]]")[2], flags=re.M)
+        self.job.write_text(self.job.read_text().partition("[[zone]]")[0] + "[[zone]]" + text)
+        self.assertIn("coupled zones", self.run_program("check", self.job).stderr)
+        self.job.write_text(self.job.read_text().replace('kind = "loop"', 'kind = "screening"\nn_points = 64'))
+        room, _ = self.checked()["zone"]
+        self.assertEqual([coupling["zone"] for coupling in room["coupling"]], ["Store"])
+        self.assertAlmostEqual(room["coupling"][0]["conductance"], 1.5 * DEPTH * HEIGHT / (
+            2 * 0.24 / 0.8 + 2.5 + 2 * INSIDE), 2)
 
     def test_a_box_without_windows_loads_and_systems(self):
         gone = ("FenestrationSurface", "People", "Lights", "ElectricEquipment", "Coil", "ZoneControl", "ZoneInf",
