@@ -179,7 +179,7 @@ def tell_of_carriers(first):
     drawn = {first.plant.heating, first.plant.cooling, *(load.carrier for load in first.loads)}
     for meter in first.meters:
         if meter.quantity in CARRIERS and meter.quantity not in drawn:
-            first.told.check(f"{meter.file}: {meter.column}: nothing of the job draws {meter.quantity}, so that none is "
+            first.told.check(f"{meter.file}: {meter.column}: nothing of the job draws {meter.quantity}, so none is "
                              f"foretold; correct [plant], or write --meter {meter.file}:{meter.column}:heating if it "
                              "counts the heat that rooms get")
     for what, carrier in (("heating", first.plant.heating), ("cooling", first.plant.cooling)):

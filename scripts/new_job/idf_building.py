@@ -97,8 +97,8 @@ class Reader:
                  if zone.area >= LEAST_SIZE and zone.volume >= LEAST_SIZE]
         apart = sum(sum(room.shell.between.values()) for room in rooms) / 2
         if apart:
-            self.left_out.append(f"{apart:.0f} W/K between rooms: stands in the job behind #, for coupled zones have no "
-                                 "derivatives, which a loop needs; other studies can do without")
+            self.left_out.append(f"{apart:.0f} W/K between rooms: stands in the job behind #, for coupled zones have "
+                                 "no derivatives, which a loop needs; other studies can do without")
         return rooms
 
     def room(self, name, zones, known=None):

@@ -523,7 +523,8 @@ class Job(usual.New):
         (ground,) = (s for s in job["schedule"] if s["name"] == "ground")
         self.assertNotIn("summer_time", ground)
         self.assertIn({"dates": "05-01/05-31", "every_day": 0.5}, ground["period"])
-        self.assertEqual(next(s["boundary"] for s in job["zone"][0]["surface"] if s["construction"] == "Slab"), "ground")
+        slab = next(s for s in job["zone"][0]["surface"] if s["construction"] == "Slab")
+        self.assertEqual(slab["boundary"], "ground")
 
     def test_a_file_whose_fuel_no_meter_shows(self):
         said = self.from_file(self.box()).stdout
