@@ -133,6 +133,19 @@ class Jobs(Folder):
         self.assertRefused(ExitCode.USAGE, "no list of tables", job.add, "site", latitude=1)
         self.assertRefused(ExitCode.NO_INPUT, "No such file", bemcal.Job.read, self.folder / "none.toml")
 
+    def test_a_list_of_tables_may_be_emptied_and_filled_again(self):
+        job = bemcal.Job.from_toml("seed = 1\n\n[[meter]]\nname = \"gas\"\n\n[plant]\nheating_carrier = \"gas\"\n")
+        job["meter"] = []
+        job.add("meter", name="heat")
+        job.add("study", kind="loop")
+        job["plant"] = 1        # no job, but TOML
+        self.assertEqual(tomllib.loads(job.to_toml()),
+                         {"seed": 1, "plant": 1, "meter": [{"name": "heat"}], "study": [{"kind": "loop"}]})
+        self.assertIn("\n\n[[study]]", job.to_toml())
+        job = bemcal.Job({"meter": [], "seed": 1})
+        job.add("meter", name="heat")
+        self.assertEqual(job.to_toml(), "seed = 1\n\n[[meter]]\nname = \"heat\"\n")
+
     def test_a_meter_gets_another_file_and_loses_only_how_the_old_one_was_read(self):
         job = bemcal.Job.from_toml(JOB)
         job.meter("gas", reals(HOURS), unit="MWh", zeros="keep")
@@ -208,6 +221,11 @@ class Frames(Folder):
         months = pd.period_range("2021-01", periods=3, freq="M")
         lines = self.meter(pd.Series([1.0, 2, 3], months), interval="monthly")
         self.assertEqual(lines[1:], ["2021-01-01,1.0", "2021-02-01,2.0", "2021-03-01,3.0"])
+        ends = pd.Series([1.0, 2, 3], pd.to_datetime(["2021-01-31", "2021-02-28", "2021-03-31"]))
+        self.refuse("last days of months", ends, interval="monthly")
+        for stamp in ("start", "end"):
+            self.assertEqual(self.meter(ends, interval="monthly", stamp=stamp)[1], "2021-01-31,1.0")
+        self.refuse("are months or bills", ends)
 
     def test_steps_that_differ_are_refused_and_rows_that_lack_are_not(self):
         data = reals(HOURS)
@@ -505,6 +523,9 @@ class Runs(Folder):
         bemcal.check(new)
         self.assertRefused(ExitCode.USAGE, "expected one of office", bemcal.new, self.folder / "other.toml",
                            use="palace", **given)
+        self.assertRefused(ExitCode.USAGE, "leave it out beside --idf", bemcal.new, self.folder / "other.toml",
+                           idf=self.folder / "house.idf", **given)
+        self.assertRefused(ExitCode.USAGE, "--use: is left out", bemcal.new, self.folder / "other.toml", **given)
 
     def test_a_job_is_adopted_beside_the_old_one(self):
         new = bemcal.adopt(self.result, self.job, self.place / "adopted.toml", keep_priors=True)

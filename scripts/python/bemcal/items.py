@@ -82,6 +82,16 @@ def put(section: Any, key: str, value: Any) -> None:
         section.value._insert_after(last[0], key, item)     # tomlkit's own way would be behind the comments
 
 
+def replace(parent: Any, key: str, value: Any) -> None:
+    """A section, key or list of tables. One that is of another kind than before goes where its kind stands: tomlkit
+    would leave keys behind tables."""
+    are_none = isinstance(value, list) and not value and isinstance(parent.get(key), AoT)
+    item = tomlkit.aot() if are_none else item_of(value)
+    if key in parent and (isinstance(item, (AoT, Table)) != isinstance(parent[key], (AoT, Table)) or not parent[key]):
+        del parent[key]
+    parent[key] = item
+
+
 def append(rows: Any, keys: Mapping[str, Any]) -> None:
     """One more table of a list. Comments below the last one are meant for what follows: they stay last."""
     if not isinstance(rows, AoT):

@@ -121,7 +121,7 @@ class Job(MutableMapping[str, Any]):
         return self._document[key]
 
     def __setitem__(self, key: str, value: Any) -> None:
-        self._document[key] = items.item_of(value)
+        items.replace(self._document, key, value)
 
     def __delitem__(self, key: str) -> None:
         del self._document[key]
@@ -161,17 +161,17 @@ class Job(MutableMapping[str, Any]):
     def add(self, place: str, **keys: Any) -> Any:
         """One more table of a list: job.add("zone.office.surface", construction="wall", area=300, azimuth=180)."""
         *names, section = place.split(".")
-        parent = self.at(".".join(names)) if names else self._document
-        if section not in parent:
-            parent[section] = tomlkit.aot()
-        if not isinstance(parent[section], list):
+        parent: Any = self.at(".".join(names)) if names else self._document
+        if not isinstance(parent.get(section, []), list):
             raise Error(f"{place} is no list of tables; expected one such as meter, parameter or study", ExitCode.USAGE)
-        rows: Any = parent[section]
-        items.append(rows, keys)
-        return rows[-1]
+        if parent.get(section):
+            items.append(parent[section], keys)
+        else:
+            items.replace(parent, section, [keys])
+        return parent[section][-1]
 
     def meter(self, name: str, data: readings.Table, unit: str, quantity: Optional[str] = None, *,
-              column: Optional[str] = None, stamp: str = "start", **keys: Any) -> None:
+              column: Optional[str] = None, stamp: Optional[str] = None, **keys: Any) -> None:
         """Readings of a meter, a new one or another file of one that is there.
 
         data      a Series, or a DataFrame and its `column`, over a DatetimeIndex of equal steps; NaN = missing. With a
@@ -180,13 +180,14 @@ class Job(MutableMapping[str, Any]):
         unit      of the readings: "kWh", "kW", "m3", "degC", ... (energies are of a step, not counted on)
         quantity  what of the model it is held against: "gas", "electricity", "district", "heating", "cooling",
                   "air_temperature"; default: that of the meter that is there, else its name
-        stamp     "start" or "end" of the step
+        stamp     "start" or "end" of the step; default: start, but rows on last days of months have to say it
         keys      others of [[meter]]: interval, gaps="missing" (absent rows), tariff, zeros, ...
         """
         what = f"meter {name}"
         frame = readings.column_of(data, column, name, what)
-        keys = {"stamp": stamp, **keys}
-        self._files[name] = readings.csv_of(frame, what, keys)
+        said = {} if stamp is None else {"stamp": stamp}
+        self._files[name] = readings.csv_of(frame, what, {**said, **keys})
+        keys = {"stamp": stamp or "start", **keys}
         rows = [row for row in self.get("meter", []) if row.get("name") == name]
         row = rows[0] if rows else self.add("meter", name=name, quantity=quantity or name)
         more = {} if quantity is None else {"quantity": quantity}

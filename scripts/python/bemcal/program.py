@@ -253,25 +253,30 @@ def adopt(result: Union["Result", Path], job: Union["Job", Path], output: Path, 
     return Job.read(output)
 
 
-def new(job: Path, *, weather: Sequence[Path], meters: Sequence[Path], area: float, use: str, built: int, place: str,
-        site: Optional[Tuple[float, float]] = None, storeys: Optional[int] = None, height: Optional[float] = None,
-        force: bool = False, program: Optional[Path] = None) -> "Job":
+def new(job: Path, *, weather: Sequence[Path], meters: Sequence[Path], place: str, area: Optional[float] = None,
+        use: Optional[str] = None, built: Optional[int] = None, idf: Optional[Path] = None, rooms: bool = False,
+        simulator: bool = False, site: Optional[Tuple[float, float]] = None, storeys: Optional[int] = None,
+        height: Optional[float] = None, force: bool = False, program: Optional[Path] = None) -> "Job":
     """A first job, written to `job`: `bemcal-batch new`. Look at its lines "check this" first.
 
-    weather  EPW files of measured years, or CSV files
-    meters   files of readings, each perhaps with :COLUMN:QUANTITY:UNIT behind it
-    area     heated or cooled floor area [m2]
-    use      "office", "school", "apartments", ...
-    built    the year in which it was built, or its envelope renewed
-    place    country, perhaps with a state: "GB", "US-NY"
-    site     latitude and longitude [deg]; default: as the EPW file says
-    height   of a storey [m]
+    weather    EPW files of measured years, or CSV files
+    meters     files of readings, each perhaps with :COLUMN:QUANTITY:UNIT behind it
+    place      country, perhaps with a state: "GB", "US-NY"
+    area       heated or cooled floor area [m2]
+    use        "office", "school", "apartments", ...
+    built      the year in which it was built, or its envelope renewed
+    idf        EnergyPlus's .idf or .epJSON, in place of area, use and built
+    rooms      with idf: a zone for each of its zones; default: one
+    simulator  with idf: the job runs that EnergyPlus model, too
+    site       latitude and longitude [deg]; default: as the EPW file says
+    height     of a storey [m]
     """
     from .job import Job
     words = ["new", os.fspath(job), *(f"--weather={os.fspath(file)}" for file in weather),
-             *(f"--meter={os.fspath(file)}" for file in meters), f"--area={area}", f"--use={use}", f"--built={built}",
-             f"--place={place}", *([f"--site={site[0]},{site[1]}"] if site else [])]
-    asked([*words, *options(storeys=storeys, height=height, force=force)], program)
+             *(f"--meter={os.fspath(file)}" for file in meters), f"--place={place}",
+             *([f"--site={site[0]},{site[1]}"] if site else [])]
+    asked([*words, *options(area=area, use=use, built=built, idf=idf, rooms=rooms, simulator=simulator,
+                            storeys=storeys, height=height, force=force)], program)
     return Job.read(job)
 
 

@@ -19,6 +19,7 @@ PART_OF_STEP = 12                       # a stamp may lie by such a part of the 
 BY_CALENDAR = ("monthly", "annual")     # intervals whose rows are months, years and bills, of any length
 WALL_CLOCKS = ("eu", "us")              # clocks that repeat an hour
 DAY = pd.Timedelta(days=1)
+MONTH = pd.Timedelta(days=28)
 
 Table = Union[pd.Series, pd.DataFrame]
 
@@ -65,9 +66,11 @@ def check_steps(index: pd.DatetimeIndex, what: str) -> None:
     wrong = np.flatnonzero(np.asarray(beside * PART_OF_STEP > step))
     if wrong.size:
         k = int(wrong[0])
+        if step >= MONTH:
+            raise refused(what, "its rows are months or bills; expected interval=\"monthly\"")
         raise refused(what, f"{index[k + 1]} comes {steps[k]} after the row before it, and most rows {step}; expected "
                             f"equal steps: data.resample({to_offset(step).freqstr!r}) with .sum() of energies and "
-                            ".mean() of all else; bills take interval=\"monthly\"")
+                            ".mean() of all else")
 
 
 def check_values(data: pd.DataFrame, what: str) -> pd.DataFrame:
@@ -81,6 +84,13 @@ def check_values(data: pd.DataFrame, what: str) -> pd.DataFrame:
         raise refused(what, f"has an infinite value at {data.index[int(np.argmax(infinite))]}; "
                             "expected NaN where a value is missing")
     return numbers
+
+
+def check_months(index: pd.DatetimeIndex, what: str) -> None:
+    """Of rows by the calendar, where nobody said what a stamp is: pandas' own months are called by their last day."""
+    if len(index) > 1 and index.is_month_end.all():
+        raise refused(what, "its stamps are last days of months; expected stamp=\"end\", or stamp=\"start\" of bills "
+                            "that begin on them")
 
 
 def stamps_of(index: pd.DatetimeIndex, by_date: bool) -> "list[str]":
@@ -98,6 +108,8 @@ def csv_of(data: pd.DataFrame, what: str, keys: Mapping[str, Any]) -> str:
         check_order(index, what)
         if not is_by_calendar:
             check_steps(index, what)
+    if is_by_calendar and "stamp" not in keys:
+        check_months(index, what)
     numbers.index = pd.Index(stamps_of(index, is_by_calendar), name="time")
     return str(numbers.to_csv(lineterminator="\n"))
 

@@ -27,6 +27,7 @@ import xarray
 
 from . import _guard, program
 from .errors import Error, ExitCode
+from .refused import Refused
 
 LOOP, SCREENING, POSTERIOR, KENNEDY_OHAGAN = "loop", "screening", "posterior", "kennedy_ohagan"
 DRAWS = ("posterior", "sample_stats", "prior", "observed_data", "posterior_predictive")     # ArviZ's groups
@@ -66,7 +67,7 @@ def refusing(path: pathlib.Path) -> Iterator[None]:
     try:
         with _guard.reading(path):
             yield
-    except _guard.Refused as refused:
+    except Refused as refused:
         raise Error(str(refused), refused.code) from None
 
 
