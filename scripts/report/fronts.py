@@ -6,7 +6,7 @@ import numpy as np
 from report import theme
 from report.picture import Table, picture, short, unit_words
 from report.screening import in_range, over_ranges, spread
-from report.words import listed, number
+from report.words import fixed, listed, number
 
 MOST_DOTS, MOST_FRONTS = 800, 6        # points; pairs of objectives
 NEAR = 4                               # points are drawn up to so many times the front's width from it
@@ -81,4 +81,4 @@ def aims(study):
                study.numbers("nearest_target_error")]
     yield Table("Targets", [("target", False), ("measured", True), ("unit", False), ("error of the nearest point [%]",
                                                                                     True)],
-                [[name, number(measured, 5), unit, number(error)] for name, measured, unit, error in zip(*columns)])
+                [[name, number(measured, 5), unit, fixed(error, 3)] for name, measured, unit, error in zip(*columns)])

@@ -30,15 +30,13 @@ def progress(study):
     figure, axis = theme.figure(2.2)
     stage = np.arange(1, distance.size + 1)
     axis.plot(stage, distance, "o-", color=theme.AFTER, markersize=5)
-    for x, y, n in zip(stage, distance, points):
-        axis.annotate(f"{number(n)} points", (x, y), xytext=(0, 6), textcoords="offset points", ha="center",
-                      fontsize=7, color=theme.SOFT)
     wanted = study.number("target_error_wanted")
     if wanted > 0:
         axis.axhline(wanted, color=theme.SOFT, linewidth=0.8, linestyle=":")
     unit = "%" if study.text("grid_distance") == "euclidean" else "1"
-    axis.set(xlabel="stage", ylabel=f"distance{unit_words(unit)}", xticks=stage,
+    axis.set(xlabel="stage, and how many points it took", ylabel=f"distance{unit_words(unit)}",
              xlim=(0.5, max(distance.size, 1) + 0.5))
+    axis.set_xticks(stage, [f"{s}\n{number(n)}" for s, n in zip(stage, points)])
     axis.set_ylim(0, 1.2 * max(np.nanmax(distance), wanted if wanted > 0 else 0, 1e-12))
     aim = " Dotted: the error at which it ends." if wanted > 0 else ""
     said = listed(f"{fixed(value, 3)} in stage {s}" for s, value in zip(stage, distance))
