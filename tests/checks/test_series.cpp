@@ -201,6 +201,20 @@ TEST(ClockChecks, DaysBehindTheDeclaredLoadsAreStated) {
               std::string::npos);
 }
 
+TEST(ClockChecks, AShiftThatRoundsToNothingHasNoSign) {
+    for (std::uint64_t seed = 1; seed < 40; ++seed) {
+        input::RegularSeries series = electricity(seed);
+        for (std::size_t k = 7 * day; k < series.values.size(); ++k)  // every week alike
+            series.values[k] = series.values[k - 7 * day] + 1e-9 * static_cast<double>(k);
+        study::Case building = building_with(series);
+        building.profiles.push_back(schedule_with("eu"));
+        checks::check_clocks(building);
+        for (const study::DataDecision& decision : building.decisions)
+            EXPECT_EQ(decision.finding.find("-0.00 h"), std::string::npos)
+                << decision.finding;
+    }
+}
+
 TEST(ClockChecks, SunshineAnHourBehindTheSunIsStated) {
     study::Case building;
     building.weather.site = {52, 10, 1};

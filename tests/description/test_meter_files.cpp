@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace bemcal::job {
@@ -74,6 +75,27 @@ TEST(MeterFiles, RowsOfTwoFilesAreTakenOnceWhereTheyAreAlike) {
         same(job.buildings[0].meters[0].values, whole.buildings[0].meters[0].values));
     EXPECT_TRUE(
         has_decision(job, "b.csv: 50 readings that the files before it have, too"));
+}
+
+TEST(MeterFiles, WhatTheirStampsShowAlikeIsSaidOnce) {
+    const Folder folder;
+    for (const int year : {2021, 2022}) {
+        std::string text = "time,elec_kWh\n";
+        for (int hour = 1; hour <= 24 * 30; ++hour)  // the last one is at midnight
+            text += fmt::format("{}-01-{:02}T{:02}:00:00,{}\n", year, hour / 24 + 1,
+                                hour % 24, 5 + hour % 24);
+        folder.write(fmt::format("{}.csv", year), text);
+    }
+    const std::string said = with_files("[\"2021.csv\", \"2022.csv\"]");
+    const Job job =
+        read_job(write_small_office(folder, replaced(said, "stamp = \"end\"\n", "")));
+    EXPECT_EQ(
+        std::ranges::count_if(job.buildings[0].decisions,
+                              [](const auto& decision) {
+                                  return decision.finding.find("they close whole days") !=
+                                         std::string::npos;
+                              }),
+        1);
 }
 
 TEST(MeterFiles, AFileWithinAnotherAddsNothing) {
