@@ -6,7 +6,7 @@ Scott's width. The log density is no unknown.
 import numpy as np
 
 from report import theme
-from report.picture import LONGEST_OF_THREE, Table, and_more, picture, short, unit_words
+from report.picture import LONGEST_OF_THREE, Table, and_more, bare_unit, picture, short, unit_words
 from report.stored import join
 from report.words import fixed, listed, number, percent
 
@@ -204,7 +204,7 @@ def table(study):
         mean, sd, low, high, rhat, bulk, tail = (column.get(name, np.nan) for column in columns)
         unit = units.get(name, "")
         rows.append([name, number(mean), number(sd, 2), f"{number(low)} to {number(high)}",
-                     unit_words(unit).strip(" []"), fixed(rhat, 3), number(bulk), number(tail), words.get(name, "")])
+                     bare_unit(unit), fixed(rhat, 3), number(bulk), number(tail), words.get(name, "")])
     yield Table("Unknowns", [("unknown", False), ("mean", True), ("sd", True), ("90 % interval", True),
                              ("unit", False), ("R-hat", True), ("ESS bulk", True), ("ESS tail", True),
                              ("what the data tell", False)], rows)

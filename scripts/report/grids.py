@@ -2,7 +2,7 @@
 import numpy as np
 
 from report import theme
-from report.picture import Table, picture, short, unit_words
+from report.picture import Table, bare_unit, picture, short, unit_words
 from report.screening import spread
 from report.stored import join
 from report.words import fixed, listed, number
@@ -106,7 +106,7 @@ def roles(study):
     columns = [study.texts(join(group, "parameter_role")) for group in groups]
     names, units = study.texts("parameter"), study.texts("parameter_unit")
     nearest = study.numbers("nearest_parameters")
-    rows = [[name, number(nearest[p], 4) if p < nearest.size else "", unit_words(units[p]).strip(" []"),
+    rows = [[name, number(nearest[p], 4) if p < nearest.size else "", bare_unit(units[p]),
              *(column[p] if p < len(column) else "" for column in columns)] for p, name in enumerate(names)]
     yield Table("Nearest point, and what became of the parameters",
                 [("parameter", False), ("nearest point", True), ("unit", False),

@@ -1,6 +1,6 @@
 """The numbers and words of a loop that loop.html names."""
 from report import beside, meters, pictures, words
-from report.picture import Picture
+from report.picture import Picture, bare_unit
 from report.result import AFTER, BEFORE, OF_CLASS, OF_ENDS, PLAIN
 
 MOST_POWER_ROWS = 15
@@ -35,7 +35,7 @@ def parameter_rows(loop):
     for p, parameter in enumerate(loop.of_parameters):
         moved = loop.value_of(AFTER, p) - loop.value_of(BEFORE, p)
         sd = parameter.sd
-        rows.append({"name": parameter.name, "unit": parameter.unit,
+        rows.append({"name": parameter.name, "unit": bare_unit(parameter.unit),
                      "prior": words.plus_minus(parameter.mean, sd),
                      "values": [shown(p, model) for model in (PLAIN, BEFORE, AFTER)],
                      "moved": words.signed(moved / sd if sd > 0 else float("nan"), 2)})
@@ -53,7 +53,7 @@ def effect_rows(loop):
 
 
 def function_rows(loop):
-    return [{"name": function.name, "size": words.number(function.size), "unit": function.unit,
+    return [{"name": function.name, "size": words.number(function.size), "unit": bare_unit(function.unit),
              "evidence": words.number(function.evidence)} for function in loop.functions]
 
 
@@ -75,7 +75,8 @@ def unanswered(loop):
 
 def program_rows(loop):
     """The parameters of the program that the loop was around, at the runs that count."""
-    return [{"name": row.name, "unit": row.unit, "range": f"{words.number(row.least)} to {words.number(row.most)}",
+    return [{"name": row.name, "unit": bare_unit(row.unit),
+             "range": f"{words.number(row.least)} to {words.number(row.most)}",
              "values": [words.number(value) for value in (row.plain, row.before, row.after)]}
             for row in loop.simulator.parameters]
 

@@ -40,6 +40,11 @@ def unit_words(unit):
     return f" [{unit.replace('degC', '°C')}]" if unit not in ("", "-", "1") else ""
 
 
+def bare_unit(unit):
+    """"°C", for a column of units; "" of a number without one."""
+    return unit_words(unit).strip(" []")
+
+
 def and_more(n, shown, things):
     """" 5 more parameters are not drawn.": where not all are shown."""
     left = n - shown

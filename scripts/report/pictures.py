@@ -2,7 +2,7 @@
 import numpy as np
 
 from report import theme
-from report.picture import picture
+from report.picture import bare_unit, picture, unit_words
 from report.regression import HOURS_OF_WEEK, hour_of_week
 from report.result import AFTER, BEFORE, PLAIN
 from report.words import fixed, number, percent
@@ -247,9 +247,9 @@ def by_hour_and_more(figure, axes, points, function):
                                 vmin=-most, vmax=most, shading="nearest", rasterized=True)
         axis.set(title=title, xlabel="hour of the day", xticks=range(0, 25, 6))
         axis.grid(False)
-    axes[0].set_ylabel(f"[{function.driver_unit}]".replace("degC", "°C"))
+    axes[0].set_ylabel(unit_words(function.driver_unit).strip())
     bar = figure.colorbar(image, ax=list(axes), shrink=0.9, aspect=30)
-    bar.set_label(f"[{function.unit}]")
+    bar.set_label(unit_words(function.unit).strip())
     bar.outline.set_visible(False)
 
 
@@ -268,13 +268,14 @@ def function(one, begin):
     elif one.driver == "time":
         of_time(axes, points, begin)
     else:
-        along(axes, points, points[0], f"{one.driver} [{one.driver_unit}]".replace("degC", "°C"))
+        along(axes, points, points[0], one.driver + unit_words(one.driver_unit))
     if not is_map:
         axes.axhline(0, color=theme.SOFT, linewidth=0.8)
-        axes.set_ylabel(f"[{one.unit}]")
+        axes.set_ylabel(unit_words(one.unit).strip())
     k = int(np.argmax(np.abs(value)))
     return picture(figure, one.name[0].upper() + one.name[1:],
-                   f"{one.name}: from {number(value.min())} to {number(value.max())} {one.unit}; where it is "
+                   f"{one.name}: from {number(value.min())} to {number(value.max())} {bare_unit(one.unit)}".rstrip() +
+                   "; where it is "
                    f"largest, {number(value[k])}, its 90 % interval is {number(least[k])} to {number(most[k])}.",
                    "What it brings more (orange) or less (blue) than the description." if is_map else
                    "Line: what it brings beyond the description; band: 90 % interval.")

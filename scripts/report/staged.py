@@ -2,7 +2,7 @@
 import numpy as np
 
 from report import theme
-from report.picture import LONGEST_OF_THREE, Table, and_more, picture, short, unit_words
+from report.picture import LONGEST_OF_THREE, Table, and_more, bare_unit, picture, short, unit_words
 from report.stored import join
 from report.words import fixed, listed, number
 
@@ -59,7 +59,7 @@ def table(study):
     for s, p in np.argwhere(is_calibrated(study)):
         remark = {-1: "lower end", 1: "upper end"}.get(bound[s, p], "") if bound.shape == found.shape else ""
         rows.append([stages[s], names[p], number(start[s, p], 4), number(found[s, p], 4), number(sd[s, p], 2),
-                     f"{number(least[s, p])} to {number(most[s, p])}", unit_words(units[p]).strip(" []"), remark])
+                     f"{number(least[s, p])} to {number(most[s, p])}", bare_unit(units[p]), remark])
     yield Table("Values", [("stage", False), ("parameter", False), ("from", True), ("value", True), ("sd", True),
                            ("range", True), ("unit", False), ("remark", False)], rows)
 
