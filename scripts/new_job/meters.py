@@ -25,6 +25,7 @@ OF_COUNTRY = {"US": ("therm", "100 ft3"), "GB": ("100 ft3",)}  # more of gas
 ZERO_RUN = 12                  # h, of zeros that are gaps
 MOST_FILLED, MOST_SHORT = 0.1, 0.002  # of the readings, that stand for gaps, and that are other zeros
 LEAST_RISES, MOST_FALLS = 0.3, 0.01  # of a register's readings; of its rises
+OFFSET, MOST_BELOW = 0.01, 0.01    # of what a meter reaches, and of its readings, that may be below 0 by faults
 SPIKE = 20                     # times what 98 % of the readings reach
 LEAST_FACTOR = 3               # a unit but kWh is guessed only where kWh is so far off
 NAMES = {"district": "heat", "air_temperature": "room"}  # of a meter, where the quantity's own says less
@@ -137,8 +138,10 @@ def chosen_columns(table, request):
         named = [row for row in named if row[1] == request.quantity] or [(name, request.quantity) for name in there[:1]]
     if named:
         return named
+    there = [name for name in there if any(table.column(name))]
     if len(there) == 1:
-        return [(there[0], quantity_of(os.path.basename(table.path)) or of_unit(there[0]))]
+        said = tables.said_beside(table)
+        return [(there[0], quantity_of(os.path.basename(table.path)) or quantity_of(said) or of_unit(there[0]))]
     for name in table.values:
         if quantity_of(name) and not is_other(name):
             refuse_texts(table, name)
@@ -252,6 +255,18 @@ def has_filled_gaps(meter):
     return 0 < in_gaps <= MOST_FILLED * len(values) and sum(runs) - in_gaps <= MOST_SHORT * len(values)
 
 
+def tell_negatives(meter, told):
+    """More than a fault or an offset: what is fed in, where electricity is. The program asks about it."""
+    values = [value for _, value in meter.read()]
+    reach = sorted(values)[int(0.99 * (len(values) - 1))] if values else 0
+    n_below = sum(value < -OFFSET * reach for value in values)
+    if n_below > max(1, MOST_BELOW * len(values)):
+        meter.keys["negative"] = "missing"
+        told.check(f"{meter.file}: {meter.column}: {n_below} of {len(values)} readings are below 0, and were taken as "
+                   "missing; a meter of what a building takes less what it feeds in is too low by day at other times, "
+                   "too: expected one of what it takes alone")
+
+
 def likely_numbers(table, column, quantity, unit, area):
     """Of 1,234 that may be a thousand or one: what is more like a year's use of a building."""
     numbers = tables.numbers_in(table, column)
@@ -287,7 +302,8 @@ def make_meter(table, column, quantity, unit, options, told):
         quantity = "electricity"
         told.check(f"{table.path}: {column}: nothing says what it measures; electricity was taken for its unit "
                    f"{found[0]}")
-    unit = unit or unit_of(column, quantity) or unit_of(os.path.basename(table.path), quantity)
+    unit = unit or unit_of(column, quantity) or unit_of(os.path.basename(table.path), quantity) or \
+        unit_of(tables.said_beside(table), quantity)
     interval, _ = interval_of(table.step)
     meter = Meter(NAMES.get(quantity, quantity), quantity, table.path, column, *(unit or ("", 1)), interval, table.step,
                   sorted(zip(begins, numbers.values), key=lambda row: row[0]), keys=keys)
@@ -300,6 +316,8 @@ def make_meter(table, column, quantity, unit, options, told):
         meter.series = [(begin, value or None) for begin, value in meter.series]
         told.check(f"{table.path}: {column}: zeros of {ZERO_RUN} h and more were taken for gaps that were filled, "
                    "for it hardly shows a zero otherwise")
+    if meter.is_energy and table.step <= DAY:
+        tell_negatives(meter, told)
     bills = bill_columns(table)
     if bills:
         ends = ends_of_bills(begins, times.read_times(table.column(bills[1]))[1])

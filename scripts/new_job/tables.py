@@ -29,7 +29,8 @@ COUNTED = ((29221, 73051, "perhaps a workbook's days since 1900; give its cells 
            (315532800, 4102444800, "perhaps seconds since 1970; write them as dates and clock of standard time, or the "
                                    "meter by hand with time_format = \"%s\""))
 BLANK, BLANK_GROUP = re.compile(r"\s"), re.compile(r"\d\s\d{3}(\D|$)")
-CLOCK_CELL = re.compile(r"\d{1,2}:\d\d(:\d\d)?$")
+CLOCKS_APART = ("%H:%M", "%H:%M:%S", "%I:%M %p", "%I:%M:%S %p")   # in a column beside that of dates
+YEARS = (1900, 2100)           # of readings: a sum such as 20480115 is no date
 
 
 def bytes_of(path):
@@ -131,7 +132,8 @@ def of_parts(rows, columns):
 def is_time(cell):
     cell = cell.strip()
     reads = (times.read_iso, *map(times.read_form, (*times.YEAR_FIRST, *times.OTHER_FORMS)))
-    return any(times.all_read(read, [cell]) for read in reads) if re.search(r"\d", cell) else False
+    found = (times.all_read(read, [cell]) for read in reads) if re.search(r"\d", cell) else ()
+    return any(read and YEARS[0] <= read[0].year <= YEARS[1] for read in found)
 
 
 def header_at(path, cells):
@@ -197,13 +199,23 @@ def add_clock(table):
         return
     for name in table.names:
         cells = table.column(name) if name not in table.time else []
-        if cells and all(CLOCK_CELL.match(cell) for cell in cells[:LOOKED_AT]):
+        found = clock_in(cells)
+        if found:
+            form, clocks = found
+            iso = "%Y/%m/%d" if "/" in table.column(table.time[0])[0] else "%Y-%m-%d"
+            table.times = [day + clock for day, clock in zip(table.times, clocks)]
+            table.form = f"{table.form or iso} {form}" if table.form or "%I" in form else ""
             table.time.append(name)
-            clocks = [cell.split(":") for cell in cells]
-            table.times = [day + dt.timedelta(hours=int(clock[0]), minutes=int(clock[1]))
-                           for day, clock in zip(table.times, clocks)]
-            table.form = table.form and f"{table.form} %H:%M" + (":%S" if len(clocks[0]) == 3 else "")
             return
+
+
+def clock_in(cells):
+    """(form, times since midnight) of cells that are all clocks; None where they are not."""
+    for form in CLOCKS_APART:
+        read = times.read_form(form)
+        if cells and times.all_read(read, cells[:LOOKED_AT]) and (found := times.all_read(read, cells)):
+            return form, [time - dt.datetime(1900, 1, 1) for time in found]
+    return None
 
 
 def read_table(path, country=""):
@@ -262,6 +274,12 @@ def text_among(table, name):
         return None
     row = table.rows[table.column(name).index(texts[0])]
     return line_of(table.path, row, table.separator), texts[0]
+
+
+def said_beside(table):
+    """What columns say that have the same text in all rows: "Electric usage kWh"."""
+    said = {name: set(table.column(name)) for name in table.values}
+    return " ".join(texts.pop() for texts in said.values() if len(texts) == 1)
 
 
 @dataclass

@@ -335,6 +335,28 @@ class New(unittest.TestCase):
         self.assertIn("are bills, of which a job takes one file", self.new(*bills, force=True).stdout)
         self.checked()
 
+    def test_a_utilitys_csv_says_what_it_is_in_its_cells(self):
+        """Dates and clocks apart, of 24 or 12 hours; an empty column; columns with one text."""
+        for clock, form in (("%H:%M", None), ("%I:%M %p", "%Y-%m-%d %I:%M %p")):
+            lines = [f"Electric usage,{t:%Y-%m-%d},{t.strftime(clock)},{t + dt.timedelta(minutes=59):%H:%M},"
+                     f"{electricity(t)},kWh,$0.10," for t in hours(2021, 2022)]
+            self.new(self.written("usage.csv", ["Name,J", "", "TYPE,DATE,START TIME,END TIME,USAGE,UNITS,COST,NOTES",
+                                                *lines]), force=True)
+            meter = self.meter("electricity")
+            self.assertEqual((meter["column"], meter["unit"], meter["time"], meter.get("time_format")),
+                             ("USAGE", "kWh", ["DATE", "START TIME"], form))
+
+    def test_a_total_below_the_readings_is_no_date(self):
+        self.new(self.written("gas.csv", ["time,gas_kwh", *rows(gas), "Total,187512"]))
+        self.checked()
+
+    def test_readings_below_zero_are_told(self):
+        def net(time):
+            return electricity(time) - 40 * (time.hour == 12)
+        said = self.new(self.written("net.csv", ["time,electricity_kwh", *rows(net)])).stdout
+        self.assertIn("730 of 17520 readings are below 0", said)
+        self.assertEqual(self.meter("electricity")["negative"], "missing")
+
     def test_a_meter_from_which_nothing_draws_is_told(self):
         heat = self.written("heat.csv", ["time,district_heat_kwh", *rows(gas)])
         self.assertIn("nothing of the job draws district", self.new(heat, self.made / "gas.csv").stdout)
