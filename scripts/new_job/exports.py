@@ -40,6 +40,7 @@ class Converted:
     unit: str
     factor: float
     says: str                  # what it was
+    doubt: str = ""
 
 
 def is_green_button(path):
@@ -112,6 +113,14 @@ def bills_in(table):
     return groups
 
 
+def check_bills(path, bills):
+    """None begins before the end of the one before it. The same row twice has been taken once."""
+    for (begin, end, *_), (later, *_) in zip(bills, bills[1:]):
+        if later < end:
+            raise Refused(f"{path}: a bill begins on {later:%Y-%m-%d}, before the end of the one from "
+                          f"{begin:%Y-%m-%d} to {end:%Y-%m-%d}; take one of them out")
+
+
 def of_portfolio_manager(table, place):
     """Its bills, one file for each meter; water, waste and wood are left out, and a meter of a single bill."""
     groups, found = bills_in(table), []
@@ -122,11 +131,16 @@ def of_portfolio_manager(table, place):
         unit = unit_of(units)
         if not unit:
             raise Refused(f"{table.path}: {units!r} is no unit that is known; expected kWh, therms, ccf, kBtu, ...")
+        bills = sorted(set(bills))
+        check_bills(table.path, bills)
+        are_estimated = all(estimated for *_, estimated in bills)
         path = place.file(quantity, name if len(groups) > 1 else "")
-        lines = [[f"{begin:%Y-%m-%d}", f"{end:%Y-%m-%d}", *rest] for begin, end, *rest in sorted(bills)]
+        lines = [[f"{begin:%Y-%m-%d}", f"{end:%Y-%m-%d}", use, 0 if are_estimated else estimated]
+                 for begin, end, use, estimated in bills]
         place.write(path, ["start", "end", "usage", "estimated"], lines)
         what = ", ".join(filter(None, (kind, name, units)))
-        found.append(Converted(path, "usage", quantity, *unit, f"{len(bills)} bills of {table.path} ({what})"))
+        doubt = f"{table.path}: all bills of {what} are estimated; they were taken as read" if are_estimated else ""
+        found.append(Converted(path, "usage", quantity, *unit, f"{len(bills)} bills of {table.path} ({what})", doubt))
     if not found:
         raise Refused(f"{table.path}: has no bills of gas, electricity or district energy")
     return found
@@ -156,9 +170,9 @@ def of_green_button(path, place):
     for element in root.iter():
         if local(element) == "ReadingType":
             kind = (child(element, "commodity") or "1", child(element, "uom") or "72",
-                    int(child(element, "powerOfTenMultiplier") or 0), child(element, "flowDirection") or "1")
+                    number_of(path, child(element, "powerOfTenMultiplier"), 0), child(element, "flowDirection") or "1")
         if local(element) == "IntervalBlock":
-            groups.setdefault(kind, []).extend(readings_of(element))
+            groups.setdefault(kind, []).extend(readings_of(path, element))
     late = kind if len({key for key in groups if key}) <= 1 else None
     found = []
     for key, readings in groups.items():
@@ -171,18 +185,29 @@ def of_green_button(path, place):
     return found
 
 
-def readings_of(block):
+def number_of(path, text, usual, kind=int):
+    """A number of the feed; `usual` where there is none."""
+    try:
+        return kind(text) if text else usual
+    except ValueError:
+        raise Refused(f"{path}: {text[:40]!r} stands where Green Button (ESPI) has a "
+                      f"{'whole ' if kind is int else ''}number") from None
+
+
+def readings_of(path, block):
+    """(begin [s since 1970 UTC], duration [s], value)"""
     for reading in block:
         if local(reading) != "IntervalReading":
             continue
         begin, duration, value = (child(reading, *tag) for tag in (("timePeriod", "start"), ("timePeriod", "duration"),
                                                                   ("value",)))
         if begin and value:
-            yield int(begin), int(duration or 3600), float(value)
+            yield number_of(path, begin, 0), number_of(path, duration, 3600), number_of(path, value, 0, float)
 
 
 def written(path, place, quantity, uom, power, readings):
     unit, factor = UOMS[uom]
+    n_twice = len(set(readings)) - len({begin for begin, _, _ in readings})
     readings = sorted(dict((begin, (duration, value)) for begin, duration, value in readings).items())
     durations = [duration for _, (duration, _) in readings]
     at = place.file(quantity)
@@ -196,4 +221,5 @@ def written(path, place, quantity, uom, power, readings):
     else:
         lines = [[f"{time(b):%Y-%m-%dT%H:%M:%SZ}", f"{v * 10 ** power:.10g}"] for b, (_, v) in readings]
         place.write(at, ["time", "usage"], lines)
-    return Converted(at, "usage", quantity, unit, factor, f"{len(readings)} readings of Green Button {path}")
+    doubt = f"{path}: {n_twice} of its times have two readings; the later in the file was taken" if n_twice else ""
+    return Converted(at, "usage", quantity, unit, factor, f"{len(readings)} readings of Green Button {path}", doubt)

@@ -366,6 +366,8 @@ def keys_of_meter(table, numbers, told):
 
 def of_converted(made, options, told):
     """The meter of an export's CSV file."""
+    if made.doubt:
+        told.check(made.doubt)
     table = tables.read_table(made.file, options.country)
     meter = make_meter(table, made.column, made.quantity, (made.unit, made.factor), options, told)
     meter.comments.append(f"from {made.says}")

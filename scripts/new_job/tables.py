@@ -30,6 +30,7 @@ COUNTED = ((29221, 73051, "perhaps a workbook's days since 1900; give its cells 
                                    "meter by hand with time_format = \"%s\""))
 BLANK, BLANK_GROUP = re.compile(r"\s"), re.compile(r"\d\s\d{3}(\D|$)")
 CLOCKS_APART = ("%H:%M", "%H:%M:%S", "%I:%M %p", "%I:%M:%S %p")   # in a column beside that of dates
+TIME_COLUMNS = 10              # a time is in one of the first ones: exports begin with names and numbers of meters
 YEARS = (1900, 2100)           # of readings: a sum such as 20480115 is no date
 
 
@@ -164,7 +165,7 @@ def counted_time(cells):
 
 def is_row_of_times(row, next_row):
     """Whether both have a time in one of the first columns."""
-    return any(is_time(cell) and is_time(other) for cell, other in zip(row[:4], next_row))
+    return any(is_time(cell) and is_time(other) for cell, other in zip(row[:TIME_COLUMNS], next_row))
 
 
 def is_line_of_units(row):
@@ -180,7 +181,7 @@ def set_time(table, country):
     if parts and (read := of_parts(table.rows, parts)):
         table.time, table.times = [table.names[k] for k in parts], read
         return
-    for name in table.names[:6]:
+    for name in table.names[:TIME_COLUMNS]:
         cells = table.column(name)
         read = times.read_times(cells, country)
         if not read or len(read[1]) < len([cell for cell in cells if cell]):
@@ -189,8 +190,9 @@ def set_time(table, country):
         table.has_offset = times.has_offset(cells[0]) or "%z" in table.form
         add_clock(table)
         return
-    raise Refused(f"{table.path}: has no time column: in none of {', '.join(table.names[:6])} is every cell a time; "
-                  "expected times like 2021-03-05 14:00; a note or a total between the rows is taken out by hand")
+    names = ", ".join(table.names[:TIME_COLUMNS])
+    raise Refused(f"{table.path}: has no time column: in none of {names} is every cell a time; expected times like "
+                  "2021-03-05 14:00; a note or a total between the rows is taken out by hand")
 
 
 def add_clock(table):
@@ -263,7 +265,7 @@ def check_order(table):
 
 
 def rows_begin_with_time(row):
-    return any(is_time(cell) for cell in row[:4]) or all(cell.strip().isdigit() for cell in row[:3])
+    return any(is_time(cell) for cell in row[:TIME_COLUMNS]) or all(cell.strip().isdigit() for cell in row[:3])
 
 
 def text_among(table, name):

@@ -397,6 +397,30 @@ class New(unittest.TestCase):
         self.refused("is there already", EXISTS, file, place="US-MA")
         self.assertEqual(file.read_bytes(), before)
 
+    def test_columns_of_portfolio_manager_before_the_dates(self):
+        """As a property's export has them; a bill that stands there twice is one, and one that overlaps is refused."""
+        stamps = months()
+        lines = [f'A,11,12,Gas,Natural Gas,,{a:%m/%d/%Y},{b:%m/%d/%Y},"{total(gas, a, b):,.1f}",'
+                 "kWh (thousand Watt-hours),9,Yes" for a, b in zip(stamps, stamps[1:])]
+        head = "Property Name,Portfolio Manager ID,Portfolio Manager Meter ID,Meter Name,Meter Type,Delivery Date," \
+               "Start Date,End Date,Usage/Quantity,Usage Units,Cost ($),Estimation"
+        said = self.new(self.written("export.csv", [head, *lines, lines[3]])).stdout
+        self.assertIn("bills of Natural Gas, 12, kWh (thousand Watt-hours) are estimated", said)
+        self.assertEqual(self.meter()["estimated"], "estimated")
+        more = 'A,11,12,Gas,Natural Gas,,05/15/2021,06/14/2021,"100",kWh (thousand Watt-hours),9,No'
+        self.refused("a bill begins on 2021-05-15, before the end", DATA,
+                     self.written("export.csv", [head, *lines, more]), force=True)
+
+    def test_green_button_with_two_readings_of_a_time_or_none_that_is_a_number(self):
+        times_of = list(hours(2021, 2022))
+        text = "\n".join(green_button([*times_of, times_of[7]]))
+        at = text.rindex("<value>")
+        path = self.folder / "gb.xml"
+        path.write_text(text[:at] + "<value>7.5" + text[text.index("</value>", at):])
+        self.assertIn("1 of its times have two readings", self.new(path).stdout)
+        path.write_text(text.replace("<value>", "<value>x", 1))
+        self.refused("gb.xml: 'x", DATA, path, force=True)
+
     def test_meters_of_one_name_have_files_of_their_own(self):
         lines = portfolio(months())
         lines[-6:] = [line.replace("Electric - Grid,", "Electric,") for line in lines[-6:]]
