@@ -2,6 +2,7 @@
 
 Source: BSD's sysexits; README.md says what each code means. Without h5py, for scripts that read no result.
 """
+import argparse
 import os
 import sys
 import traceback
@@ -17,6 +18,13 @@ class Refused(Exception):
         self.code = code
 
 
+class Parser(argparse.ArgumentParser):
+    """Of a command line, whose mistakes are a line and USAGE."""
+
+    def error(self, message):
+        self.exit(USAGE, f"{self.prog}: {message}; {self.prog} --help lists all\n")
+
+
 def code_of(name, work):
     """Does the work; the exit code."""
     try:
@@ -25,7 +33,7 @@ def code_of(name, work):
         print(f"{name}: {refused}", file=sys.stderr)
         return refused.code
     except OSError as error:
-        print(f"{name}: {error}", file=sys.stderr)
+        print(f"{name}: {f'{error.filename}: {error.strerror}' if error.filename else error}", file=sys.stderr)
         return IO
     except Exception as error:  # noqa: BLE001  (a mistake of ours)
         at = traceback.extract_tb(error.__traceback__)[-1]
