@@ -28,7 +28,9 @@
 #include "store/layout.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -75,6 +77,17 @@ constexpr const char* footer =
     "failed, "
     "75 stopped\n(go on with --resume), 78 job file.";
 
+/// Of an option's value what is wrong with it. CLI11's own check would print the largest
+/// number with all of its digits.
+std::string not_above_zero(const std::string& text) {
+    double value = 0;
+    const char* end = text.data() + text.size();
+    const auto [at, error] = std::from_chars(text.data(), end, value);
+    const bool is_number = error == std::errc() && at == end && std::isfinite(value);
+    return is_number && value > 0 ? ""
+                                  : fmt::format("{}: expected a number above 0", text);
+}
+
 void add_run(CLI::App& app, CommandLine& line) {
     CLI::App* run =
         app.add_subcommand("run", "run a job (may be left out: bemcal-batch JOB)");
@@ -97,7 +110,7 @@ void add_run(CLI::App& app, CommandLine& line) {
                     "an item that takes longer counts as failed, and the others go on; "
                     "default: no limit")
         ->type_name("SECONDS")
-        ->check(CLI::PositiveNumber);
+        ->check(not_above_zero);
     run->add_option("--threads", line.n_threads,
                     "compute threads of each rank; default: its share of the cores")
         ->check(CLI::Range(1, 4096));
@@ -105,7 +118,7 @@ void add_run(CLI::App& app, CommandLine& line) {
                     "begin nothing more after so many seconds, finish what is running, "
                     "and exit with 75; --resume goes on")
         ->type_name("SECONDS")
-        ->check(CLI::PositiveNumber);
+        ->check(not_above_zero);
     run->add_option(
            "--first-chain", line.first_chain,
            "number of the first chain of a posterior: runs of one job with other "
@@ -215,7 +228,7 @@ void add_status(CLI::App& app, CommandLine& line) {
                      "between lines; default: 1 on a terminal, else 10")
         ->type_name("SECONDS")
         ->needs(watch)
-        ->check(CLI::PositiveNumber);
+        ->check(not_above_zero);
 }
 
 void add_others(CLI::App& app, CommandLine& line) {
@@ -251,16 +264,23 @@ void add_others(CLI::App& app, CommandLine& line) {
         ->type_name("FOLDER");
 }
 
-/// `run` where no command stands first.
+/// `run` where no command stands first. Throws UserError (usage) of a word that is nearly
+/// one, and no file.
 std::vector<std::string> arguments(int argc, char** argv) {
+    static const std::vector<std::string> commands{
+        "run", "check", "describe", "status", "report", "adopt", "new"};
     std::vector<std::string> words(argv + 1, argv + argc);
-    const auto is_known = [](const std::string& word) {
-        for (const char* known : {"run", "check", "describe", "status", "report", "adopt",
-                                  "new", "-h", "--help", "--version"})
-            if (word == known) return true;
-        return false;
+    const auto is_one_of = [&](const std::vector<std::string>& known) {
+        return !words.empty() && std::ranges::count(known, words[0]) > 0;
     };
-    if (words.empty() || !is_known(words[0])) words.insert(words.begin(), "run");
+    if (is_one_of(commands) || is_one_of({"-h", "--help", "--version"})) return words;
+    const std::string near = words.empty() ? "" : input::nearest(words[0], commands);
+    if (!near.empty() && !std::filesystem::exists(words[0]))
+        throw UserError(ExitCode::usage,
+                        fmt::format("{}: there is no such command or job; did you mean "
+                                    "\"{}\"?",
+                                    words[0], near));
+    words.insert(words.begin(), "run");
     return words;
 }
 
