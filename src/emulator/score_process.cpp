@@ -38,6 +38,11 @@ double covariance_between(std::span<const double> a, std::span<const double> b,
            scales.slope_variance * product_from_middle(a, b);
 }
 
+/// Of scores that are nearly linear slopes vary so much more than the rest that rounding
+/// takes up the nugget.
+constexpr double more_nugget = 10;
+constexpr int most_raises = 12;
+
 }  // namespace
 
 ScoreProcess::ScoreProcess(const Matrix& points, std::span<const double> scores,
@@ -51,10 +56,17 @@ ScoreProcess::ScoreProcess(const Matrix& points, std::span<const double> scores,
     for (std::size_t i = 0; i < points.rows; ++i) {
         for (std::size_t j = 0; j <= i; ++j)
             factor_(i, j) = covariance_between(points.row(i), points.row(j), scales);
-        factor_(i, i) += scales.nugget;
     }
     const Eigen::Index n = eigen_index(points.rows);
-    const Eigen::LLT<Eigen::MatrixXd> made(eigen_view(factor_));
+    const Eigen::MatrixXd smooth = eigen_view(factor_);
+    const auto with_nugget = [&] {
+        return smooth + scales_.nugget * Eigen::MatrixXd::Identity(n, n);
+    };
+    Eigen::LLT<Eigen::MatrixXd> made(with_nugget());
+    for (int k = 0; k < most_raises && made.info() != Eigen::Success; ++k) {
+        scales_.nugget *= more_nugget;
+        made.compute(with_nugget());
+    }
     if (made.info() != Eigen::Success)
         throw std::domain_error("a score's covariance is not positive definite");
     eigen_view(factor_) = made.matrixL();

@@ -31,8 +31,8 @@ ScoreScales learn_scales(const Matrix& points, const Matrix& scores);
 
 class ScoreProcess {
   public:
-    /// Throws std::domain_error where the runs' covariance is not positive definite: the
-    /// nugget is too small for their points.
+    /// The nugget is raised where rounding would leave no positive definite covariance.
+    /// Throws std::domain_error where no nugget does, as of scores that are no numbers.
     ScoreProcess(const Matrix& points, std::span<const double> scores,
                  const ScoreScales& scales);
 

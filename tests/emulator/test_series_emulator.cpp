@@ -176,6 +176,20 @@ TEST(ScoreProcess, WithoutANuggetTheSamePointTwiceIsRefused) {
                  std::domain_error);
 }
 
+TEST(ScoreProcess, ANuggetThatRoundingTakesUpIsRaised) {
+    constexpr double nugget = 1e-8, slope_variance = 1e17;
+    Matrix points(21, 2, 0);
+    std::vector<double> scores;
+    for (std::size_t k = 0; k < 21; ++k) {
+        points(k, 0) = static_cast<double>(k) / 20;
+        points(k, 1) = static_cast<double>(k * k % 21) / 20;
+        scores.push_back(3 * points(k, 0) - points(k, 1));
+    }
+    const ScoreProcess process(points, scores, {{0.2, 0.1}, slope_variance, nugget});
+    EXPECT_GT(process.scales().nugget, nugget);
+    EXPECT_NEAR(process.mean(std::vector<double>{0.3, 0.6}), 0.3, 1e-3);
+}
+
 TEST(ScoreProcess, LeavingOutInClosedFormIsReallyLeavingOut) {
     const SeriesEmulator& emulator = of_40_runs();
     const Matrix& points = emulator.points();
