@@ -31,6 +31,7 @@ CLOUDS = ((10, "%"), (8, "tenths"), (1, "oktas"), (-1, None))  # the largest val
 SPEEDS = {"kmh": "km/h", "mph": "mph", "knots": "knots", "kts": "knots"}
 MOST_FILLED = 48               # h, of `fill_gaps`
 USUAL_FILL = 6                 # h
+MOST_CELSIUS, LEAST_KELVIN = 58, 200   # of the warmest hour (the record is 56.7 degC), where no unit is said
 TYPICAL = "the weather of the readings' own years is needed: an EPW of measured years (often named AMY), or a CSV " \
           "file with outdoor temperature and irradiance from a station or a reanalysis (ERA5, NSRDB, a weather service)"
 
@@ -113,8 +114,22 @@ def month_means(rows):
     return {month: sum(values) / len(values) for month, values in months.items()}
 
 
-def of_epw(paths):
+def without_gaps(read, told):
+    """Of files in the order of time those that follow one another: the program takes no gap between them."""
+    runs = [[read[0]]]
+    for one, other in zip(read, read[1:]):
+        apart = other[2][0][0] - one[2][-1][0]
+        runs.append([other]) if apart > times.HOUR * (1 + MOST_FILLED) else runs[-1].append(other)
+    longest = max(runs, key=lambda run: sum(len(rows) for _, _, rows in run))
+    for path, _, rows in (file for run in runs if run is not longest for file in run):
+        told.check(f"{path}: left out: hours between it, {rows[0][0]:%Y-%m-%d} to {rows[-1][0]:%Y-%m-%d}, and "
+                   f"{longest[0][0]} are absent")
+    return longest
+
+
+def of_epw(paths, told):
     read = sorted(((path, *read_epw(path)) for path in paths), key=lambda row: row[2][0][0])
+    read = without_gaps(read, told)
     rows = [row for _, _, part in read for row in part]
     latitude, longitude, offset = read[0][1]
     holes = [(a[0], b[0]) for a, b in zip(rows, rows[1:]) if b[0] - a[0] > times.HOUR * (1 + MOST_FILLED)]
@@ -132,7 +147,9 @@ def unit_of_column(key, name, values):
         return next((SPEEDS[word] for word in spaced(name).split() if word in SPEEDS), None)
     if key == "outdoor_temperature":
         found = unit_of(name, "air_temperature")
-        return found[0] if found and found[0] != "degC" else None
+        if found:
+            return found[0] if found[0] != "degC" else None
+        return "K" if most > LEAST_KELVIN else "degF" if most > MOST_CELSIUS else None
     if key == "relative_humidity":
         return "0 to 1" if most <= 1 else None
     if key == "cloud_cover":
@@ -201,6 +218,10 @@ def of_csv(paths, country, told):
                       is_epw=False, columns=[(key, name, units[key]) for key, name in columns.items()],
                       degree_days=degree_days(theta), keys=keys_of(first), has_sun=bool(SUN & set(columns)))
     add_gaps(weather, whole)
+    weather.keys |= marks_of(first, columns.values())
+    if units["outdoor_temperature"] and not unit_of(columns["outdoor_temperature"], "air_temperature"):
+        told.check(f"{first.path}: {columns['outdoor_temperature']}: was read as {units['outdoor_temperature']}, by "
+                   "its size")
     if first.is_guess:
         told.check(f"{first.path}: its dates were read as {first.form}, but day and month cannot be told apart")
     return weather
@@ -214,6 +235,14 @@ def add_gaps(weather, whole):
     longest = max((b - a) / times.HOUR for a, b in gaps)
     weather.holes = [(a, b) for a, b in gaps if (b - a) / times.HOUR - 1 > MOST_FILLED]
     weather.keys |= {"gaps": "missing", "fill_gaps": int(min(MOST_FILLED, max(USUAL_FILL, longest)))}
+
+
+def marks_of(table, columns):
+    """How numbers are written."""
+    read = [tables.numbers_in(table, name) for name in columns]
+    marks = {"decimal": [numbers.decimal for numbers in read if numbers.decimal != "."],
+             "thousands": [numbers.thousands for numbers in read if numbers.thousands]}
+    return {key: found[0] for key, found in marks.items() if found}
 
 
 def to_celsius(value, unit):
@@ -241,7 +270,7 @@ def read_weather(paths, country, site, told):
     are_epw = {os.path.basename(path).lower().removesuffix(".gz").endswith(".epw") for path in paths}
     if len(are_epw) > 1:
         raise Refused("--weather: has EPW and CSV files; expected one kind", USAGE)
-    weather = of_epw(paths) if are_epw == {True} else of_csv(paths, country, told)
+    weather = of_epw(paths, told) if are_epw == {True} else of_csv(paths, country, told)
     if site:
         weather.latitude, weather.longitude = site
     if weather.latitude is None:

@@ -460,6 +460,27 @@ class New(unittest.TestCase):
         self.assertIn("half covered", self.new(weather=bare, site="52.2,0.1", force=True).stdout)
         self.checked()
 
+    def test_weather_with_decimal_commas_and_in_other_degrees(self):
+        for head, value in (("Temperatur (°C)", outdoor), ("temperature", lambda t: 1.8 * outdoor(t) + 32),
+                            ("T_out_K", lambda t: outdoor(t) + 273.15)):
+            lines = [f"{t:%d.%m.%Y %H:%M};{value(t):.1f};{sum(sun(t)) / 2:.1f}".replace(".", ",").replace(
+                ",", ".", 2) for t in hours(2021, 2022)]
+            path = self.written("weather.csv", [f"Zeit;{head};Globalstrahlung [W/m2]", *lines])
+            said = self.new(weather=path, site="52.2,0.1", force=True).stdout
+            weather = self.checked()["weather"]
+            self.assertEqual(weather["decimal"], ",")
+            unit = {"temperature": "degF", "T_out_K": "K"}.get(head)
+            column = {"column": head, "unit": unit} if unit else head
+            self.assertEqual(weather["columns"]["outdoor_temperature"], column)
+            self.assertEqual("by its size" in said, bool(unit))
+
+    def test_weather_files_with_a_gap_between_them(self):
+        part = self.folder / "part.epw"
+        part.write_text("\n".join((self.made / "2021.epw").read_text().splitlines()[:3000]) + "\n")
+        said = self.new(weather=[part, self.made / "2022.epw"]).stdout
+        self.assertIn("part.epw: left out: hours between it", said)
+        self.assertEqual(len(self.checked()["weather"]["files"]), 1)
+
     def test_one_year_trains_on_nine_months(self):
         self.new(self.written("gas.csv", ["time,gas_kwh", *rows(gas, 2021, 2021)]))
         self.assertEqual(self.checked()["periods"], {"training": ["2021-01-01", "2021-09-30"],
