@@ -6,6 +6,7 @@
 #include "effects/air.hpp"
 
 #include "base/nan.hpp"
+#include "effects/decisions.hpp"
 #include "physics/moist_air.hpp"
 
 #include <algorithm>
@@ -18,7 +19,6 @@ using physics::Weather;
 
 constexpr double stefan_boltzmann = 5.670374e-8;  // [W/(m2 K4)]
 constexpr double kelvin = 273.15;
-constexpr double lag_of_ground_h = 60 * 24;
 constexpr std::size_t year_h = 8760;
 constexpr double missing = nan;
 
@@ -42,7 +42,7 @@ std::vector<double> each_hour(const Weather& weather, Formula formula) {
 
 /// Moves the state towards a value by one hour; a missing value moves nothing.
 double lagged(double state, double value) {
-    const double weight = 1 - std::exp(-1 / lag_of_ground_h);
+    const double weight = 1 - std::exp(-1 / decisions::lag_of_ground);
     return std::isnan(value) ? state : state + weight * (value - state);
 }
 

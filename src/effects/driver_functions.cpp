@@ -4,6 +4,7 @@
 /// out.
 #include "effects/driver_functions.hpp"
 
+#include "effects/decisions.hpp"
 #include "effects/drivers.hpp"
 #include "effects/hooks.hpp"
 #include "effects/profiles.hpp"
@@ -125,9 +126,8 @@ std::vector<Series> series_of(const DriverOfFunctions& row, const Surroundings& 
 
 /// A share that would take all away, or more, stops before.
 void keep_in_domain(Hook hook, Series& column) {
-    constexpr double least_share = -0.9;
     if (row_of(hook).kind != physics::ChangeKind::factor) return;
-    for (double& value : column) value = std::max(value, least_share);
+    for (double& value : column) value = std::max(value, decisions::least_of_function);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "effects/drivers.hpp"
 
 #include "effects/air.hpp"
+#include "effects/decisions.hpp"
 #include "effects/shapes.hpp"
 #include "effects/steps.hpp"
 #include "physics/calendar.hpp"
@@ -20,18 +21,16 @@ using physics::Weather;
 using Series = std::vector<double>;
 using Shapes = std::vector<Shape>;
 
-constexpr double base_temperature = 20;
+using decisions::base_temperature;
 
 /// Wind over its mean in all of the weather, less 1.
 Series relative_wind(const Weather& weather) {
-    /// So that no share of leaks takes all of them.
-    constexpr double least_excess = -0.6;
     const double mean = mean_of_known(weather.wind_speed);
     if (!(mean > 0)) return {};
     Series relative;
     relative.reserve(weather.wind_speed.size());
     for (const double wind : weather.wind_speed)
-        relative.push_back(std::max(wind / mean - 1, least_excess));
+        relative.push_back(std::max(wind / mean - 1, decisions::least_excess_of_wind));
     return relative;
 }
 

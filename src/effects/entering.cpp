@@ -6,6 +6,7 @@
 #include "effects/entering.hpp"
 
 #include "base/error.hpp"
+#include "effects/decisions.hpp"
 #include "effects/gates.hpp"
 #include "effects/levels.hpp"
 #include "effects/placer.hpp"
@@ -42,7 +43,7 @@ std::vector<Target> sites_of(const HookRow& row, const Effect& effect,
 /// Few levels where the hook shapes regimes.
 Series levelled_for(const HookRow& row, const Effect& effect, const Series& profile) {
     const bool is_rounded = row.shapes_regimes && !effect.is_smooth;
-    return is_rounded ? levelled(profile, most_levels) : profile;
+    return is_rounded ? levelled(profile, decisions::most_levels) : profile;
 }
 
 bool follows_sun_on_facade(const Effect& effect) {
@@ -69,7 +70,7 @@ void move_inputs(Placer& placer, const HookRow& row, const Effect& effect,
         if (!placer.keeps_rows() &&
             std::ranges::all_of(moved, [](double x) { return x == 0; }))
             continue;
-        if (target.part != Part::load) moved = levelled(moved, most_levels);
+        if (target.part != Part::load) moved = levelled(moved, decisions::most_levels);
         placer.change(target, row.kind, placer.profile_row(std::move(moved)));
     }
 }

@@ -4,6 +4,7 @@
 /// What effects follow is left to drivers.
 #include "effects/gates.hpp"
 
+#include "effects/decisions.hpp"
 #include "effects/steps.hpp"
 #include "physics/calendar.hpp"
 
@@ -65,11 +66,12 @@ Series where(const Series& series, Test test) {
 /// Above a tenth of the largest density; a tenth itself, as standby schedules have at
 /// night, is not.
 bool is_occupied(double share) {
-    return share > 0.1 + 1e-9;
+    return share > decisions::least_occupied + 1e-9;
 }
 
 Series open_gate(const Effect& effect, const Surroundings& around) {
-    constexpr Hours day{7, 19}, night{19, 7};
+    constexpr Hours day{decisions::day_begins, decisions::day_ends},
+        night{decisions::day_ends, decisions::day_begins};
     switch (effect.gate) {
         case Gate::occupied:
             return where(occupation_of(around), is_occupied);
@@ -85,9 +87,11 @@ Series open_gate(const Effect& effect, const Surroundings& around) {
         case Gate::weekday:
             return weekdays(around, 0, 4);
         case Gate::heating_season:
-            return where(week_means(around), [](double theta) { return theta < 12; });
+            return where(week_means(around),
+                         [](double theta) { return theta < decisions::heats_below; });
         case Gate::cooling_season:
-            return where(week_means(around), [](double theta) { return theta > 16; });
+            return where(week_means(around),
+                         [](double theta) { return theta > decisions::cools_above; });
         case Gate::on_days:
             return on_days(effect, around);
         case Gate::eu_summer_time:

@@ -4,6 +4,7 @@
 #include "effects/job_section.hpp"
 
 #include "effects/catalogue.hpp"
+#include "effects/decisions.hpp"
 #include "effects/steps.hpp"
 
 #include <algorithm>
@@ -138,7 +139,7 @@ double four_digits(double value) {
 /// Within four standard deviations, where it can be simulated; rounding does not take
 /// the coefficient out.
 std::string parameter_lines(const std::string& name, const CoefficientBelief& belief) {
-    constexpr double reach = 4;
+    constexpr double reach = decisions::reach_of_declared;
     const double least = std::max(belief.least, belief.mean - reach * belief.sd);
     const double most = std::min(belief.most, belief.mean + reach * belief.sd);
     return "\n[[parameter]]\n" + line("name", name) + line("target", "effect." + name) +

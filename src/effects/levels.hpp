@@ -5,11 +5,6 @@
 
 namespace bemcal::effects {
 
-/// What multiplies conductances, set-points or air flows (everything but heat that is
-/// added and outdoor temperatures) is rounded to this many levels, so that the fast
-/// simulation has as many regimes only.
-constexpr int most_levels = 12;
-
 /// The profile with at most `n_levels` different values: zeros stay, the others are put
 /// into equally wide bins and replaced by their bin's mean, so that the profile's mean
 /// stays. A profile with no more values than that is left as it is.

@@ -4,6 +4,7 @@
 /// stays empty. Columns and the model's own series are left to the caller.
 #include "effects/make_surroundings.hpp"
 
+#include "effects/decisions.hpp"
 #include "effects/drivers.hpp"
 
 #include <algorithm>
@@ -14,8 +15,6 @@ namespace bemcal::effects {
 namespace {
 
 using Series = std::vector<double>;
-
-constexpr double most_missing = 0.1;  ///< share of a series
 
 /// The weather's hour in which a step lies; before its first hour, that of the same hour
 /// of its first day.
@@ -46,7 +45,7 @@ Series lay(const Series& hourly, const physics::Weather& weather,
         steps[static_cast<std::size_t>(step)] = value;
         n_missing += std::isnan(value) ? 1 : 0;
     }
-    if (n_missing > most_missing * drive.n_steps()) return {};
+    if (n_missing > decisions::most_missing * drive.n_steps()) return {};
     fill(steps);
     return steps;
 }

@@ -6,6 +6,7 @@
 #include "effects/placement.hpp"
 
 #include "base/error.hpp"
+#include "effects/decisions.hpp"
 #include "effects/hooks.hpp"
 #include "effects/placer.hpp"
 #include "effects/profiles.hpp"
@@ -23,18 +24,22 @@ using physics::ChangeKind;
 /// Shares that keep 1 + coefficient x profile above 0.
 Range positive_share(Range range, const std::vector<double>& profile) {
     const auto [least, most] = std::minmax_element(profile.begin(), profile.end());
-    if (*most > 0) range.least = std::max(range.least, -0.95 / *most);
-    if (*least < 0) range.most = std::min(range.most, -0.95 / *least);
+    if (*most > 0)
+        range.least = std::max(range.least, -decisions::most_taken_away / *most);
+    if (*least < 0)
+        range.most = std::min(range.most, -decisions::most_taken_away / *least);
     return range;
 }
 
-/// A range about 0: twice as wide as what is plausible, cut where physics ends.
+/// A range about 0: wider than what is plausible, cut where physics ends.
 Range range_of(const HookRow& hook, const Effect& effect,
                const std::vector<double>& profile) {
     if (effect.other_hours) return {1, 1};
-    double most = 2 * std::max(std::abs(effect.least), std::abs(effect.most));
+    double most = decisions::times_plausible *
+                  std::max(std::abs(effect.least), std::abs(effect.most));
     if (hook.range != nullptr) return hook.range(most);
-    if (hook.kind == ChangeKind::schedule) most = std::min(most, 1.5);
+    if (hook.kind == ChangeKind::schedule)
+        most = std::min(most, decisions::most_of_another_day);
     const Range range{-most, most};
     return hook.kind == ChangeKind::factor ? positive_share(range, profile) : range;
 }

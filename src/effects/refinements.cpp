@@ -4,6 +4,7 @@
 /// building needs is not known here: a loop chooses, or a job says.
 #include "effects/refinements.hpp"
 
+#include "effects/decisions.hpp"
 #include "effects/sites.hpp"
 
 #include <algorithm>
@@ -292,7 +293,7 @@ std::vector<physics::Target> free_targets(
 }
 
 std::pair<double, double> limits_of(double mean, double sd, double least, double most) {
-    constexpr double reach = 2.5;  ///< standard deviations of the prior
+    constexpr double reach = decisions::reach_of_structure;
     return {std::max(least, mean - reach * sd), std::min(most, mean + reach * sd)};
 }
 

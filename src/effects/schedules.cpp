@@ -4,6 +4,7 @@
 /// after a week. Left out: schedules that repeat over another span than a week.
 #include "effects/schedules.hpp"
 
+#include "effects/decisions.hpp"
 #include "physics/calendar.hpp"
 
 #include <algorithm>
@@ -17,8 +18,7 @@ namespace {
 using Row = std::span<const double>;
 using std::chrono::days;
 
-constexpr std::size_t nearest_days = 9;
-constexpr double least_repeated = 0.7;
+using decisions::nearest_days;
 
 std::size_t index(int step) {
     return static_cast<std::size_t>(step);
@@ -107,7 +107,7 @@ bool is_schedule(Row row, const physics::Drive& drive) {
     int n = 0, n_equal = 0;
     for (int step = first; step < drive.n_steps(); ++step, ++n)
         n_equal += row[index(step)] == row[index(step - week)] ? 1 : 0;
-    return n > 0 && n_equal >= least_repeated * n;
+    return n > 0 && n_equal >= decisions::least_repeated * n;
 }
 
 std::vector<double> as_on(int weekday, Row row, const physics::Drive& drive) {

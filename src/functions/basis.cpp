@@ -5,6 +5,8 @@
 /// Length scales are judgement.
 #include "functions/basis.hpp"
 
+#include "functions/decisions.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,12 +16,6 @@ namespace bemcal::functions {
 namespace {
 
 using Covariance = Eigen::MatrixXd;
-
-constexpr double hours_alike = 3;          ///< over which hours of a day are alike [h]
-constexpr double share_of_all_days = 0.5;  ///< of the variance that day classes share
-constexpr long n_knots = 8;
-constexpr double knots_alike = 3;       ///< over which knots are alike [knots]
-constexpr double kept_variance = 0.97;  ///< of the prior, by the columns kept
 
 double hours_apart(long a, long b) {
     const double d = std::abs(static_cast<double>(a % 24 - b % 24));
@@ -31,8 +27,8 @@ Covariance covariance_of_hours(long n_classes) {
     Covariance covariance(24 * n_classes, 24 * n_classes);
     for (long i = 0; i < covariance.rows(); ++i)
         for (long j = 0; j < covariance.cols(); ++j)
-            covariance(i, j) = std::exp(-hours_apart(i, j) / hours_alike) *
-                               (i / 24 == j / 24 ? 1 : share_of_all_days);
+            covariance(i, j) = std::exp(-hours_apart(i, j) / decisions::hours_alike) *
+                               (i / 24 == j / 24 ? 1 : decisions::share_of_all_days);
     return covariance;
 }
 
@@ -41,7 +37,7 @@ Covariance covariance_of_knots(long n) {
     Covariance covariance(n, n);
     for (long i = 0; i < n; ++i)
         for (long j = 0; j < n; ++j) {
-            const double d = static_cast<double>(i - j) / knots_alike;
+            const double d = static_cast<double>(i - j) / decisions::knots_alike;
             covariance(i, j) = std::exp(-0.5 * d * d);
         }
     return covariance;
@@ -86,7 +82,7 @@ void fill(Basis& basis, const Covariance& prior, const Eigen::MatrixXd& off,
     const Eigen::SelfAdjointEigenSolver<Covariance> solver(left);
     const double all = solver.eigenvalues().cwiseMax(0).sum();
     long n = 0;
-    for (double sum = 0; n < left.rows() && sum < kept_variance * all; ++n)
+    for (double sum = 0; n < left.rows() && sum < decisions::kept_variance * all; ++n)
         sum += solver.eigenvalues()[left.rows() - 1 - n];
     basis.at_points =
         Matrix(static_cast<std::size_t>(left.rows()), static_cast<std::size_t>(n));
@@ -105,10 +101,11 @@ std::vector<double> knots_of(std::span<const double> values, long n) {
     std::vector<double> sorted(values.begin(), values.end());
     std::ranges::sort(sorted);
     std::vector<double> knots;
+    constexpr double beyond = decisions::share_beyond_knots;
     for (long k = 0; k < n; ++k) {
         // The extremes are one day's: the outer knots lie within them.
-        const double share =
-            0.01 + 0.98 * static_cast<double>(k) / static_cast<double>(n - 1);
+        const double share = beyond + (1 - 2 * beyond) * static_cast<double>(k) /
+                                          static_cast<double>(n - 1);
         const double value = sorted[static_cast<std::size_t>(
             share * static_cast<double>(sorted.size() - 1))];
         if (knots.empty() || value > knots.back() + 1e-9) knots.push_back(value);
@@ -149,7 +146,8 @@ Basis hours_of_week(std::string driver, std::span<const double> training) {
 }
 
 Basis smooth_of(std::string driver, std::span<const double> training) {
-    Basis basis{std::move(driver), {Points::Kind::knots, knots_of(training, n_knots)}};
+    Basis basis{std::move(driver),
+                {Points::Kind::knots, knots_of(training, decisions::most_knots)}};
     const Eigen::VectorXd shares =
         shares_of(basis.points, {{training.begin(), training.end()}});
     fill(basis, covariance_of_knots(static_cast<long>(basis.points.size())),
@@ -159,10 +157,10 @@ Basis smooth_of(std::string driver, std::span<const double> training) {
 
 Basis hours_times(std::string driver, std::span<const double> hours,
                   std::span<const double> slow) {
-    constexpr long most_knots = 5;
     constexpr long n_hours = 48;
-    Basis basis{std::move(driver),
-                {Points::Kind::hours_at_knots, knots_of(slow, most_knots)}};
+    Basis basis{
+        std::move(driver),
+        {Points::Kind::hours_at_knots, knots_of(slow, decisions::most_knots_of_hours)}};
     const auto n = static_cast<long>(basis.points.knots.size());
     const Eigen::VectorXd shares = shares_of(
         basis.points, {{hours.begin(), hours.end()}, {slow.begin(), slow.end()}});

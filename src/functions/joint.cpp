@@ -8,6 +8,8 @@
 /// evidence. Twins are not grouped.
 #include "functions/joint.hpp"
 
+#include "functions/decisions.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -20,10 +22,8 @@ using Eigen::MatrixXd;
 using Eigen::MatrixXf;
 using Eigen::VectorXd;
 
-constexpr double least_precision = 1e-6;  ///< of a parameter without a prior [1/sd^2]
-constexpr double most_variance = 4;       ///< of a function: twice the typical size
-constexpr double least_scatter = 0.01;    ///< below it errors would be opposite
-constexpr double least_variance = 1e-6;   ///< below which it is nothing
+using decisions::least_precision, decisions::least_scatter;
+using decisions::least_variance, decisions::most_variance;
 
 /// A pair with its columns, and their products with all that have been asked for.
 struct Block {
@@ -262,8 +262,7 @@ class Model {
 
     /// All variances anew, given the others, in turn; those that are nothing leave.
     void settle() {
-        constexpr int n_sweeps = 3;
-        for (int sweep = 0; sweep < n_sweeps; ++sweep)
+        for (int sweep = 0; sweep < decisions::variance_sweeps; ++sweep)
             for (std::size_t k = n_joined(); k-- > 0;) {
                 const Best best = best_variance(spectrum_of_joined(k));
                 joined(k).variance = best.variance;

@@ -2,6 +2,8 @@
 /// which each function has a variance of its own, found by the marginal likelihood.
 #pragma once
 
+#include "functions/decisions.hpp"
+
 #include <array>
 #include <functional>
 #include <vector>
@@ -62,8 +64,9 @@ struct Path {
 };
 
 struct SearchOptions {
-    std::size_t most_functions = 12;
-    std::size_t most_candidates = 16;  ///< kept in memory after the first pass
+    std::size_t most_functions = decisions::most_functions;
+    /// Kept in memory after the first pass.
+    std::size_t most_candidates = decisions::most_candidates;
 };
 
 /// A pair that is in the model from the beginning, as an earlier search left it.

@@ -5,6 +5,8 @@
 /// numbers are left to the caller.
 #include "functions/points.hpp"
 
+#include "functions/decisions.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -16,7 +18,6 @@ using Weights = Points::Weights;
 
 constexpr std::size_t day_classes = 3;   ///< of Kind::hours
 constexpr std::size_t kinds_of_day = 2;  ///< of Kind::hours_at_knots
-constexpr double years_that_show_seasons = 2;
 
 /// The knot below, and the share of the way to the next; the ends are held.
 std::pair<std::size_t, double> between(const std::vector<double>& knots, double x) {
@@ -39,9 +40,10 @@ Weights in_time(std::size_t n, double year) {
     };
     const double length = static_cast<double>(n) / fortnights_of_year;
     const double year_before = year - std::ceil(year - length);
-    if (year < length || length > years_that_show_seasons || year_before < 0)
+    if (year < length || length > decisions::years_that_show_seasons || year_before < 0)
         return {{point_at(year), 0}, {1, 0}};
-    return {{point_at(year), point_at(year_before)}, {0.5, 0.5}};
+    return {{point_at(year), point_at(year_before)},
+            {1 - decisions::share_of_season, decisions::share_of_season}};
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "loop/around_simulator.hpp"
 
 #include "emulator/series_emulator.hpp"
+#include "loop/decisions.hpp"
 #include "loop/given_effects.hpp"
 #include "loop/search_building.hpp"
 #include "loop/simulator_plan.hpp"
@@ -39,24 +40,25 @@ namespace {
 /// design of 36 the first rounds were at 19 and 14 %.
 class Budget {
   public:
-    static constexpr int n_calibrations = 6, n_refinements = 2, most_effects = 6;
-
     Budget(int n_runs, std::size_t n_parameters)
-        : of_calibration_(std::max(2, n_runs / 20)),
+        : of_calibration_(std::max(2, n_runs / decisions::runs_per_round)),
           of_refinement_(of_calibration_),
           design_(std::max(static_cast<int>(emulator::least_runs(n_parameters)),
-                           n_runs - n_calibrations * of_calibration_ -
-                               n_refinements * of_refinement_ - for_effects)) {}
+                           n_runs - decisions::calibrations_around * of_calibration_ -
+                               decisions::refinements_around * of_refinement_ -
+                               for_effects)) {}
 
     int design() const { return design_; }
     int of_calibration() const { return of_calibration_; }
     int of_refinement() const { return of_refinement_; }
-    int before_search() const { return design_ + n_calibrations * of_calibration_; }
+    int before_search() const {
+        return design_ + decisions::calibrations_around * of_calibration_;
+    }
 
   private:
-    /// A search finds some three.
     static constexpr int for_effects =
-        3 * static_cast<int>(runs_of_trial + runs_of_doubt);
+        decisions::effects_expected *
+        static_cast<int>(decisions::runs_of_trial + decisions::runs_of_doubt);
     int of_calibration_, of_refinement_, design_;
 };
 
@@ -248,9 +250,9 @@ class LoopAround : public study::Stage {
     /// What each run is of.
     std::vector<std::string> kinds_of(std::size_t n_runs, std::size_t n_effects) const {
         const std::size_t design = n_of(budget_.design()), found = before_search(),
-                          tried = found + runs_of_trial * n_effects,
-                          refined = tried +
-                                    n_of(Budget::n_refinements * budget_.of_refinement());
+                          tried = found + decisions::runs_of_trial * n_effects,
+                          refined = tried + n_of(decisions::refinements_around *
+                                                 budget_.of_refinement());
         std::vector<std::string> kinds(n_runs, "design");
         for (std::size_t k = design; k < n_runs; ++k)
             kinds[k] = k < found     ? "calibration"
@@ -285,7 +287,7 @@ class LoopAround : public study::Stage {
                        : SimulatorPlan{};
         const std::size_t n_done = runs.size() - before_search();
         if (judged.kept.size() < effects.size())
-            return n_done % runs_of_trial == 0
+            return n_done % decisions::runs_of_trial == 0
                        ? beside_nearest(so_far, runs, judged.kept, std::move(effects))
                        : at_optimum(so_far, judged.kept, std::move(effects));
         return plan_of(judged.in_doubt
@@ -320,14 +322,14 @@ class LoopAround : public study::Stage {
     /// As many as can be tried; those found later have less evidence.
     static std::vector<study::GivenEffect> effects_of(const study::Conclusion& search) {
         auto effects = effects_in(search.datasets, given_group);
-        effects.resize(std::min(effects.size(), n_of(Budget::most_effects)));
+        effects.resize(std::min(effects.size(), n_of(decisions::most_effects_around)));
         return effects;
     }
 
     Judged judge(const RunsSoFar& so_far, std::size_t n_effects) const {
         return so_far.judge_effects(
             before_search(), n_effects,
-            n_of(Budget::n_refinements * budget_.of_refinement()));
+            n_of(decisions::refinements_around * budget_.of_refinement()));
     }
 
     static std::size_t n_of(int n) { return static_cast<std::size_t>(n); }

@@ -6,6 +6,7 @@
 #include "loop/baseline.hpp"
 
 #include "base/error.hpp"
+#include "loop/decisions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,6 @@
 namespace bemcal::loop {
 namespace {
 
-constexpr int noise_rounds = 2;
-
 /// Noise to start from: a fifth of what the readings vary.
 std::vector<ChannelNoise> first_noise(const LoopData& data) {
     std::vector<double> about_mean = data.targets.measured;
@@ -25,11 +24,12 @@ std::vector<ChannelNoise> first_noise(const LoopData& data) {
         for (std::size_t k = data.targets.first[c]; k < data.targets.first[c + 1]; ++k)
             if (!std::isnan(about_mean[k])) sum += about_mean[k], ++n;
         for (std::size_t k = data.targets.first[c]; k < data.targets.first[c + 1]; ++k)
-            about_mean[k] =
-                std::isnan(about_mean[k]) ? 0 : 0.2 * (about_mean[k] - sum / n);
+            about_mean[k] = std::isnan(about_mean[k])
+                                ? 0
+                                : decisions::first_error * (about_mean[k] - sum / n);
     }
     std::vector<ChannelNoise> noise = noise_of(data, about_mean);
-    for (ChannelNoise& channel : noise) channel.kappa = 24;
+    for (ChannelNoise& channel : noise) channel.kappa = decisions::first_kappa;
     return noise;
 }
 
@@ -65,7 +65,7 @@ Standing scored(const LoopData& data, const Place& place, const LoopModel& model
 /// channels is that of the residuals.
 Standing calibrated(const LoopData& data, Standing standing) {
     standing.noise = first_noise(data);
-    for (int round = 0; round < noise_rounds; ++round) {
+    for (int round = 0; round < decisions::noise_rounds; ++round) {
         refit(data, standing, with_noise_held);
         if (standing.fit.failed) return standing;
         standing.noise = noise_of(data, standing.residuals);
@@ -98,13 +98,11 @@ std::vector<std::size_t> in_order_of(const Promises& promises) {
 std::optional<Better> best_refinement(const LoopData& data, const Baseline& baseline,
                                       Promises& promises,
                                       std::vector<TriedStructure>& tried) {
-    constexpr double least_evidence = 6;  ///< of deviance: what a refinement must bring
-    constexpr double promise_ratio = 2;   ///< of what one brings to what another promised
     std::optional<Better> best;
-    double most = least_evidence;
+    double most = decisions::least_evidence_of_refinement;
     const auto now = whole_structure(data, baseline.chosen.model.structure);
     for (const std::size_t k : in_order_of(promises)) {
-        if (best && most > promise_ratio * promises[k]) break;
+        if (best && most > decisions::promise_ratio * promises[k]) break;
         if (std::ranges::any_of(now, [&](std::size_t there) {
                 return effects::are_of_one_kind(there, k);
             }))

@@ -10,6 +10,7 @@
 
 #include "holidays/countries.hpp"
 #include "holidays/holidays.hpp"
+#include "loop/decisions.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -22,19 +23,13 @@
 namespace bemcal::loop {
 namespace {
 
-/// How far a closed day's share lies from a Sunday's: closed days keep some use.
-constexpr double closed_spread = 0.25;
 /// What a holiday explains that else were one day of a year [log of odds].
-const double odds_of_a_day = std::log(365.0);
-/// Of a holiday's own day against the one before or after it [log of odds]: a house moves
-/// a holiday by a day in one year of twenty.
-constexpr double odds_of_own_day = 3.0;
+const double odds_of_a_day = std::log(decisions::days_to_pick_from);
 /// Of a state's calendar against its country's: a house may add a day of its own, so only
 /// a second one speaks for a state.
-const double odds_of_state = -1.5 * odds_of_a_day;
+const double odds_of_state = -decisions::picks_of_state * odds_of_a_day;
 
-/// A calendar is one with a probability of 90 %.
-const double least_odds = std::log(9.0);
+const double least_odds = std::log(decisions::least_odds_of_calendar);
 
 struct Region {
     std::string country, state;
@@ -60,7 +55,8 @@ double log_normal(double x, double mean, double sd) {
 double log_odds(const DayShares& days, int day) {
     const auto found = days.shares.find(day);
     if (found == days.shares.end()) return 0;
-    return log_normal(found->second, 1, std::hypot(closed_spread, days.spread)) -
+    return log_normal(found->second, 1,
+                      std::hypot(decisions::closed_spread, days.spread)) -
            log_normal(found->second, days.middle, days.spread);
 }
 
@@ -85,8 +81,9 @@ struct Count {
 
     /// Log of the odds that they are a calendar's against days picked one by one.
     double odds() const {
-        return kept * odds_of_a_day - moved * odds_of_own_day + std::lgamma(kept + 1) +
-               std::lgamma(shown - kept + 1) - std::lgamma(shown + 2);
+        return kept * odds_of_a_day - moved * decisions::odds_of_own_day +
+               std::lgamma(kept + 1) + std::lgamma(shown - kept + 1) -
+               std::lgamma(shown + 2);
     }
     /// Whether a holiday is rather kept of which nothing is known (Laplace's rule).
     bool is_usual() const { return kept + 1 > (shown + 2) / 2; }

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "effects/catalogue.hpp"
 #include "loop/calendar_days.hpp"
+#include "loop/decisions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +19,7 @@
 namespace bemcal::loop {
 namespace {
 
-constexpr int days_apart = 3;  ///< of those that are closed at a time
-constexpr double least_share = 0.5, most_share = 1.7;  ///< of a Sunday, to be one
-constexpr double least_deviation = 5;  ///< standard deviations of all days' shares
-constexpr double least_meter_share = 0.5;
+using decisions::days_closed_apart;
 
 int day_of(physics::Seconds time) {
     return static_cast<int>(
@@ -43,7 +41,7 @@ void add_days(const LoopData& data, const Place& place, const Standing& standing
               int pass, std::map<int, DaySums>& sums) {
     const int first = day_of(data.training().from), last = day_of(data.training().to);
     std::vector<effects::Days> days;
-    for (int day = first + pass; day < last; day += days_apart)
+    for (int day = first + pass; day < last; day += days_closed_apart)
         days.push_back({day, day, false});
     std::vector<effects::Effect> all = standing.model.effects;
     all.push_back(effects::closed_days(std::move(days)));
@@ -55,11 +53,12 @@ void add_days(const LoopData& data, const Place& place, const Standing& standing
     const Matrix predicted = built.fit_model->predict(point);
     for (std::size_t c = 0; c < data.targets.n_channels(); ++c) {
         const ChannelNoise& noise = standing.noise[c];
-        if (noise.share < least_meter_share || !is_by_the_day(data.targets.channels[c]))
+        if (noise.share < decisions::closed_meter_share ||
+            !is_by_the_day(data.targets.channels[c]))
             continue;
         for (std::size_t k = data.targets.first[c]; k < data.targets.first[c + 1]; ++k) {
             const int day = day_of(data.begins[k]);
-            if ((day - first) % days_apart != pass ||
+            if ((day - first) % days_closed_apart != pass ||
                 std::isnan(data.targets.measured[k]))
                 continue;
             const double moved =
@@ -87,7 +86,8 @@ std::map<int, double> shares_of(const std::map<int, DaySums>& sums) {
     const double typical = upper_median(std::move(sizes));
     std::map<int, double> shares;
     for (const auto& [day, of_day] : sums)
-        if (of_day.with_itself > 0.1 * typical && of_day.with_itself > 0)
+        if (of_day.with_itself > decisions::least_share_of_signature * typical &&
+            of_day.with_itself > 0)
             shares[day] = of_day.with_residual / of_day.with_itself;
     return shares;
 }
@@ -115,8 +115,9 @@ std::vector<int> days_alone(const DayShares& days,
                             const std::optional<KeptCalendar>& calendar) {
     std::vector<int> closed;
     for (const auto& [day, share] : days.shares)
-        if (share - days.middle > least_deviation * days.spread && share > least_share &&
-            share < most_share && !(calendar && calendar->holds(day)))
+        if (share - days.middle > decisions::least_closed_deviation * days.spread &&
+            share > decisions::least_closed_share &&
+            share < decisions::most_closed_share && !(calendar && calendar->holds(day)))
             closed.push_back(day);
     return closed;
 }
@@ -141,7 +142,6 @@ bool is_next_working_day(int day, int next) {
 /// Days that were closed, with the weekends between them; a longer run takes in the
 /// weekends at its ends, whose dates are working days in another year.
 std::vector<effects::Days> runs_of(const std::vector<int>& days) {
-    constexpr int least_long = 3;  ///< days of a run whose ends are weekends
     std::vector<effects::Days> runs;
     for (const int day : days) {
         if (is_weekend(day)) continue;
@@ -150,7 +150,7 @@ std::vector<effects::Days> runs_of(const std::vector<int>& days) {
         runs.back().last = day;
     }
     for (effects::Days& run : runs) {
-        if (run.last - run.first + 1 < least_long) continue;
+        if (run.last - run.first + 1 < decisions::least_long_run) continue;
         while (is_weekend(run.first - 1)) --run.first;
         while (is_weekend(run.last + 1)) ++run.last;
     }
@@ -163,13 +163,13 @@ std::optional<effects::Effect> closed_days(const LoopData& data, const Place& pl
                                            const Standing& standing) {
     std::map<int, DaySums> sums;
     try {
-        for (int pass = 0; pass < days_apart; ++pass)
+        for (int pass = 0; pass < days_closed_apart; ++pass)
             add_days(data, place, standing, pass, sums);
     } catch (const CannotSimulate&) {
         return std::nullopt;  // nothing is scheduled
     }
     const DayShares days = distributed(shares_of(sums));
-    if (days.shares.size() < 20) return std::nullopt;
+    if (days.shares.size() < decisions::least_days_shown) return std::nullopt;
     const study::YearSpan years = study::years_of(data.building.periods);
     const auto calendar = kept_calendar(working_days(days), years.first, years.last);
     std::vector<effects::Days> closed;

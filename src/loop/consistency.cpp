@@ -4,6 +4,8 @@
 /// Leaves out dependence between blocks, ties, and a correction for taking the larger.
 #include "loop/consistency.hpp"
 
+#include "loop/decisions.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,8 +15,6 @@ namespace {
 /// Those in which the models differ: an effect of a season is seen in that season. All
 /// where these are too few to tell how they scatter.
 std::vector<double> falls_where_moved(const std::vector<BlockChange>& changes) {
-    constexpr double least_share = 0.05;  ///< of the block that moves most
-    constexpr std::size_t least_blocks = 4;
     double most = 0;
     for (const BlockChange& change : changes) most = std::max(most, change.moved);
     std::vector<double> all, moved;
@@ -22,9 +22,10 @@ std::vector<double> falls_where_moved(const std::vector<BlockChange>& changes) {
     moved.reserve(changes.size());
     for (const BlockChange& change : changes) {
         all.push_back(change.fall);
-        if (change.moved >= least_share * most) moved.push_back(change.fall);
+        if (change.moved >= decisions::share_of_moved_block * most)
+            moved.push_back(change.fall);
     }
-    return moved.size() < least_blocks ? all : moved;
+    return moved.size() < decisions::least_moved_blocks ? all : moved;
 }
 
 /// Their sum over its standard error, brought to what a normal variable exceeds as seldom

@@ -5,6 +5,7 @@
 #include "loop/effect_search.hpp"
 
 #include "effects/catalogue.hpp"
+#include "loop/decisions.hpp"
 #include "loop/intervals.hpp"
 #include "loop/moves.hpp"
 #include "loop/rivals.hpp"
@@ -50,7 +51,7 @@ class Search {
         const Place& place = result_.baseline.place;
         const auto most = static_cast<std::size_t>(data_.options.most_effects);
         // What is accepted may leave again, and must not come and go for ever.
-        for (std::size_t step = 0; step < 3 * most; ++step) {
+        for (std::size_t step = 0; step < decisions::rounds_per_effect * most; ++step) {
             under_way_.begin("effect", static_cast<int>(step) + 1);
             if (result_.last.model.effects.size() >= most || !accept_one(place)) break;
         }
@@ -123,7 +124,7 @@ class Search {
         if (may_set_clock_ && result_.hours_late == 0)
             late_clock_ = late_clock_in_place_of(data_, result_.last, newest);
         if (late_clock_) return false;
-        const double needed = 0.5 * step.threshold;
+        const double needed = decisions::share_of_threshold * step.threshold;
         const bool is_split = split(data_, place, result_.last, newest, needed);
         if (doubt.empty() && !is_over(before, alarm_left(place, newest, chosen.effect)))
             result_.found.back().doubt = "the pattern that pointed to it is still there";
@@ -185,12 +186,11 @@ class Search {
     /// only where it carries clearly more than the best of those that did not pass (an
     /// empirical null: Efron 2004, JASA 99).
     void leave_what_does_not_stand_out(const Place& place) {
-        constexpr double least_evidence_ratio = 1.5;  ///< to the best that did not pass
         if (result_.candidates.empty()) return;
         if (threshold_ > 0)
             result_.misfit = std::max(1.0, result_.candidates[0].second / threshold_);
         drop(prune(data_, place, result_.last,
-                   least_evidence_ratio * result_.candidates[0].second),
+                   decisions::least_misfit_ratio * result_.candidates[0].second),
              "left: does not stand out from the model's misfit");
     }
 

@@ -6,6 +6,7 @@
 #include "loop/effect_values.hpp"
 
 #include "base/error.hpp"
+#include "loop/decisions.hpp"
 #include "loop/intervals.hpp"
 #include "stats/distributions.hpp"
 #include "stats/normal_draws.hpp"
@@ -17,15 +18,13 @@
 namespace bemcal::loop {
 namespace {
 
-constexpr std::size_t n_draws = 64;  ///< a deviation is then known within 9 %
-
 /// The calibrated values first, then draws; functions stay as they are. [points x
 /// unknowns]
 Matrix points_about(const LoopData& data, const Standing& last,
                     const std::vector<double>& deviations, double misfit) {
     const auto& unknowns = last.built.unknowns;
-    Matrix points = stats::normal_draws(correlations_of(data, last, misfit), n_draws,
-                                        data.options.seed);
+    Matrix points = stats::normal_draws(correlations_of(data, last, misfit),
+                                        decisions::draws_of_worth, data.options.seed);
     for (std::size_t r = 0; r < points.rows; ++r)
         for (std::size_t k = 0; k < unknowns.size(); ++k) {
             const double from = unknowns[k].value(last.fit.at.x[k]);
@@ -81,8 +80,7 @@ Worth worth_in(const Matrix& with, const Matrix& less, std::size_t account) {
 
 std::optional<double> per_year(double days) {
     constexpr double days_of_year = 365.25;
-    constexpr double least_days = 300;  ///< that show all seasons
-    if (days < least_days) return std::nullopt;
+    if (days < decisions::days_of_all_seasons) return std::nullopt;
     return days_of_year / days;
 }
 

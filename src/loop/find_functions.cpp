@@ -6,7 +6,7 @@
 #include "loop/find_functions.hpp"
 
 #include "base/error.hpp"
-#include "loop/gates.hpp"
+#include "loop/decisions.hpp"
 #include "loop/remainder.hpp"
 
 #include <algorithm>
@@ -21,9 +21,6 @@ namespace bemcal::loop {
 namespace {
 
 using Series = std::vector<double>;
-
-/// Linear steps about the model, functions, the model with them: until they agree.
-constexpr int n_rounds = 2;
 
 std::string column_of(const effects::Effect& hook) {
     return "functions at " + hook.name;
@@ -166,7 +163,6 @@ class StageSimulator {
 /// Whether no meter's unseen readings are foretold worse, or little beside what the best
 /// meter gains.
 bool spares_meters(const LoopData& data, const Standing& without, const Standing& with) {
-    constexpr double most_rise = 0.01;  ///< of the error of a meter that counts whole
     const Series before = mean_squares(data.targets, without.left_out),
                  after = mean_squares(data.targets, with.left_out);
     const Series seen = mean_squares(data.targets, with.residuals);
@@ -174,8 +170,9 @@ bool spares_meters(const LoopData& data, const Standing& without, const Standing
     for (std::size_t c = 0; c < before.size(); ++c)
         rises.push_back((std::sqrt(std::max(after[c], seen[c]) / before[c]) - 1) *
                         without.noise[c].share);
-    const double in_exchange = -share_in_exchange * std::ranges::min(rises);
-    return std::ranges::max(rises) <= std::max(most_rise, in_exchange);
+    const double in_exchange = -decisions::share_in_exchange * std::ranges::min(rises);
+    return std::ranges::max(rises) <=
+           std::max(decisions::most_rise_by_functions, in_exchange);
 }
 
 /// The stage that foretells unseen blocks best, of a search about the best so far, if any
@@ -228,7 +225,7 @@ std::vector<FoundFunction> find_functions(const LoopData& data, Place& place,
     score_unseen(data, standing);
     const Standing& without = standing;
     Simulated best{{}, without, place};
-    for (int round = 0; round < n_rounds; ++round) {
+    for (int round = 0; round < decisions::function_rounds; ++round) {
         auto better = better_stage(data, drivers, place, without, best);
         if (!better) break;
         best = std::move(*better);

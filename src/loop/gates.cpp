@@ -5,6 +5,7 @@
 /// Evidence comes from `search`. Other periods than training decide nothing.
 #include "loop/gates.hpp"
 
+#include "loop/decisions.hpp"
 #include "loop/level_change.hpp"
 #include "loop/moves.hpp"
 #include "stats/distributions.hpp"
@@ -23,7 +24,6 @@ physics::Seconds last_quarter_of(const LoopData& data) {
 /// Whether the effect acts in the last quarter: what it changes there, of all, counts.
 bool acts_in_last_quarter(const LoopData& data, const Standing& before,
                           const Standing& after) {
-    constexpr double least_share = 0.05;  ///< of the squares of what it changes
     const auto from = last_quarter_of(data);
     const auto weights = weights_of(data.targets, before.noise);
     double sum = 0, all = 0;
@@ -32,7 +32,7 @@ bool acts_in_last_quarter(const LoopData& data, const Standing& before,
         all += weights[k] * moved * moved;
         if (data.begins[k] >= from) sum += weights[k] * moved * moved;
     }
-    return sum > least_share * all;
+    return sum > decisions::share_acting_last * all;
 }
 
 /// By how much the newest effect changes the only meter's last quarter [-].
@@ -59,8 +59,6 @@ bool is_within_usual_change(const LoopData& data, const Refitted& candidate) {
     return change_of_level(data, candidate.standing) < stats::z_90_two_sided * usual;
 }
 
-constexpr double least_share_in_mean = 0.5;  ///< of a meter, for the mean over meters
-
 /// Relative changes of the left-out errors of the meters that count.
 struct ErrorChange {
     double mean = 0;  ///< NaN where none counts
@@ -71,7 +69,7 @@ ErrorChange error_change_of(const Standing& before, const Refitted& candidate) {
     ErrorChange change;
     double n = 0;
     for (std::size_t c = 0; c < candidate.error.size(); ++c) {
-        if (before.noise[c].share < least_share_in_mean) continue;
+        if (before.noise[c].share < decisions::least_share_in_mean) continue;
         change.mean += candidate.error[c];
         n += 1;
         change.highest = std::max(change.highest, candidate.error[c]);
@@ -84,11 +82,10 @@ ErrorChange error_change_of(const Standing& before, const Refitted& candidate) {
 /// Whether the error of a meter that carries little falls by much: it says nothing of the
 /// mean, but what happens there is seen there alone.
 bool mends_small_meter(const Standing& before, const Refitted& candidate) {
-    constexpr double least_fall = 0.15;  ///< of the error [-]
     if (!candidate.effect.is_named()) return false;
     for (std::size_t c = 0; c < candidate.error.size(); ++c)
-        if (before.noise[c].share < least_share_in_mean &&
-            candidate.error[c] < -least_fall)
+        if (before.noise[c].share < decisions::least_share_in_mean &&
+            candidate.error[c] < -decisions::fall_of_small_meter)
             return true;
     return false;
 }
@@ -96,17 +93,15 @@ bool mends_small_meter(const Standing& before, const Refitted& candidate) {
 /// Whether what enters at a meter lowers the error there by much: the others do not see
 /// it, and a mean over all would ask for more the more there are.
 bool mends_its_meter(const Refitted& candidate, double threshold, double lowest) {
-    constexpr double least_fall = 0.05;  ///< of the error [-]
     return candidate.effect.is_named() && effects::is_at_a_meter(candidate.effect.hook) &&
-           is_overwhelming(candidate.gain, threshold) && lowest < -least_fall;
+           is_overwhelming(candidate.gain, threshold) &&
+           lowest < -decisions::fall_of_own_meter;
 }
 
 /// Whether an effect with a name has so much evidence that what it brings may be small,
 /// where no meter that counts has a larger error with it.
 bool is_certain_if_small(const Refitted& candidate, double threshold, double highest) {
-    /// Of deviance: half of it is seen in buildings that lack nothing.
-    constexpr double certain_evidence = 150;
-    return candidate.effect.is_named() && candidate.gain > certain_evidence &&
+    return candidate.effect.is_named() && candidate.gain > decisions::certain_evidence &&
            is_overwhelming(candidate.gain, threshold) && highest <= 0;
 }
 
@@ -115,14 +110,17 @@ struct Demand {
     Demand(const LoopOptions& options, const Refitted& candidate, double threshold,
            const ErrorChange& change)
         : is_far_above(is_overwhelming(candidate.gain, threshold)),
-          is_foretold(candidate.score > std::max(candidate.gain, 2 * threshold)),
-          is_seen_often(candidate.consistency >= 2),  // standard errors
-          is_certain(candidate.gain > 8 * threshold) {
-        constexpr double more_of_grammar = 3, less_if_certain = 0.7;
-        least = options.least_gain * (candidate.effect.is_named() ? 1 : more_of_grammar);
+          is_foretold(
+              candidate.score >
+              std::max(candidate.gain, decisions::foretold_thresholds * threshold)),
+          is_seen_often(candidate.consistency >= decisions::seen_often),
+          is_certain(candidate.gain > decisions::certain_thresholds * threshold) {
+        least = options.least_gain *
+                (candidate.effect.is_named() ? 1 : decisions::more_of_grammar);
         if (is_certain_if_small(candidate, threshold, change.highest))
-            least *= less_if_certain;
-        const double in_exchange = (is_certain ? 2 : 1) * share_in_exchange;
+            least *= decisions::less_if_certain;
+        const double in_exchange = (is_certain ? decisions::exchange_if_certain : 1) *
+                                   decisions::share_in_exchange;
         most_loss = std::max(options.most_loss, -100 * in_exchange * change.lowest);
     }
     /// A season may be a wrong one, and do harm where it is: but nothing else does as
@@ -218,7 +216,7 @@ std::string objection_to(const LoopData& data, const Standing& before,
 }
 
 bool is_plausible(const effects::Effect& effect, double c) {
-    constexpr double slack = 1.5;  ///< how far beyond the range
+    constexpr double slack = decisions::slack_of_range;
     const double least = std::min(effect.least, effect.most),
                  most = std::max(effect.least, effect.most);
     const double from = least >= 0 ? least / slack : least * slack,

@@ -11,9 +11,6 @@
 
 namespace bemcal::loop {
 
-/// What one meter may lose, as a share of what the best meter gains.
-inline constexpr double share_in_exchange = 0.15;
-
 /// The weighted error in the last quarter of training under fits to the first three: what
 /// follows time must foretell what comes.
 class LastQuarter {

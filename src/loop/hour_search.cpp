@@ -5,6 +5,7 @@
 /// Left out: two runs a day, other hours by season, runs through midnight.
 #include "loop/hour_search.hpp"
 
+#include "loop/decisions.hpp"
 #include "stats/least_squares.hpp"
 #include "stats/sums.hpp"
 
@@ -138,7 +139,6 @@ class Follower {
 /// their priors are counted.
 std::vector<TriedRun> best_of(std::vector<TriedRun> tried, const DailyRun& so_far,
                               const std::function<double(const DailyRun&)>& prior) {
-    constexpr std::size_t most_calibrated = 3;
     const auto own = std::ranges::find(tried, so_far, &TriedRun::run);
     if (own != tried.end()) {
         const double least = own->cost - prior(so_far);
@@ -147,7 +147,7 @@ std::vector<TriedRun> best_of(std::vector<TriedRun> tried, const DailyRun& so_fa
         });
     }
     std::ranges::stable_sort(tried, {}, &TriedRun::cost);
-    tried.resize(std::min(tried.size(), most_calibrated));
+    tried.resize(std::min(tried.size(), decisions::most_runs_calibrated));
     return tried;
 }
 
@@ -223,11 +223,10 @@ std::optional<Standing> HourSearch::at_prior() const {
 
 void HourSearch::take_best(const std::vector<TriedRun>& best, std::size_t schedule,
                            DayKind kind) {
-    constexpr double least_change = 0.1;  ///< of the cost: else rounds go to and fro
     WeekHours& hours = schedules_[schedule].hours;
     const auto k = static_cast<std::size_t>(kind);
     double least = cost_of(data_, standing_.noise, standing_) +
-                   prior_of(hours[k], schedule, kind) - least_change;
+                   prior_of(hours[k], schedule, kind) - decisions::least_change_of_hours;
     std::optional<Standing> chosen;
     DailyRun taken = hours[k];
     for (const TriedRun& one : best) {

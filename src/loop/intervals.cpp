@@ -5,6 +5,7 @@
 /// Intervals are symmetric: curvature is left out.
 #include "loop/intervals.hpp"
 
+#include "loop/decisions.hpp"
 #include "physics/calendar.hpp"
 #include "stats/least_squares.hpp"
 
@@ -13,11 +14,6 @@
 
 namespace bemcal::loop {
 namespace {
-
-/// What the hour's model makes of an effect that another model of a building made: root
-/// mean square error of the coefficients that bench/bench_loop.py can compare, beyond
-/// what else their intervals hold [-].
-constexpr double error_of_model = 0.08;
 
 double days_of(const study::Period& period) {
     return static_cast<double>((period.to - period.from).count()) / physics::day_s;
@@ -84,7 +80,8 @@ std::vector<double> deviations_of(const LoopData& data, const Standing& standing
     const std::vector<char> none(diagonal.size(), 0);
     std::vector<double> sd = stats::jackknife_deviations(
         standing.fit.at.derivatives, standing.residuals, weights,
-        data.blocks_of(days_of(data.training()) / 12), diagonal, none);
+        data.blocks_of(days_of(data.training()) / decisions::jackknife_parts), diagonal,
+        none);
     for (std::size_t k = 0; k < diagonal.size(); ++k)
         sd[k] = std::max(sd[k], std::sqrt(std::max(0.0, covariance(k, k)))) *
                 standing.built.unknowns[k].scale;
@@ -96,15 +93,14 @@ std::vector<double> deviations_of(const LoopData& data, const Standing& standing
 }
 
 double deviation_of(const Found& found, double of_noise, double coefficient) {
-    return std::hypot(std::hypot(of_noise, error_of_model * coefficient), found.of_shape,
-                      found.of_missing);
+    return std::hypot(std::hypot(of_noise, decisions::error_of_model * coefficient),
+                      found.of_shape, found.of_missing);
 }
 
 Fate fate_of(double certainty, double gain, double threshold) {
-    constexpr double least_certainty = 3.5;  ///< standard errors
-    constexpr double doubtful_evidence = 6;  ///< thresholds, that do not leave
-    if (certainty >= least_certainty) return Fate::stays;
-    return gain > doubtful_evidence * threshold ? Fate::is_doubtful : Fate::leaves;
+    if (certainty >= decisions::least_certainty) return Fate::stays;
+    return gain > decisions::doubtful_evidence * threshold ? Fate::is_doubtful
+                                                           : Fate::leaves;
 }
 
 }  // namespace bemcal::loop

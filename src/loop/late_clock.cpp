@@ -7,6 +7,7 @@
 
 #include "base/nan.hpp"
 #include "effects/catalogue.hpp"
+#include "loop/decisions.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -32,14 +33,15 @@ bool is_by_the_hour(const kernel::Channel& channel) {
 
 /// By how many hours an effect shifts all schedules; 0 where it does not.
 int hours_of(const effects::Effect& effect, double coefficient) {
-    constexpr double about = 0.3;  ///< of an hour
     if (effect.hook != effects::Hook::operation ||
         effect.driver != effects::Driver::shifted_hours ||
         effect.gate != effects::Gate::always)
         return 0;
     const double shift = effect.shape.at * coefficient;
     const double whole = std::round(shift);
-    return std::abs(shift - whole) < about ? static_cast<int>(whole) : 0;
+    return std::abs(shift - whole) < decisions::about_whole_hours
+               ? static_cast<int>(whole)
+               : 0;
 }
 
 /// What the meters read so many hours later; missing at an end.
@@ -64,7 +66,7 @@ double objective_of(const BuiltModel& built, const study::Targets& targets,
     return best.failed ? std::numeric_limits<double>::infinity() : best.objective;
 }
 
-constexpr double least_fall = 10;  ///< of the objective, by a clock that is set
+using decisions::least_fall_of_clock;
 
 /// Summer time, which people may keep though the building does not say so, or the
 /// reverse: beside a clock it is half a year's hour, and the clock alone would stop
@@ -100,11 +102,11 @@ std::optional<LateClock> late_clock_in_place_of(const LoopData& data,
     const double without = by_clock({}, hours);
     const double gained =
         objective_of(build(plain, {schedules}), data.targets, standing.noise) - without;
-    if (!(gained > least_fall)) return {};
+    if (!(gained > least_fall_of_clock)) return {};
     const auto summers = summers_of(data, plain);
     const auto with_summers = [&](int late, double least) {
         for (const effects::Effect& summer : summers)
-            least = std::min(least, least_fall + by_clock({summer}, late));
+            least = std::min(least, least_fall_of_clock + by_clock({summer}, late));
         return least;
     };
     const double least = with_summers(hours, without);
@@ -112,7 +114,7 @@ std::optional<LateClock> late_clock_in_place_of(const LoopData& data,
     for (const int other : {hours - 1, hours + 1}) {
         if (other == 0) continue;
         const double more = least - with_summers(other, by_clock({}, other));
-        if (more > least_fall && gained + more > best.gained)
+        if (more > least_fall_of_clock && gained + more > best.gained)
             best = {other, gained + more};
     }
     return best;

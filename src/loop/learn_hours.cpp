@@ -5,6 +5,7 @@
 /// Left out: two runs a day, other hours by season, runs through midnight.
 #include "loop/learn_hours.hpp"
 
+#include "loop/decisions.hpp"
 #include "loop/hour_search.hpp"
 
 #include <algorithm>
@@ -20,13 +21,10 @@ using physics::DailyRun;
 using physics::DayKind;
 using physics::WeekHours;
 
-/// Of -2 log prior: an hour that is not the usual one is as likely as exp(-1/4). Eight of
-/// them are then seven times less likely, which a few weeks of readings outweigh.
-constexpr double cost_of_hour = 0.5;
-constexpr int most_rounds = 6;
-
+/// Of -2 log prior. Eight hours that are not the usual ones are seven times less likely,
+/// which a few weeks of readings outweigh.
 double cost_of_departure(const DailyRun& run, const DailyRun& usual) {
-    return cost_of_hour * physics::hours_apart(run, usual);
+    return decisions::cost_of_hour * physics::hours_apart(run, usual);
 }
 
 /// The first and last number between which 90 % of the weight lies.
@@ -36,9 +34,11 @@ std::pair<int, int> middle_of(const std::vector<double>& weights) {
     int least = -1, most = 0;
     double below = 0;
     for (std::size_t k = 0; k < weights.size(); ++k) {
-        if (below <= 0.95 * all && weights[k] > 0) most = static_cast<int>(k);
+        if (below <= decisions::latest_of_hours * all && weights[k] > 0)
+            most = static_cast<int>(k);
         below += weights[k];
-        if (least < 0 && below >= 0.05 * all) least = static_cast<int>(k);
+        if (least < 0 && below >= decisions::earliest_of_hours * all)
+            least = static_cast<int>(k);
     }
     return {std::max(least, 0), most};
 }
@@ -71,9 +71,6 @@ std::vector<SearchedSchedule> schedules_of(const LoopData& data,
     return schedules;
 }
 
-/// From here on hours are as good as certain.
-constexpr double certain = 0.9;
-
 }  // namespace
 
 WeekHours LearnedHours::hours() const {
@@ -102,7 +99,7 @@ std::vector<LearnedHours> learn_hours(const LoopData& data, const Standing& stan
     HourSearch search(data, place, standing, schedules_of(data, so_far),
                       cost_of_departure);
     bool is_changed = true;
-    for (int round = 0; round < most_rounds && is_changed; ++round) {
+    for (int round = 0; round < decisions::most_hour_rounds && is_changed; ++round) {
         is_changed = false;
         for (std::size_t kind = 0; kind < physics::n_day_kinds; ++kind)
             for (std::size_t s = 0; s < so_far.size(); ++s) {
@@ -139,7 +136,7 @@ study::Case with_hours(const study::Case& building,
 std::string sentence_of(const LearnedHours& learned) {
     std::string unsure;
     for (std::size_t kind = 0; kind < physics::n_day_kinds; ++kind)
-        if (learned.runs[kind].probability < certain)
+        if (learned.runs[kind].probability < decisions::certain_hours)
             unsure += fmt::format("{}{} (probability {:.2f})", unsure.empty() ? "" : ", ",
                                   physics::name_of(static_cast<DayKind>(kind)),
                                   learned.runs[kind].probability);

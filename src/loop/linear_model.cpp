@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "effects/hooks.hpp"
+#include "loop/decisions.hpp"
 
 #include <memory>
 
@@ -13,9 +14,7 @@
 namespace bemcal::loop {
 namespace {
 
-/// By what share of its typical size a hook is moved for its slope: small beside what a
-/// function brings, large beside rounding.
-constexpr double moved_share = 0.25;
+using decisions::moved_share;
 
 /// What may bring more or less than the description says: one effect for each hook, and
 /// for those at a meter one for each meter.

@@ -9,6 +9,7 @@
 #include "base/nan.hpp"
 #include "effects/make_surroundings.hpp"
 #include "effects/sites.hpp"
+#include "loop/decisions.hpp"
 #include "physics/calendar.hpp"
 #include "physics/interval_hours.hpp"
 
@@ -24,8 +25,6 @@ namespace bemcal::loop {
 namespace {
 
 using effects::Refinement;
-
-constexpr double days_of_noise = 7;  ///< blocks over which errors are counted as one
 
 /// Whether options name it; no names = all.
 bool is_chosen(const std::vector<std::string>& names, const std::string& name) {
@@ -151,8 +150,9 @@ std::vector<double> shares_of(const LoopData& data) {
 double sigma_of_constant(const LoopData& data, std::size_t channel) {
     const kernel::Channel& read = data.targets.channels[channel];
     const double largest = largest_mean(data);
-    if (is_air(read) || largest <= 0) return 1;
-    return 0.1 * largest * hours_of(read.interval, data.building.step_s);
+    if (is_air(read) || largest <= 0) return decisions::error_of_constant_air;
+    return decisions::error_of_constant * largest *
+           hours_of(read.interval, data.building.step_s);
 }
 
 bool is_hourly(const kernel::Channel& channel) {
@@ -163,9 +163,8 @@ bool is_hourly(const kernel::Channel& channel) {
 /// than any model deserves: what is below a fifth of the limit of ASHRAE Guideline 14
 /// (15 % of a month) is not evidence.
 double least_sigma(const study::Targets& targets, std::size_t channel) {
-    constexpr double least_error = 0.03;  ///< of a month [-]
     if (!is_monthly(targets.channels[channel])) return 0;
-    return least_error * std::abs(mean_of_measured(targets, channel));
+    return decisions::least_error_of_month * std::abs(mean_of_measured(targets, channel));
 }
 
 double kappa_of(const LoopData& data, std::size_t channel,
@@ -175,7 +174,7 @@ double kappa_of(const LoopData& data, std::size_t channel,
     double squares = 0;
     for (std::size_t k = targets.first[channel]; k < targets.first[channel + 1]; ++k) {
         if (std::isnan(targets.measured[k])) continue;
-        sums[block_at(data.begins[k], data.training().from, days_of_noise)] +=
+        sums[block_at(data.begins[k], data.training().from, decisions::days_of_noise)] +=
             residuals[k];
         squares += residuals[k] * residuals[k];
     }
@@ -229,9 +228,9 @@ std::optional<std::size_t> numbered_row_of(const study::Case& building,
 std::vector<kernel::Readings> training_readings(const study::Case& building,
                                                 const study::Period& period) {
     // Where a building seldom heats, the first days are much of the year's heat.
-    constexpr std::chrono::hours first{48};
+    constexpr std::chrono::hours first{decisions::hours_of_state};
     auto readings = study::readings_of(building, period);
-    const bool is_short = period.to - period.from < 10 * first;
+    const bool is_short = period.to - period.from < decisions::least_times_state * first;
     if (is_short || study::knows_state_before(building, period)) return readings;
     const physics::TimeAxis axis = study::axis_of(building, period);
     for (kernel::Readings& meter : readings) {
@@ -443,9 +442,9 @@ std::vector<ChannelNoise> noise_of(const LoopData& data,
 }
 
 double share_of_meter(double mean, double largest) {
-    constexpr double share_of_largest = 0.1;  ///< from it on a meter counts whole
-    constexpr double least_share = 0.01;
-    return largest > 0 ? std::clamp(mean / (share_of_largest * largest), least_share, 1.0)
+    constexpr double least_share = decisions::least_share_of_meter;
+    return largest > 0 ? std::clamp(mean / (decisions::share_of_largest * largest),
+                                    least_share, 1.0)
                        : least_share;
 }
 
@@ -474,7 +473,7 @@ double deviance_of_squares(const study::Targets& targets,
         const auto measured = targets.of(c, targets.measured);
         const auto n = static_cast<double>(
             std::ranges::count_if(measured, [](double v) { return !std::isnan(v); }));
-        const double met = 1e-3 * noise[c].sigma;  // as good as exactly
+        const double met = decisions::met_exactly * noise[c].sigma;
         sum +=
             noise[c].share * n / noise[c].kappa *
             std::log(std::max(squares[c] + noise[c].least * noise[c].least, met * met));

@@ -6,6 +6,7 @@
 #include "loop/moves.hpp"
 
 #include "base/error.hpp"
+#include "loop/decisions.hpp"
 #include "loop/gates.hpp"
 
 #include <algorithm>
@@ -15,18 +16,12 @@
 namespace bemcal::loop {
 namespace {
 
-constexpr double least_evidence = 6;  ///< of deviance: what a swap or a split must bring
-
-constexpr double two_weeks = 0.04;  ///< [a]
+using decisions::least_evidence_of_move, decisions::two_weeks_at_ends;
 
 /// Where a shape begins at the earliest: readings before a date tell what changes on it.
 double earliest(const effects::Effect& effect) {
-    return effect.driver == effects::Driver::elapsed ? two_weeks : -1e9;
+    return effect.driver == effects::Driver::elapsed ? two_weeks_at_ends : -1e9;
 }
-
-/// Hours of a set-point that is kept: what is shorter is the plant's start, which a model
-/// of the hour has not.
-constexpr double least_window = 3;
 
 double hours_within(const effects::Shape& shape) {
     return std::fmod(shape.until - shape.at + 24, 24);
@@ -47,7 +42,8 @@ std::vector<effects::Effect> moved_shapes(const effects::Effect& effect, double 
             });
         if (move > 0 && effect.shape.form == effects::Form::within)
             add([&](effects::Effect& e) { e.shape.until += sign * move; });
-        const double hours = std::max(1.0, std::round(2 * part));
+        const double hours =
+            std::max(1.0, std::round(decisions::hours_of_first_move * part));
         if (effect.hours.from > 0 || effect.hours.until < 24) {
             add([&](effects::Effect& e) {
                 e.hours.from = std::max(0.0, e.hours.from + sign * hours);
@@ -58,7 +54,8 @@ std::vector<effects::Effect> moved_shapes(const effects::Effect& effect, double 
         }
     }
     std::erase_if(moved, [](const effects::Effect& one) {
-        return is_set_point_window(one) && hours_within(one.shape) < least_window;
+        return is_set_point_window(one) &&
+               hours_within(one.shape) < decisions::least_window;
     });
     return moved;
 }
@@ -73,7 +70,8 @@ bool move_shape(const LoopData& data, const Place& place, Standing& standing,
     for (const auto& effect : moved_shapes(standing.model.effects[index], part)) {
         Standing tried = with_in_place(data, place, standing,
                                        {index, effect, standing.fit.at.x, quick});
-        if (tried.fit.failed || tried.fit.objective >= standing.fit.objective - 0.5)
+        if (tried.fit.failed || tried.fit.objective >= standing.fit.objective -
+                                                           decisions::least_fall_of_shape)
             continue;
         standing = std::move(tried);
         helped = true;
@@ -124,17 +122,17 @@ bool is_at_an_end(const LoopData& data, const effects::Effect& effect) {
     const double at = effect.shape.at;
     return effect.driver == effects::Driver::elapsed &&
            effect.shape.form == effects::Form::over &&
-           (at <= two_weeks || at >= years.count() - two_weeks);
+           (at <= two_weeks_at_ends || at >= years.count() - two_weeks_at_ends);
 }
 
 Standing with_best_shape(const LoopData& data, const Place& place, Standing standing,
                          std::size_t index) {
-    constexpr int most_moves = 5;     ///< of one length
-    constexpr double day = 1.0 / 14;  ///< of a date's first move
-    refit(data, standing, quick);     // the objective by its own noise
+    constexpr double day = 1 / decisions::days_of_first_move;  ///< of a date's first move
+    refit(data, standing, quick);  // the objective by its own noise
     for (const double part : {1.0, 0.5, 0.25, 2 * day, day}) {
         if (part < 0.25 && !is_dated(standing.model.effects[index])) break;
-        for (int k = 0; k < most_moves && move_shape(data, place, standing, index, part);
+        for (int k = 0;
+             k < decisions::most_moves && move_shape(data, place, standing, index, part);
              ++k) {
         }
     }
@@ -148,7 +146,7 @@ bool start_again(const LoopData& data, const Place& place, Standing& standing) {
         start[k] = std::copysign(std::max(std::abs(standing.fit.at.x[k]), 1.0),
                                  standing.fit.at.x[k]);
     Standing again = calibrate(data, place, standing.model, std::move(start));
-    if (again.fit.failed || evidence(data, standing, again) <= least_evidence)
+    if (again.fit.failed || evidence(data, standing, again) <= least_evidence_of_move)
         return false;
     standing = std::move(again);
     return true;
@@ -184,7 +182,7 @@ double deviation_over_shapes(const LoopData& data, const Place& place,
 int swap(const LoopData& data, const Place& place, Standing& standing, std::size_t effect,
          const std::vector<effects::Effect>& rivals) {
     int best = -1;
-    double most = least_evidence;
+    double most = least_evidence_of_move;
     Standing chosen;
     const std::size_t unknown = standing.built.first_effect() + effect;
     const bool has_name = standing.model.effects[effect].is_named();
@@ -249,12 +247,12 @@ bool split(const LoopData& data, const Place& place, Standing& standing,
     start.push_back(start[standing.built.first_effect() + effect]);
     refit(data, tried, std::move(start), {8, 1e-3, study::without_derivatives});
     if (tried.fit.failed ||
-        evidence(data, standing, tried) < std::max(least, least_evidence))
+        evidence(data, standing, tried) < std::max(least, least_evidence_of_move))
         return false;
-    /// Of the two coefficients: else one name says it all.
-    constexpr double least_difference = 0.2;
+    // Else one name says it all.
     const std::size_t last = tried.model.effects.size() - 1;
-    if (std::abs(tried.coefficient(effect) - tried.coefficient(last)) < least_difference)
+    if (std::abs(tried.coefficient(effect) - tried.coefficient(last)) <
+        decisions::least_difference_of_halves)
         return false;
     tried = refine_shape(data, place, std::move(tried), effect);
     standing = refine_shape(data, place, std::move(tried), standing.model.effects.size());
@@ -346,26 +344,27 @@ namespace {
 /// 1 for the others. Errors below what a model may have are none.
 std::vector<double> growth_of(const LoopData& data, const Standing& before,
                               const Standing& after) {
-    /// Of a meter: where next to nothing flows, nothing can be kept.
-    constexpr double least_share = 0.1;
     const auto old = mean_squares(data.targets, before.residuals),
                now = mean_squares(data.targets, after.residuals);
     std::vector<double> growth;
     growth.reserve(old.size());
     for (std::size_t c = 0; c < old.size(); ++c) {
         const ChannelNoise& noise = before.noise[c];
-        const double met = std::pow(std::hypot(noise.least, 1e-3 * noise.sigma), 2);
-        growth.push_back(noise.share < least_share ? 1 : (now[c] + met) / (old[c] + met));
+        const double met =
+            std::pow(std::hypot(noise.least, decisions::met_exactly * noise.sigma), 2);
+        // Where next to nothing flows, nothing can be kept.
+        growth.push_back(noise.share < decisions::least_share_spared
+                             ? 1
+                             : (now[c] + met) / (old[c] + met));
     }
     return growth;
 }
 
 /// Whether the effects are still what was found.
 bool are_the_same(const Standing& found, const Standing& now) {
-    constexpr double largest_change = 0.1;  ///< of a coefficient [-]
     for (std::size_t k = 0; k < found.model.effects.size(); ++k) {
         const double was = found.coefficient(k), is = now.coefficient(k);
-        if (std::abs(is - was) > largest_change * std::abs(was) ||
+        if (std::abs(is - was) > decisions::most_change_spared * std::abs(was) ||
             now.fit.bound[now.built.first_effect() + k] != 0)
             return false;
     }
@@ -375,16 +374,16 @@ bool are_the_same(const Standing& found, const Standing& now) {
 }  // namespace
 
 bool spare_meters(const LoopData& data, const Standing& before, Standing& standing) {
-    constexpr int most_rounds = 8;
-    constexpr double largest_growth = 1.004;  ///< of a mean square: 0.2 % of the error
+    constexpr double most_growth = decisions::most_growth_spared;
     std::vector<double> growth = growth_of(data, before, standing);
     double least = std::ranges::max(growth);
     Standing tried = standing, best = standing;
     bool is_better = false;
-    for (int round = 0; round < most_rounds && std::ranges::max(growth) > largest_growth;
+    for (int round = 0;
+         round < decisions::most_rounds_spared && std::ranges::max(growth) > most_growth;
          ++round) {
         for (std::size_t c = 0; c < growth.size(); ++c)
-            if (growth[c] > largest_growth)
+            if (growth[c] > most_growth)
                 tried.noise[c].sigma /= std::min(1.5, std::pow(growth[c], 4));
         refit(data, tried, {6, 3e-4});
         if (tried.fit.failed || !are_the_same(standing, tried)) break;

@@ -9,6 +9,7 @@
 #include "loop/next_measurements.hpp"
 
 #include "base/error.hpp"
+#include "loop/decisions.hpp"
 #include "loop/intervals.hpp"
 #include "loop/open_questions.hpp"
 #include "physics/calendar.hpp"
@@ -42,18 +43,7 @@ constexpr std::array measurement_kinds = {
     MeasurementKind{"heat meter of the rooms' heating", Quantity::heating},
     MeasurementKind{"heat meter of the rooms' cooling", Quantity::cooling},
 };
-constexpr std::array weeks_tried = {1, 2, 4, 8};
 constexpr int n_months = 12;  ///< each from its first day
-
-/// A name is told, or a parameter is narrower, by enough.
-constexpr double enough_chance = 0.95, enough_narrower = 0.5;
-/// Less than that is not worth the work: of what is unsure, or of the deviation.
-constexpr double least_fall = 0.1;
-
-/// Errors of what nobody has read yet: rooms of calibrated models stray by half a kelvin
-/// (school rooms and twin house of bench/README.md), hours of energy by the limit of
-/// ASHRAE Guideline 14.
-constexpr double error_of_room = 0.5, error_of_energy = 0.3;
 
 /// In the order of Quantity.
 std::vector<kernel::Channel> all_by_the_hour() {
@@ -169,11 +159,11 @@ class Shown {
     /// Of what nobody has read yet: its errors are those of the weeks in which it is
     /// read.
     double weight_of_new(std::size_t channel, std::size_t from, std::size_t n) const {
-        double error = error_of_room, share = 1;
+        double error = decisions::error_of_room, share = 1;
         if (!physics::is_temperature(place_.channels[channel].quantity)) {
             const double mean =
                 mean_of(std::span(at_.predicted).subspan(first_[channel] + from, n));
-            error = error_of_energy * mean;
+            error = decisions::error_of_energy * mean;
             share = share_of_meter(mean, std::max(mean, largest_));
         }
         return error > 0 ? share / (error * error * kappa_ * misfit_) : 0;
@@ -306,8 +296,8 @@ bool is_better(const Answer& one, const Answer& other) {
 }
 
 bool is_enough(const Answer& answer) {
-    return answer.kind == "name" ? answer.then >= enough_chance
-                                 : answer.then <= enough_narrower * answer.now;
+    return answer.kind == "name" ? answer.then >= decisions::enough_chance
+                                 : answer.then <= decisions::enough_narrower * answer.now;
 }
 
 /// The weeks of a kind at the time of the year at which they tell most. [questions]
@@ -335,7 +325,7 @@ bool is_worth_it(const Answer& answer) {
     const bool is_name = answer.kind == "name";
     const double now = is_name ? 1 - answer.now : answer.now,
                  then = is_name ? 1 - answer.then : answer.then;
-    return then <= (1 - least_fall) * now;
+    return then <= (1 - decisions::least_fall_of_doubt) * now;
 }
 
 }  // namespace
@@ -371,7 +361,7 @@ std::vector<Answer> next_measurements(const LoopData& data, const Place& place,
     std::vector<std::vector<Answer>> by_question;
     for (const MeasurementKind& kind : measurement_kinds) {
         if (kind.added && !shown.is_new(*kind.added)) continue;
-        for (const int weeks : weeks_tried) {
+        for (const int weeks : decisions::weeks_tried) {
             const auto best = best_of_year(questions, shown, kind, weeks);
             by_question.resize(std::max(by_question.size(), best.size()));
             for (std::size_t q = 0; q < best.size(); ++q)

@@ -3,6 +3,7 @@
 /// have no name to tell; effects that are one with a parameter, which no reading tells.
 #include "loop/open_questions.hpp"
 
+#include "loop/decisions.hpp"
 #include "loop/moves.hpp"
 
 #include <algorithm>
@@ -50,14 +51,13 @@ std::vector<OtherAnswer> other_answers(const LoopData& data, const Place& place,
 
 std::vector<std::size_t> wide_parameters(const LoopData& data, const Standing& last,
                                          std::span<const double> sds) {
-    constexpr double wide = 0.5;  ///< of the prior's standard deviation
     std::vector<std::size_t> found;
     for (std::size_t k = 0; k < last.built.first_effect(); ++k) {
         const bool is_of_job = std::ranges::any_of(
             data.building.parameters, [&](const physics::Parameter& parameter) {
                 return parameter.name == last.built.unknowns[k].name;
             });
-        if (is_of_job && sds[k] > wide) found.push_back(k);
+        if (is_of_job && sds[k] > decisions::wide_parameter) found.push_back(k);
     }
     return found;
 }

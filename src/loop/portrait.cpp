@@ -6,6 +6,7 @@
 
 #include "base/nan.hpp"
 #include "effects/profiles.hpp"
+#include "loop/decisions.hpp"
 #include "loop/search.hpp"
 #include "physics/calendar.hpp"
 
@@ -19,8 +20,6 @@
 
 namespace bemcal::loop {
 namespace {
-
-constexpr double critical = 1.628;  ///< 99 % of the largest of a Brownian bridge
 
 using effects::Driver;
 using effects::Hook;
@@ -88,7 +87,7 @@ double fluctuation(std::span<const double> scores, std::span<const double> by) {
         const bool ends = k + 1 == order.size() || by[order[k]] != by[order[k + 1]];
         if (ends) largest = std::max(largest, std::abs(sum));
     }
-    return square > 0 ? largest / std::sqrt(square) / critical : 0;
+    return square > 0 ? largest / std::sqrt(square) / decisions::critical_fluctuation : 0;
 }
 
 /// Of runs of `hours` hours: sums of a hook's score, means of a driver.
@@ -151,7 +150,8 @@ std::vector<double> bin_means(const LoopData& data, std::size_t channel,
                               std::span<const double> residuals, int parity) {
     std::vector<double> means(n_bins, 0.0);
     for (std::size_t level = 0; level < 2; ++level) {
-        std::vector<double> sum(n_bins, 0.0), n(n_bins, 3.0);  // drawn towards 0
+        std::vector<double> sum(n_bins, 0.0),
+            n(n_bins, decisions::readings_of_no_pattern);
         for (std::size_t k = data.targets.first[channel];
              k < data.targets.first[channel + 1]; ++k) {
             if (std::isnan(data.targets.measured[k])) continue;
@@ -229,8 +229,7 @@ double alarm_of(const LoopData& data, const Place& place, const Standing& standi
 }
 
 bool is_over(double before, double after) {
-    constexpr double largest_share_left = 0.5;  ///< of the alarm: no model is exact
-    return after <= std::max(1.0, largest_share_left * before);
+    return after <= std::max(1.0, decisions::largest_alarm_left * before);
 }
 
 std::vector<Unexplained> unexplained_of(const LoopData& data, const Standing& standing) {

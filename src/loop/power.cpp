@@ -5,6 +5,7 @@
 #include "loop/power.hpp"
 
 #include "effects/catalogue.hpp"
+#include "loop/decisions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -121,12 +122,12 @@ bool are_of_one_row(const effects::Effect& a, const effects::Effect& b) {
 }
 
 bool is_in_parameters(const Power& power) {
-    constexpr double same = limits::same_signature;
+    constexpr double same = decisions::same_signature;
     return power.visibility < 1 - same * same;
 }
 
 bool can_be_seen(const Power& power) {
-    return power.detectability >= limits::least_detectability;
+    return power.detectability >= decisions::least_detectability;
 }
 
 double correlation_of(std::span<const double> a, std::span<const double> b,

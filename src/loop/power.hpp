@@ -5,13 +5,6 @@
 
 namespace bemcal::loop {
 
-namespace limits {
-/// Effects over what they can be known to: fewer cannot be seen.
-inline constexpr double least_detectability = 5;
-/// Correlation of what is one signature.
-inline constexpr double same_signature = 0.98;
-}  // namespace limits
-
 /// What looks like an effect.
 enum class AliasKind {
     none,       ///< nothing else is there

@@ -7,6 +7,7 @@
 #include "loop/reading_bands.hpp"
 
 #include "base/nan.hpp"
+#include "loop/decisions.hpp"
 #include "loop/months.hpp"
 #include "stats/distributions.hpp"
 #include "stats/quantile.hpp"
@@ -17,13 +18,11 @@
 namespace bemcal::loop {
 namespace {
 
-constexpr std::size_t n_levels = 8;
-constexpr std::size_t least_residuals = 50;  ///< of a kind; fewer have those of all kinds
-constexpr double tail = 0.05;
+using decisions::band_levels, decisions::band_tail, decisions::least_residuals;
 
 bool is_day(physics::Seconds begin) {
     const int hour = physics::calendar_step(begin).hour;
-    return hour >= 7 && hour < 19;
+    return hour >= decisions::band_day_begins && hour < decisions::band_day_ends;
 }
 
 std::vector<double> known_of(const UnseenHours& hours) {
@@ -35,8 +34,8 @@ std::vector<double> known_of(const UnseenHours& hours) {
 
 Band band_of(std::vector<double> residuals) {
     std::ranges::sort(residuals);
-    return {stats::quantile_of_sorted(residuals, tail),
-            stats::quantile_of_sorted(residuals, 1 - tail)};
+    return {stats::quantile_of_sorted(residuals, band_tail),
+            stats::quantile_of_sorted(residuals, 1 - band_tail)};
 }
 
 /// Between levels that hold equally many hours; of many that are equal one.
@@ -46,8 +45,8 @@ std::vector<double> edges_of(const UnseenHours& hours) {
         if (!std::isnan(hours.residuals[k])) sorted.push_back(hours.predicted[k]);
     std::ranges::sort(sorted);
     std::vector<double> edges;
-    for (std::size_t level = 1; level < n_levels && !sorted.empty(); ++level) {
-        const double edge = sorted[level * sorted.size() / n_levels];
+    for (std::size_t level = 1; level < band_levels && !sorted.empty(); ++level) {
+        const double edge = sorted[level * sorted.size() / band_levels];
         if (edges.empty() || edge > edges.back()) edges.push_back(edge);
     }
     return edges;

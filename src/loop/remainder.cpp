@@ -3,6 +3,8 @@
 /// of the loop's fits.
 #include "loop/remainder.hpp"
 
+#include "loop/decisions.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,16 +13,6 @@ namespace bemcal::loop {
 namespace {
 
 using Series = std::vector<double>;
-
-/// Log prior odds against a function at a physical hook: as many are tried.
-constexpr double log_odds_of_hook = 5;
-/// The same at a meter, which explains anything: a tenth as likely.
-constexpr double log_odds_of_meter = 7.3;
-/// How far the parameters move at once [prior sd]: further, the model is not linear, and
-/// what it then says is not what the step foretold. A later round moves them on.
-constexpr double linear_range = 0.2;
-/// Blocks that are left out together: every sixth.
-constexpr std::size_t n_folds = 6;
 
 double root_mean_square(const Series& values) {
     double squares = 0;
@@ -84,7 +76,7 @@ void ReadingLayout::sort_into_blocks() {
     for (const auto& [block, readings] : blocks) {
         order_.insert(order_.end(), readings.begin(), readings.end());
         first_row_.push_back(static_cast<long>(order_.size()));
-        fold_.push_back(static_cast<std::size_t>(block) % n_folds);
+        fold_.push_back(static_cast<std::size_t>(block) % decisions::function_folds);
     }
 }
 
@@ -160,8 +152,8 @@ std::vector<functions::Pair> Remainder::pairs() const {
     pairs.reserve(n_pairs());
     for (std::size_t id = 0; id < n_pairs(); ++id)
         pairs.push_back({id, effects::is_at_a_meter(hook_of(id).hook)
-                                 ? log_odds_of_meter
-                                 : log_odds_of_hook});
+                                 ? decisions::log_odds_of_meter
+                                 : decisions::log_odds_of_hook});
     return pairs;
 }
 
@@ -173,7 +165,7 @@ functions::WeighedData Remainder::weighed_data() const {
     layout_.write(without_functions_, weighed.residual);
     weighed.left.resize(layout_.n_rows());
     layout_.write(standing_.residuals, weighed.left);
-    weighed.linear_range = linear_range;
+    weighed.linear_range = decisions::linear_range;
     const auto n = static_cast<long>(free_.size());
     weighed.parameters.resize(layout_.n_rows(), n);
     weighed.precision.resize(n);

@@ -6,6 +6,7 @@
 #include "loop/rivals.hpp"
 
 #include "effects/catalogue.hpp"
+#include "loop/decisions.hpp"
 #include "stats/distributions.hpp"
 
 #include <algorithm>
@@ -13,10 +14,6 @@
 
 namespace bemcal::loop {
 namespace {
-
-/// Of deviance: a smaller difference is none, however regular it is.
-constexpr double negligible_evidence = 6;
-constexpr std::size_t most_names = 3, most_rivals = 8;
 
 /// Weighted squares of what unseen blocks leave. [blocks]
 std::vector<double> losses_of(const LoopData& data, const Standing& before,
@@ -33,7 +30,8 @@ std::vector<double> losses_of(const LoopData& data, const Standing& before,
 /// Only what has most of the evidence, too; a term of the grammar, which often says the
 /// same with other words, where it has clearly more.
 bool is_near(const Refitted& other, const Refitted& chosen) {
-    const double share = other.effect.is_named() ? rival_share : 1.1;
+    const double share = other.effect.is_named() ? decisions::rival_share
+                                                 : decisions::rival_share_of_grammar;
     return other.gain > share * chosen.gain;
 }
 
@@ -53,7 +51,8 @@ bool is_as_good(std::span<const double> losses, std::span<const double> chosen) 
         square += more * more;
     }
     const double spread = std::sqrt(std::max(0.0, square - sum * sum / n));
-    return sum <= std::max(stats::z_90_two_sided * spread, negligible_evidence);
+    return sum <=
+           std::max(stats::z_90_two_sided * spread, decisions::negligible_evidence);
 }
 
 EffectClass class_of(const LoopData& data, const Standing& before, const Step& step) {
@@ -62,12 +61,14 @@ EffectClass class_of(const LoopData& data, const Standing& before, const Step& s
     EffectClass found{{chosen.effect.name}, {}, true};
     for (const Refitted& other : step.ranking) {
         if (&other == &chosen || other.left_out.empty()) continue;
-        if (found.rivals.size() < most_rivals) found.rivals.push_back(other.effect);
+        if (found.rivals.size() < decisions::most_rivals)
+            found.rivals.push_back(other.effect);
         if (!is_near(other, chosen) || other.effect.name == chosen.effect.name ||
             !is_as_good(losses_of(data, before, other.left_out), own))
             continue;
         found.is_told = false;
-        if (other.effect.is_named() && found.names.size() < most_names &&
+        if (other.effect.is_named() &&
+            found.names.size() < decisions::most_names_of_class &&
             std::ranges::find(found.names, other.effect.name) == found.names.end())
             found.names.push_back(other.effect.name);
     }

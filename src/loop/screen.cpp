@@ -5,6 +5,8 @@
 /// Curvature is left out; `search` refits in full.
 #include "base/error.hpp"
 #include "base/random.hpp"
+#include "effects/decisions.hpp"
+#include "loop/decisions.hpp"
 #include "loop/search.hpp"
 #include "stats/distributions.hpp"
 #include "stats/least_squares.hpp"
@@ -18,7 +20,7 @@
 namespace bemcal::loop {
 namespace {
 
-constexpr std::array amplitudes = {1.0, -1.0, 0.25, -0.25};  ///< of the typical size
+using decisions::amplitudes;
 
 /// What does not change from candidate to candidate.
 struct Tangent {
@@ -92,16 +94,19 @@ void compare(const Tangent& tangent, const std::vector<Secant*>& secants) {
     }
 }
 
-/// The largest coefficient that a fit may take: twice what is plausible.
+/// The largest coefficient that a fit may take.
 double furthest(const effects::Effect& effect) {
-    return 2 * std::max(std::abs(effect.least), std::abs(effect.most));
+    return effects::decisions::times_plausible *
+           std::max(std::abs(effect.least), std::abs(effect.most));
 }
 
 /// The coefficient near the amplitude: a secant holds where it was taken.
 double within(double coefficient, double amplitude, double most) {
     if (coefficient * amplitude <= 0) return 0;
-    const double most_size = std::min(std::abs(amplitude) * 2.5, most),
-                 least_size = std::min(std::abs(amplitude) * 0.02, most_size);
+    const double most_size =
+                     std::min(std::abs(amplitude) * decisions::most_of_secant, most),
+                 least_size = std::min(std::abs(amplitude) * decisions::least_of_secant,
+                                       most_size);
     return std::copysign(std::clamp(std::abs(coefficient), least_size, most_size),
                          amplitude);
 }
@@ -242,9 +247,8 @@ std::vector<Screened> screen(const LoopData& data, const Place& place,
 
 double null_gain(const std::vector<Screened>& screened, double alpha,
                  std::uint64_t seed) {
-    constexpr int n_draws = 400;
     std::vector<double> largest;
-    for (int draw = 0; draw < n_draws; ++draw) {
+    for (int draw = 0; draw < decisions::null_draws; ++draw) {
         Stream random(seed, 0, static_cast<std::uint64_t>(draw));
         std::vector<double> sign;
         double most = 0;

@@ -9,6 +9,7 @@
 #include "effects/catalogue.hpp"
 #include "loop/closed_days.hpp"
 #include "loop/consistency.hpp"
+#include "loop/decisions.hpp"
 #include "loop/gates.hpp"
 #include "loop/moves.hpp"
 #include "loop/other_hours.hpp"
@@ -20,9 +21,6 @@
 
 namespace bemcal::loop {
 namespace {
-
-constexpr std::size_t most_refitted = 36, most_of_a_kind = 3;
-constexpr double generic_penalty = 4.6;  ///< -2 log 0.1: the grammar's prior weight
 
 bool is_among(const std::vector<std::string>& names, const effects::Effect& effect) {
     return std::ranges::find(names, effect.name) != names.end();
@@ -61,8 +59,8 @@ std::vector<const Screened*> shortlist(const std::vector<Screened>& screened) {
         const std::pair key{
             effect.is_named() ? effect.number : -1 - static_cast<int>(effect.hook),
             effect.is_named() ? effect.name : ""};
-        if (list.size() >= most_refitted || candidate->gain <= 0) break;
-        if (++of_kind[key] <= most_of_a_kind) list.push_back(candidate);
+        if (list.size() >= decisions::most_refitted || candidate->gain <= 0) break;
+        if (++of_kind[key] <= decisions::most_of_a_kind) list.push_back(candidate);
     }
     return list;
 }
@@ -122,11 +120,11 @@ double picked(const effects::Effect& effect) {
 /// What freedom costs: the logarithm of how far the data narrow the coefficient; of runs
 /// of days, the choice of each.
 double occam(const Screened& screened) {
-    static const double of_a_run = 2 * std::log(365.0);
+    static const double of_a_run = 2 * std::log(decisions::days_to_pick_from);
     const double typical = screened.effect.typical;
     return std::log1p(screened.information * typical * typical) +
            of_a_run * picked(screened.effect) +
-           (screened.effect.is_named() ? 0 : generic_penalty);
+           (screened.effect.is_named() ? 0 : decisions::generic_penalty);
 }
 
 /// Residuals of unseen blocks of the model before, found once for all candidates.
@@ -140,9 +138,8 @@ class Unseen {
         std::vector<double> left;  ///< residuals
     };
     const Blocks& blocks_for(const effects::Effect& effect) {
-        constexpr double days = 2;
         if (effect.gate != effects::Gate::on_days) return filled(long_, data_.blocks);
-        return filled(short_, data_.blocks_of(days));
+        return filled(short_, data_.blocks_of(decisions::days_of_short_blocks));
     }
 
   private:
@@ -254,8 +251,6 @@ void add_other_hours(const LoopData& data, const Place& place, const Standing& s
     sort_by_gain(ranking, ranking.size());
 }
 
-constexpr std::size_t most_judged = 14;
-
 /// Takes a quick refit to its end.
 void finish(const LoopData& data, const Standing& before, Refitted& candidate) {
     Standing& standing = candidate.standing;
@@ -266,23 +261,22 @@ void finish(const LoopData& data, const Standing& before, Refitted& candidate) {
 
 /// Whether other dates or hours may make a candidate the best.
 bool may_lead_by_dates(const Refitted& candidate, double best_gain) {
-    constexpr double least_share_of_best = 0.3;  ///< of its evidence
-    constexpr double least_evidence = 100;       ///< of deviance
     return candidate.effect.is_named() &&
            (is_dated(candidate.effect) || is_set_point_window(candidate.effect)) &&
-           candidate.gain > std::max(least_share_of_best * best_gain, least_evidence);
+           candidate.gain > std::max(decisions::dated_share_of_best * best_gain,
+                                     decisions::dated_evidence);
 }
 
 /// Moves the dates and hours of what may lead by others, once for each name: the
 /// catalogue has a few only, where runs of days are picked to the day.
 void move_dates(const LoopData& data, const Place& place, const Standing& before,
                 std::vector<Refitted>& ranking, std::size_t n_judged) {
-    constexpr std::size_t most_names = 3;
     static const double price_of_dates =
-        2 * 2 * std::log(28.0);  ///< two, of four weeks' days, or of a day's hours
+        2 * 2 * std::log(decisions::places_of_date);  ///< of two
     std::vector<std::string> done;
     const double best_gain = ranking.empty() ? 0 : ranking[0].gain;
-    for (std::size_t k = 0; k < n_judged && done.size() < most_names; ++k) {
+    for (std::size_t k = 0; k < n_judged && done.size() < decisions::most_dated_names;
+         ++k) {
         Refitted& candidate = ranking[k];
         if (!may_lead_by_dates(candidate, best_gain) ||
             std::ranges::find(done, candidate.effect.name) != done.end())
@@ -323,18 +317,18 @@ bool may_join(const effects::Effect& effect) {
 /// more: then it is the model's misfit that they all take a part of. Nor where what has
 /// no name does: that is left to functions.
 int choice_of(std::vector<Refitted>& ranking) {
-    constexpr double least_share_of_best = 0.6;      ///< of its evidence, of a named one
-    constexpr double largest_evidence_ratio = 1.25;  ///< of one that does not pass
-    double best = 0;                                 ///< evidence of those that pass
+    double best = 0;  ///< evidence of those that pass
     for (std::size_t k = 0; k < ranking.size(); ++k) {
         Refitted& candidate = ranking[k];
         if (!candidate.objection.empty()) continue;
-        if (best == 0 && ranking[0].gain > largest_evidence_ratio * candidate.gain) {
+        if (best == 0 &&
+            ranking[0].gain > decisions::largest_evidence_ratio * candidate.gain) {
             candidate.objection = "others that do not pass explain more";
             continue;
         }
         best = std::max(best, candidate.gain);
-        if (may_join(candidate.effect) && candidate.gain > least_share_of_best * best)
+        if (may_join(candidate.effect) &&
+            candidate.gain > decisions::named_share_of_best * best)
             return static_cast<int>(k);
         candidate.objection = may_join(candidate.effect)
                                   ? "what has no name explains more"
@@ -352,7 +346,7 @@ Step search(const LoopData& data, const Place& place, const Standing& standing,
         data, place, standing, candidates_of(data, place, standing, barred), Keep::gains);
     step.ranking = refit_all(data, place, standing, shortlist(screened));
     add_other_hours(data, place, standing, barred, step.ranking);
-    const std::size_t n_judged = std::min(most_judged, step.ranking.size());
+    const std::size_t n_judged = std::min(decisions::most_judged, step.ranking.size());
     for (std::size_t k = 0; k < n_judged; ++k) finish(data, standing, step.ranking[k]);
     sort_by_gain(step.ranking, n_judged);
     move_dates(data, place, standing, step.ranking, n_judged);
@@ -367,7 +361,7 @@ Step search(const LoopData& data, const Place& place, const Standing& standing,
         }
         candidate.coefficient =
             candidate.standing.coefficient(candidate.standing.model.effects.size() - 1);
-        if (candidate.gain > rival_share * step.threshold) {
+        if (candidate.gain > decisions::rival_share * step.threshold) {
             know_derivatives(candidate.standing);
             judge_left_out(data, standing, unseen, candidate);
         }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "loop/baseline.hpp"
+#include "loop/decisions.hpp"
 
 #include <string>
 #include <vector>
@@ -66,10 +67,7 @@ Step search(const LoopData& data, const Place& place, const Standing& standing,
 
 /// Whether evidence is far above what noise alone would show.
 constexpr bool is_overwhelming(double gain, double threshold) {
-    return gain > 3 * threshold;
+    return gain > decisions::overwhelming * threshold;
 }
-
-/// Of the chosen one's evidence, what another must have to be of its class.
-constexpr double rival_share = 0.7;
 
 }  // namespace bemcal::loop

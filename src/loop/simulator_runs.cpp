@@ -6,6 +6,7 @@
 #include "loop/simulator_runs.hpp"
 
 #include "emulator/series_fit.hpp"
+#include "loop/decisions.hpp"
 #include "loop/simulator_readings.hpp"
 
 #include <algorithm>
@@ -15,9 +16,8 @@
 namespace bemcal::loop {
 namespace {
 
-/// An effect was found by the twin, whose building is another: half as large to half as
-/// large again is usual (judgement), twice as large the most.
-constexpr double largest_scale = 2, usual_scale = 1, sd_of_scale = 0.5;
+using decisions::largest_scale, decisions::least_fall_around;
+using decisions::runs_of_trial, decisions::runs_of_doubt;
 
 /// Nothing is known of a parameter but its range, which is 1 long.
 constexpr emulator::ScaledPrior of_parameter{0.5, 1};
@@ -39,10 +39,6 @@ std::vector<std::size_t> places_of(const std::vector<char>& flags) {
         if (flags[k] != 0) places.push_back(k);
     return places;
 }
-
-/// Fall of the deviance that chance alone brings about once in a thousand candidates,
-/// which is how many a search looks at: 2 log 1000.
-constexpr double least_fall = 13.8;
 
 /// Whether it has an effect beside those.
 bool has_others(const SimulatorRun& run, const KeptEffects& kept) {
@@ -142,8 +138,8 @@ NextRuns RunsSoFar::next(std::size_t n, const KeptEffects& kept,
     const std::size_t p = runs_[0].point.size();
     const auto fitted = places_of(kept);
     std::vector<emulator::ScaledPrior> priors(p, of_parameter);
-    priors.resize(p + fitted.size(),
-                  {usual_scale / largest_scale, sd_of_scale / largest_scale});
+    priors.resize(p + fitted.size(), {decisions::usual_scale / largest_scale,
+                                      decisions::sd_of_scale / largest_scale});
     for (std::size_t k = 0; k < fitted.size(); ++k)
         if (fitted[k] == without) priors[p + k] = held_at_0;
     const auto weighing = weights(kept);
@@ -174,7 +170,7 @@ Judged RunsSoFar::judge_effects(std::size_t first, std::size_t n_effects,
     for (; judged.kept.size() < n_effects; at += runs_of_trial) {
         if (at + runs_of_trial > runs_.size()) return judged;
         const double with = nearest_of(at, runs_of_trial);
-        const bool is_kept = least - with >= least_fall;
+        const bool is_kept = least - with >= least_fall_around;
         judged.kept.push_back(is_kept ? 1 : 0);
         if (is_kept) least = with;
     }
@@ -187,7 +183,7 @@ Judged RunsSoFar::judge_effects(std::size_t first, std::size_t n_effects,
         if (at + runs_of_doubt > runs_.size()) return judged;
         const double without = nearest_of(at, runs_of_doubt);
         at += runs_of_doubt;
-        if (without - least_deviance(judged.kept) < least_fall) judged.kept[k] = 0;
+        if (without - least_deviance(judged.kept) < least_fall_around) judged.kept[k] = 0;
     }
     judged.in_doubt.reset();
     judged.is_over = true;

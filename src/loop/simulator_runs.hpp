@@ -26,12 +26,9 @@ struct NextRuns {
 /// do not count; by default none with any.
 using KeptEffects = std::vector<char>;
 
-/// An effect is tried by two runs: at the best point so far, which shows what it does
-/// there, then where the emulator has the optimum with it. It is doubted, once all are
-/// known, by two at the optimum without it.
-constexpr std::size_t runs_of_trial = 2, runs_of_doubt = 2;
-
-/// How far effects have been judged by the program's own runs.
+/// How far effects have been judged by the program's own runs. One is tried at the best
+/// point so far, which shows what it does there, then where the emulator has the optimum
+/// with it. It is doubted, once all are known, at the optimum without it.
 struct Judged {
     std::vector<char> kept;                 ///< [effects that were tried]
     std::optional<std::size_t> in_doubt{};  ///< the effect that is to be left out next

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/nan.hpp"
+#include "loop/decisions.hpp"
 #include "loop/next_measurements.hpp"
 #include "loop/power.hpp"
 #include "loop/settings.hpp"
@@ -131,8 +132,8 @@ struct StoredLoop {
     study::Array coverage{{"period", "resolution", "channel"}};
 
     double misfit = nan;
-    double least_detectability = limits::least_detectability;
-    double same_signature = limits::same_signature;
+    double least_detectability = decisions::least_detectability;
+    double same_signature = decisions::same_signature;
     std::string structure_chosen;
 };
 

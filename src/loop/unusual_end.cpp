@@ -3,14 +3,14 @@
 /// What stands behind it is not sought here.
 #include "loop/unusual_end.hpp"
 
+#include "loop/decisions.hpp"
+
 #include <cmath>
 
 #include <fmt/format.h>
 
 namespace bemcal::loop {
 namespace {
-
-constexpr double far = 3;  ///< prior standard deviations
 
 std::string value_with_unit(const study::FitUnknown& unknown, double x) {
     const bool has_unit = !unknown.unit.empty() && unknown.unit != "-";
@@ -21,7 +21,7 @@ std::string value_with_unit(const study::FitUnknown& unknown, double x) {
 }  // namespace
 
 bool is_far_from_prior(const study::FitUnknown& unknown, double x) {
-    return unknown.has_prior && std::abs(x) > far;
+    return unknown.has_prior && std::abs(x) > decisions::far;
 }
 
 std::string unusual_end(const study::FitUnknown& unknown, double x) {

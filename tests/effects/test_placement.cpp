@@ -1,7 +1,7 @@
 #include "base/error.hpp"
 #include "effects/catalogue.hpp"
+#include "effects/decisions.hpp"
 #include "effects/hooks.hpp"
-#include "effects/levels.hpp"
 #include "effects/profiles.hpp"
 #include "office.hpp"
 
@@ -417,7 +417,7 @@ TEST(Placement, ProfilesThatShapeRegimesHaveFewLevels) {
     std::vector<double> values(row.begin(), row.end());
     std::sort(values.begin(), values.end());
     values.erase(std::unique(values.begin(), values.end()), values.end());
-    EXPECT_LE(values.size(), static_cast<std::size_t>(most_levels));
+    EXPECT_LE(values.size(), static_cast<std::size_t>(decisions::most_levels));
     const Effect sun{
         .name = "sun", .hook = Hook::opaque_boundary, .driver = Driver::sun_horizontal};
     const Placed exact = placed(sun);

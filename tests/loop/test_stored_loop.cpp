@@ -68,7 +68,7 @@ TEST(StoredLoop, ComesBackAsItWas) {
     EXPECT_TRUE(back.decisions[1].is_of_class());
     EXPECT_EQ(back.structure_chosen, "standard");
     EXPECT_EQ(back.least_detectability, 4);
-    EXPECT_EQ(back.same_signature, limits::same_signature);
+    EXPECT_EQ(back.same_signature, decisions::same_signature);
 }
 
 TEST(StoredLoop, HasItsFitByModelPeriodResolutionChannelAndMetric) {
