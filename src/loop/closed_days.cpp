@@ -110,7 +110,8 @@ DayShares distributed(std::map<int, double> shares) {
     return {std::move(shares), middle, spread};
 }
 
-/// Closed beyond doubt by itself, on no day of the calendar that is kept.
+}  // namespace
+
 std::vector<int> days_alone(const DayShares& days,
                             const std::optional<KeptCalendar>& calendar) {
     std::vector<int> closed;
@@ -121,6 +122,8 @@ std::vector<int> days_alone(const DayShares& days,
             closed.push_back(day);
     return closed;
 }
+
+namespace {
 
 bool is_weekend(int day) {
     return (day + 3) % 7 >= 5;  // 1 January 1970 was a Thursday
@@ -139,8 +142,8 @@ bool is_next_working_day(int day, int next) {
     return true;
 }
 
-/// Days that were closed, with the weekends between them; a longer run takes in the
-/// weekends at its ends, whose dates are working days in another year.
+}  // namespace
+
 std::vector<effects::Days> runs_of(const std::vector<int>& days) {
     std::vector<effects::Days> runs;
     for (const int day : days) {
@@ -156,8 +159,6 @@ std::vector<effects::Days> runs_of(const std::vector<int>& days) {
     }
     return runs;
 }
-
-}  // namespace
 
 std::optional<effects::Effect> closed_days(const LoopData& data, const Place& place,
                                            const Standing& standing) {

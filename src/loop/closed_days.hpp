@@ -3,8 +3,10 @@
 #pragma once
 
 #include "loop/baseline.hpp"
+#include "loop/calendar_days.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace bemcal::loop {
 
@@ -13,5 +15,13 @@ namespace bemcal::loop {
 /// time, since the response of a day has died before the third.
 std::optional<effects::Effect> closed_days(const LoopData& data, const Place& place,
                                            const Standing& standing);
+
+/// Closed beyond doubt by itself, on no day of the calendar that is kept. By day since
+/// 1970.
+std::vector<int> days_alone(const DayShares& days,
+                            const std::optional<KeptCalendar>& calendar);
+/// Days that were closed, with the weekends between them; a longer run takes in the
+/// weekends at its ends, whose dates are working days in another year.
+std::vector<effects::Days> runs_of(const std::vector<int>& days);
 
 }  // namespace bemcal::loop

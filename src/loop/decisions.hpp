@@ -365,6 +365,10 @@ inline constexpr std::size_t runs_of_doubt = 2;
 /// What an effect must bring to stay [deviance]. Statistic: 2 log 1000, once in a
 /// thousand candidates.
 inline constexpr double least_fall_around = 13.8;
+/// Prior mean of a parameter [range]. Judgement: nothing is known but its range.
+inline constexpr double centre_of_parameter = 0.5;
+/// Its prior's standard deviation [range]. Judgement: nothing is known but its range.
+inline constexpr double sd_of_parameter = 1;
 /// Most of an effect's scale. Judgement.
 inline constexpr double largest_scale = 2;
 /// Its prior's mean. Statistic: as found.

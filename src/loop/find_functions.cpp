@@ -160,8 +160,8 @@ class StageSimulator {
     const Series& x_;  ///< where the parameters move from
 };
 
-/// Whether no meter's unseen readings are foretold worse, or little beside what the best
-/// meter gains.
+}  // namespace
+
 bool spares_meters(const LoopData& data, const Standing& without, const Standing& with) {
     const Series before = mean_squares(data.targets, without.left_out),
                  after = mean_squares(data.targets, with.left_out);
@@ -174,6 +174,8 @@ bool spares_meters(const LoopData& data, const Standing& without, const Standing
     return std::ranges::max(rises) <=
            std::max(decisions::most_rise_by_functions, in_exchange);
 }
+
+namespace {
 
 /// The stage that foretells unseen blocks best, of a search about the best so far, if any
 /// is better than that and spares all meters. Derivatives of the best so far are found.

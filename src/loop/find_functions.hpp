@@ -23,6 +23,10 @@ std::vector<FoundFunction> find_functions(const LoopData& data, Place& place,
 /// be simulated, the halves promise more than it keeps.
 double score_of_halves(const LoopData& data, const Standing& whole);
 
+/// Whether no meter's unseen readings are foretold worse, or little beside what the best
+/// meter gains. By left_out, residuals and the noise of `without`.
+bool spares_meters(const LoopData& data, const Standing& without, const Standing& with);
+
 /// The place, of any period, with functions in place of those that it had.
 /// \param drivers  of that period
 Place with_functions(Place place, const std::vector<FoundFunction>& found,

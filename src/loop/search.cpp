@@ -45,7 +45,8 @@ std::vector<effects::Effect> candidates_of(const LoopData& data, const Place& pl
     return all;
 }
 
-/// The best by gain, a few of each name only.
+}  // namespace
+
 std::vector<const Screened*> shortlist(const std::vector<Screened>& screened) {
     std::vector<const Screened*> sorted;
     sorted.reserve(screened.size());
@@ -64,6 +65,8 @@ std::vector<const Screened*> shortlist(const std::vector<Screened>& screened) {
     }
     return list;
 }
+
+namespace {
 
 /// Where a model with one more effect begins: the other's derivatives, and the secant of
 /// the effect. Nothing where it cannot be simulated.
@@ -117,8 +120,8 @@ double picked(const effects::Effect& effect) {
     return static_cast<double>(alone) + (effect.calendar.empty() ? 0 : 1);
 }
 
-/// What freedom costs: the logarithm of how far the data narrow the coefficient; of runs
-/// of days, the choice of each.
+}  // namespace
+
 double occam(const Screened& screened) {
     static const double of_a_run = 2 * std::log(decisions::days_to_pick_from);
     const double typical = screened.effect.typical;
@@ -126,6 +129,8 @@ double occam(const Screened& screened) {
            of_a_run * picked(screened.effect) +
            (screened.effect.is_named() ? 0 : decisions::generic_penalty);
 }
+
+namespace {
 
 /// Residuals of unseen blocks of the model before, found once for all candidates.
 class Unseen {
@@ -259,13 +264,16 @@ void finish(const LoopData& data, const Standing& before, Refitted& candidate) {
     candidate.gain += evidence(data, before, standing) - was;
 }
 
-/// Whether other dates or hours may make a candidate the best.
+}  // namespace
+
 bool may_lead_by_dates(const Refitted& candidate, double best_gain) {
     return candidate.effect.is_named() &&
            (is_dated(candidate.effect) || is_set_point_window(candidate.effect)) &&
            candidate.gain > std::max(decisions::dated_share_of_best * best_gain,
                                      decisions::dated_evidence);
 }
+
+namespace {
 
 /// Moves the dates and hours of what may lead by others, once for each name: the
 /// catalogue has a few only, where runs of days are picked to the day.
@@ -313,9 +321,8 @@ bool may_join(const effects::Effect& effect) {
     return effect.is_named() || effect.driver == effects::Driver::column;
 }
 
-/// The first with a name that passes. None where what does not pass explains clearly
-/// more: then it is the model's misfit that they all take a part of. Nor where what has
-/// no name does: that is left to functions.
+}  // namespace
+
 int choice_of(std::vector<Refitted>& ranking) {
     double best = 0;  ///< evidence of those that pass
     for (std::size_t k = 0; k < ranking.size(); ++k) {
@@ -336,8 +343,6 @@ int choice_of(std::vector<Refitted>& ranking) {
     }
     return -1;
 }
-
-}  // namespace
 
 Step search(const LoopData& data, const Place& place, const Standing& standing,
             const std::vector<std::string>& barred) {

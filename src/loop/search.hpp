@@ -65,6 +65,19 @@ struct Step {
 Step search(const LoopData& data, const Place& place, const Standing& standing,
             const std::vector<std::string>& barred = {});
 
+/// What a step decides of its candidates, apart from any model. The best by gain, a few
+/// of each name only: these are refitted.
+std::vector<const Screened*> shortlist(const std::vector<Screened>& screened);
+/// What freedom costs: the logarithm of how far the data narrow the coefficient; of runs
+/// of days, the choice of each.
+double occam(const Screened& screened);
+/// Whether other dates or hours may make a candidate the best.
+bool may_lead_by_dates(const Refitted& candidate, double best_gain);
+/// The first that passes, by its place; one of the grammar only where nothing with a name
+/// comes near. None (-1) where what does not pass explains clearly more: then it is the
+/// model's misfit that they all take a part of, and those that pass get an objection.
+int choice_of(std::vector<Refitted>& ranking);
+
 /// Whether evidence is far above what noise alone would show.
 constexpr bool is_overwhelming(double gain, double threshold) {
     return gain > decisions::overwhelming * threshold;

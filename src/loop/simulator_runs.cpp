@@ -19,8 +19,9 @@ namespace {
 using decisions::largest_scale, decisions::least_fall_around;
 using decisions::runs_of_trial, decisions::runs_of_doubt;
 
-/// Nothing is known of a parameter but its range, which is 1 long.
-constexpr emulator::ScaledPrior of_parameter{0.5, 1};
+/// Of a parameter, whose range is 1 long.
+constexpr emulator::ScaledPrior of_parameter{decisions::centre_of_parameter,
+                                             decisions::sd_of_parameter};
 /// Of the scale of an effect that is left out: so narrow that the readings have no say.
 constexpr emulator::ScaledPrior held_at_0{0, 1e-6};
 
