@@ -94,6 +94,38 @@ TEST(Surroundings, GapsHoldTheLastValueAndALackIsALack) {
     EXPECT_THROW(profile_of(latent, around), CannotSimulate);
 }
 
+TEST(Surroundings, ATenthOfASeriesMayBeMissing) {
+    const physics::TimeAxis& axis = office().weather.axis;
+    const int n = office().drive.n_steps(),
+              first = axis.step_of(office().drive.axis.begin_of(0));
+    ASSERT_GE(first, 0);
+    const auto is_known_without = [&](int n_missing) {
+        physics::Weather weather = office().weather;
+        for (int k = 0; k < n_missing; ++k)
+            weather.wind_speed[static_cast<std::size_t>(first + n / 2 + k)] = NAN;
+        return !make_surroundings(office().building, office().drive, weather,
+                                  office().around.from)
+                    .weather.at(Driver::wind)
+                    .empty();
+    };
+    EXPECT_TRUE(is_known_without(n / 10));
+    EXPECT_FALSE(is_known_without(n / 10 + 1));
+}
+
+TEST(Surroundings, WindTakesSixTenthsOfLeaksAtMost) {
+    physics::Weather weather = office().weather;
+    weather.wind_speed.assign(weather.wind_speed.size(), 10);
+    const std::size_t step = at("2021-03-05 14:00");
+    const auto relative = [&](double wind) {
+        weather.wind_speed[24 * (31 + 28 + 4) + 14] = wind;
+        return make_surroundings(office().building, office().drive, weather,
+                                 office().around.from)
+            .weather.at(Driver::relative_wind)[step];
+    };
+    EXPECT_EQ(relative(3.9), -0.6);
+    EXPECT_NEAR(relative(4.1), -0.59, 1e-3);
+}
+
 TEST(Profiles, ShapesOfWind) {
     const double wind = office().around.weather.at(Driver::wind)[at("2021-03-05 14:00")];
     const auto value = [&](Shape shape) {
@@ -146,11 +178,25 @@ TEST(Profiles, GatesOfTheCalendar) {
     EXPECT_EQ(gate(Gate::weekday)[at("2021-03-06 12:00")], 0);
     EXPECT_EQ(gate(Gate::day)[at("2021-03-06 07:00")], 1);
     EXPECT_EQ(gate(Gate::night)[at("2021-03-06 06:00")], 1);
+    EXPECT_EQ(gate(Gate::day)[at("2021-03-06 18:00")], 1);
+    EXPECT_EQ(gate(Gate::night)[at("2021-03-06 19:00")], 1);
     EXPECT_EQ(gate(Gate::occupied)[at("2021-03-05 08:00")], 1);
     EXPECT_EQ(gate(Gate::unoccupied)[at("2021-03-06 12:00")], 1);
     EXPECT_EQ(gate(Gate::heating_season)[at("2021-02-01 12:00")], 1);
     EXPECT_EQ(gate(Gate::heating_season)[at("2021-07-20 12:00")], 0);
     EXPECT_EQ(gate(Gate::cooling_season)[at("2021-07-20 12:00")], 1);
+}
+
+TEST(Profiles, SeasonsAreByAWeeksMean) {
+    Office one;
+    const auto is_open = [&](Gate gate, double theta_e) {
+        one.drive.theta_e.assign(one.drive.theta_e.size(), theta_e);
+        return profile({.gate = gate}, one).back() == 1;
+    };
+    EXPECT_TRUE(is_open(Gate::heating_season, 11.9));
+    EXPECT_FALSE(is_open(Gate::heating_season, 12.1));
+    EXPECT_FALSE(is_open(Gate::cooling_season, 15.9));
+    EXPECT_TRUE(is_open(Gate::cooling_season, 16.1));
 }
 
 TEST(Profiles, WeekdayAndHoursNarrowTheGate) {
@@ -229,6 +275,19 @@ TEST(Schedules, AScheduleRepeatsAndASeriesDoesNot) {
     EXPECT_TRUE(is_schedule(drive.profiles.row(test::office_hours_row), drive));
     EXPECT_TRUE(is_schedule(drive.profiles.row(test::night_row), drive));
     EXPECT_FALSE(is_schedule(office().around.weather.at(Driver::wind), drive));
+}
+
+TEST(Schedules, SevenTenthsOfTheStepsRepeat) {
+    const physics::Drive& drive = office().drive;
+    const int n = drive.n_steps() - drive.n_warm_up - 7 * 24;  // that have a week before
+    const auto is_one_without = [&](int n_others) {
+        std::vector<double> row(static_cast<std::size_t>(drive.n_steps()), 0.0);
+        for (int k = 1; k <= n_others; ++k)
+            row[row.size() - static_cast<std::size_t>(k)] = k;
+        return is_schedule(row, drive);
+    };
+    EXPECT_TRUE(is_one_without(3 * n / 10));
+    EXPECT_FALSE(is_one_without(3 * n / 10 + 1));
 }
 
 TEST(Schedules, AnotherDayPassesOverClosedDays) {

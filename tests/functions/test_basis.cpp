@@ -139,6 +139,14 @@ TEST(Basis, AWanderingLevelOfOneYearMayBeASeason) {
     }
 }
 
+TEST(Basis, HasAsManyKnotsAsItMay) {
+    const auto slow = swinging(150);
+    EXPECT_EQ(smooth_of("slow", slow).points.knots.size(), 8U);
+    std::vector<double> of_two_days;
+    for (int k = 0; k < 56 * 24; ++k) of_two_days.push_back(k % 48);
+    EXPECT_EQ(hours_times("both", of_two_days, slow).points.knots.size(), 5U);
+}
+
 TEST(Basis, ADriverThatNeverChangesHasNoFunction) {
     const std::vector<double> same(100, 5.0);
     const Matrix columns = columns_of(smooth_of("same", same), {same});

@@ -63,5 +63,16 @@ TEST(Points, InUnderTwoYearsALevelMayBeASeason) {
               std::vector<double>{2});
 }
 
+// 52 fortnights are shorter than two years, 53 are longer.
+TEST(Points, TwoYearsShowASeason) {
+    const auto goes_on = [](std::size_t n) {
+        std::vector<double> values(n, 0.0);
+        values.back() = 2;
+        return function_over({Points::Kind::fortnights, {}, n}, values, Series{{2.5}})[0];
+    };
+    EXPECT_EQ(goes_on(52), 1);
+    EXPECT_EQ(goes_on(53), 2);
+}
+
 }  // namespace
 }  // namespace bemcal::functions

@@ -55,3 +55,20 @@ TEST(LoopConsistency, NothingIsNothing) {
     EXPECT_EQ(consistency_of({}), 0);
     EXPECT_EQ(consistency_of(std::vector<BlockChange>(5)), 0);
 }
+
+// Harm in blocks that hardly move counts from a twentieth of the most moved on.
+TEST(LoopConsistency, BlocksCountFromATwentiethOfTheMostMoved) {
+    std::vector<BlockChange> changes(6, {1, 10});
+    changes.resize(30, {-1, 0.49});
+    EXPECT_GT(consistency_of(changes), 2);
+    for (std::size_t b = 6; b < changes.size(); ++b) changes[b].moved = 0.51;
+    EXPECT_LT(consistency_of(changes), 0);
+}
+
+TEST(LoopConsistency, FewerThanFourMovedBlocksAreTooFew) {
+    std::vector<BlockChange> changes(4, {1, 10});
+    changes.resize(30, {-1, 0});
+    EXPECT_GT(consistency_of(changes), 0);
+    changes[3] = {-1, 0};
+    EXPECT_LT(consistency_of(changes), 0);
+}

@@ -5,6 +5,7 @@
 #include "loop/windy_model.hpp"
 #include "study/find.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -97,4 +98,28 @@ TEST(FindFunctions, AModelIsNoBetterThanItExplainsWhatItHasSeen) {
     EXPECT_EQ(score_of_halves(model.data, standing), unseen);
     std::swap(standing.left_out, standing.residuals);
     EXPECT_EQ(score_of_halves(model.data, standing), unseen);
+}
+
+// Of two meters that count whole: what an error rises by, with or without what the other
+// gains.
+TEST(FindFunctions, AMeterMayLoseOnePercentOrInExchange) {
+    Case made = windy_case();
+    measure(made, gains_of_the_morning(), 0, 3);
+    made.meters.push_back(made.meters[0]);
+    const LoopData data(made, functions_only());
+    const auto with_errors = [&](double first, double second) {
+        Standing standing;
+        standing.noise.resize(2);
+        standing.left_out.assign(data.targets.size(), first);
+        std::fill(standing.left_out.begin() +
+                      static_cast<std::ptrdiff_t>(data.targets.first[1]),
+                  standing.left_out.end(), second);
+        standing.residuals.assign(data.targets.size(), 0);
+        return standing;
+    };
+    const Standing without = with_errors(1, 1);
+    EXPECT_TRUE(spares_meters(data, without, with_errors(1, 1.0099)));
+    EXPECT_FALSE(spares_meters(data, without, with_errors(1, 1.0101)));
+    EXPECT_TRUE(spares_meters(data, without, with_errors(0.8, 1.0299)));
+    EXPECT_FALSE(spares_meters(data, without, with_errors(0.8, 1.0301)));
 }

@@ -24,6 +24,14 @@ struct Judged {
         candidate.consistency = 3;
         candidate.error.assign(before.standing.noise.size(), -0.2);
     }
+    /// With meters that count, or little, whose unseen errors change so.
+    std::string objection(const std::vector<double>& error, double share_of_second = 1) {
+        candidate.error = error;
+        auto& noise = before.standing.noise;
+        noise.resize(error.size(), noise[0]);
+        if (noise.size() > 1) noise[1].share = share_of_second;
+        return objection();
+    }
     std::string objection() {
         LastQuarter last_quarter(before.data, before.standing);
         return objection_to(before.data, before.standing, candidate, 20, last_quarter);
@@ -31,6 +39,10 @@ struct Judged {
     test::WindyModel before, after;
     Refitted candidate;
 };
+
+constexpr const char *passes = "", *too_little = "left-out error falls too little",
+                     *rises = "left-out error of a meter rises",
+                     *too_few = "too few unseen fortnights gain";
 
 }  // namespace
 
@@ -127,4 +139,80 @@ TEST(LoopGates, ACoefficientIsPlausibleByHalfBeyondEachEnd) {
     fouling.most = -0.3;
     EXPECT_TRUE(is_plausible(fouling, -0.89));
     EXPECT_FALSE(is_plausible(fouling, -0.19));
+}
+
+// Here and below: just below a number that decides, and just above it.
+TEST(LoopGates, TheMeanErrorFallsByTheLeastGain) {
+    Judged judged;
+    EXPECT_EQ(judged.objection({-0.0199}), too_little);
+    EXPECT_EQ(judged.objection({-0.0201}), passes);
+    EXPECT_EQ(judged.objection({-0.0399, 0}), too_little);
+    EXPECT_EQ(judged.objection({-0.0401, 0}), passes);
+    judged.candidate.effect.number = 0;  // of the grammar
+    EXPECT_EQ(judged.objection({-0.0599}), too_little);
+    EXPECT_EQ(judged.objection({-0.0601}), passes);
+}
+
+TEST(LoopGates, AMeterMayRiseByTheMostLoss) {
+    Judged judged;
+    EXPECT_EQ(judged.objection({-0.06, 0.0099}), passes);
+    EXPECT_EQ(judged.objection({-0.06, 0.0101}), rises);
+}
+
+TEST(LoopGates, AMeterMayLoseInExchange) {
+    Judged judged;
+    EXPECT_EQ(judged.objection({-0.2, 0.0299}), passes);  // 15 % of 20 %
+    EXPECT_EQ(judged.objection({-0.2, 0.0301}), rises);
+    judged.candidate.gain = 159;  // less than eight thresholds
+    EXPECT_EQ(judged.objection({-0.2, 0.0301}), rises);
+    judged.candidate.gain = 161;
+    EXPECT_EQ(judged.objection({-0.2, 0.0599}), passes);
+    EXPECT_EQ(judged.objection({-0.2, 0.0601}), rises);
+}
+
+TEST(LoopGates, AMeterCountsFromHalfItsWeightOn) {
+    Judged judged;
+    EXPECT_EQ(judged.objection({-0.06, 0.0101}, 0.51), rises);
+    EXPECT_EQ(judged.objection({-0.06, 0.0101}, 0.49), passes);
+}
+
+TEST(LoopGates, ASmallMeterIsMendedByFifteenPercent) {
+    Judged judged;
+    EXPECT_EQ(judged.objection({0, -0.149}, 0.2), too_little);
+    EXPECT_EQ(judged.objection({0, -0.151}, 0.2), passes);
+}
+
+TEST(LoopGates, AnEffectAtAMeterMendsItByFivePercent) {
+    Judged judged;
+    judged.candidate.effect.hook = effects::Hook::meter_factor;
+    judged.candidate.gain = 61;
+    EXPECT_EQ(judged.objection({-0.049, 0, 0, 0, 0}), too_little);
+    EXPECT_EQ(judged.objection({-0.051, 0, 0, 0, 0}), passes);
+}
+
+TEST(LoopGates, WhatIsCertainMayBringLess) {
+    Judged judged;
+    judged.candidate.gain = 149;
+    EXPECT_EQ(judged.objection({-0.0141}), too_little);
+    judged.candidate.gain = 151;
+    EXPECT_EQ(judged.objection({-0.0141}), passes);
+    EXPECT_EQ(judged.objection({-0.0139}), too_little);
+}
+
+TEST(LoopGates, TwoStandardErrorsAreOften) {
+    Judged judged;
+    judged.candidate.consistency = 1.99;
+    EXPECT_EQ(judged.objection(), too_few);
+    judged.candidate.consistency = 2;
+    EXPECT_EQ(judged.objection(), passes);
+}
+
+TEST(LoopGates, WhatIsForetoldByTwoThresholdsNeedNotBeSeenOften) {
+    Judged judged;
+    judged.candidate.consistency = 1;
+    judged.candidate.gain = 30;
+    judged.candidate.score = 39;
+    EXPECT_EQ(judged.objection(), too_few);
+    judged.candidate.score = 41;
+    EXPECT_EQ(judged.objection(), passes);
 }

@@ -52,6 +52,12 @@ TEST(LoopIntervals, AnUncertainCoefficientLeavesUnlessItsEvidenceIsFarAboveNoise
     EXPECT_EQ(fate_of(3, 100, 15), Fate::is_doubtful);
 }
 
+TEST(LoopIntervals, ACoefficientIsNearlyNothingBelowItsDeviations) {
+    EXPECT_EQ(fate_of(3.5, 20, 15), Fate::stays);
+    EXPECT_EQ(fate_of(3.49, 90, 15), Fate::leaves);
+    EXPECT_EQ(fate_of(3.49, 90.1, 15), Fate::is_doubtful);  // six thresholds
+}
+
 TEST(LoopIntervals, UnknownsGoTogetherBetweenMinusOneAndOne) {
     const test::WindyModel model(the_right_one);
     const Matrix all = correlations_of(model.data, model.standing, 1);

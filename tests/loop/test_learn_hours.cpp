@@ -118,6 +118,16 @@ TEST(LearnHours, AreSaidWithWhatIsNotCertain) {
               "(probability 0.60)");
 }
 
+TEST(LearnHours, AreUncertainBelowNineOfTen) {
+    LearnedHours learned{0, "work", "office", {}, {}, 0};
+    const auto is_certain = [&](double probability) {
+        for (LearnedRun& run : learned.runs) run.probability = probability;
+        return sentence_of(learned).find("not certain") == std::string::npos;
+    };
+    EXPECT_TRUE(is_certain(0.9));
+    EXPECT_FALSE(is_certain(0.899));
+}
+
 // Plain is the job as it is written: it has the usual hours, in every period.
 TEST(LearnHours, CountBefore) {
     const auto datasets = searched(building_with(late, "office", 3));

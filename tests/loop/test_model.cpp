@@ -151,7 +151,9 @@ TEST(LoopModel, WhatTellsOfTheStateBeforeIsNotRead) {
     made.periods[0].from = made.weather.axis.start;
     made.meters[0].axis.start = made.weather.axis.start;
     EXPECT_EQ(n_missing(made), 48);
-    made.periods[0].to = made.periods[0].from + std::chrono::days(15);
+    made.periods[0].to = made.periods[0].from + std::chrono::days(20);
+    EXPECT_EQ(n_missing(made), 48);
+    made.periods[0].to -= std::chrono::hours(1);
     EXPECT_EQ(n_missing(made), 0);  // too little would be left
 }
 
@@ -215,6 +217,14 @@ TEST(LoopModel, MetersThatShowNothingWeighLittle) {
         }
         EXPECT_EQ(noise_of(data, none)[1].share, 0.01);
     }
+}
+
+// Of the largest meter's 100 kWh in an hour.
+TEST(LoopModel, AMeterCountsWholeFromATenthOn) {
+    EXPECT_EQ(share_of_meter(10.1, 100), 1);
+    EXPECT_LT(share_of_meter(9.9, 100), 1);
+    EXPECT_GT(share_of_meter(0.11, 100), 0.01);
+    EXPECT_EQ(share_of_meter(0.09, 100), 0.01);
 }
 
 // A day's reading is 24 hours', and a month's 730: no meter counts more for being read

@@ -85,3 +85,19 @@ TEST(LoopPower, ARowIsOfTheMeterInItsName) {
 }
 
 }  // namespace
+
+TEST(LoopPower, FromFiveStandardErrorsOnAnEffectCanBeSeen) {
+    Power power;
+    power.detectability = 5;
+    EXPECT_TRUE(can_be_seen(power));
+    power.detectability = 4.99;
+    EXPECT_FALSE(can_be_seen(power));
+}
+
+TEST(LoopPower, ParametersThatFollowItByNinetyEightPercentAreOneClassWithIt) {
+    Power power;
+    power.visibility = 1 - 0.981 * 0.981;
+    EXPECT_TRUE(is_in_parameters(power));
+    power.visibility = 1 - 0.979 * 0.979;
+    EXPECT_FALSE(is_in_parameters(power));
+}

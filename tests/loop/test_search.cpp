@@ -1,6 +1,9 @@
 #include "loop/search.hpp"
 #include "sampling/normal.hpp"
 
+#include <cmath>
+#include <string>
+
 #include <gtest/gtest.h>
 
 using namespace bemcal;
@@ -64,4 +67,88 @@ TEST(LoopSearch, AFewBlocksDoNotLowerTheThreshold) {
     auto screened = noise_only(2);
     for (Screened& candidate : screened) candidate.by_block.resize(2);
     EXPECT_NEAR(null_gain(screened, 0.01, 3), 13.4, 0.1);
+}
+
+namespace {
+
+constexpr int of_grammar = 0, of_catalogue = 9;
+
+Screened screened_with(const std::string& name, int number, double gain) {
+    Screened screened;
+    screened.effect.name = name;
+    screened.effect.number = number;
+    screened.effect.typical = 1;
+    screened.gain = gain;
+    return screened;
+}
+
+Refitted refitted_with(int number, double gain, const std::string& objection = "") {
+    Refitted candidate;
+    candidate.effect.number = number;
+    candidate.gain = gain;
+    candidate.objection = objection;
+    return candidate;
+}
+
+}  // namespace
+
+TEST(LoopSearch, AsManyAreRefittedAsAreListed) {
+    std::vector<Screened> all;
+    for (int k = 1; k <= 40; ++k) all.push_back(screened_with("one", k, 100));
+    EXPECT_EQ(shortlist(all).size(), 36U);
+    all.assign(40, screened_with("one", of_catalogue, 100));
+    EXPECT_EQ(shortlist(all).size(), 3U);
+    all.assign(40, screened_with("one", of_grammar, 100));
+    EXPECT_EQ(shortlist(all).size(), 3U);
+    for (Screened& one : all) one.gain = 0;
+    EXPECT_TRUE(shortlist(all).empty());
+}
+
+TEST(LoopSearch, FreedomCostsPicksAndAMissingName) {
+    Screened one = screened_with("one", of_catalogue, 100);
+    EXPECT_EQ(occam(one), 0);
+    one.effect.number = of_grammar;
+    EXPECT_DOUBLE_EQ(occam(one), 4.6);
+    one.effect.number = of_catalogue;
+    one.effect.days = {{10, 10}, {20, 22}, {30, 30, false, true}, {40, 40, false, true}};
+    EXPECT_DOUBLE_EQ(occam(one), 2 * 2 * std::log(365.0));
+    one.effect.calendar = "US";  // one pick for all of its days
+    EXPECT_DOUBLE_EQ(occam(one), 3 * 2 * std::log(365.0));
+}
+
+TEST(LoopSearch, DatesMoveOfWhatMayLead) {
+    Refitted season = refitted_with(of_catalogue, 101);
+    season.effect.driver = effects::Driver::day_of_year;
+    EXPECT_TRUE(may_lead_by_dates(season, 200));
+    season.gain = 99;
+    EXPECT_FALSE(may_lead_by_dates(season, 200));
+    season.gain = 301;
+    EXPECT_TRUE(may_lead_by_dates(season, 1000));
+    season.gain = 299;
+    EXPECT_FALSE(may_lead_by_dates(season, 1000));
+    season.gain = 301;
+    season.effect.number = of_grammar;
+    EXPECT_FALSE(may_lead_by_dates(season, 1000));
+}
+
+TEST(LoopSearch, ANameIsTakenFromSixTenthsOfTheBestOn) {
+    std::vector<Refitted> ranking = {refitted_with(of_grammar, 100),
+                                     refitted_with(of_catalogue, 61)};
+    EXPECT_EQ(choice_of(ranking), 1);
+    ranking[1].gain = 59;
+    EXPECT_EQ(choice_of(ranking), 0);
+}
+
+TEST(LoopSearch, NothingIsTakenWhereWhatFailsExplainsAQuarterMore) {
+    std::vector<Refitted> ranking = {refitted_with(of_catalogue, 124, "fails"),
+                                     refitted_with(of_catalogue, 100)};
+    EXPECT_EQ(choice_of(ranking), 1);
+    ranking[0].gain = 126;
+    EXPECT_EQ(choice_of(ranking), -1);
+    EXPECT_EQ(ranking[1].objection, "others that do not pass explain more");
+}
+
+TEST(LoopSearch, EvidenceIsOverwhelmingAboveThreeThresholds) {
+    EXPECT_FALSE(is_overwhelming(60, 20));
+    EXPECT_TRUE(is_overwhelming(60.1, 20));
 }
