@@ -74,8 +74,8 @@ inline constexpr double latest_of_hours = 0.95;
 
 // Structure
 
-/// Fall of the unseen deviance that a refinement must bring [deviance]. Judgement: e^3
-/// as likely.
+/// Fall of the unseen deviance that a refinement must bring [deviance]. Judgement: odds
+/// of 20.
 inline constexpr double least_evidence_of_refinement = 6;
 /// One that last gained less than the best over this is not tried again. Judgement.
 inline constexpr double promise_ratio = 2;
@@ -187,7 +187,7 @@ inline constexpr std::size_t least_moved_blocks = 4;
 inline constexpr double rival_share = 0.7;
 /// The same of a rival of the grammar. Judgement: it says the same in other words.
 inline constexpr double rival_share_of_grammar = 1.1;
-/// A smaller difference of unseen blocks is none [deviance]. Judgement: e^3 as likely.
+/// A smaller difference of unseen blocks is none [deviance]. Judgement: odds of 20.
 inline constexpr double negligible_evidence = 6;
 /// Names of a class. Judgement: room.
 inline constexpr std::size_t most_names_of_class = 3;
@@ -206,7 +206,7 @@ inline constexpr double readings_of_no_pattern = 3;
 // Moves of what was accepted
 
 /// What a rival in its place, a split or a new start must bring [deviance]. Judgement:
-/// e^3 as likely.
+/// odds of 20.
 inline constexpr double least_evidence_of_move = 6;
 /// What a moved threshold, date or hour must bring [deviance]. Judgement.
 inline constexpr double least_fall_of_shape = 0.5;
@@ -255,7 +255,7 @@ inline constexpr double most_growth_spared = 1.004;
 /// A shift of schedules as near to whole hours asks for the clock [h]. Judgement.
 inline constexpr double about_whole_hours = 0.3;
 /// What a clock must explain more than schedules, or than another hour [deviance].
-/// Judgement: e^5 as likely.
+/// Judgement: odds of 150.
 inline constexpr double least_fall_of_clock = 10;
 
 // Closed days
