@@ -284,7 +284,7 @@ inline constexpr double closed_spread = 0.25;
 /// twenty.
 inline constexpr double odds_of_own_day = 3;
 /// What a state's calendar pays beyond its country's [picks]. Judgement: a house adds a
-/// day of its own.
+/// day of its own, so more than one.
 inline constexpr double picks_of_state = 1.5;
 /// For a calendar [odds]. Judgement: a probability of 90 %.
 inline constexpr double least_odds_of_calendar = 9;

@@ -107,15 +107,15 @@ TEST(LoopMoves, AStepAtAnEndOfTheReadingsLeaves) {
     prune(model.data, model.place, model.standing, 10);
     effects::Effect& effect = model.standing.model.effects[0];
     effect.driver = effects::Driver::elapsed;
-    effect.shape = {effects::Form::over, 0.05};
+    effect.shape = {effects::Form::over, 0.041};
     EXPECT_FALSE(is_at_an_end(model.data, effect));
     EXPECT_TRUE(prune_implausible(model.data, model.place, model.standing).empty());
     const Period& training = model.data.training();
     const std::chrono::duration<double, std::chrono::years::period> years =
         training.to - training.from;
-    effect.shape.at = years.count() - 0.05;
+    effect.shape.at = years.count() - 0.041;
     EXPECT_FALSE(is_at_an_end(model.data, effect));
-    effect.shape.at = years.count() - 0.03;
+    effect.shape.at = years.count() - 0.039;
     EXPECT_TRUE(is_at_an_end(model.data, effect));
     effect.shape.at = 0.04;
     EXPECT_TRUE(is_at_an_end(model.data, effect));
@@ -185,7 +185,7 @@ TEST(LoopMoves, ASetPointIsKeptForThreeHours) {
     effects::Effect morning = named("heating set-point of some hours");
     morning.shape = {effects::Form::within, 6, 7.5};
     const Measured measured(morning, 4);
-    morning.shape = {effects::Form::within, 5, 8.25};
+    morning.shape = {effects::Form::within, 5, 8.5};
     const effects::Shape shape = measured.best_shape_of(morning).shape;
     EXPECT_GE(shape.until - shape.at, 3);
     EXPECT_LE(shape.until - shape.at, 3.25);  // but they shrink as far as that

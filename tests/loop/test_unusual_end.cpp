@@ -26,6 +26,7 @@ TEST(UnusualEnd, IsAtAnEndOfTheRange) {
 TEST(UnusualEnd, IsMoreThanThreeDeviationsFromAPrior) {
     EXPECT_EQ(unusual_end(set_back(), 3), "");
     EXPECT_EQ(unusual_end(set_back(), -3), "");
+    EXPECT_NE(unusual_end(set_back(), 3.01), "");
     EXPECT_EQ(unusual_end(set_back(), 3.1), "3.1 prior sd from its mean: 3.55 K");
     EXPECT_EQ(unusual_end(set_back(), -3.1), "3.1 prior sd from its mean: 0.45 K");
     study::FitUnknown anything = set_back();
