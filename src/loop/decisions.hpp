@@ -125,14 +125,14 @@ inline constexpr std::size_t most_dated_names = 3;
 /// Each of two dates or hours that moved pays 2 log of this. Statistic: four weeks'
 /// days.
 inline constexpr double places_of_date = 28;
-/// Of the best passing one's evidence: what one with a name needs to be taken in its
-/// place. Judgement.
+/// Of the best passing one's evidence: what one with a name needs to be taken.
+/// Judgement.
 inline constexpr double named_share_of_best = 0.6;
 /// One that does not pass may explain so much of what passes; else nothing is accepted.
 /// Judgement.
 inline constexpr double largest_evidence_ratio = 1.25;
-/// Evidence that excuses from gates, and below which an effect is not adequate
-/// [thresholds]. Judgement.
+/// Evidence that excuses from gates, below which an effect is not adequate, and from which
+/// one joins beside functions [thresholds]. Judgement: less had false names there.
 inline constexpr double overwhelming = 3;
 
 // Gates

@@ -73,9 +73,10 @@ std::vector<const Screened*> shortlist(const std::vector<Screened>& screened);
 double occam(const Screened& screened);
 /// Whether other dates or hours may make a candidate the best.
 bool may_lead_by_dates(const Refitted& candidate, double best_gain);
-/// The first that passes, by its place; one of the grammar only where nothing with a name
-/// comes near. None (-1) where what does not pass explains clearly more: then it is the
-/// model's misfit that they all take a part of, and those that pass get an objection.
+/// The first with a name that passes, by its place, or that follows a series of the job.
+/// None (-1) where what does not pass explains clearly more: then it is the model's
+/// misfit that they all take a part of. Nor where what has no name does, which is left to
+/// functions. Those that pass and are not taken get an objection.
 int choice_of(std::vector<Refitted>& ranking);
 
 /// Whether evidence is far above what noise alone would show.

@@ -135,7 +135,17 @@ TEST(LoopSearch, ANameIsTakenFromSixTenthsOfTheBestOn) {
     std::vector<Refitted> ranking = {refitted_with(of_grammar, 100),
                                      refitted_with(of_catalogue, 61)};
     EXPECT_EQ(choice_of(ranking), 1);
-    ranking[1].gain = 59;
+    ranking = {refitted_with(of_grammar, 100), refitted_with(of_catalogue, 59)};
+    EXPECT_EQ(choice_of(ranking), -1);
+    EXPECT_EQ(ranking[1].objection, "what has no name explains more");
+}
+
+TEST(LoopSearch, WhatHasNoNameIsNotTakenUnlessItFollowsASeriesOfTheJob) {
+    std::vector<Refitted> ranking = {refitted_with(of_grammar, 100)};
+    EXPECT_EQ(choice_of(ranking), -1);
+    EXPECT_EQ(ranking[0].objection, "has no name: left to functions");
+    ranking = {refitted_with(of_grammar, 100)};
+    ranking[0].effect.driver = effects::Driver::column;
     EXPECT_EQ(choice_of(ranking), 0);
 }
 
