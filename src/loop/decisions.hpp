@@ -131,8 +131,8 @@ inline constexpr double named_share_of_best = 0.6;
 /// One that does not pass may explain so much of what passes; else nothing is accepted.
 /// Judgement.
 inline constexpr double largest_evidence_ratio = 1.25;
-/// Evidence that excuses from gates, below which an effect is not adequate, and from which
-/// one joins beside functions [thresholds]. Judgement: less had false names there.
+/// Evidence that excuses from gates, below which an effect is not adequate, and from
+/// which one joins beside functions [thresholds]. Judgement: less had false names there.
 inline constexpr double overwhelming = 3;
 
 // Gates
