@@ -113,8 +113,8 @@ TEST(Loop, FindsWhatFollowsASeriesOfTheJob) {
               "it says where and when, not why");
 }
 
-// The catalogue has no set-point of Sundays. What the grammar says of it joins nothing: it
-// would say where and when, and functions say that better.
+// The catalogue has no set-point of Sundays. What the grammar says of it joins nothing:
+// it would say where and when, and functions say that better.
 TEST(Loop, WhatHasNoNameIsLeftToFunctions) {
     effects::Effect sundays;
     sundays.name = "set-point of Sundays";
