@@ -39,12 +39,10 @@ effects::Effect effect_of(const effects::Effect& hook) {
 
 /// Simulates the model at x, without derivatives. Whether it can be.
 bool simulate_at(const LoopData& data, const Series& x, Standing& standing) {
-    Matrix point(1, x.size());
-    for (std::size_t k = 0; k < x.size(); ++k)
-        point(0, k) = standing.built.unknowns[k].within(x[k]);
-    Matrix predicted = standing.built.fit_model->predict(point);
-    if (std::isnan(predicted(0, 0))) return false;
-    standing.fit.at = {x, std::move(predicted.values)};
+    study::Linearised at{x};
+    study::predict_at(*standing.built.fit_model, standing.built.unknowns, at);
+    if (std::isnan(at.predicted[0])) return false;
+    standing.fit.at = std::move(at);
     standing.residuals =
         study::residuals_of(data.targets.measured, standing.fit.at.predicted);
     return true;

@@ -77,10 +77,7 @@ std::optional<study::Linearised> one_more_from(const study::Linearised& from,
     study::Linearised start{from.x};
     start.x.push_back(std::clamp(coefficient / of_effect.scale, of_effect.lowest(),
                                  of_effect.highest()));
-    Matrix point(1, start.x.size());
-    for (std::size_t k = 0; k < start.x.size(); ++k)
-        point(0, k) = built.unknowns[k].within(start.x[k]);
-    start.predicted = built.fit_model->predict(point).values;
+    study::predict_at(*built.fit_model, built.unknowns, start);
     if (std::isnan(start.predicted[0])) return std::nullopt;
     const std::size_t n = start.predicted.size(), last = from.x.size();
     if (!from.has_derivatives() || start.x.back() == 0) return start;

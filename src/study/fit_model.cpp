@@ -75,14 +75,6 @@ std::vector<Moved> write_derivatives(const FitModel& model,
     return again;
 }
 
-void predict_at(const FitModel& model, std::span<const FitUnknown> unknowns,
-                Linearised& at) {
-    if (!at.predicted.empty()) return;
-    Matrix point(1, at.x.size());
-    write_values(unknowns, at.x, point.row(0));
-    at.predicted = model.predict(point).values;
-}
-
 /// A fit on its way.
 struct Descent {
     const FitModel& model;
@@ -251,6 +243,14 @@ std::vector<double> prior_diagonal(std::span<const FitUnknown> unknowns) {
     for (const FitUnknown& unknown : unknowns)
         diagonal.push_back(unknown.has_prior ? 1 : 0);
     return diagonal;
+}
+
+void predict_at(const FitModel& model, std::span<const FitUnknown> unknowns,
+                Linearised& at) {
+    if (!at.predicted.empty()) return;
+    Matrix point(1, at.x.size());
+    write_values(unknowns, at.x, point.row(0));
+    at.predicted = model.predict(point).values;
 }
 
 void linearise(const FitModel& model, std::span<const FitUnknown> unknowns,

@@ -96,7 +96,11 @@ struct Fit {
     std::vector<char> bound;  ///< [p] 1 = held at an end of its range
 };
 
-/// Simulates what is not known yet; derivatives are by differences then.
+/// Simulates the predictions where they are not known yet; NaN where x is impossible.
+void predict_at(const FitModel& model, std::span<const FitUnknown> unknowns,
+                Linearised& at);
+
+/// The same, and derivatives, which are by differences then.
 void linearise(const FitModel& model, std::span<const FitUnknown> unknowns,
                Linearised& at);
 
