@@ -58,7 +58,8 @@ double dot(std::span<const double> a, std::span<const double> b) {
 
 /// A secant of a candidate: what one unit of its coefficient does to the predictions.
 struct Secant {
-    double amplitude = 0;  ///< 0 = not simulated
+    double amplitude = 0;    ///< 0 = not simulated
+    bool is_judged = false;  ///< may be the best; else for comparison alone
     std::vector<double> per_unit;
     stats::Bordered sums;
     std::vector<double> followed;  ///< by how much the other unknowns follow it
@@ -185,14 +186,16 @@ void take_secants(const Standing& standing, const effects::Effect& effect, Keep 
     const Matrix points = points_of(standing, effect, one_more.coefficient());
     model.predict_each(points, [&](std::size_t a, std::span<const double> predicted) {
         const double amplitude = points(a, points.cols - 1);
-        const bool is_wanted =
+        const bool is_judged =
             is_plausible_sign(effect, amplitude) && (keep != Keep::of_typical || a == 0);
         const bool is_small = keep == Keep::of_typical && a == small_amplitude;
-        if (std::isnan(predicted[0]) || amplitude == 0 || (!is_wanted && !is_small))
+        if (std::isnan(predicted[0]) || amplitude == 0 || (!is_judged && !is_small))
             return;
-        secants.of[a].amplitude = amplitude;
-        take_secant(standing, predicted, secants.of[a]);
-        secants.taken.push_back(&secants.of[a]);
+        Secant& secant = secants.of[a];
+        secant.amplitude = amplitude;
+        secant.is_judged = is_judged;
+        take_secant(standing, predicted, secant);
+        secants.taken.push_back(&secant);
     });
 }
 
@@ -205,9 +208,8 @@ std::optional<Screened> screen_one(const LoopData& data, const Standing& standin
     const Secant* best = nullptr;
     double best_gain = -1;
     for (const Secant* secant : secants.taken) {
-        const bool is_judged = is_plausible_sign(effect, secant->amplitude) &&
-                               (keep != Keep::of_typical || secant == &secants.of[0]);
-        if (!is_judged || !(secant->I > 1e-12 * secant->sums.with_itself)) continue;
+        if (!secant->is_judged || !(secant->I > 1e-12 * secant->sums.with_itself))
+            continue;
         const double gain = secant->gain_at(
             within(secant->coefficient(), secant->amplitude, furthest(effect)));
         if (gain > best_gain) best_gain = gain, best = secant;
