@@ -51,8 +51,7 @@ struct ResponsePlan {
     }
 };
 
-/// Arrays that only the way back needs are empty where it is not gone: those named of_,
-/// and tape.
+/// Of Way::there, what only the way back needs is empty.
 struct ResponseRun {
     ResponseRun(const ResponsePlan& plan, Way which);
 

@@ -41,16 +41,11 @@ std::optional<BesideFunctions> beside_functions(const LoopData& data, const Plac
 
 }  // namespace
 
-/// The last model with functions, found about it as it is without any.
 void lay_rest_to_functions(const LoopData& data, const Place& place, LoopResult& result) {
     result.baseline.place = place;
     result.functions = find_functions(data, result.baseline.place, result.last);
 }
 
-/// A model's misfit hides what is small, and functions take the misfit: beside them
-/// effects with a name are searched once more. One that passes joins the model without
-/// functions, which are found again. All of it stays if it foretells unseen readings
-/// better than the functions that were there.
 void search_beside_functions(const LoopData& data, const Place& place, LoopResult& result,
                              UnderWay& under_way) {
     const auto most = static_cast<std::size_t>(data.options.most_effects);
