@@ -7,15 +7,13 @@
 
 namespace bemcal::loop {
 
-/// Finds functions about result.last as it is without any; it has them then.
-/// \param place  without functions
-void lay_rest_to_functions(const LoopData& data, const Place& place, LoopResult& result);
-
-/// A model's misfit hides what is small, and functions take the misfit: beside them
-/// effects with a name are searched once more. One that passes joins the model without
-/// functions, which are found again. All of it stays if it foretells unseen readings
-/// better than the functions that were there.
-void search_beside_functions(const LoopData& data, const Place& place, LoopResult& result,
-                             UnderWay& under_way);
+/// Finds functions about result.last as it is without any, which has them then, and
+/// effects beside the functions. A model's misfit hides what is small, and
+/// functions take the misfit: beside them effects with a name are searched once more. One
+/// that passes joins the model without functions, which are found again. All of it stays
+/// if it foretells unseen readings better than the functions that were there.
+/// Functions at set-points leave, all of them, where the model with them cannot be
+/// simulated in another period and the one without them can.
+void search_functions(const LoopData& data, LoopResult& result, UnderWay& under_way);
 
 }  // namespace bemcal::loop

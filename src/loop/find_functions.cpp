@@ -86,14 +86,9 @@ struct Simulated {
     Place place;        ///< with the functions
 };
 
-/// Those that leave set-points alone: of heating and cooling they must not come closer
-/// than the thermostat's band, and where they are that close no function can enter.
+/// Those that leave set-points alone: where these are close no function can enter.
 std::vector<FoundFunction> apart_from_set_points(std::vector<FoundFunction> found) {
-    using effects::Hook;
-    std::erase_if(found, [](const FoundFunction& function) {
-        return function.at.hook == Hook::heating_set_point ||
-               function.at.hook == Hook::cooling_set_point;
-    });
+    std::erase_if(found, [](const auto& one) { return is_at_set_point(one.at); });
     return found;
 }
 

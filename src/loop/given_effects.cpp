@@ -5,6 +5,8 @@
 /// the building does.
 #include "loop/given_effects.hpp"
 
+#include "loop/period_hours.hpp"
+
 #include <algorithm>
 #include <memory>
 

@@ -167,12 +167,7 @@ Ended search_from(const LoopData& data, Baseline baseline,
     ended.late_clock = search_effects(data, result, under_way, may_set_clock);
     if (ended.late_clock) return ended;
     if (result.last.model.effects.empty()) result.last = result.baseline.chosen;
-    under_way.begin("functions");
-    if (data.options.functions) {
-        const Place without = place;
-        lay_rest_to_functions(data, without, result);
-        search_beside_functions(data, without, result, under_way);
-    }
+    if (data.options.functions) search_functions(data, result, under_way);
     under_way.begin("intervals");
     result.after = localise(data, place, result.last);
     result.unexplained = unexplained_of(data, result.last);

@@ -11,17 +11,15 @@
 #include "effects/job_section.hpp"
 #include "effects/refinements.hpp"
 #include "loop/effect_values.hpp"
-#include "loop/find_functions.hpp"
 #include "loop/intervals.hpp"
 #include "loop/job_parts.hpp"
 #include "loop/late_clock.hpp"
-#include "loop/loads.hpp"
 #include "loop/next_measurements.hpp"
+#include "loop/period_hours.hpp"
 #include "loop/settings.hpp"
 #include "loop/stored_fits.hpp"
 #include "loop/stored_loop.hpp"
 #include "loop/unusual_end.hpp"
-#include "physics/simulate.hpp"
 #include "stats/distributions.hpp"
 
 #include <algorithm>
@@ -42,33 +40,6 @@ Standings standings_of(const LoopResult& result) {
     return {&result.baseline.plain, &result.baseline.chosen, &result.last};
 }
 
-/// Throws what the plain simulation says of a point that is impossible.
-void say_why_impossible(const BuiltModel& built, const std::vector<double>& values) {
-    physics::simulate(building_at(built, values), built.placed->drive);
-    throw CannotSimulate("the model cannot be simulated there");
-}
-
-/// A model's predictions of every hour of a period. [channels x hours]
-std::vector<std::vector<double>> hours_of(
-    const LoopData& data, const Baseline& baseline, const Standing& standing,
-    const std::vector<FoundFunction>& functions,
-    const std::shared_ptr<const physics::Drive>& drive) {
-    Place place = place_in(data, baseline, standing.model, functions, drive);
-    for (kernel::Channel& channel : place.channels)
-        channel.interval = physics::Interval::hourly;
-    const BuiltModel built = build(place, standing.model.effects);
-    Matrix point(1, built.unknowns.size());
-    point.values = values_in(built, standing);
-    const Matrix predicted = built.fit_model->predict(point);
-    if (std::isnan(predicted(0, 0))) say_why_impossible(built, point.values);
-    std::vector<std::vector<double>> hours;
-    const auto& first = built.fit_model->first();
-    for (std::size_t c = 0; c + 1 < first.size(); ++c)
-        hours.emplace_back(predicted.values.begin() + static_cast<long>(first[c]),
-                           predicted.values.begin() + static_cast<long>(first[c + 1]));
-    return hours;
-}
-
 /// Fills what is stored, part by part.
 class Writer {
   public:
@@ -79,7 +50,10 @@ class Writer {
           data_(data),
           result_(result),
           deviations_(deviations_of(data, result.last, result.misfit)),
-          decisions_(data.building.decisions) {}
+          decisions_(data.building.decisions) {
+        decisions_.insert(decisions_.end(), result.decisions.begin(),
+                          result.decisions.end());
+    }
 
     study::Conclusion write() {
         say();
@@ -466,17 +440,6 @@ class Writer {
 };
 
 }  // namespace
-
-Place place_in(const LoopData& data, const Baseline& baseline, const LoopModel& model,
-               const std::vector<FoundFunction>& functions,
-               std::shared_ptr<const physics::Drive> drive) {
-    Place place = make_place(data, model.structure, std::move(drive));
-    if (!model.effects.empty() || !functions.empty())
-        know_loads(place, baseline.chosen, baseline.place.surroundings->model);
-    if (functions.empty()) return place;
-    const auto drivers = effects::function_drivers(surroundings_of(place));
-    return with_functions(std::move(place), functions, drivers);
-}
 
 StoredLoop without_predictions(const std::string& stage, const LoopData& written,
                                const LoopData& data, const LoopResult& result) {

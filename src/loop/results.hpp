@@ -33,13 +33,8 @@ struct LoopResult {
     /// at least 1: how much more than noise what the model cannot say moves its unknowns.
     double misfit = 1;
     int hours_late = 0;  ///< of the meters' clocks, which predictions follow
+    std::vector<study::DataDecision> decisions;  ///< of periods
 };
-
-/// The place of a model in any period: with its structure, the loads that effects follow,
-/// the columns of functions.
-Place place_in(const LoopData& data, const Baseline& baseline, const LoopModel& model,
-               const std::vector<FoundFunction>& functions,
-               std::shared_ptr<const physics::Drive> drive);
 
 /// All that is stored of it but what models predict: no errors, no coverage.
 /// \param stage  "BUILDING/STUDY"

@@ -74,6 +74,67 @@ TEST(FindFunctions, NoneAreSoughtWhereTheJobWantsNone) {
     EXPECT_TRUE(test::find(searched(made, options), "function").texts.empty());
 }
 
+namespace {
+
+/// Heated to 21 degC at all hours, as the description has it.
+Case heated_case() {
+    Case made = windy_case();
+    made.building.zones[0].thermostat.heating_set_point = {21, 0, -1};
+    return made;
+}
+
+/// By 3 K more from 0 to 10 h, which the description has not.
+effects::Effect heated_more_by_night() {
+    effects::Effect effect = gains_of_the_morning();
+    effect.name = "set-point";
+    effect.hook = effects::Hook::heating_set_point;
+    effect.shape = {effects::Form::within, 0, 10};
+    effect.least = -3;
+    effect.most = 3;
+    return effect;
+}
+
+/// From a day of the period that is held out on it is cooled to 21.2 degC.
+void cool_more_when_held_out(Case& made) {
+    physics::Profile cooled;
+    cooled.name = "cooled_more";
+    cooled.is_series = true;
+    cooled.axis = made.weather.axis;
+    const int from = 24 * (test::n_training + 5);
+    for (int k = 0; k < cooled.axis.n_steps; ++k)
+        cooled.values.push_back(k < from ? 0 : 1);
+    made.profiles.push_back(cooled);
+    made.building.zones[0].thermostat.cooling_set_point = {
+        21.2, 30, static_cast<int>(made.profiles.size()) - 1};
+}
+
+bool are_at_set_points(const std::vector<std::string>& functions) {
+    return std::ranges::any_of(functions, [](const std::string& name) {
+        return name.find("set-point") != std::string::npos;
+    });
+}
+
+}  // namespace
+
+TEST(FindFunctions, AtSetPointsLeaveWhereAnotherPeriodHasThemCross) {
+    Case made = heated_case();
+    measure(made, heated_more_by_night(), 3, 3);
+    ASSERT_TRUE(are_at_set_points(
+        test::find(searched(made, functions_only()), "function").texts));
+    cool_more_when_held_out(made);
+    const auto datasets = searched(made, functions_only());
+    EXPECT_FALSE(are_at_set_points(test::find(datasets, "function").texts));
+    EXPECT_TRUE(std::isfinite(error_of(datasets, 2, 1)));
+    const auto& verdicts = test::find(datasets, "step_verdict").texts;
+    EXPECT_TRUE(std::ranges::any_of(verdicts, [](const std::string& verdict) {
+        return verdict.starts_with("left: with them held_out cannot be simulated: zone");
+    }));
+    const auto& actions = test::find(datasets, "decision_action").texts;
+    EXPECT_NE(std::ranges::find(actions,
+                                "functions at set-points left: 'after' is without them"),
+              actions.end());
+}
+
 // Linear steps move the parameters; where they end, the simulation has nothing to gain
 // from others.
 TEST(FindFunctions, ParametersEndWhereTheSimulationWantsThem) {

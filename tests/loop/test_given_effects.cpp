@@ -1,6 +1,7 @@
 /// What effects and functions of a model change, input by input.
 #include "loop/find_functions.hpp"
 #include "loop/given_effects.hpp"
+#include "loop/period_hours.hpp"
 #include "loop/windy_case.hpp"
 
 #include <algorithm>
