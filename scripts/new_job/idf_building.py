@@ -6,7 +6,7 @@ and what LEFT_OUT names.
 import os
 from dataclasses import dataclass, field
 
-from new_job import idf, idf_envelope, idf_fans, idf_geometry, idf_use
+from new_job import idf, idf_envelope, idf_fans, idf_geometry, idf_room, idf_use
 from new_job.building import Load, Plant
 from new_job.envelopes import Envelope
 
@@ -73,8 +73,8 @@ def size_of(zones):
 class Reader:
     """Of rooms, one after the other."""
 
-    def __init__(self, model, left_out):
-        self.model, self.left_out = model, left_out
+    def __init__(self, model, left_out, hours):
+        self.model, self.left_out, self.hours = model, left_out, hours
         self.zones = idf_geometry.read_zones(model)
         idf_use.mark_conditioned(model, self.zones, left_out)
         self.rooms = [zone for zone in self.zones.values() if zone.is_conditioned]
@@ -109,18 +109,26 @@ class Reader:
         shell = self.envelope.read(zones, known)
         heating, cooling = use.set_points()
         area, volume = size_of(zones)
+        air = use.ventilation()
+        self.fans = self.fans or idf_fans.load_of(self.model, use.schedules, size_of(self.rooms)[0])
+        if "people" in loads and len(self.hours) >= idf_room.LEAST_HOURS:
+            gains = sum(profile.share * profile.values for profile in loads.values()) + \
+                self.fans.share * self.fans.values * area
+            balance = idf_room.Balance(shell, shell.capacity(area) * area, infiltration + air, gains,
+                                       (heating, cooling))
+            loads["people"].values = use.people_heat(balance.temperatures(self.hours))
         for profile in loads.values():
             profile.values = profile.values / area
-        self.fans = self.fans or idf_fans.load_of(self.model, use.schedules, size_of(self.rooms)[0])
         if self.fans.values.any():
             loads["fans"] = self.fans
-        return Room(name, area, volume, shell, loads, infiltration / volume, use.ventilation() / volume, heating,
-                    cooling)
+        return Room(name, area, volume, shell, loads, infiltration / volume, air / volume, heating, cooling)
 
 
-def read_building(path, has_rooms=False):
+def read_building(path, has_rooms=False, hours=()):
+    """`hours`: of the weather (weather.hours_of); without a year of them people are in rooms half-way between the
+    set-points."""
     model, left_out = idf.read_model(path), []
-    reader = Reader(model, left_out)
+    reader = Reader(model, left_out, hours)
     whole = reader.whole()
     rooms = reader.each(whole) if has_rooms else [whole]
     found = Described(path, whole, rooms, idf_use.machines(model, idf_use.HEATERS),

@@ -2,8 +2,9 @@
 
 U-values have the films of ASHRAE 90.1, as in EnergyPlus's reports; a simple glazing system has its own. Panes: gaps
 by EN 673, solar energy by EN 410 with what each pane absorbs. Mass: ISO 13790, 12.3.1, up to 0.1 m, the middle, or
-insulation. F factors: U = F P / A. Zones without a thermostat are a factor b on what lies before them (ISO 13789).
-Leaves out shading objects, frames and dividers, blinds, moisture, and materials that change.
+insulation. F factors: U = F P / A. Zones without a thermostat are a factor b on what lies before them (ISO 13789); what
+the sun brings their roofs, as to an attic, and what these lose to the sky goes on as heat does. Leaves out shading
+objects, frames and dividers, blinds, moisture, and materials that change.
 """
 from dataclasses import dataclass, field
 
@@ -25,6 +26,7 @@ GASES = {"air": (0.02496, 1.232, 1.761e-5, 1008), "argon": (0.01684, 1.699, 2.16
 ABSORPTANCE, EMISSIVITY = 0.7, 0.9   # EnergyPlus's where none is given
 PANE_CONDUCTIVITY = 0.9        # W/(m K), EnergyPlus's default
 MASS_DEPTH = 0.1               # m
+CAPACITIES = (80000, 600000)   # J/(m2 K) of floor, to which the capacity of the layers is cut
 INSULATION, INSULATION_R = 0.1, 0.3   # W/(m K) and m2 K/W, from which a layer is insulation
 AIR = 0.34                     # Wh/(m3 K)
 SOIL_R = (0.0607, 0.3479)      # m2 K/W and m2 K/W per m of depth: EnergyPlus Engineering Reference, C-factor walls
@@ -63,6 +65,15 @@ class Opaque:
 
 
 @dataclass
+class Buffer:
+    """A zone without a thermostat: its factor b, and the outer face that it gives what lies below its roof."""
+    factor: float
+    absorptance: float = 0
+    emissivity: float = 0
+    r_outside: float = 0       # m2 K/W; 0 without a roof in the sun
+
+
+@dataclass
 class Glazing:
     name: str
     u_value: float
@@ -87,6 +98,10 @@ class Shell:
         """[W/K] of all parts."""
         return sum(p.area * p.adjustment * self.opaque[p.construction].u_value for p in self.surfaces.values()) + \
             sum(p.area * self.glazing[p.construction].u_value for p in self.windows.values())
+
+    def capacity(self, area):
+        """[J/(m2 K)] of a floor area."""
+        return min(max(self.heat_capacity / area, CAPACITIES[0]), CAPACITIES[1])
 
 
 def ground_temperatures(model):
@@ -225,6 +240,10 @@ def mass_of(model, surface):
     return total
 
 
+def is_in_sun(surface):
+    return surface.outside == "outdoors" and surface.given.word("sun_exposure", "sunexposed") != "nosun"
+
+
 def plain(name):
     """Without what means something in a parameter's target."""
     return name.replace(".", "_").replace("*", "_")
@@ -237,7 +256,7 @@ class Reader:
         self.model, self.zones, self.left_out = model, zones, left_out
         self.air_flows = air_flows                 # {zone: m3/h of infiltration}
         self.owner = {s.given.name.lower(): zone for zone in zones.values() for s in zone.surfaces}
-        self.shell, self.buffer, self.rooms, self.is_known = None, {}, [], False
+        self.shell, self.buffers, self.rooms, self.is_known = None, {}, [], False
 
     def read(self, rooms, known=None):
         """Shell of some conditioned zones. `known`: one whose constructions it has."""
@@ -272,7 +291,7 @@ class Reader:
                 surface.given.refuse(key, f"{surface.given.text(key)!r} is no surface or zone of the file; expected "
                                           "the name of one")
             if not other.is_conditioned:
-                return "outdoors", self.factor_of(other), r
+                return "outdoors", self.buffer_of(other).factor, r
             if other not in self.rooms:
                 u_value = opaque_of(self.model, surface.given, r, r).u_value
                 name, conductance = plain(other.name), surface.net * surface.zone.multiplier * u_value
@@ -287,12 +306,26 @@ class Reader:
         space = self.model.find(name, "Space") if name else None
         return self.owner.get(name) or self.zones.get(space.word("zone_name") if space else name)
 
-    def factor_of(self, zone):
-        """b of a zone without a thermostat: H to outdoors over all H."""
-        if zone.name not in self.buffer:
-            inner, outer = self.inner_loss(zone), self.outer_loss(zone) + AIR * self.air_flows.get(zone.name, 0)
-            self.buffer[zone.name] = outer / (outer + inner / max(zone.multiplier, 1)) if outer else 0.0
-        return self.buffer[zone.name]
+    def buffer_of(self, zone):
+        """What a zone without a thermostat does before a room: b is H to outdoors over all H."""
+        if zone.name not in self.buffers:
+            inner = self.inner_loss(zone) / max(zone.multiplier, 1)
+            outer = self.outer_loss(zone) + AIR * self.air_flows.get(zone.name, 0)
+            total = outer + inner if outer else 0
+            self.buffers[zone.name] = Buffer(outer / total, *self.roof_of(zone, total)) if total else Buffer(0)
+        return self.buffers[zone.name]
+
+    def roof_of(self, zone, total):
+        """(absorptance, emissivity, outer film) of a zone's roofs in the sun, as all of its H [W/K] lets them through;
+        nothing where it has none."""
+        roofs = [(s, opaque_of(self.model, s.given, film(s.tilt), R_OUTSIDE)) for s in zone.surfaces
+                 if s.tilt < STEEP and is_in_sun(s)]
+        losses = [s.net * made.u_value for s, made in roofs]
+        if not sum(losses):
+            return ()
+        return (float(np.average([made.absorptance for _, made in roofs], weights=losses)),
+                float(np.average([made.emissivity for _, made in roofs], weights=losses)),
+                R_OUTSIDE * sum(losses) / total)
 
     def inner_loss(self, zone):
         """[W/K] from all zones with a thermostat into one without."""
@@ -330,14 +363,24 @@ class Reader:
         made = opaque_of(self.model, given, film(surface.tilt), r_outside)
         is_f_factor = self.model.find(made.name, F_FACTOR) is not None
         made.name = "ground floor (F factor)" if is_f_factor else made.name
-        in_sun = surface.outside == "outdoors" and given.word("sun_exposure", "sunexposed") != "nosun"
-        azimuth = round(surface.azimuth) % 360 if 0.5 < surface.tilt < 179.5 else 0
+        direction = self.direction_of(surface, made)
         if is_f_factor:
             self.add_f_factor(made, area * surface.zone.multiplier)
         else:
             made.name = self.name_of(made)
-        self.put(self.shell.surfaces, made.name, (azimuth, round(surface.tilt)) if in_sun else (None, None), boundary,
-                 round(b, 4), area * surface.zone.multiplier)
+        self.put(self.shell.surfaces, made.name, direction, boundary, round(b, 4), area * surface.zone.multiplier)
+
+    def direction_of(self, surface, made):
+        """(azimuth, tilt) [deg] of what the sun reaches, else nothing. Below a roof of another zone it is as flat as
+        the sky, and what is made of it has that roof's outer face."""
+        if is_in_sun(surface):
+            return round(surface.azimuth) % 360 if 0.5 < surface.tilt < 179.5 else 0, round(surface.tilt)
+        other = self.neighbour(surface)
+        if other is None or other.is_conditioned or not self.buffer_of(other).r_outside:
+            return None, None
+        buffer = self.buffer_of(other)
+        made.absorptance, made.emissivity, made.r_outside = buffer.absorptance, buffer.emissivity, buffer.r_outside
+        return 0, 0
 
     def name_of(self, made):
         """A construction has a name for each of its films."""
@@ -345,7 +388,8 @@ class Reader:
         names = (base if k == 1 else f"{base} ({k})" for k in range(1, 99))
         for name in names:
             known = self.shell.opaque.get(name)
-            if known is None or abs(known.u_value - made.u_value) < 1e-9 and known.r_outside == made.r_outside:
+            if known is None or abs(known.u_value - made.u_value) < 1e-9 and \
+                    (known.r_outside, known.absorptance) == (made.r_outside, made.absorptance):
                 self.shell.opaque.setdefault(name, made)
                 return name
         return made.name

@@ -14,7 +14,6 @@ from new_job.job import NOT_COOLED, section
 SAME_SHARE = 6                 # digits by which hours of two rooms are the same
 MOST_RUNS = 26                 # parts of the year with schedules of their own; more are one mean
 WEEKDAYS = ("monday", "tuesday", "wednesday", "thursday", "friday")
-HEAT_CAPACITIES = (80000, 600000)  # J/(m2 K), to which the capacity of the layers is cut
 MOST_AIR = 20                  # 1/h, that a job takes
 MOST_G, LEAST_SHARE, MOST_FACTOR = 0.95, 0.3, 3
 OF_ROOMS = ("infiltration", "ventilation", "people", "heat_capacity")   # numbers that each room has of its own
@@ -169,11 +168,6 @@ def ground(name, months):
     yield section("[[boundary]]", ("name", name), ("temperature", value, f"by month: {GROUND_CLASSES[name][0]}"))
 
 
-def capacity(room):
-    """[J/(m2 K)]"""
-    return min(max(room.shell.heat_capacity / room.area, HEAT_CAPACITIES[0]), HEAT_CAPACITIES[1])
-
-
 def is_cooled(first, room):
     return first.plant.cooling is not None and room.cooling is not None
 
@@ -199,7 +193,7 @@ def zone(first, room, names):
         "[[zone]]", ("name", room.name), ("floor_area", round(room.area, 2), "of the zones with a thermostat"
                                           if room is first.model.whole else ""),
         ("volume", round(room.volume, 2)),
-        ("heat_capacity", rounded(capacity(room), 3), "of inner layers: ISO 13790, 12.3.1"),
+        ("heat_capacity", rounded(room.shell.capacity(room.area), 3), "of inner layers: ISO 13790, 12.3.1"),
         ("heating_set_point", heating), ("heating_capacity", 100 if first.is_hourly else None, "W/m2, usual"),
         ("cooling_set_point", cooling, "" if has_cold else first.plant.cooling_says),
         ("cooling_capacity", (90 if first.is_hourly else None) if has_cold else 0))

@@ -16,7 +16,7 @@ USUAL_DIFFERENCE, USUAL_WIND = 10, 4     # K and m/s at 10 m, for coefficients o
 TERRAINS = {"country": (0.14, 270), "suburbs": (0.22, 370), "city": (0.33, 460), "urban": (0.22, 370),
             "ocean": (0.10, 210)}
 WIND_HEIGHT = 10               # m
-# People's sensible heat is taken half-way between the set-points, no more than this above that of heating [K].
+# Where the room's temperature is not known, it is half-way between the set-points, this above heating's at most [K].
 MOST_ABOVE = 3
 ROOM = 22                      # degC, where a zone has not both
 PER_PERSON = 0.00944           # m3/s, EnergyPlus's default of DesignSpecification:OutdoorAir
@@ -87,20 +87,29 @@ class Reader:
 
     def read_people(self):
         """[W], sensible."""
-        total, rooms = idf_schedules.constant(0), self.room_temperatures()
         for thing in self.model.all("People"):
             for zone, area in self.conditioned_targets(thing):
-                number = self.count_people(thing, area)
-                self.people[zone.name] = self.people.get(zone.name, 0) + number
+                self.people[zone.name] = self.people.get(zone.name, 0) + self.count_people(thing, area)
+        return self.people_heat()
+
+    def people_heat(self, building=None):
+        """[W], sensible. `building`: temperatures of all rooms together, (8, 24) [degC]."""
+        total, rooms = idf_schedules.constant(0), self.room_temperatures(building)
+        for thing in self.model.all("People"):
+            for zone, area in self.targets(thing, TARGET):
+                if zone not in self.rooms:
+                    continue
                 activity = self.schedules.of(thing, "activity_level_schedule_name")
                 share = thing.number("sensible_heat_fraction", None, 0, 1)
                 heat = sensible(activity, rooms.get(zone.name, ROOM)) if share is None else share * activity
-                total += zone.multiplier * number * heat * self.schedules.of(thing, "number_of_people_schedule_name")
+                total += zone.multiplier * self.count_people(thing, area) * heat * \
+                    self.schedules.of(thing, "number_of_people_schedule_name")
         return total
 
-    def room_temperatures(self):
-        """{zone: profile} [degC]"""
-        return {zone.name: np.minimum((heating + cooling) / 2, heating + MOST_ABOVE)
+    def room_temperatures(self, building):
+        """{zone: profile} [degC] within the set-points; half-way where the building's is not known."""
+        return {zone.name: np.minimum((heating + cooling) / 2, heating + MOST_ABOVE) if building is None else
+                np.clip(building, heating, cooling)
                 for zone, (heating, cooling) in self.thermostats() if heating is not None and cooling is not None}
 
     def power(self, thing, level, zone, area):

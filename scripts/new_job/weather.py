@@ -31,6 +31,7 @@ CLOUDS = ((10, "%"), (8, "tenths"), (1, "oktas"), (-1, None))  # the largest val
 SPEEDS = {"kmh": "km/h", "mph": "mph", "knots": "knots", "kts": "knots"}
 MOST_FILLED = 48               # h, of `fill_gaps`
 USUAL_FILL = 6                 # h
+MISSING_SUN = 9999             # in an EPW file
 MOST_CELSIUS, LEAST_KELVIN = 58, 200   # of the warmest hour (the record is 56.7 degC), where no unit is said
 TYPICAL = "the weather of the readings' own years is needed: an EPW of measured years (often named AMY), or a CSV " \
           "file with outdoor temperature and irradiance from a station or a reanalysis (ERA5, NSRDB, a weather service)"
@@ -95,6 +96,25 @@ def read_epw(path):
         years = sorted({time.year for time, _ in rows})
         raise Refused(f"{path}: is a typical year, made of months of {years[0]} to {years[-1]}; {TYPICAL}")
     return location(path, head), rows
+
+
+def is_epw(path):
+    return os.path.basename(path).lower().removesuffix(".gz").endswith(".epw")
+
+
+def hours_of(paths):
+    """[(time, temperature, global, direct normal, diffuse)] of EPW files; nothing of others [degC, W/m2]."""
+    found = []
+    for path in paths:
+        if not is_epw(path):
+            return []
+        for line in epw_rows(path)[1]:
+            cells = line.split(",")
+            year, month, day, hour = (int(float(cell)) for cell in cells[:4])
+            sun = (float(cell) for cell in cells[13:16])
+            found.append((dt.datetime(year, month, day, hour - 1), float(cells[6]),
+                          *(0 if value >= MISSING_SUN else value for value in sun)))
+    return found
 
 
 def degree_days(rows):
@@ -267,7 +287,7 @@ def keys_of(table):
 
 def read_weather(paths, country, site, told):
     """`site`: (latitude, longitude) or None."""
-    are_epw = {os.path.basename(path).lower().removesuffix(".gz").endswith(".epw") for path in paths}
+    are_epw = {is_epw(path) for path in paths}
     if len(are_epw) > 1:
         raise Refused("--weather: has EPW and CSV files; expected one kind", USAGE)
     weather = of_epw(paths, told) if are_epw == {True} else of_csv(paths, country, told)

@@ -4,6 +4,7 @@ schedules, loads, air, set-points and plant, alike from IDF and epJSON; what is 
 
 The layout of fields is checked against EnergyPlus's own schema where that is there (tests/energyplus/idf.py).
 """
+import datetime as dt
 import json
 import pathlib
 import re
@@ -21,7 +22,8 @@ import idf as energyplus  # noqa: E402  (found above)
 import numpy as np  # noqa: E402
 import test_new as usual  # noqa: E402
 from new_job import (  # noqa: E402
-    building, idf, idf_building, idf_envelope, idf_fields, idf_geometry, idf_schedules, idf_use)
+    building, idf, idf_building, idf_envelope, idf_fields, idf_geometry, idf_room, idf_schedules,
+    idf_use)
 from new_job.refused import Refused  # noqa: E402
 
 DATA, NO_INPUT, USAGE = 65, 66, 64
@@ -269,6 +271,29 @@ class Box(unittest.TestCase):
                                    people * idf_use.sensible(120, room))
         self.assertAlmostEqual(float(idf_use.sensible(120, 23.5)), 71.9, delta=0.1)
 
+    def test_people_in_rooms_that_the_weather_warms_and_cools(self):
+        """At steady weather: at heating's set-point, at cooling's, and where the balance ends between them."""
+        shell = idf_envelope.Shell({"Wall": idf_envelope.Opaque("Wall", 0.5, 0.5, 0.7, 0.9, 0.04)})
+        shell.surfaces["wall"] = idf_envelope.Part("Wall", 0, 90, area=100)
+        shell.grounds = {"ground": np.full(12, 10.0)}
+        none = idf_schedules.constant(0)
+        room = idf_room.Balance(shell, 1e6, none, none + 100, (none + 20, none + 26))
+        for theta, sun, expected in ((0, 0, 20), (30, 0, 26), (21, 0, 23),
+                                     (21, 50, 23 + 0.7 * 0.04 * (50 / 2 + 0.2 * 50 / 2))):
+            hours = [(dt.datetime(2021, 1, 1) + dt.timedelta(hours=k), theta, sun, 0, sun) for k in range(8760)]
+            found = room.temperatures(hours)
+            self.assertTrue(np.allclose(found, expected, atol=0.02), (theta, found))
+        hours = [(time, 30 if time.weekday() < 5 else 0, 0, 0, 0) for time, *_ in hours]
+        found = room.temperatures(hours)
+        self.assertTrue((found[:5, 12:] == 26).all() and (found[[5, 6, 7], 23] < 21).all())
+        # People in the box: 120 W each, of which less is sensible where it is warmer.
+        year = [(dt.datetime(2021, 1, 1) + dt.timedelta(hours=k), 60, 0, 0, 0) for k in range(8760)]
+        (self.folder / "box.idf").write_text(BOX.replace("0.3, 0.5, Activity", "0.3, , Activity"))
+        cold, warm = (idf_building.read_building(str(self.folder / "box.idf"), hours=hours).whole.loads["people"].values
+                      for hours in ((), year))
+        at = 0, 0, 12
+        self.assertAlmostEqual(warm[at] / cold[at], float(idf_use.sensible(120, 26) / idf_use.sensible(120, 23.5)), 3)
+
     def test_u_values_have_films(self):
         shell = self.read(BOX).whole.shell
         brick = 0.24 / 0.8
@@ -392,6 +417,12 @@ class Box(unittest.TestCase):
         (part,) = (p for p in found.whole.shell.surfaces.values() if p.construction == "Roof")
         outer, inner = 1 / (2.6 + OUTSIDE + UP), 1 / (2.6 + 2 * UP)
         self.assertAlmostEqual(part.adjustment, outer / (outer + inner), 3)
+        # The sun on the loft's roof comes through as heat from outdoors does.
+        self.assertEqual((part.azimuth, part.tilt), (0, 0))
+        self.assertAlmostEqual(found.whole.shell.opaque["Roof"].r_outside, OUTSIDE * outer / (outer + inner), 5)
+        dark = self.read(text + loft.replace("Outdoors, , , ,", "Outdoors, , NoSun, ,"))
+        (part,) = (p for p in dark.whole.shell.surfaces.values() if p.construction == "Roof")
+        self.assertEqual((part.azimuth, part.tilt), (None, None))
         self.assertAlmostEqual(found.whole.area, ALIKE * LENGTH * DEPTH)
         self.assertTrue(any("Loft" in line for line in found.left_out))
 
