@@ -1,5 +1,6 @@
 """The building as it is described first: a box of one zone, its plant by the meters, its loads by use and readings."""
 import math
+import statistics
 from dataclasses import dataclass
 
 from new_job.uses import COOLING_SET_BACK, COOLING_SET_POINT, COOLING_SET_POINT_US, SET_BACK
@@ -7,9 +8,13 @@ from new_job.uses import COOLING_SET_BACK, COOLING_SET_POINT, COOLING_SET_POINT_
 PLAN_RATIO = 1.5               # length over depth; the long sides face south and north
 BASE_SHARE = 0.05              # of the hours are below the base load
 HOT_WATER_SHARE = 0.1          # of the days
-SUMMER_PEAK = 1.1              # electricity of the warmest months over that of mild ones that says cooling
-MILD = (8, 16)                 # degC, mean of a mild month
+SUMMER_PEAK = 1.1              # electricity of warm days or months over that of mild ones that says cooling
+MILD = (8, 16)                 # degC, mean of a mild one
 WARM = 18                      # degC, of a warm one
+LEAST_WARM = 20                # days, below which months are looked at
+LEAST_RISE = 0.5               # correlation with the temperature of days above RISING, that of cooling
+RISING = 14                    # degC
+A_DAY = 86400                  # s
 L_S_TO_M3_H = 3.6
 CARRIERS = ("gas", "electricity", "district")  # what plant and loads draw
 
@@ -52,7 +57,8 @@ class Plant:
     cop: float = 3             # usual
 
 
-def plant_of(meters, use, place, country, months, told):
+def plant_of(meters, use, place, sky, told):
+    """`sky`: the weather.Weather."""
     there = {meter.quantity: meter for meter in meters}
     if "gas" in there:
         plant = Plant("gas", 0.85, 0.06, (0.6, 0.98), "a boiler, for there is a gas meter; 0.75 to 0.95 by the season")
@@ -66,22 +72,22 @@ def plant_of(meters, use, place, country, months, told):
                    "something that is not metered")
     else:
         plant = Plant("none", 1, 0, (1, 1), "no meter shows it")
-    add_cooling(plant, there, use, place, country, months, told)
+    add_cooling(plant, there, use, place, sky, told)
     return plant
 
 
-def add_cooling(plant, there, use, place, country, months, told):
+def add_cooling(plant, there, use, place, sky, told):
     if "cooling" in there:
         plant.cooling, plant.cooling_says = "none", "its cold is metered"
         return
     if "electricity" not in there:
         plant.cooling_says = "no cooling: no meter would show it"
         return
-    peak = summer_peak(there["electricity"], months)
+    peak = summer_peak(there["electricity"], sky)
     if place.is_hot and use.is_cooled or peak > SUMMER_PEAK:
         plant.cooling = "electricity"
         plant.cooling_says = f"cooled, as {use_word(place)}" if place.is_hot and use.is_cooled else \
-            f"cooled, for electricity of warm months is {peak:.2f} times that of mild ones"
+            f"cooled, for electricity when it is warm is {peak:.2f} times that when it is mild"
         told.say(f"cooling: {plant.cooling_says}")
     else:
         plant.cooling_says = "no cooling: neither use and country nor the electricity of summer say it"
@@ -92,15 +98,45 @@ def use_word(place):
     return f"such buildings mostly are in {place.name}"
 
 
-def summer_peak(meter, months):
-    """Mean power of months above WARM over that of mild ones; 0 where there are no such months."""
+def summer_peak(meter, sky):
+    """Mean power where it is above WARM over that where it is mild, by days or else by months; 0 where there are none."""
+    if meter.step <= A_DAY:
+        days = days_of(meter, sky)
+        if sum(theta > WARM for theta, _, _ in days) >= LEAST_WARM:
+            return peak_of_days(days)
     powers = {}
     for begin, value in meter.kwh():
         powers.setdefault(begin.month, []).append(value)
-    means = {month: sum(values) / len(values) for month, values in powers.items()}
-    warm = [means[m] for m in means if months.get(m, 0) > WARM]
-    mild = [means[m] for m in means if MILD[0] <= months.get(m, -99) <= MILD[1]]
-    return (sum(warm) / len(warm)) / (sum(mild) / len(mild)) if warm and mild and sum(mild) else 0
+    return ratio([(sky.months.get(month, -99), mean(values)) for month, values in powers.items()])
+
+
+def mean(values):
+    return sum(values) / len(values)
+
+
+def days_of(meter, sky):
+    """[(outdoor temperature, mean power, whether it is a working day)]"""
+    powers = {}
+    for begin, value in meter.kwh():
+        powers.setdefault(begin.date(), []).append(value)
+    return [(sky.days[day], mean(values), day.weekday() < 5) for day, values in powers.items()
+            if day in sky.days and sum(values)]
+
+
+def ratio(pairs):
+    """Of (temperature, power)."""
+    warm = [power for theta, power in pairs if theta > WARM]
+    mild = [power for theta, power in pairs if MILD[0] <= theta <= MILD[1]]
+    return mean(warm) / mean(mild) if warm and mild and sum(mild) else 0
+
+
+def peak_of_days(days):
+    """Of working days, of which the warmer have to draw more: what only changes with time, or in holidays, does not."""
+    working = [(theta, power) for theta, power, is_working in days if is_working]
+    rising = [pair for pair in working if pair[0] > RISING]
+    if len(rising) < LEAST_WARM or len({power for _, power in rising}) < 2:
+        return 0
+    return ratio(working) if statistics.correlation(*zip(*rising)) > LEAST_RISE else 0
 
 
 def quantile(values, share):

@@ -53,6 +53,7 @@ class Weather:
     holes: list = field(default_factory=list)    # (first, last) that are too long to be filled
     has_sun: bool = True
     degree_days: tuple = (0, 0)                  # cooling above 10 degC, heating below 18 degC, of a year
+    days: dict = field(default_factory=dict)     # {date: mean outdoor temperature [degC]}
 
 
 def epw_rows(path):
@@ -117,12 +118,15 @@ def hours_of(paths):
     return found
 
 
-def degree_days(rows):
-    """(cooling above 10 degC, heating below 18 degC) a year."""
+def day_means(rows):
     by_day = {}
     for time, theta in rows:
         by_day.setdefault(time.date(), []).append(theta)
-    means = [sum(day) / len(day) for day in by_day.values()]
+    return {day: sum(values) / len(values) for day, values in by_day.items()}
+
+
+def degree_days(means):
+    """(cooling above 10 degC, heating below 18 degC) a year."""
     a_year = 365 / len(means)
     return sum(max(t - 10, 0) for t in means) * a_year, sum(max(18 - t, 0) for t in means) * a_year
 
@@ -153,8 +157,9 @@ def of_epw(paths, told):
     rows = [row for _, _, part in read for row in part]
     latitude, longitude, offset = read[0][1]
     holes = [(a[0], b[0]) for a, b in zip(rows, rows[1:]) if b[0] - a[0] > times.HOUR * (1 + MOST_FILLED)]
+    days = day_means(rows)
     weather = Weather([path for path, _, _ in read], rows[0][0], rows[-1][0] + times.HOUR, month_means(rows), latitude,
-                      longitude, offset, degree_days=degree_days(rows), holes=holes)
+                      longitude, offset, degree_days=degree_days(days.values()), days=days, holes=holes)
     if any(b[0] - a[0] > times.HOUR for a, b in zip(rows, rows[1:])):
         weather.keys["fill_gaps"] = USUAL_FILL
     return weather
@@ -234,9 +239,11 @@ def of_csv(paths, country, told):
     units = {key: unit_of_column(key, name, [value for _, value in series[key]]) for key, name in columns.items()}
     theta = [(time, to_celsius(value, units["outdoor_temperature"])) for time, value in series["outdoor_temperature"]
              if value is not None]
+    days = day_means(theta)
     weather = Weather([table.path for table in parts], whole[0], whole[-1] + times.HOUR, month_means(theta),
                       is_epw=False, columns=[(key, name, units[key]) for key, name in columns.items()],
-                      degree_days=degree_days(theta), keys=keys_of(first), has_sun=bool(SUN & set(columns)))
+                      degree_days=degree_days(days.values()), days=days, keys=keys_of(first),
+                      has_sun=bool(SUN & set(columns)))
     add_gaps(weather, whole)
     weather.keys |= marks_of(first, columns.values())
     if units["outdoor_temperature"] and not unit_of(columns["outdoor_temperature"], "air_temperature"):

@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 import tomllib
+import types
 import unittest
 import zipfile
 
@@ -18,7 +19,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("BEMCAL_PROGRAM", ROOT / "build" / "release" / "bemcal-batch")
 sys.path.insert(0, str(ROOT / "scripts"))
 
-from new_job import envelopes, meters, places, tables, times, uses, weather, words  # noqa: E402
+from new_job import building, envelopes, meters, places, tables, times, uses, weather, words  # noqa: E402
 
 USAGE, DATA, NO_INPUT, EXISTS = 64, 65, 66, 73
 HOUR = dt.timedelta(hours=1)
@@ -367,7 +368,26 @@ class New(unittest.TestCase):
         said = self.new(self.written("power.csv", ["time,electricity kWh", *rows(cooled)])).stdout
         plant = self.checked()["plant"]
         self.assertEqual((plant["heating_carrier"], plant["cooling_carrier"]), ("electricity", "electricity"))
-        self.assertIn("cooled, for electricity of warm months", said)
+        self.assertIn("cooled, for electricity when it is warm", said)
+
+    def test_cooling_is_seen_by_days_where_no_month_is_warm(self):
+        """A day in three of summer is warm; what rises with time alone, or is more in use, is no cooling."""
+        days = [dt.date(2021, 1, 1) + dt.timedelta(days=k) for k in range(365)]
+        theta = {day: 10 - 6 * math.cos(2 * math.pi * (k - 20) / 365) + 5 * (k % 3 == 0) for k, day in enumerate(days)}
+        by_month = {m: [theta[day] for day in days if day.month == m] for m in range(1, 13)}
+        sky = types.SimpleNamespace(days=theta, months={m: sum(of) / len(of) for m, of in by_month.items()})
+        self.assertLess(max(sky.months.values()), building.WARM)
+
+        def peak(power, step=3600):
+            meter = types.SimpleNamespace(step=step, kwh=lambda: [(dt.datetime.combine(day, dt.time(12)), power(day))
+                                                                  for day in days])
+            return building.summer_peak(meter, sky)
+
+        for rise, found in ((0.6, True), (0.25, True), (0.15, False)):
+            self.assertEqual(peak(lambda day: 10 + rise * max(theta[day] - 14, 0)) > building.SUMMER_PEAK, found, rise)
+        self.assertEqual(peak(lambda day: 10 + 4 * (day.month > 5) + 0.1 * (day.day % 4)), 0)
+        self.assertEqual(peak(lambda day: 10 + 6 * (day.weekday() < 5)), 0)
+        self.assertEqual(peak(lambda day: 10 + 0.6 * max(theta[day] - 14, 0), step=30 * 86400), 0)
 
     def test_months_and_bills(self):
         stamps = months()
