@@ -260,7 +260,7 @@ void add_others(CLI::App& app, CommandLine& line) {
     report
         ->add_option("--csv", line.csv,
                      "write every dataset as CSV into this new folder instead, by "
-                     "building and study")
+                     "building and study; the Python package's to_parquet writes Parquet")
         ->type_name("FOLDER");
 }
 

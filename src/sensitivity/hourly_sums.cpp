@@ -71,9 +71,16 @@ template <std::size_t lanes>
         }
 }
 
+// Elsewhere the kernel has one lane, and nothing gets there.
+#if defined(__x86_64__)
+#define BEMCAL_WITH_AVX2 [[gnu::target("avx2")]]
+#else
+#define BEMCAL_WITH_AVX2
+#endif
+
 template <std::size_t lanes>
-[[gnu::target("avx2")]] void add_with_avx2(const Groups& groups, std::size_t n,
-                                           const Series& series) {
+BEMCAL_WITH_AVX2 void add_with_avx2(const Groups& groups, std::size_t n,
+                                    const Series& series) {
     add_steps<lanes>(groups, n, series);
 }
 
