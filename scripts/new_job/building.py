@@ -134,7 +134,7 @@ def peak_of_days(days):
     """Of working days, of which the warmer have to draw more: what only changes with time, or in holidays, does not."""
     working = [(theta, power) for theta, power, is_working in days if is_working]
     rising = [pair for pair in working if pair[0] > RISING]
-    if len(rising) < LEAST_WARM or len({power for _, power in rising}) < 2:
+    if len(rising) < LEAST_WARM or any(len(set(column)) < 2 for column in zip(*rising)):
         return 0
     return ratio(working) if statistics.correlation(*zip(*rising)) > LEAST_RISE else 0
 

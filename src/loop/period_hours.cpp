@@ -4,11 +4,13 @@
 #include "loop/period_hours.hpp"
 
 #include "base/error.hpp"
+#include "base/machine.hpp"
 #include "loop/find_functions.hpp"
 #include "loop/loads.hpp"
 #include "physics/simulate.hpp"
 
 #include <cmath>
+#include <exception>
 
 namespace bemcal::loop {
 namespace {
@@ -57,7 +59,8 @@ std::optional<ImpossiblePeriod> impossible_period(
     const std::vector<FoundFunction>& functions) {
     for (const study::Period& period : data.building.periods) try {
             hours_of(data, baseline, standing, functions, data.drive_over(period));
-        } catch (const CannotSimulate& error) {
+        } catch (const std::exception& error) {
+            rethrow_of_machine(error);
             return ImpossiblePeriod{period.name, error.what()};
         }
     return std::nullopt;

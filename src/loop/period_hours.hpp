@@ -6,6 +6,7 @@
 #include "loop/found_function.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
