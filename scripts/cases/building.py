@@ -120,8 +120,10 @@ def loads(case, base_load):
                       carrier="electricity")
     fans = fan_power(case)
     if fans > 0 and not reheats(case):
-        yield section("[[zone.load]]", name="fans", density=scheduled(fans, "vent"),
-                      carrier="electricity", heat_fraction=0)
+        blows = heats_by_air(case)
+        yield section("[[zone.load]]", name="fans",
+                      density=scheduled(fans, "hvac" if blows else "vent"),
+                      carrier="electricity", heat_fraction=1 if blows else 0)
     if base_load:
         yield section("[[zone.load]]", name="base", density=BASE_LOAD, carrier="electricity",
                       heat_fraction=0)
@@ -140,6 +142,12 @@ def fan_power(case):
     """W/m2 while the ventilation runs."""
     v = case["ventilation"]
     return v["flow_l_s_m2_peak"] * v["specific_fan_power_W_per_l_s"]
+
+
+def heats_by_air(case):
+    """Whether the fan moves the room's air through a furnace: it runs with the plant, and its heat
+    stays in the room. Other fans change outdoor air, and what they draw leaves with it."""
+    return "furnace" in case["plant"]["heat_source"].lower()
 
 
 def reheats(case):
@@ -212,18 +220,27 @@ def zone(case, base_load):
                   cooling_cop=p["cooling_COP"] if has_cooling(case) else None)
 
 
-def ground(epw, by_month):
-    """Below the floor: what the weather file says of every month, else the air's yearly mean."""
-    months = ground_temperatures(epw) if by_month else None
+def ground_months(case, case_dir):
+    """What the weather file says of the ground in every month; [] where it says nothing, or there
+    is no floor on it."""
+    if case["geometry"]["ground_floor_area_m2"] <= 0:
+        return []
+    return ground_temperatures(os.path.join(case_dir, case["site"]["weather_train"]))
+
+
+def ground(months, epw):
+    """Below the floor: from its coldest month to its warmest, else the air's yearly mean."""
     if not months:
         yield section("[[boundary]]", name="ground", temperature=mean_outdoor_temperature(epw))
         return
-    yield section("[[schedule]]", name="ground", every_day=months[0])
-    for month, theta in enumerate(months, 1):
+    coldest, warmest = min(months), max(months)
+    shares = [(theta - coldest) / (warmest - coldest or 1) for theta in months]
+    yield section("[[schedule]]", name="ground", every_day=shares[0])
+    for month, share in enumerate(shares, 1):
         last = calendar.monthrange(2001, month)[1] + (month == 2)
-        yield section("[[schedule.period]]", every_day=theta,
+        yield section("[[schedule.period]]", every_day=share,
                       dates=f"{month:02}-01/{month:02}-{last}")
-    yield section("[[boundary]]", name="ground", temperature=scheduled(1, "ground"))
+    yield section("[[boundary]]", name="ground", temperature=scheduled(warmest, "ground", coldest))
 
 
 def building_parts(case, case_dir, manner):
@@ -239,6 +256,7 @@ def building_parts(case, case_dir, manner):
     yield from schedules(case)
     yield from envelope(case)
     if case["geometry"]["ground_floor_area_m2"] > 0:
-        yield from ground(os.path.join(case_dir, site["weather_train"]), manner.for_loop)
+        yield from ground(ground_months(case, case_dir) if manner.for_loop else [],
+                          os.path.join(case_dir, site["weather_train"]))
     yield from zone(case, manner.for_loop)
     yield from meters(case, manner)

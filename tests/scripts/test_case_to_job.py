@@ -107,6 +107,15 @@ class CaseToJob(unittest.TestCase):
         self.assertLessEqual({"supply_flow", "least_flow", "bypass_factor"}, names)
         self.assertNotIn("fans", names)
 
+    def test_the_fan_of_a_furnace_runs_with_the_plant_and_heats_the_room(self):
+        def fans():
+            load, = (each for each in self.job()["zone"][0]["load"] if each["name"] == "fans")
+            return load["density"], load["heat_fraction"]
+        self.assertEqual(fans(), ({"value": 1.5, "schedule": "vent"}, 0))
+        self.case["plant"]["heat_source"] = "gas furnace"
+        (self.folder / "job" / "job.toml").unlink()
+        self.assertEqual(fans(), ({"value": 1.5, "schedule": "hvac"}, 1))
+
     def test_adiabatic_facades_are_left_out(self):
         zone = self.job()["zone"][0]
         self.assertEqual([window["area"] for window in zone["window"]], [50])
