@@ -10,7 +10,7 @@ import json
 from dataclasses import dataclass, field
 from typing import Callable
 
-from cases.building import fan_power, has_cooling, heating_carrier, reheats
+from cases.building import fan_power, has_cooling, heating_carrier, is_heat_pump, reheats
 from cases.toml import number, section
 
 
@@ -77,7 +77,7 @@ ROWS = [
     Row("bypass_factor", "replace", 0, 0.5, 0.1, 0.05, ["air_system.unit.bypass_factor"],
         needs="reheat"),
     factor("moisture", 0, 3, 0.4, "air_system.unit.people_moisture", needs="reheat"),
-    factor("cooling_cop", 0.6, 1.5, 0.2, "plant.cooling_cop", needs="cooling"),
+    factor("cooling_cop", 0.6, 2, 0.2, "plant.cooling_cop", needs="cooling"),
     factor("hot_water", 0.4, 1.6, 0.3, "zone.zone.load.hot_water.density", needs="hot water"),
     factor("cooking", 0.4, 1.6, 0.3, "zone.zone.load.cooking.density", needs="hot water"),
 ]
@@ -102,7 +102,7 @@ def parts_of(case, base_load, ground_by_month):
              "fans": fan_power(case) > 0 and not reheats(case), "reheat": reheats(case),
              "recovery": v["heat_recovery"] > 0, "hot water": hot_water,
              "gas": gas and not hot_water, "gas and hot water": gas and hot_water,
-             "heat pump": carrier == "electricity"}
+             "heat pump": carrier == "electricity" and is_heat_pump(plant)}
     return {part for part, is_there in there.items() if is_there}
 
 
