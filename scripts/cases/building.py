@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Callable
 
-from cases.folder import ground_temperatures, mean_outdoor_temperature
+from cases.folder import days_of, ground_temperatures, mean_outdoor_temperature
 from cases.meters import meters
 from cases.toml import numbers, scheduled, section, texts
 
@@ -233,11 +233,13 @@ def zone(case, base_load):
 
 
 def ground_months(case, case_dir):
-    """What the weather file says of the ground in every month; [] where it says nothing, or there
-    is no floor on it."""
+    """{year: months} of what each weather file says of the ground; {} where one says nothing, or
+    there is no floor on it."""
     if case["geometry"]["ground_floor_area_m2"] <= 0:
-        return []
-    return ground_temperatures(os.path.join(case_dir, case["site"]["weather_train"]))
+        return {}
+    files = [os.path.join(case_dir, case["site"][key]) for key in ("weather_train", "weather_test")]
+    months = {days_of(file)[0].year: ground_temperatures(file) for file in files}
+    return months if all(months.values()) else {}
 
 
 def ground(months, epw):
@@ -245,13 +247,16 @@ def ground(months, epw):
     if not months:
         yield section("[[boundary]]", name="ground", temperature=mean_outdoor_temperature(epw))
         return
-    coldest, warmest = min(months), max(months)
-    shares = [(theta - coldest) / (warmest - coldest or 1) for theta in months]
-    yield section("[[schedule]]", name="ground", every_day=shares[0])
-    for month, share in enumerate(shares, 1):
-        last = calendar.monthrange(2001, month)[1] + (month == 2)
-        yield section("[[schedule.period]]", every_day=share,
-                      dates=f"{month:02}-01/{month:02}-{last}")
+    every = [theta for year in months.values() for theta in year]
+    coldest, warmest = min(every), max(every)
+    yield section("[[schedule]]", name="ground",
+                  every_day=(every[0] - coldest) / (warmest - coldest or 1))
+    for year, thetas in months.items():
+        for month, theta in enumerate(thetas, 1):
+            last = calendar.monthrange(year, month)[1]
+            yield section("[[schedule.period]]",
+                          every_day=(theta - coldest) / (warmest - coldest or 1),
+                          dates=f"{year}-{month:02}-01/{year}-{month:02}-{last}")
     yield section("[[boundary]]", name="ground", temperature=scheduled(warmest, "ground", coldest))
 
 
@@ -268,7 +273,7 @@ def building_parts(case, case_dir, manner):
     yield from schedules(case)
     yield from envelope(case)
     if case["geometry"]["ground_floor_area_m2"] > 0:
-        yield from ground(ground_months(case, case_dir) if manner.for_loop else [],
+        yield from ground(ground_months(case, case_dir) if manner.for_loop else {},
                           os.path.join(case_dir, site["weather_train"]))
     yield from zone(case, manner.for_loop)
     yield from meters(case, manner)

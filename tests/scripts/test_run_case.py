@@ -120,22 +120,25 @@ class Jobs(Folders):
             self.assertTrue(p["min"] <= p["prior"]["mean"] <= p["max"], p)
             self.assertGreater(p["prior"]["sd"], 0)
 
-    def test_the_ground_is_left_open_between_its_coldest_and_its_warmest_month(self):
+    def test_the_ground_is_that_of_each_years_weather_and_left_open(self):
         place = write_case(self.folder / "a")
         self.job(place)
         text = self.folder / "out/job/a.toml"
-        self.assertNotIn("ground_warmest", text.read_text())  # the file says nothing of months
-        months = [6, 4, 5, 8, 10, 12, 15, 16, 14, 12, 10, 8]
-        train = place / "weather_train.epw"
-        lines = train.read_text().splitlines()
-        lines[3] = "GROUND TEMPERATURES,1,1.5,,,," + ",".join(map(str, months))
-        train.write_text("\n".join(lines) + "\n")
+        self.assertNotIn("ground_warmest", text.read_text())  # the files say nothing of months
+        months = {2017: [6, 4, 5, 8, 10, 12, 15, 16, 14, 12, 10, 8]}
+        months[2018] = [theta - 1 for theta in months[2017]]
+        for year, name in ((2017, "weather_train.epw"), (2018, "weather_test.epw")):
+            lines = (place / name).read_text().splitlines()
+            lines[3] = "GROUND TEMPERATURES,1,1.5,,,," + ",".join(map(str, months[year]))
+            (place / name).write_text("\n".join(lines) + "\n")
         self.job(place)
         building = tomllib.loads(text.read_text())
         self.assertEqual(building["boundary"][0]["temperature"],
-                         {"value": 16, "low": 4, "schedule": "ground"})
-        shares = {each["name"]: each for each in building["schedule"]}["ground"]["period"]
-        self.assertEqual([round(4 + 12 * share["every_day"], 3) for share in shares], months)
+                         {"value": 16, "low": 3, "schedule": "ground"})
+        ground, = (each for each in building["schedule"] if each["name"] == "ground")
+        self.assertEqual([round(3 + 13 * part["every_day"], 3) for part in ground["period"]],
+                         months[2017] + months[2018])
+        self.assertEqual(ground["period"][13]["dates"], "2018-02-01/2018-02-28")
         found = {p["name"]: p["target"] for p in building["parameter"]}
         self.assertEqual(found["ground_warmest"], ["boundary.ground.temperature"])
         self.assertEqual(found["ground_coldest"], ["boundary.ground.temperature.low"])
