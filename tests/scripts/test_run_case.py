@@ -133,15 +133,21 @@ class Jobs(Folders):
             (place / name).write_text("\n".join(lines) + "\n")
         self.job(place)
         building = tomllib.loads(text.read_text())
-        self.assertEqual(building["boundary"][0]["temperature"],
-                         {"value": 16, "low": 3, "schedule": "ground"})
-        ground, = (each for each in building["schedule"] if each["name"] == "ground")
-        self.assertEqual([round(3 + 13 * part["every_day"], 3) for part in ground["period"]],
+        middle, edge = building["boundary"]
+        self.assertEqual(edge["temperature"],
+                         {"value": 16, "low": 3, "schedule": "ground_at_edge"})
+        self.assertEqual(middle["temperature"], {"value": 10, "low": 9, "schedule": "ground"})
+        below = {each["name"]: each["period"] for each in building["schedule"] if "ground" in each["name"]}
+        self.assertEqual([round(3 + 13 * part["every_day"], 3) for part in below["ground_at_edge"]],
                          months[2017] + months[2018])
-        self.assertEqual(ground["period"][13]["dates"], "2018-02-01/2018-02-28")
+        self.assertEqual([part["every_day"] for part in below["ground"]], [1] * 12 + [0] * 12)
+        self.assertEqual(below["ground"][13]["dates"], "2018-02-01/2018-02-28")
+        floors = [each for each in building["zone"][0]["surface"] if each["construction"] == "floor"]
+        self.assertEqual([(floor["boundary"], floor["area"]) for floor in floors],
+                         [("ground", 250), ("ground_at_edge", 250)])
         found = {p["name"]: p["target"] for p in building["parameter"]}
-        self.assertEqual(found["ground_warmest"], ["boundary.ground.temperature"])
-        self.assertEqual(found["ground_coldest"], ["boundary.ground.temperature.low"])
+        self.assertEqual(found["ground_warmest"], ["boundary.ground_at_edge.temperature"])
+        self.assertEqual(found["ground_coldest"], ["boundary.ground_at_edge.temperature.low"])
 
     def test_factors_on_shares_keep_them_below_one(self):
         case = json.loads(json.dumps(OFFICE))
