@@ -78,7 +78,7 @@ def envelope(case):
                   solar_transmittance=e["SHGC_normal"], frame_fraction=e["frame_fraction"])
 
 
-def elements(case, months):
+def elements(case):
     g = case["geometry"]
     for facade in g["facades"]:
         if facade["adiabatic"]:
@@ -95,11 +95,8 @@ def elements(case, months):
         yield section("[[zone.surface]]", name="roof", construction="roof", tilt=0,
                       area=g["roof_area_exposed_m2"])
     if g["ground_floor_area_m2"] > 0:
-        parts = {"floor": "ground"} if not months else \
-            {"floor_middle": "ground", "floor_edge": "ground_at_edge"}
-        for name, boundary in parts.items():
-            yield section("[[zone.surface]]", name=name, construction="floor", boundary=boundary,
-                          area=g["ground_floor_area_m2"] / len(parts))
+        yield section("[[zone.surface]]", name="floor", construction="floor", boundary="ground",
+                      area=g["ground_floor_area_m2"])
 
 
 def thinner(case):
@@ -212,7 +209,7 @@ def is_heat_pump(plant):
     return "heat pump" in plant["heat_source"].lower() or plant.get("heating_COP", 1) > 1
 
 
-def zone(case, base_load, months):
+def zone(case, base_load):
     p, g = case["plant"], case["geometry"]
     cooling = cooling_keys(p) if has_cooling(case) else \
         dict(cooling_set_point=60, cooling_capacity=0)
@@ -223,7 +220,7 @@ def zone(case, base_load, months):
                   heating_capacity=p["heating_capacity_W_m2"],
                   heating_available=scheduled(1, "heating_season")
                   if heating_season(case) else None, **cooling)
-    yield from elements(case, months)
+    yield from elements(case)
     yield from air_flows(case)
     yield from loads(case, base_load)
     if reheats(case):
@@ -236,37 +233,25 @@ def zone(case, base_load, months):
 
 
 def ground_months(case, case_dir):
-    """{year: months} of what each weather file says of the ground; {} where one says nothing, or
-    there is no floor on it."""
-    if case["geometry"]["ground_floor_area_m2"] <= 0:
-        return {}
+    """{year: months} of what each weather file says of the ground; {} where one says nothing."""
     files = [os.path.join(case_dir, case["site"][key]) for key in ("weather_train", "weather_test")]
     months = {days_of(file)[0].year: ground_temperatures(file) for file in files}
     return months if all(months.values()) else {}
 
 
-def shares_of(values, least, most):
-    return [(value - least) / (most - least or 1) for value in values]
-
-
 def ground(months, epw):
-    """Below the floor: the air's yearly mean; where months are known, below its middle the mean of
-    each year, and below its edge each month (ISO 13370: the edge has the seasons). Half is edge."""
+    """Below the floor: the months of each year, else the air's yearly mean."""
     if not months:
         yield section("[[boundary]]", name="ground", temperature=mean_outdoor_temperature(epw))
         return
-    yearly = {year: [sum(thetas) / 12] * 12 for year, thetas in months.items()}
-    for name, thetas in (("ground", yearly), ("ground_at_edge", months)):
-        every = [theta for year in thetas.values() for theta in year]
-        coldest, warmest = min(every), max(every)
-        shares = shares_of(every, coldest, warmest)
-        yield section("[[schedule]]", name=name, every_day=shares[0])
-        for k, share in enumerate(shares):
-            year, month = list(months)[k // 12], k % 12 + 1
+    first, *_ = months.values()
+    yield section("[[schedule]]", name="ground", every_day=first[0])
+    for year, thetas in months.items():
+        for month, theta in enumerate(thetas, 1):
             last = calendar.monthrange(year, month)[1]
-            yield section("[[schedule.period]]", every_day=share,
+            yield section("[[schedule.period]]", every_day=theta,
                           dates=f"{year}-{month:02}-01/{year}-{month:02}-{last}")
-        yield section("[[boundary]]", name=name, temperature=scheduled(warmest, name, coldest))
+    yield section("[[boundary]]", name="ground", temperature=scheduled(1, "ground"))
 
 
 def building_parts(case, case_dir, manner):
@@ -281,8 +266,8 @@ def building_parts(case, case_dir, manner):
     yield section("[weather]", files=texts(weather))
     yield from schedules(case)
     yield from envelope(case)
-    months = ground_months(case, case_dir) if manner.for_loop else {}
     if case["geometry"]["ground_floor_area_m2"] > 0:
-        yield from ground(months, os.path.join(case_dir, site["weather_train"]))
-    yield from zone(case, manner.for_loop, months)
+        yield from ground(ground_months(case, case_dir) if manner.for_loop else {},
+                          os.path.join(case_dir, site["weather_train"]))
+    yield from zone(case, manner.for_loop)
     yield from meters(case, manner)

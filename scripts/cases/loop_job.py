@@ -6,7 +6,7 @@ measured is predicted only.
 """
 import os
 
-from cases.building import Manner, building_parts, ground_months
+from cases.building import Manner, building_parts
 from cases.folder import CaseError, days_of, read_case
 from cases.meters import CHANNELS, channels
 from cases.parameters import ROWS, parameters
@@ -39,8 +39,7 @@ def building_text(case_dir, name, interval=None):
         raise CaseError(f"{readings}: has no column that is a meter; expected one or more of "
                         f"{', '.join(CHANNELS)}")
     return "\n".join([*building_parts(case, case_dir, manner), periods(case, case_dir),
-                      *parameters(case, ROWS, base_load=True,
-                                  ground_by_month=bool(ground_months(case, case_dir)))])
+                      *parameters(case, ROWS, base_load=True)])
 
 
 def names_of(case_dirs):

@@ -58,9 +58,6 @@ ROWS = [
     offset("heating_setback", 4, 1, "zone.zone.heating_set_point.low"),
     offset("cooling_set_point", 2, 0.5, "zone.zone.cooling_set_point", needs="cooling"),
     offset("cooling_setback", 4, 1, "zone.zone.cooling_set_point.low", needs="cooling setback"),
-    offset("ground_warmest", 8, 2, "boundary.ground_at_edge.temperature", needs="ground by month"),
-    offset("ground_coldest", 8, 2, "boundary.ground_at_edge.temperature.low",
-           needs="ground by month"),
     factor("heat_capacity", 0.2, 4, 0.5, "zone.zone.heat_capacity"),
     factor("heating_capacity", 0.4, 2, 0.15, "zone.zone.heating_capacity"),
     factor("cooling_capacity", 0.4, 2, 0.15, "zone.zone.cooling_capacity", needs="cooling"),
@@ -91,14 +88,14 @@ STRUCTURE = [
 ]
 
 
-def parts_of(case, base_load, ground_by_month):
+def parts_of(case, base_load):
     """Those of the parts in Row.needs that the case has."""
     g, plant, v = case["geometry"], case["plant"], case["ventilation"]
     cooled, carrier = has_cooling(case), heating_carrier(plant)
     gas = carrier == "gas"
     hot_water = bool(case.get("domestic_hot_water"))
     there = {"": True, "roof": g["roof_area_exposed_m2"] > 0, "base": base_load,
-             "ground by month": ground_by_month, "floor": g["ground_floor_area_m2"] > 0, "cooling": cooled,
+             "floor": g["ground_floor_area_m2"] > 0, "cooling": cooled,
              "cooling setback": cooled and isinstance(plant["cooling_setback_C"], (int, float)),
              "fans": fan_power(case) > 0 and not reheats(case), "reheat": reheats(case),
              "recovery": v["heat_recovery"] > 0, "hot water": hot_water,
@@ -107,8 +104,8 @@ def parts_of(case, base_load, ground_by_month):
     return {part for part, is_there in there.items() if is_there}
 
 
-def parameters(case, rows, base_load=False, ground_by_month=False):
-    parts = parts_of(case, base_load, ground_by_month)
+def parameters(case, rows, base_load=False):
+    parts = parts_of(case, base_load)
     for row in rows:
         if row.needs not in parts:
             continue

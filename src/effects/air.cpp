@@ -7,10 +7,12 @@
 
 #include "base/nan.hpp"
 #include "effects/decisions.hpp"
+#include "physics/calendar.hpp"
 #include "physics/moist_air.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace bemcal::effects {
 namespace {
@@ -102,6 +104,27 @@ std::vector<double> ground_series(const Weather& weather) {
         for (std::size_t k = 0; k < year; ++k) state = lagged(state, theta_e[k]);
     return each_hour(weather,
                      [&](std::size_t k) { return state = lagged(state, theta_e[k]); });
+}
+
+std::vector<double> yearly_mean_series(const Weather& weather) {
+    struct Year {
+        double sum = 0, n = 0;
+    };
+    std::map<int, Year> years;
+    const auto year_of = [&](std::size_t k) {
+        const auto begin = weather.axis.begin_of(static_cast<int>(k));
+        return physics::calendar_step(begin).year;
+    };
+    for (std::size_t k = 0; k < weather.theta_e.size(); ++k) {
+        Year& year = years[year_of(k)];
+        year.sum += weather.theta_e[k];
+        year.n += 1;
+    }
+    const double of_all = mean_of(weather.theta_e);
+    return each_hour(weather, [&](std::size_t k) {
+        const Year& year = years[year_of(k)];
+        return year.n < decisions::least_of_year * year_h ? of_all : year.sum / year.n;
+    });
 }
 
 }  // namespace bemcal::effects

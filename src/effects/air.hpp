@@ -24,4 +24,8 @@ std::vector<double> sky_difference_series(const physics::Weather& weather);  ///
 /// 60 days; before the first step the weather's first year repeats [degC].
 std::vector<double> ground_series(const physics::Weather& weather);
 
+/// theta_e, mean of the calendar year in the weather; of a year of which the weather has
+/// less than a half, mean of all [degC].
+std::vector<double> yearly_mean_series(const physics::Weather& weather);
+
 }  // namespace bemcal::effects

@@ -31,6 +31,9 @@ inline constexpr double most_missing = 0.1;
 inline constexpr double base_temperature = 20;
 /// Least of the wind about its mean. Judgement: some leaks are left.
 inline constexpr double least_excess_of_wind = -0.6;
+/// Of a year's hours: with fewer in the weather, its mean is that of all weather.
+/// Judgement: less has no summer or no winter.
+inline constexpr double least_of_year = 0.5;
 /// The ground's time constant [h]. Judgement: 60 days.
 inline constexpr double lag_of_ground = 1440;
 /// Of the largest density of people: more is occupied. Judgement: schedules keep a

@@ -33,6 +33,8 @@ enum class Hook {
     opaque_conductance,    ///< of the opaque elements, as a share [-]
     window_conductance,    ///< as a share [-]
     neighbour,             ///< conductance to another temperature, per floor [W/(m2 K)]
+    ground,                ///< temperatures behind elements that follow a schedule, towards
+                           ///< the driver's, as a share [-]
     second_mass,           ///< conductance to a second mass, per floor [W/(m2 K)]
     aperture,              ///< solar gains through windows of a facade, as a share [-]
     heat_recovery,         ///< of ventilation, added [-]
@@ -68,6 +70,7 @@ enum class Driver {
     sun_on_facade,        ///< on the hook's facade [W/m2]
     moisture,             ///< outdoor humidity ratio [g/kg]
     ground,               ///< outdoor temperature of the last months, lagged [degC]
+    yearly_mean,          ///< outdoor temperature, mean of the calendar year [degC]
     occupied,             ///< share of the largest density of people [-]
     hour,                 ///< hour of the day, 0 to 24; `within` gives a share of a step
     weekend,              ///< 1 on Saturday and Sunday

@@ -13,6 +13,7 @@
 #include "effects/profiles.hpp"
 #include "effects/schedules.hpp"
 #include "effects/sites.hpp"
+#include "effects/steps.hpp"
 
 #include <algorithm>
 
@@ -109,6 +110,15 @@ void add_walls(Building& building, const std::string& name) {
     }
 }
 
+/// As a ground does; a neighbour's rooms follow the hour.
+bool keeps_all_day(const Series& series, const Surroundings& around) {
+    for (std::size_t k = 1; k < series.size(); ++k)
+        if (series[k] != series[k - 1] &&
+            around.calendar[k].day_of_year == around.calendar[k - 1].day_of_year)
+            return false;
+    return true;
+}
+
 }  // namespace
 
 void change_inputs(Placer& placer, const HookRow& row, const Effect& effect) {
@@ -144,6 +154,24 @@ void change_leaks(Placer& placer, const HookRow& row, const Effect& effect) {
             value *= physics::input_at(placer.building(), target)->value;
         placer.change(target, row.kind, placer.profile_row(std::move(leak)));
     }
+}
+
+void move_boundaries(Placer& placer, const HookRow& row, const Effect& effect) {
+    const Surroundings& around = placer.around();
+    const Series towards = profile_of(effect, around);
+    bool is_any = false;
+    for (const Target& target : sites_of(row, effect, placer.building())) {
+        const physics::Input declared = *physics::input_at(placer.building(), target);
+        const Series own = each_step(around, [&](std::size_t k) {
+            return around.drive->at(declared, static_cast<int>(k));
+        });
+        if (!keeps_all_day(own, around)) continue;
+        Series moved = towards;
+        for (std::size_t k = 0; k < moved.size(); ++k) moved[k] -= own[k];
+        placer.change(target, row.kind, placer.profile_row(std::move(moved)));
+        is_any = true;
+    }
+    if (!is_any) object(row.lack);
 }
 
 void open_windows(Placer& placer, const HookRow& row, const Effect& effect) {

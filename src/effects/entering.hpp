@@ -11,6 +11,7 @@ void change_inputs(Placer&, const HookRow&, const Effect&);
 void change_windows(Placer&, const HookRow&, const Effect&);
 /// Of each zone's declared infiltration, whatever a parameter makes of it.
 void change_leaks(Placer&, const HookRow&, const Effect&);
+void move_boundaries(Placer&, const HookRow&, const Effect&);
 /// Openings that follow the room and open above a temperature.
 void open_windows(Placer&, const HookRow&, const Effect&);
 

@@ -144,6 +144,12 @@ void Sites::of_leaks() {
     }
 }
 
+void Sites::of_boundaries() {
+    for (std::size_t b = 0; b < building_.boundaries.size(); ++b)
+        if (building_.boundaries[b].temperature.profile >= 0)
+            add(Part::boundary, b, 0, building_.boundaries[b].temperature);
+}
+
 void Sites::of_flows(Input AirFlow::* input, bool (*is_one)(const AirFlow&)) {
     for (std::size_t z = 0; z < building_.zones.size(); ++z) {
         std::vector<AirFlow>& flows = building_.zones[z].flows;

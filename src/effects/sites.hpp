@@ -23,6 +23,8 @@ class Sites {
                   bool (*is_one)(const physics::AirFlow&));
     void of_openings();
     /// Constructions of elements that face outdoors, changed wherever they are used.
+    /// Temperatures behind elements that follow a profile.
+    void of_boundaries();
     void of_outer_walls();
     void of_glazings();
     /// Shading of the windows that face as this plane does; none = of all.

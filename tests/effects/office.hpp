@@ -18,7 +18,7 @@ using physics::Carrier;
 using physics::Quantity;
 
 inline constexpr int weather_days = 365;
-inline constexpr int office_hours_row = 0, night_row = 1;
+inline constexpr int office_hours_row = 0, night_row = 1, ground_row = 2;
 
 inline physics::Weather office_weather() {
     using std::numbers::pi;
@@ -62,6 +62,17 @@ inline physics::Profile night_profile() {
     return profile;
 }
 
+/// The ground: 8 degC, from June on 14.
+inline physics::Profile ground_profile() {
+    physics::Profile profile;
+    profile.name = "ground";
+    for (physics::Day& day : profile.schedule.week) day.fill(8);
+    physics::Schedule::Period summer{physics::parse_date_range("06-01/11-30"), {}};
+    for (physics::Day& day : summer.week) day.fill(14);
+    profile.schedule.periods.push_back(summer);
+    return profile;
+}
+
 inline physics::Load office_load(const char* name, double density, Carrier carrier) {
     physics::Load load;
     load.name = name;
@@ -76,7 +87,9 @@ inline physics::Zone office_zone() {
     zone.floor_area = 500;
     zone.volume = 1500;
     zone.surfaces = {{.name = "wall", .construction = 0, .area = 300, .plane = 0},
-                     {.name = "roof", .construction = 1, .area = 250, .plane = 2}};
+                     {.name = "roof", .construction = 1, .area = 250, .plane = 2},
+                     {.name = "floor", .construction = 1, .area = 250, .in_sun = false}};
+    zone.surfaces[2].boundary = 0;
     zone.windows = {{.name = "south", .glazing = 0, .area = 60, .plane = 0},
                     {.name = "west", .glazing = 0, .area = 30, .plane = 1}};
     zone.flows.resize(2);
@@ -119,6 +132,7 @@ inline physics::Building office_building() {
                                  .solar_transmittance = {0.6, 0, -1},
                                  .angle_modifier = {}});
     building.planes = {{pi / 2, pi, {}}, {pi / 2, 1.5 * pi, {}}, {0, 0, {}}};
+    building.boundaries.push_back({.name = "ground", .temperature = {1, 0, ground_row}});
     building.zones.push_back(office_zone());
     building.air_systems.push_back(office_air_system());
     building.zones[0].air_system = 0;
@@ -136,7 +150,7 @@ struct Office {
     explicit Office(const char* from = "2021-01-15", const char* to = "2021-12-31",
                     int step_s = 3600) {
         drive = physics::make_drive(
-            weather, building, {office_profile(), night_profile()},
+            weather, building, {office_profile(), night_profile(), ground_profile()},
             physics::parse_time(from), physics::parse_time(to), step_s, 14 * 24);
         around = effects::make_surroundings(building, drive, weather,
                                             physics::parse_time(from));

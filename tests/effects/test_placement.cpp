@@ -206,6 +206,26 @@ TEST(Placement, WindMovesInfiltrationAboutWhatItIs) {
     EXPECT_THROW(placed(leakage, tight), CannotSimulate);
 }
 
+TEST(Placement, AGroundMayKeepTheYearlyMean) {
+    const Effect keeps{
+        .name = "ground", .hook = Hook::ground, .driver = Driver::yearly_mean};
+    const std::vector<double>& theta_e = office().weather.theta_e;
+    Placed constant{office().building, office().drive, {}};
+    constant.building.boundaries[0].temperature = {
+        total(theta_e) / static_cast<double>(theta_e.size()), 0, -1};
+    const auto moved = shown(placed(keeps), {1}, Quantity::gas),
+               expected = shown(constant, {}, Quantity::gas);
+    for (std::size_t k = 0; k < expected.size(); ++k)
+        ASSERT_NEAR(moved[k], expected[k], 1e-9);
+}
+
+TEST(Placement, ANeighbourWhoFollowsTheHourIsNoGround) {
+    Office neighbour;
+    neighbour.building.boundaries[0].temperature = {20, 16, test::night_row};
+    EXPECT_THROW(placed({.name = "ground", .hook = Hook::ground}, neighbour),
+                 CannotSimulate);
+}
+
 // Levels of two years differ, but for the least.
 TEST(Placement, LeaksAreAsSmallInEveryYear) {
     const Effect leakage{

@@ -60,6 +60,21 @@ TEST(Air, TheGroundLagsTheOutdoorsAndSwingsLess) {
     EXPECT_NEAR(swing, 11 / std::sqrt(1 + 1.0328 * 1.0328), 0.25);
 }
 
+TEST(Air, AYearOfWhichHalfIsThereHasAMeanOfItsOwn) {
+    physics::Weather weather;
+    const auto first_of = [&](int n_hours) {
+        weather.axis = {physics::parse_time("2022-01-01") - std::chrono::hours(n_hours),
+                        3600, n_hours + 8760};
+        weather.theta_e.assign(static_cast<std::size_t>(n_hours), 4);
+        weather.theta_e.resize(weather.theta_e.size() + 8760, 10);
+        const std::vector<double> means = yearly_mean_series(weather);
+        EXPECT_NEAR(means.back(), 10, 1e-9);
+        return means.front();
+    };
+    EXPECT_NEAR(first_of(4380), 4, 1e-9);
+    EXPECT_NEAR(first_of(4379), (4 * 4379 + 10 * 8760) / (4379 + 8760.0), 1e-9);
+}
+
 TEST(Surroundings, WeatherIsLaidOnTheDrivesSteps) {
     const Office half_hours("2021-03-01", "2021-04-01", 1800);
     const std::size_t step = at("2021-03-05 14:30", half_hours);

@@ -120,11 +120,11 @@ class Jobs(Folders):
             self.assertTrue(p["min"] <= p["prior"]["mean"] <= p["max"], p)
             self.assertGreater(p["prior"]["sd"], 0)
 
-    def test_the_ground_is_that_of_each_years_weather_and_left_open(self):
+    def test_the_ground_is_that_of_each_years_weather(self):
         place = write_case(self.folder / "a")
         self.job(place)
         text = self.folder / "out/job/a.toml"
-        self.assertNotIn("ground_warmest", text.read_text())  # the files say nothing of months
+        self.assertEqual(tomllib.loads(text.read_text())["boundary"][0]["temperature"], 20)
         months = {2017: [6, 4, 5, 8, 10, 12, 15, 16, 14, 12, 10, 8]}
         months[2018] = [theta - 1 for theta in months[2017]]
         for year, name in ((2017, "weather_train.epw"), (2018, "weather_test.epw")):
@@ -132,22 +132,11 @@ class Jobs(Folders):
             lines[3] = "GROUND TEMPERATURES,1,1.5,,,," + ",".join(map(str, months[year]))
             (place / name).write_text("\n".join(lines) + "\n")
         self.job(place)
-        building = tomllib.loads(text.read_text())
-        middle, edge = building["boundary"]
-        self.assertEqual(edge["temperature"],
-                         {"value": 16, "low": 3, "schedule": "ground_at_edge"})
-        self.assertEqual(middle["temperature"], {"value": 10, "low": 9, "schedule": "ground"})
-        below = {each["name"]: each["period"] for each in building["schedule"] if "ground" in each["name"]}
-        self.assertEqual([round(3 + 13 * part["every_day"], 3) for part in below["ground_at_edge"]],
+        ground, = (each for each in tomllib.loads(text.read_text())["schedule"]
+                   if each["name"] == "ground")
+        self.assertEqual([part["every_day"] for part in ground["period"]],
                          months[2017] + months[2018])
-        self.assertEqual([part["every_day"] for part in below["ground"]], [1] * 12 + [0] * 12)
-        self.assertEqual(below["ground"][13]["dates"], "2018-02-01/2018-02-28")
-        floors = [each for each in building["zone"][0]["surface"] if each["construction"] == "floor"]
-        self.assertEqual([(floor["boundary"], floor["area"]) for floor in floors],
-                         [("ground", 250), ("ground_at_edge", 250)])
-        found = {p["name"]: p["target"] for p in building["parameter"]}
-        self.assertEqual(found["ground_warmest"], ["boundary.ground_at_edge.temperature"])
-        self.assertEqual(found["ground_coldest"], ["boundary.ground_at_edge.temperature.low"])
+        self.assertEqual(ground["period"][13]["dates"], "2018-02-01/2018-02-28")
 
     def test_factors_on_shares_keep_them_below_one(self):
         case = json.loads(json.dumps(OFFICE))
