@@ -1,8 +1,8 @@
 """A table from hooks to EnergyPlus: every effect is an hourly series, and each hook says where it enters.
 
 Three ways: a new object with the series as its schedule; a schedule of the model that a program changes (`changes`);
-or the meters' hours after the run. Left out, and told: what no hourly series can say (a second mass), and hooks whose
-objects the model does not have.
+or the meters' hours after the run. Left out, and told: what no hourly series can say (a second mass, a
+ground), and hooks whose objects the model does not have.
 
 The twin foretells what EnergyPlus then shows, with a correlation over the hours of 0.9 or more (bench_energyplus_patch)
 but where EnergyPlus has what the twin lacks: walls that pass heat on hours later, and let the sun in as they do
@@ -137,6 +137,7 @@ HOOKS = {
     "opaque conductance": Hook("insulating layers; of time: a share of conducted heat", outside.change_walls),
     "window conductance": Hook("glazing's U-value; of time: a share of U A dT", outside.change_glass),
     "neighbour": Hook("OtherEquipment by a program, where `temperature` is said", outside.add_neighbour),
+    "ground": Hook("left out", leave_out("a ground is no hourly series; write its Site:GroundTemperature")),
     "second mass": Hook("left out", leave_out("a second mass is no hourly series; write an InternalMass")),
     "aperture": Hook("OtherEquipment by a program: a share of transmitted sun", outside.change_sun),
     "heat recovery": Hook("effectiveness of ideal loads and heat exchangers", inside.recover_heat),

@@ -68,7 +68,7 @@ HOOKS = (
     ("heating efficiency", -0.1, {}, 1, 0, 0), ("cooling COP", -0.1, {}, 0, 0, 0),
     ("meter addition", 2, {"meter": "gas"}, 1, 0, 0), ("meter factor", 0.1, {"meter": "gas"}, 1, 0, 0),
 )
-LEFT_OUT = {"second mass", "economiser", "supply temperature"}   # of this model
+LEFT_OUT = {"second mass", "ground", "economiser", "supply temperature"}   # of this model
 
 
 def energyplus():
