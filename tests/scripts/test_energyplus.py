@@ -561,8 +561,8 @@ class Tables(unittest.TestCase):
         self.assertEqual([name for name in names if name not in effects.HOOKS], [])
 
     def test_each_hook_changes_the_model_or_the_hours(self):
-        left_here = {"second mass", "ground", "neighbour", "economiser", "supply temperature", "operation", "occupation",
-                     "plant operation"}
+        left_here = {"second mass", "ground", "neighbour", "economiser", "supply temperature", "operation",
+                     "occupation", "plant operation"}
         for hook, row in effects.HOOKS.items():
             with self.subTest(hook):
                 self.setUp()
