@@ -99,7 +99,8 @@ def use_word(place):
 
 
 def summer_peak(meter, sky):
-    """Mean power where it is above WARM over that where it is mild, by days or else by months; 0 where there are none."""
+    """Mean power where it is above WARM over that where it is mild, by days or else by months; 0 where there are
+    none."""
     if meter.step <= A_DAY:
         days = days_of(meter, sky)
         if sum(theta > WARM for theta, _, _ in days) >= LEAST_WARM:
