@@ -60,8 +60,10 @@ double log_odds(const DayShares& days, int day) {
            log_normal(found->second, days.middle, days.spread);
 }
 
+/// Not by the odds: what a closed day leaves in the next is far from an open one, too.
 bool is_closed(const DayShares& days, int day) {
-    return log_odds(days, day) > 0;
+    const auto found = days.shares.find(day);
+    return found != days.shares.end() && found->second >= decisions::least_closed_share;
 }
 
 /// The day on which a holiday was kept: its own; or, where that one was open, the one

@@ -102,6 +102,22 @@ TEST(KeptCalendar, TakesAHolidayForMovedWhereTheNextDayWasClosedInItsPlace) {
     EXPECT_TRUE(kept->holds(number_of(2019, 9, 2)));
 }
 
+TEST(KeptCalendar, TakesNoDayForClosedThatAClosedOneBeforeItChanged) {
+    std::vector<int> days = days_of("US", "", 2018);
+    std::ranges::replace(days, number_of(2018, 9, 3), number_of(2018, 9, 4));
+    DayShares shares = year_of(2018, days);
+    shares.spread = 0.03;
+    for (auto& [day, share] : shares.shares)
+        if (share < 0.5) share *= 0.3;
+    shares.shares[number_of(2018, 9, 5)] = 0.15;
+    const auto kept = kept_calendar(shares, 2018, 2019);
+    ASSERT_TRUE(kept);
+    EXPECT_TRUE(kept->holds(number_of(2018, 9, 4)));
+    EXPECT_TRUE(kept->holds(number_of(2019, 9, 2)));
+    shares.shares[number_of(2018, 9, 5)] = 0.5;  // closed for itself: none is moved
+    EXPECT_FALSE(kept_calendar(shares, 2018, 2019)->holds(number_of(2018, 9, 4)));
+}
+
 TEST(KeptCalendar, IsKnownFromAPeriodOfOneYear) {
     const auto kept = kept_calendar(year_of(2018, days_of("US", "", 2018)), 2018, 2018);
     ASSERT_TRUE(kept);
