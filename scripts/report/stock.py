@@ -327,6 +327,14 @@ def hash_of(script):
     return "sha256-" + base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
 
 
+def data_said(zeros, units, shared):
+    """What was found in the data, of what there is."""
+    kinds = ((zeros, "meter with filled zeros", "meters with filled zeros"),
+             (units, "meter with a unit that was chosen or changes", "meters with a unit that was chosen or changes"),
+             (shared, "sign of a shared meter", "signs of shared meters"))
+    return words.listed(f"{len(rows)} {one if len(rows) == 1 else many}" for rows, one, many in kinds if rows)
+
+
 def contents(read_stock, nights):
     title, night, buildings, table, common = read_stock
     worst = sorted((b for b in buildings if math.isfinite(b.recent)),
@@ -336,7 +344,9 @@ def contents(read_stock, nights):
     units = with_word(buildings, UNIT, 2) + with_word(buildings, "a step by", 1)
     shared = with_word(buildings, SHARED, 2)
     said = {*zeros, *units, *shared}
-    others = [(b.name, *f) for b in buildings for f in b.findings if (b.name, *f) not in said]
+    others = [(b.name, *f) for b in buildings for f in b.findings
+              if (b.name, *f) not in said and not f[1].startswith(FOUND)]
+    effects = [(b.name, *f) for b in buildings for f in b.findings if f[1].startswith(FOUND)]
     script = (HERE / "stock.js").read_text(encoding="utf-8")
     return {"title": title, "night": night, "words": words, "most": MOST_ROWS,
             "counts": Counter(b.status for b in buildings), "n": len(buildings),
@@ -345,7 +355,8 @@ def contents(read_stock, nights):
             "postponed": [b for b in buildings if b.status == "postponed"],
             "told": [b for b in buildings if b.told], "common": common,
             "drifting": [b for b in buildings if b.drift], "worst": worst, "zeros": zeros,
-            "units": units, "shared": shared, "others": others, "picture": picture(nights),
+            "units": units, "shared": shared, "others": others, "effects": effects, "data_said": data_said(zeros, units, shared),
+             "picture": picture(nights),
             "n_nights": len(nights), "table": table, "heads": HEADS, "lines": json_of(buildings),
             "has_foretold": any(len(b.foretold) for b in buildings),
             "script": jinja2.utils.markupsafe.Markup(script), "script_hash": hash_of(script),

@@ -356,6 +356,14 @@ class Page(ManyBuildings):
         self.assertIn("wind <infiltration> in 61 of 312 0.02 0.01 to 0.04 1/h per m/s", text)
         self.assertNotIn("in 1 of 312", text)
 
+    def test_each_status_is_counted_once_and_an_effect_is_no_finding_in_the_data(self):
+        text = " ".join(html.unescape(re.sub(r"<[^>]+>", " ", self.page)).split())
+        lead = text[text.index(f"{MANY} buildings:"):text.index("Errors are CV(RMSE)")]
+        self.assertEqual(lead.count("failed"), 1)
+        self.assertNotRegex(lead, r"\b0 ")
+        self.assertIn("found: wind", text[text.index("Effects found"):text.index("Other findings in the data")])
+        self.assertNotIn("found: wind", text[text.index("Other findings in the data"):])
+
     def test_a_hostile_name_is_only_a_name(self):
         outside = re.sub(r"<script[ >].*?</script>", "", self.page, flags=re.S)
         self.assertEqual(self.page.count("<script"), 2)
