@@ -8,12 +8,13 @@ import numpy as np
 from report import theme
 from report.picture import LONGEST_OF_THREE, Table, and_more, bare_unit, picture, short, unit_words
 from report.stored import join
-from report.words import fixed, listed, number, percent
+from report.words import beside, fixed, listed, number, percent
 
 LOG_DENSITY, ALL = "log_density", "all"
 MOST_DENSITIES, MOST_PAIRS, MOST_TRACES = 12, 5, 6
 MOST_DRAWS, TRACE, PLACES = 2000, 640, 48      # of a density; of all chains in a trace; of a curve
 PAIR_DOTS, BINS = 200, 20
+TICKS = 12                     # characters that the numbers of a small axis have room for
 MOST_METERS, MOST_FAILED = 6, 20
 
 
@@ -69,6 +70,8 @@ def draw_density(axis, posterior, prior):
     axis.set_ylim(bottom=0)
     axis.grid(False)
     axis.locator_params(axis="x", nbins=3)
+    if sum(len(theme.thousands(tick)) for tick in axis.get_xticks() if places[0] <= tick <= places[-1]) > TICKS:
+        axis.locator_params(axis="x", nbins=1)
     theme.compact(axis)
 
 
@@ -203,14 +206,27 @@ def table(study):
     for name in study.texts("unknown"):
         mean, sd, low, high, rhat, bulk, tail = (column.get(name, np.nan) for column in columns)
         unit = units.get(name, "")
-        rows.append([name, number(mean), number(sd, 2), f"{number(low)} to {number(high)}",
+        rows.append([name, beside(mean, sd), beside(sd, sd), f"{beside(low, sd)} to {beside(high, sd)}",
                      bare_unit(unit), fixed(rhat, 3), number(bulk), number(tail), words.get(name, "")])
     yield Table("Unknowns", [("unknown", False), ("mean", True), ("sd", True), ("90 % interval", True),
                              ("unit", False), ("R-hat", True), ("ESS bulk", True), ("ESS tail", True),
                              ("what the data tell", False)], rows)
+    yield from meanings(study.texts("unknown"))
     if np.isfinite(study.number("target_rhat")):
         yield f"Aim: R-hat of at most {number(study.number('target_rhat'))} and at least " \
               f"{number(study.number('target_ess'))} effective draws (ESS)."
+
+
+def meanings(names):
+    """What the unknowns are that no line of the job names."""
+    if any(name.startswith(("rho_eta_", "rho_delta_")) for name in names):
+        yield "The names rho and lambda are of the statistical model: rho of an input near 1 says that it hardly " \
+              "matters there, a large lambda that the part varies little. The parts: eta is the simulator, delta " \
+              "what it lacks (the discrepancy), e the error of a measurement."
+    if any(name.endswith("_constant") for name in names):
+        yield "Of a meter's residuals, reading less prediction: METER_constant is the size of their constant part, " \
+              "METER_proportional that of the part in proportion to the prediction, METER_phi their correlation " \
+              "from one step to the next."
 
 
 def program(study):
@@ -253,7 +269,7 @@ def fit_table(study):
     if rows:
         yield Table("Errors: CV(RMSE)", [("meter", False), ("period", False), ("as described", True),
                                          ("posterior", True), ("months: as described", True), ("posterior", True),
-                                         ("in 90 %", True)], rows)
+                                         ("in 90 % intervals", True)], rows)
 
 
 def reading_ranks(study):

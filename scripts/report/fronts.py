@@ -8,13 +8,15 @@ from report.picture import Table, picture, short, unit_words
 from report.screening import in_range, over_ranges, spread
 from report.words import fixed, listed, number
 
+WHOLE = "what is minimised"
 MOST_DOTS, MOST_FRONTS = 800, 6        # points; pairs of objectives
 NEAR = 4                               # points are drawn up to so many times the front's width from it
 
 
 def objective_label(study, k):
     units = study.texts("objective_unit")
-    return f"{short(study.texts('objective')[k])}{unit_words(units[k] if k < len(units) else '')}"
+    name = study.texts("objective")[k]
+    return f"{WHOLE if name == 'f' else short(name)}{unit_words(units[k] if k < len(units) else '')}"
 
 
 def descent(study):

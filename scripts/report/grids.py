@@ -111,6 +111,8 @@ def roles(study):
     yield Table("Nearest point, and what became of the parameters",
                 [("parameter", False), ("nearest point", True), ("unit", False),
                  *((f"stage {k + 1}", False) for k in range(len(groups)))], rows)
+    yield "Open: several values of the parameter are among the nearest points. Determined: one is, and the parameter " \
+          "matters. Insensitive: one is, but the parameter hardly matters. Held: it had one value from the start."
 
 
 def indices(study):
@@ -132,4 +134,4 @@ def indices(study):
     yield picture(figure, "What matters for the distance",
                   f"Total-order indices of the distance by stage: the largest is {names[p]} with "
                   f"{fixed(cells[p, stage], 2)} in stage {stage + 1}.",
-                  "Total-order index over each stage's own grid; empty where a parameter has one value.")
+                  "Share of the distance's variance over each stage's own grid, with interactions (total-order index).")

@@ -88,8 +88,10 @@ def given_rows(loop):
 
 
 def step_rows(loop):
-    return [{"effect": step.effect, "gain": words.number(step.gain),
-             "needed": words.number(step.threshold), "score": words.number(step.score),
+    def tried(step, value):
+        return words.number(value) if step.effect else words.DASH
+    return [{"effect": step.effect or words.DASH, "gain": tried(step, step.gain),
+             "needed": tried(step, step.threshold), "score": tried(step, step.score),
              "errors": [words.signed(100 * loop.error_of_step(k, c), 1)
                         for c in range(len(loop.channels))],
              "verdict": step.verdict} for k, step in enumerate(loop.steps)]

@@ -9,10 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from report import theme
-from report.picture import and_more, picture
+from report.picture import picture
 from report.pictures import DAY, DAYS, LEAST_SHARE, name_days, weeks_of
 from report.stored import join
-from report.words import fixed, number
+from report.words import fixed, listed, number, unit_said
 
 WEEK = 7 * DAY                 # [s]
 BILL = 20 * DAY                # longer steps are bills
@@ -52,7 +52,7 @@ class Meter:
 
     @property
     def shown_unit(self):
-        return self.unit.replace("degC", "°C")
+        return unit_said(self.unit)
 
     @property
     def where(self):
@@ -212,6 +212,11 @@ def signature(meter):
                    f"{meter.period}. Dots: measured days; lines: mean in {BIN} K of outdoor temperature.")
 
 
+def length_of(seconds):
+    """"1 h", "10 min"."""
+    return f"{number(seconds / 3600)} h" if seconds >= 3600 else f"{number(seconds / 60)} min"
+
+
 def duration(meter):
     """Steps in the order of their value."""
     there = np.isfinite(meter.measured)
@@ -224,14 +229,13 @@ def duration(meter):
         ordered = np.quantile(values[there & np.isfinite(values)], 1 - share)
         largest[label] = ordered[0]
         axis.plot(100 * share, ordered, color=colour, label=label)
-    hours = meter.step / 3600
     axis.set(xlabel="share of the time [%]", xlim=(0, 100), ylabel=f"[{meter.shown_unit}]")
     theme.legend_above(axis)
     title = "Duration curve" if meter.is_temperature else "Load-duration curve"
     said = ", ".join(f"{label} {number(value)} {meter.shown_unit}" for label, value in largest.items())
     return picture(figure, f"{title}: {meter.name}",
                    f"{title} of {meter.where}; the largest value: {said}.",
-                   f"{meter.period}. Steps of {number(hours)} h in the order of their value, each curve by itself.")
+                   f"{meter.period}. Steps of {length_of(meter.step)} in the order of their value, each curve by itself.")
 
 
 def typical_week(meter):
@@ -310,4 +314,4 @@ def series(study):
     for meter in found[:MOST_METERS]:
         yield from drawn(meter)
     if len(found) > MOST_METERS:
-        yield and_more(len(found), MOST_METERS, "meters").strip()
+        yield f"Not drawn: {listed(meter.name for meter in found[MOST_METERS:])}."

@@ -12,7 +12,7 @@ from markupsafe import Markup
 from report import guard, loop, theme
 from report.kinds import KINDS
 from report.picture import Picture, Table
-from report.words import listed, number
+from report.words import listed, number, said
 
 SAID_OF_RESULT = ("program", "version", "seed", "result_hash")
 
@@ -87,14 +87,20 @@ def parts_of(study):
 
 
 def environment():
-    return jinja2.Environment(loader=jinja2.FileSystemLoader(pathlib.Path(__file__).parent), autoescape=True,
+    made = jinja2.Environment(loader=jinja2.FileSystemLoader(pathlib.Path(__file__).parent), autoescape=True,
                               trim_blocks=True, lstrip_blocks=True, undefined=jinja2.StrictUndefined)
+    made.filters["said"] = said
+    return made
+
+
+def said_kind(kind):
+    return "Kennedy and O'Hagan" if kind == "kennedy_ohagan" else kind.replace("_", " ")
 
 
 def section_of(study, name):
     kind = KINDS.get(study.kind)
     question = kind.question if kind else "a kind that has no pictures"
-    said = question if study.name == study.kind else f"{study.kind.replace('_', ' ')}: {question}"
+    said = question if study.name == study.kind else f"{said_kind(study.kind)}: {question}"
     section = Section(name, said, remarks_of(study), [])
     if study.damage:
         return section

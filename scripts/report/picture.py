@@ -2,6 +2,7 @@
 from dataclasses import dataclass
 
 from report import theme
+from report.words import unit_said
 
 LONGEST_NAME, LONGEST_OF_THREE = 24, 20       # of a label; of the title of one of three panels [characters]
 
@@ -37,7 +38,7 @@ def short(name, longest=LONGEST_NAME):
 
 def unit_words(unit):
     """" [°C]"; nothing of a number without a unit."""
-    return f" [{unit.replace('degC', '°C')}]" if unit not in ("", "-", "1") else ""
+    return f" [{unit_said(unit)}]" if unit not in ("", "-", "1") and not unit.startswith("of ") else ""
 
 
 def bare_unit(unit):

@@ -85,7 +85,7 @@ def over_temperature(series, channel, unit):
         spans.append(np.ptp(mean) if mean.size else np.nan)
     axis.axhline(0, color=theme.SOFT, linewidth=0.8)
     axis.set(xlabel="outdoor temperature [°C]", ylabel=f"residual [{unit}]")
-    axis.legend(loc="best", ncols=2)
+    theme.legend_above(axis)
     return picture(figure, "Against outdoor temperature",
                    f"Mean residual of {channel} over outdoor temperature: it spans "
                    f"{number(spans[0])} {unit} before and {number(spans[1])} {unit} after.",
@@ -116,7 +116,7 @@ def memory(series, channel):
     axis.axhspan(-limit, limit, color=theme.SOFT, alpha=0.25, linewidth=0)
     axis.set(xlabel="hours between two residuals", ylabel="correlation",
              xticks=range(0, LAGS + 1, 24), xlim=(0, LAGS))
-    axis.legend(loc="upper right", ncols=2)
+    theme.legend_above(axis)
     return picture(figure, "Autocorrelation",
                    f"Autocorrelation of the residual of {channel} at 1 to {LAGS} hours; at 24 "
                    f"hours it is {fixed(at_a_day[0], 2)} before and {fixed(at_a_day[1], 2)} after.",
@@ -323,7 +323,7 @@ def cumulative(series, channel, unit):
         ends.append(sums[-1])
     axis.axhline(0, color=theme.SOFT, linewidth=0.8)
     axis.set(xlabel="days since the period's begin", ylabel=f"sum of residuals [{of}]")
-    axis.legend(loc="best", ncols=3)
+    theme.legend_above(axis)
     return picture(figure, "Cumulative sum",
                    f"Cumulative sum of the residual of {channel}; at the end {number(ends[0])} "
                    f"{of} plain, {number(ends[1])} before, {number(ends[2])} after.",

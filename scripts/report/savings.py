@@ -7,6 +7,7 @@ from report.words import fixed, listed, number, percent
 
 HOURS = "h"                    # unit of what is counted for comfort
 SMALL = 1e-9
+OF_DRAWS = "posterior"
 
 
 def outputs(study, is_comfort):
@@ -23,9 +24,15 @@ def ends_and_middle(study, name):
     return values[[0, len(values) // 2, -1]]
 
 
+def is_of_draws(study):
+    """Draws of a posterior give probabilities; the best points of a screening or grid only a range."""
+    return study.kinds.get(study.text("points_of"), OF_DRAWS) == OF_DRAWS
+
+
 def intervals_words(study):
     levels = study.numbers("quantile").ravel()
-    return f"{fixed(100 * levels[0], 0)} to {fixed(100 * levels[-1], 0)} % quantile" if levels.size else "interval"
+    what = "quantile" if is_of_draws(study) else "of the best points"
+    return f"{fixed(100 * levels[0], 0)} to {fixed(100 * levels[-1], 0)} % {what}" if levels.size else "interval"
 
 
 def savings(study):
@@ -104,5 +111,8 @@ def table(study):
              units[k], percent(share[s, k], 1)]
             for s, scenario in enumerate(scenarios) for k in outputs(study, False) + outputs(study, True)]
     yield Table("What each scenario saves", [("scenario", False), ("of", False), ("saving", True),
-                                             (intervals_words(study), True), ("unit", False), ("of before", True)],
+                                             (intervals_words(study), True), ("unit", False), ("share of before", True)],
                 rows)
+    if not is_of_draws(study):
+        yield f"The points are the best ones of {study.text('points_of')}. They give a range, not a probability: the " \
+              "saving may lie outside it more often than the percentages say."

@@ -42,10 +42,11 @@ def bars(names, first, total, halves, threshold, what):
     axis.grid(False, axis="y")
     theme.legend_above(axis)
     intervals = " Lines: 95 % intervals." if halves[0].size else ""
+    noise = " Below 0: scatter of the samples; take it as 0." if (first[order] < -0.005).any() else ""
     dotted = " Dotted: above it a parameter counts as sensitive." if np.isfinite(threshold) else ""
     return picture(figure, what, f"Sobol indices of {what}: largest total order {named(names, order, total)}; first "
                    f"order there {named(names, order, first)}.",
-                   f"First order: the parameter alone; total order: with its interactions.{intervals}{dotted}"
+                   f"First order: the parameter alone; total order: with its interactions.{intervals}{dotted}{noise}"
                    + and_more(len(names), order.size, "parameters"))
 
 

@@ -4,7 +4,7 @@ import numpy as np
 from report import theme
 from report.picture import LONGEST_OF_THREE, Table, and_more, bare_unit, picture, short, unit_words
 from report.stored import join
-from report.words import fixed, listed, number
+from report.words import beside, fixed, listed, number, unit_said
 
 Z_90 = 1.645                   # half of a 90 % interval, in standard deviations
 MOST_PANELS, MOST_CURVES = 24, 8
@@ -58,15 +58,19 @@ def table(study):
     rows = []
     for s, p in np.argwhere(is_calibrated(study)):
         remark = {-1: "lower end", 1: "upper end"}.get(bound[s, p], "") if bound.shape == found.shape else ""
-        rows.append([stages[s], names[p], number(start[s, p], 4), number(found[s, p], 4), number(sd[s, p], 2),
+        rows.append([stages[s], names[p], number(start[s, p], 4), beside(found[s, p], sd[s, p]),
+                     beside(sd[s, p], sd[s, p]),
                      f"{number(least[s, p])} to {number(most[s, p])}", bare_unit(units[p]), remark])
     yield Table("Values", [("stage", False), ("parameter", False), ("from", True), ("value", True), ("sd", True),
                            ("range", True), ("unit", False), ("remark", False)], rows)
 
 
 def comparisons(study):
-    """(name, group) of stages and validations with their errors."""
-    groups = study.groups_with("version_fit", "version", "metric")
+    """(name, group) of stages, in their order, and validations with their errors."""
+    order = study.texts("calibration_stage")
+    groups = sorted(study.groups_with("version_fit", "version", "metric"),
+                    key=lambda group: order.index(group.rpartition("/")[2]) if not group.startswith("validation") and
+                    group.rpartition("/")[2] in order else len(order))
     return [(group.rpartition("/")[2], group) for group in groups
             if RMSE in study.texts(join(group, "metric")) and study.knows(join(group, "version_fit"))]
 
@@ -134,14 +138,18 @@ def distributions(study):
 
 
 def share_table(study):
-    rows = []
+    rows, units = [], []
     for name, group in comparisons(study):
         half, own = (study.numbers(join(group, f"share_within_{leaf}")) for leaf in ("half", "accuracy"))
+        units += study.texts(join(group, "meter_unit"))
         for m, meter in enumerate(study.texts(join(group, "meter"))):
             if half.ndim == own.ndim == 2 and m < half.shape[1]:
                 rows.append([name, meter, fixed(100 * half[0, m], 0), fixed(100 * half[-1, m], 0),
                              fixed(100 * own[0, m], 0), fixed(100 * own[-1, m], 0)])
+    unit = unit_said(units[0].replace("degC", "K")) if len(set(units)) == 1 else "of the unit"
+    accuracy = study.number("accuracy")
+    own_words = f"{number(accuracy)} {unit} (accuracy)" if np.isfinite(accuracy) else "the accuracy"
     if rows:
-        yield Table("Readings within [%]", [("stage or validation", False), ("meter", False),
-                                            ("0.5: before", True), ("after", True),
-                                            ("the accuracy: before", True), ("after", True)], rows)
+        yield Table("Readings within an error [%]", [
+            ("stage or validation", False), ("meter", False), (f"0.5 {unit}: before", True), ("after", True),
+            (f"{own_words}: before", True), ("after", True)], rows)

@@ -35,6 +35,7 @@ class Study:
     loop: Loop = None
     outdoor: dict = field(default_factory=dict)    # of the building: period -> (time [s], temperature [degC])
     periods: list = field(default_factory=list)    # of the building, the first for training; [] = not known
+    kinds: dict = field(default_factory=dict)      # of all studies of the result: path -> kind
 
     @property
     def building(self):
@@ -194,10 +195,14 @@ def result_in(file, stages):
             raise ValueError(f"{file.filename} has no study {stage}; those that it has: {names}")
     if not chosen:
         raise ValueError(f"{file.filename} has no study with pictures; a stock has its page by stock_report")
-    found = [study_in(file, path, kinds[path]) for path in chosen]
+    beside = {path.rpartition("/")[0] for path in chosen}      # one of the others may have the weather
+    everything = [study_in(file, path, kind) for path, kind in kinds.items() if path.rpartition("/")[0] in beside]
+    found = [study for study in everything if study.path in chosen]
     if all(study.damage for study in found):
         raise ValueError(found[0].damage)
-    share(found)
+    share(everything)
+    for study in found:
+        study.kinds = kinds
     buildings = dict.fromkeys(study.building for study in found)
     if "" in buildings:        # a study of several, or of none
         buildings.update(dict.fromkeys(name for name in file if guard.has(file, f"{name}/{DATA}/series")))

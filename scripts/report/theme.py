@@ -96,7 +96,9 @@ def dots(axis, x, y, colour, size=2.5, alpha=0.7, label=None):
 
 def thousands(value, _=None):
     """"260k" of a large number, so that those of an axis do not touch."""
-    return f"{value / 1000:g}k" if abs(value) >= 10000 else f"{value:g}".replace("-", "−")
+    if abs(value) >= 1e6:
+        return f"{value / 1e6:g}M".replace("-", "−")
+    return f"{value / 1000:g}k".replace("-", "−") if abs(value) >= 10000 else f"{value:g}".replace("-", "−")
 
 
 def compact(axis):

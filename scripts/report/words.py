@@ -1,5 +1,6 @@
 """Numbers and findings in words."""
 import math
+import re
 
 from report.result import AFTER, BEFORE, OF_ENDS, OF_PARAMETERS, PLAIN
 
@@ -12,7 +13,7 @@ def number(value, digits=3):
     """With so many digits; a dash for what is not known."""
     if not math.isfinite(value):
         return DASH
-    if min(1000, 10**digits) <= abs(value) < 1e6:
+    if min(1000, 10**digits) <= abs(value) < 1e9:
         return f"{value:.0f}".replace("-", "−")
     return f"{value:.{digits}g}".replace("-", "−")
 
@@ -35,11 +36,32 @@ def error_of(row, model, kind="error"):
     return fixed(getattr(row, kind)[model], 2 if row.unit == "K" else 1)
 
 
+def beside(value, sd):
+    """As many digits as its standard deviation makes known: two of the latter's."""
+    if not (math.isfinite(value) and math.isfinite(sd) and 1e-6 < sd < 1e9):
+        return number(value)
+    decimals = 1 - math.floor(math.log10(float(f"{sd:.1e}")))
+    return fixed(round(value, decimals), max(decimals, 0))
+
+
 def plus_minus(value, sd):
-    """"0.84 ± 0.05"; what is nothing beside its standard deviation is 0."""
+    """"0.84 ± 0.05" with two digits of the latter; what is nothing beside its standard deviation is 0."""
     if not (math.isfinite(sd) and math.isfinite(value)):
         return number(value)
-    return f"{number(value if abs(value) > 1e-6 * sd else 0)} ± {number(sd, 2)}"
+    return f"{beside(value if abs(value) > 1e-6 * sd else 0, sd)} ± {beside(sd, sd) if sd > 1e-6 else number(sd, 2)}"
+
+
+def unit_said(unit):
+    """"W/(m² K)" of "W/(m2 K)", "1/K" of "1/(K)"."""
+    unit = re.sub(r"\((\w+)\)", r"\1", unit.replace("degC", "°C"))
+    return re.sub(r"\bm([23])\b", lambda power: "m" + "²³"[int(power.group(1)) - 2], unit)
+
+
+def said(text):
+    """A text of the program with the signs of a page: −0.96, 15 °C, 400 W/m²."""
+    text = re.sub(r"(?<=\d )degC\b", "°C", text)
+    text = re.sub(r"(?<=[WJ]/)m2\b", "m²", text)
+    return re.sub(r"(?<![\w.)\]-])-(?=\d)", "−", text)
 
 
 def listed(texts, last="and"):
@@ -58,7 +80,7 @@ def size(effect):
     """"0.083 1/h per m/s"; of a choice what was chosen."""
     if is_choice(effect):
         return effect.shape
-    return number(effect.coefficient) + ("" if effect.unit in ("", "-") else " " + effect.unit)
+    return number(effect.coefficient) + ("" if effect.unit in ("", "-") else " " + unit_said(effect.unit))
 
 
 def coefficient(effect):

@@ -19,7 +19,8 @@ sys.path[:0] = [str(ROOT / "scripts"), str(pathlib.Path(__file__).parent)]
 
 import fake_loop_result  # noqa: E402
 import fake_results  # noqa: E402
-from report import kinds, meters, page, picture, screening, sobol, stored, theme  # noqa: E402
+from report import kinds, meters, page, picture, savings, screening, sobol, stored, theme  # noqa: E402
+from report import words as report_words  # noqa: E402
 from test_loop_page import Page  # noqa: E402
 
 DAMAGE = "do not fit together"
@@ -273,6 +274,33 @@ class Numbers(unittest.TestCase):
         best = 100 * study.numbers("best_cv_rmse")[0, :, 0]
         said = next(one for one in screening.held_out(study) if one.title.startswith("gas")).alt
         self.assertIn(f"the best point has {best[0]:.1f} and {best[1]:.1f} %", said)
+
+    def test_a_number_has_the_digits_that_its_standard_deviation_knows(self):
+        self.assertEqual(report_words.plus_minus(496461.2, 23324), "496000 ± 23000")
+        self.assertEqual(report_words.plus_minus(2.0, 0.19), "2.00 ± 0.19")
+        self.assertEqual(report_words.plus_minus(-0.00279, 0.00204), "−0.0028 ± 0.0020")
+        self.assertEqual(report_words.plus_minus(10.0, 0.0997), "10.00 ± 0.10")
+        self.assertEqual(report_words.plus_minus(0, 0.016), "0.000 ± 0.016")
+        self.assertEqual(report_words.plus_minus(1.5, 0), "1.5 ± 0")
+        self.assertEqual(report_words.number(1.34e6), "1340000")
+
+    def test_units_and_texts_of_the_program_have_the_signs_of_a_page(self):
+        self.assertEqual(report_words.unit_said("W/(m2 K)"), "W/(m² K)")
+        self.assertEqual(report_words.unit_said("1/(K)"), "1/K")
+        self.assertEqual(picture.unit_words("degC"), " [°C]")
+        self.assertEqual(picture.unit_words("of the runs"), "")
+        self.assertEqual(report_words.said("above 15 degC at 400 W/m2 (correlation -0.96), 2022-08-12, T-2"),
+                         "above 15 °C at 400 W/m² (correlation −0.96), 2022-08-12, T-2")
+
+    def test_best_points_give_no_probability(self):
+        with tempfile.TemporaryDirectory() as folder:
+            study = stored.read(fake_results.write(pathlib.Path(folder) / "made.h5", ("retrofit",))).studies[0]
+        said = list(savings.table(study))
+        self.assertEqual((len(said), said[0].head[3][0]), (1, "5 to 95 % quantile"))
+        study.kinds = {"office/posterior": "screening"}
+        table, sentence = savings.table(study)
+        self.assertEqual(table.head[3][0], "5 to 95 % of the best points")
+        self.assertIn("not a probability", sentence)
 
     def test_indices_of_hours_are_weighted_by_their_variance(self):
         cells = sobol.weighted(np.array([[0.2], [0.8], [np.nan]]), np.array([1.0, 3.0, 5.0]), np.array([0, 0, 1]), 3)
