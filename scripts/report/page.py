@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 import jinja2
 from markupsafe import Markup
 
-from report import guard, loop, theme
+from report import answers, guard, loop, theme
 from report.kinds import KINDS
 from report.picture import Picture, Table
 from report.words import listed, number, said
@@ -39,6 +39,7 @@ class Section:
     question: str
     remarks: list
     parts: list
+    answer: str = ""
     loop: Markup = Markup("")
     loop_pictures: list = field(default_factory=list)
 
@@ -93,6 +94,14 @@ def environment():
     return made
 
 
+def answer_of(study):
+    try:
+        with guard.reading(study.path):
+            return answers.answer(study)
+    except guard.Refused:      # the part that draws them tells that the numbers do not fit together
+        return ""
+
+
 def said_kind(kind):
     return "Kennedy and O'Hagan" if kind == "kennedy_ohagan" else kind.replace("_", " ")
 
@@ -109,7 +118,7 @@ def section_of(study, name):
         section.loop = Markup(environment().get_template("loop.html").render(numbers))
         section.loop_pictures = loop.pictures_in(numbers)
     else:
-        section.parts = parts_of(study)
+        section.parts, section.answer = parts_of(study), answer_of(study)
     if not section.parts and not section.loop and not section.remarks:
         section.remarks.append(("No pictures:", "it stores nothing that can be drawn."))
     return section

@@ -61,7 +61,8 @@ def said(text):
     """A text of the program with the signs of a page: −0.96, 15 °C, 400 W/m²."""
     text = re.sub(r"(?<=\d )degC\b", "°C", text)
     text = re.sub(r"(?<=[WJ]/)m2\b", "m²", text)
-    return re.sub(r"(?<![\w.)\]-])-(?=\d)", "−", text)
+    text = re.sub(r"(?<![\w.)\]-])-(?=\d)", "−", text)
+    return re.sub(r"(?<=\d) %", "\u00a0%", text)
 
 
 def listed(texts, last="and"):

@@ -213,6 +213,7 @@ def unknowns(study, random, names, n_chains=4, n_draws=60):
         study[name] = random.random(len(unknown))
     study["rhat_rank"], study["ess_bulk"], study["ess_tail"] = (
         value + random.random(len(unknown)) for value in (1.0, 300.0, 200.0))
+    text(study, "data_finding", ["determined", "as_before", "confounded", *["determined"] * 9][:len(names)] + [""])
     text(study, "data_words", ["the data determine it: 13 % of the prior's spread is left"] * len(names) + [""])
     study["target_rhat"], study["target_ess"] = 1.01, 400.0
     text(study, "convergence", "not converged")

@@ -108,6 +108,17 @@ class EveryKind(unittest.TestCase):
         self.assertNotIn(DAMAGE, self.html)
         self.assertNotIn("Damaged", self.html)
 
+    def test_every_study_begins_with_its_answer(self):
+        for section in self.sections:
+            self.assertGreater(len(section.answer), 20, section.name)
+            self.assertTrue(section.answer.endswith("."), section.answer)
+        self.assertIn("What matters most", self.of("sensitivity").answer)
+        self.assertIn("The nearest point misses", self.of("grid").answer)
+        self.assertIn("new windows 5000 kWh of heating", self.of("retrofit").answer)
+        self.assertEqual(self.of("posterior").answer, "Of 3 calibrated inputs the data narrow these: infiltration; the data "
+                         "tell these only together with others: heat_capacity_of_the_second_mass; the data say "
+                         "nothing of these: set_point.")
+
     def test_every_picture_says_in_words_what_it_shows(self):
         pictures = [one for section in self.sections for one in section.pictures]
         self.assertEqual(len(self.page.images), len(pictures))

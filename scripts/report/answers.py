@@ -1,0 +1,158 @@
+"""The first sentence of a study on a page: what it answers, in numbers that the result has.
+
+It says what was found, and where it holds; pictures and tables below it have the rest. A loop has words of its own.
+Leaves out what a study does not store: then there is no sentence.
+"""
+import numpy as np
+
+from report import chains, savings, staged
+from report.grids import neighbours, stages_of
+from report.picture import bare_unit
+from report.screening import METRIC
+from report.sobol import order_of
+from report.stored import join
+from report.words import fixed, listed, number, percent
+
+MOST, LEAST_SHARE = 4, 0.05            # outputs, parameters, scenarios in a sentence; a share that is told
+# What the data say of unknowns, by the words of their findings.
+OF_FINDINGS = (("the data narrow these", ("determined", "narrowed")),
+               ("the data tell these only together with others", ("confounded",)),
+               ("the data move these, but leave them as uncertain", ("moved",)),
+               ("prior and data disagree on these", ("wider",)),
+               ("the data say nothing of these", ("as_before",)),
+               ("these lie at an end of their range, so that range or model is to be doubted", ("at_edge",)))
+# Unknowns that no line of the job names: of a meter's residuals; of the stand-in.
+OF_RESIDUALS = ("constant", "proportional", "phi", "share", "length")
+OF_STATISTICS = ("log_density", "rho_", "lambda_", "beta_", "rho")
+
+
+def shares(names, total):
+    """"infiltration 31 % and heating_set_point 29 %": at most two, those that count."""
+    told = [f"{names[p]} {percent(total[p])}" for p in order_of(total)[:2] if total[p] >= LEAST_SHARE]
+    return listed(told) or "no input alone"
+
+
+def of_indices(study):
+    """Of totals."""
+    total, names = study.numbers("total_order"), study.texts("parameter")
+    outputs = study.texts("output")
+    told = [f"for {output}, {shares(names, total[k])}" for k, output in enumerate(outputs[:MOST])
+            if np.isfinite(total[k]).any()]
+    more = f"; {len(outputs) - MOST} more outputs are below" if len(outputs) > MOST + 1 else ""
+    return f"What matters most, as a share of the variance over the given ranges, interactions with others " \
+           f"included: {'; '.join(told)}{more}." if told else ""
+
+
+def of_series(study):
+    """Of a whole series."""
+    total = study.numbers("series_total_order")
+    return f"What matters most for {study.text('quantity')} over all hours, as a share of the variance over the " \
+           f"given ranges, interactions with others included: {shares(study.texts('parameter'), total)}." \
+        if np.isfinite(total).any() else ""
+
+
+def of_candidates(study):
+    """Errors as described and of the best point, in the last period."""
+    fit, metrics, periods = study.numbers("fit"), study.texts("metric"), study.texts("period")
+    if fit.ndim != 4 or METRIC not in metrics or not periods:
+        return ""
+    last = len(periods) - 1
+    errors = fit[:, last, :, metrics.index(METRIC)]
+    told = [f"{meter} from {percent(errors[0, m], 1)} to {percent(errors[-1, m], 1)}"
+            for m, meter in enumerate(study.texts("meter")) if np.isfinite(errors[[0, -1], m]).all()]
+    unseen = "which it has not seen" if last > 0 else "which chose it: no readings were held out"
+    return f"From the description to the best point, CV(RMSE) in {periods[last]}, {unseen}, went so: " \
+           f"{listed(told[:MOST])}." if told else ""
+
+
+def of_front(study):
+    """Where an optimisation has targets and no meters."""
+    if study.knows("fit", "metric", "meter", "period") and of_candidates(study):
+        return of_candidates(study)
+    missed = [f"{target} by {fixed(abs(error), 2)} %" for target, error in
+              zip(study.texts("target"), study.numbers("nearest_target_error").ravel()) if np.isfinite(error)]
+    n = len(study.numbers("front_parameters"))
+    front = f" {n} points are a front: none is better than another in all." if n > 1 else ""
+    return f"The nearest point misses {listed(missed)}.{front}" if missed else ""
+
+
+def of_aims(study):
+    """How near the nearest point of a grid comes."""
+    groups, targets = stages_of(study), study.texts("target")
+    kept = neighbours(study, groups[-1]) if groups else []
+    if not len(kept):
+        return ""
+    errors = study.numbers(join(groups[-1], "target_error"))[kept[0]]
+    units = study.texts("parameter_unit")
+    values = [f"{name} {number(value, 4)} {bare_unit(unit)}".strip() for name, value, unit in
+              zip(study.texts("parameter"), study.numbers("nearest_parameters"), units)]
+    missed = listed(f"{target} by {fixed(abs(error), 2)} %" for target, error in zip(targets, errors))
+    return f"The nearest point misses {missed}. It has {listed(values)}."
+
+
+def of_stages(study):
+    """Root mean square errors of the validations, else of the stages, before and after."""
+    found = staged.comparisons(study)
+    judged = [row for row in found if row[1].startswith("validation")]
+    told = []
+    for name, group in judged or found:
+        fit, metrics = study.numbers(join(group, "version_fit")), study.texts(join(group, "metric"))
+        unit = (study.texts(join(group, "meter_unit")) or [""])[0].replace("degC", "K")
+        both = fit[[0, -1], 0, metrics.index(staged.RMSE)]
+        if np.isfinite(both).all():
+            told.append(f"in {name} from {fixed(both[0], 2)} to {fixed(both[1], 2)} {bare_unit(unit)}".strip())
+    where = "on periods that were not calibrated on" if judged else "on the periods that were calibrated on"
+    return f"The root mean square error of the first meter went, {where}, {listed(told[:MOST])}." if told else ""
+
+
+def meters_of(study):
+    return {chains.judged(group)[0] for group in study.groups_with("validation_fit", "metric")}
+
+
+def of_unknowns(study):
+    """What the data tell of the inputs; the unknowns of the statistical model are left out."""
+    own = [f"{meter}_{part}" for meter in meters_of(study) for part in OF_RESIDUALS]
+    names = [name for name in study.texts("unknown") if name not in own and not name.startswith(OF_STATISTICS)]
+    finding = dict(zip(study.texts("unknown"), study.texts("data_finding")))
+    told = [(words, [name for name in names if finding.get(name) in of]) for words, of in OF_FINDINGS]
+    return f"Of {len(names)} calibrated input{'s' if len(names) > 1 else ''} " + "; ".join(
+        f"{words}: {some(found)}" for words, found in told if found) + "." if any(found for _, found in told) else ""
+
+
+def some(names):
+    left = len(names) - MOST
+    return listed(names[:MOST] + [f"{left} more"]) if left > 1 else listed(names)
+
+
+def of_savings(study):
+    """What each scenario saves of what it saves most of."""
+    shown = savings.outputs(study, False)
+    if not shown:
+        return ""
+    low, middle, high = savings.ends_and_middle(study, "saving_quantile")
+    names, units = study.texts("output"), study.texts("output_unit")
+    told = []
+    for s, scenario in enumerate(study.texts("scenario")[:MOST]):
+        k = max(shown, key=lambda output, s=s: middle[s, output])
+        told.append(f"{scenario} {number(middle[s, k], 3)} {units[k]} of {names[k]} "
+                    f"({number(low[s, k], 3)} to {number(high[s, k], 3)})")
+    return f"Saved, with the {savings.intervals_words(study)}: {'; '.join(told)}."
+
+
+BY_KIND = {"sensitivity": (of_indices, "parameter output total_order"),
+           "office_hour_sensitivity": (of_indices, "parameter output total_order"),
+           "hourly_sensitivity": (of_series, "parameter series_total_order"),
+           "screening": (of_candidates, "fit metric meter period"),
+           "optimisation": (of_front, ""),
+           "grid": (of_aims, "target parameter parameter_unit nearest_parameters"),
+           "stages": (of_stages, ""),
+           "posterior": (of_unknowns, "unknown data_finding"),
+           "kennedy_ohagan": (of_unknowns, "unknown data_finding"),
+           "retrofit": (of_savings, "scenario output output_unit quantile saving_quantile before_quantile "
+                                    "after_quantile")}
+
+
+def answer(study):
+    """Its sentences; "" where it stores nothing to say them of."""
+    make, needs = BY_KIND.get(study.kind, (None, ""))
+    return make(study) if make and study.knows(*needs.split()) else ""
