@@ -86,7 +86,8 @@ def over_inputs(study):
     yield picture(figure, "Over the known inputs",
                   f"Process and {measured.size} measurements over {names}; the process goes from "
                   f"{number(np.nanmin(mean))} to {number(np.nanmax(mean))} {unit(study)}.",
-                  "Grey: the simulator's runs." if len(runs) else "The simulator's runs are not at these points, and not drawn.")
+                  "Grey: the simulator's runs." if len(runs) else
+                  "The simulator's runs are not at these points, and not drawn.")
 
 
 def discrepancy(study):

@@ -235,7 +235,8 @@ def duration(meter):
     said = ", ".join(f"{label} {number(value)} {meter.shown_unit}" for label, value in largest.items())
     return picture(figure, f"{title}: {meter.name}",
                    f"{title} of {meter.where}; the largest value: {said}.",
-                   f"{meter.period}. Steps of {length_of(meter.step)} in the order of their value, each curve by itself.")
+                   f"{meter.period}. Steps of {length_of(meter.step)} in the order of their value, each curve by "
+                   "itself.")
 
 
 def typical_week(meter):

@@ -396,7 +396,7 @@ def parameters(loop):
     return picture(figure, "Parameters",
                    f"Parameters in standard deviations of their priors: {words}.",
                    "Calibrated values with 90 % intervals against their priors. Where before and "
-                   "after lie apart, the parameter had taken over the effect that was missing.")
+                   "after lie apart, the parameter may have taken over the effect that was missing.")
 
 
 def patterns(loop):

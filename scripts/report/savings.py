@@ -111,7 +111,8 @@ def table(study):
              units[k], percent(share[s, k], 1)]
             for s, scenario in enumerate(scenarios) for k in outputs(study, False) + outputs(study, True)]
     yield Table("What each scenario saves", [("scenario", False), ("of", False), ("saving", True),
-                                             (intervals_words(study), True), ("unit", False), ("share of before", True)],
+                                             (intervals_words(study), True), ("unit", False),
+                                             ("share of before", True)],
                 rows)
     if not is_of_draws(study):
         yield f"The points are the best ones of {study.text('points_of')}. They give a range, not a probability: the " \
