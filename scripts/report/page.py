@@ -67,7 +67,8 @@ def remarks_of(study):
     n_failed = study.number("n_failed")
     if n_failed > 0 or study.texts("failed_item_reason"):
         why = f": {listed(list(dict.fromkeys(reasons))[:3])}" if reasons else ""
-        lines.append(("Failed:", f"{number(n_failed if n_failed > 0 else len(reasons), 6)} simulations{why}."))
+        n = n_failed if n_failed > 0 else len(reasons)
+        lines.append(("Failed:", f"{number(n, 6)} simulation{'' if n == 1 else 's'}{why}."))
     return lines
 
 
