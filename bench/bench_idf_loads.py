@@ -3,12 +3,12 @@
 
     bench_idf_loads.py [--folder DIR] [CASE...]
 
-The weather is that of ../shared/energyplus/so_null and ap_null, which EnergyPlus made of DOE's small office and mid-rise
-apartments on a ground of its own. The description by hand is theirs (scripts/run_case). `new --idf` reads DOE's file,
-and the readings are EnergyPlus's of that file, with the noise of the cases. Neither has summer time and holidays, which
-are taken out of the file and of its job.
-Prints `name value unit reference ratio`: the held-out error of `before` (no effect accepted) and of `after` by the hour,
-CV(RMSE) or K, with that of the description by hand as the reference. Needs pyenergyplus-lbnl
+The weather is that of ../shared/energyplus/so_null and ap_null, which EnergyPlus made of DOE's small office and mid-
+rise apartments on a ground of its own. The description by hand is theirs (scripts/run_case). `new --idf` reads DOE's
+file, and the readings are EnergyPlus's of that file, with the noise of the cases. Neither has summer time and
+holidays, which are taken out of the file and of its job.
+Prints `name value unit reference ratio`: the held-out error of `before` (no effect accepted) and of `after` by the
+hour, CV(RMSE) or K, with that of the description by hand as the reference. Needs pyenergyplus-lbnl
 (tests/energyplus/reports.py) and ../shared.
 """
 import argparse
