@@ -23,7 +23,7 @@ OF_FINDINGS = (("the data narrow these", ("determined", "narrowed")),
                ("these lie at an end of their range, so that range or model is to be doubted", ("at_edge",)))
 # Unknowns that no line of the job names: of a meter's residuals; of the stand-in.
 OF_RESIDUALS = ("constant", "proportional", "phi", "share", "length")
-OF_STATISTICS = ("log_density", "rho_", "lambda_", "beta_", "rho")
+OF_STATISTICS = ("log_density", "lambda_", "beta_", "rho")
 
 
 def shares(names, total):
@@ -67,8 +67,9 @@ def of_candidates(study):
 
 def of_front(study):
     """Where an optimisation has targets and no meters."""
-    if study.knows("fit", "metric", "meter", "period") and of_candidates(study):
-        return of_candidates(study)
+    of_meters = of_candidates(study) if study.knows("fit", "metric", "meter", "period") else ""
+    if of_meters:
+        return of_meters
     missed = [f"{target} by {fixed(abs(error), 2)} %" for target, error in
               zip(study.texts("target"), study.numbers("nearest_target_error").ravel()) if np.isfinite(error)]
     n = len(study.numbers("front_parameters"))

@@ -110,8 +110,8 @@ def said_kind(kind):
 def section_of(study, name):
     kind = KINDS.get(study.kind)
     question = kind.question if kind else "a kind that has no pictures"
-    said = question if study.name == study.kind else f"{said_kind(study.kind)}: {question}"
-    section = Section(name, said, remarks_of(study), [])
+    answers_what = question if study.name == study.kind else f"{said_kind(study.kind)}: {question}"
+    section = Section(name, answers_what, remarks_of(study), [])
     if study.damage:
         return section
     if study.loop:

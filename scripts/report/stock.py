@@ -344,9 +344,9 @@ def contents(read_stock, nights):
     units = with_word(buildings, UNIT, 2) + with_word(buildings, "a step by", 1)
     shared = with_word(buildings, SHARED, 2)
     said = {*zeros, *units, *shared}
-    others = [(b.name, *f) for b in buildings for f in b.findings
-              if (b.name, *f) not in said and not f[1].startswith(FOUND)]
     effects = [(b.name, *f) for b in buildings for f in b.findings if f[1].startswith(FOUND)]
+    said.update(effects)
+    others = [(b.name, *f) for b in buildings for f in b.findings if (b.name, *f) not in said]
     script = (HERE / "stock.js").read_text(encoding="utf-8")
     return {"title": title, "night": night, "words": words, "most": MOST_ROWS,
             "counts": Counter(b.status for b in buildings), "n": len(buildings),
@@ -356,8 +356,7 @@ def contents(read_stock, nights):
             "told": [b for b in buildings if b.told], "common": common,
             "drifting": [b for b in buildings if b.drift], "worst": worst, "zeros": zeros,
             "units": units, "shared": shared, "others": others, "effects": effects,
-            "data_said": data_said(zeros, units, shared),
-             "picture": picture(nights),
+            "data_said": data_said(zeros, units, shared), "picture": picture(nights),
             "n_nights": len(nights), "table": table, "heads": HEADS, "lines": json_of(buildings),
             "has_foretold": any(len(b.foretold) for b in buildings),
             "script": jinja2.utils.markupsafe.Markup(script), "script_hash": hash_of(script),

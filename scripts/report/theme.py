@@ -96,9 +96,8 @@ def dots(axis, x, y, colour, size=2.5, alpha=0.7, label=None):
 
 def thousands(value, _=None):
     """"260k" of a large number, so that those of an axis do not touch."""
-    if abs(value) >= 1e6:
-        return f"{value / 1e6:g}M".replace("-", "−")
-    return f"{value / 1000:g}k".replace("-", "−") if abs(value) >= 10000 else f"{value:g}".replace("-", "−")
+    size, letter = (1e6, "M") if abs(value) >= 1e6 else (1e3, "k") if abs(value) >= 1e4 else (1, "")
+    return f"{value / size:g}{letter}".replace("-", "−")
 
 
 def compact(axis):

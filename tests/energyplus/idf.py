@@ -85,11 +85,11 @@ class Report:
         self.data = sqlite3.connect(path)
 
     def hours(self, variable, key="%"):
-        """[W or what it is], each hour of the run, summed over the keys that are alike."""
+        """[W or what it is], each hour of the run, summed over the keys that are alike; a meter has none."""
         rows = self.data.execute(
             """SELECT SUM(d.Value) FROM ReportData d JOIN ReportDataDictionary n USING (ReportDataDictionaryIndex)
                JOIN Time t USING (TimeIndex) JOIN EnvironmentPeriods e USING (EnvironmentPeriodIndex)
-               WHERE n.Name = ? AND n.KeyValue LIKE ? AND e.EnvironmentType = 3 AND
+               WHERE n.Name = ? AND IFNULL(n.KeyValue, '') LIKE ? AND e.EnvironmentType = 3 AND
                      (t.WarmupFlag IS NULL OR t.WarmupFlag = 0)
                GROUP BY d.TimeIndex ORDER BY d.TimeIndex""", (variable, key))
         return [value for value, in rows]

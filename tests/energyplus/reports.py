@@ -116,19 +116,13 @@ class MeteredYear(Run):
     def __init__(self, energyplus, model, year, weather, folder, meters):
         super().__init__(energyplus, metered(model, year, meters), weather, folder)
 
-    def values(self, name, key="%"):
-        rows = self.data.execute(
-            """SELECT d.Value FROM ReportData d JOIN ReportDataDictionary n USING (ReportDataDictionaryIndex)
-               WHERE n.Name = ? AND IFNULL(n.KeyValue, '') LIKE ? ORDER BY d.TimeIndex""", (name, key))
-        return np.array([value for value, in rows])
-
     def meter(self, name):
         """[J] each hour; 0 where the building has none."""
-        found = self.values(name)
-        return found if len(found) else 0.0
+        found = self.hours(name)
+        return np.array(found) if found else 0.0
 
     def room_temperature(self):
         """Mean over the floor of the zones that count [degC]."""
         zones = self.data.execute("SELECT ZoneName, FloorArea * Multiplier * ListMultiplier FROM Zones "
                                   "WHERE IsPartOfTotalArea = 1 AND FloorArea > 0").fetchall()
-        return sum(area * self.values(AIR, zone) for zone, area in zones) / sum(area for _, area in zones)
+        return sum(area * np.array(self.hours(AIR, zone)) for zone, area in zones) / sum(area for _, area in zones)

@@ -114,6 +114,8 @@ TEST(KeptCalendar, TakesNoDayForClosedThatAClosedOneBeforeItChanged) {
     ASSERT_TRUE(kept);
     EXPECT_TRUE(kept->holds(number_of(2018, 9, 4)));
     EXPECT_TRUE(kept->holds(number_of(2019, 9, 2)));
+    shares.shares[number_of(2018, 9, 5)] = 0.49;
+    EXPECT_TRUE(kept_calendar(shares, 2018, 2019)->holds(number_of(2018, 9, 4)));
     shares.shares[number_of(2018, 9, 5)] = 0.5;  // closed for itself: none is moved
     EXPECT_FALSE(kept_calendar(shares, 2018, 2019)->holds(number_of(2018, 9, 4)));
 }

@@ -116,8 +116,8 @@ class EveryKind(unittest.TestCase):
         self.assertIn("The nearest point misses", self.of("grid").answer)
         self.assertIn("new windows 5000 kWh of heating", self.of("retrofit").answer)
         self.assertEqual(self.of("posterior").answer, "Of 3 calibrated inputs the data narrow these: infiltration; "
-                         "the data tell these only together with others: heat_capacity_of_the_second_mass; the data say "
-                         "nothing of these: set_point.")
+                         "the data tell these only together with others: heat_capacity_of_the_second_mass; the data "
+                         "say nothing of these: set_point.")
 
     def test_every_picture_says_in_words_what_it_shows(self):
         pictures = [one for section in self.sections for one in section.pictures]
