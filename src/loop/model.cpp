@@ -71,8 +71,9 @@ void add_structure(const std::vector<std::size_t>& structure, Place& place) {
             auto parameter =
                 effects::add_number(number, place.parameters, place.building);
             if (!parameter) continue;
-            place.unknowns.push_back({parameter->name, "", number.mean, number.sd,
-                                      parameter->least, parameter->most, true});
+            place.unknowns.push_back({parameter->name, parameter->unit, number.mean,
+                                      number.sd, parameter->least, parameter->most,
+                                      true});
             place.parameters.push_back(std::move(*parameter));
         }
     }

@@ -109,6 +109,7 @@ TEST(LoopModel, ANumberOfTheStructureStaysNearItsPrior) {
     const Place place = make_place(data, {refinement("second mass")}, data.drive);
     const FitUnknown& capacity = place.unknowns.back();
     EXPECT_EQ(capacity.name, "second_mass_capacity");
+    EXPECT_EQ(capacity.unit, "J/(m2 K)");
     EXPECT_DOUBLE_EQ(capacity.highest(), 2.5);
     EXPECT_EQ(capacity.least, 20000);
     EXPECT_EQ(place.parameters.back().most, capacity.most);
