@@ -20,7 +20,7 @@ OF_FINDINGS = (("the data narrow these", ("determined", "narrowed")),
                ("the data move these, but leave them as uncertain", ("moved",)),
                ("prior and data disagree on these", ("wider",)),
                ("the data say nothing of these", ("as_before",)),
-               ("these lie at an end of their range, so that range or model is to be doubted", ("at_edge",)))
+               ("these lie at an end of their range, which is too narrow, or they make up for what the model lacks", ("at_edge",)))
 # Unknowns that no line of the job names: of a meter's residuals; of the stand-in.
 OF_RESIDUALS = ("constant", "proportional", "phi", "share", "length")
 OF_STATISTICS = ("log_density", "lambda_", "beta_", "rho")
@@ -137,7 +137,7 @@ def of_savings(study):
         k = max(shown, key=lambda output, s=s: middle[s, output])
         told.append(f"{scenario} {number(middle[s, k], 3)} {units[k]} of {names[k]} "
                     f"({number(low[s, k], 3)} to {number(high[s, k], 3)})")
-    return f"Saved, with the {savings.intervals_words(study)}: {'; '.join(told)}."
+    return f"Saved{savings.period_words(study)}, with the {savings.intervals_words(study)}: {'; '.join(told)}."
 
 
 BY_KIND = {"sensitivity": (of_indices, "parameter output total_order"),

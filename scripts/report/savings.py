@@ -8,6 +8,7 @@ from report.words import fixed, listed, number, percent
 HOURS = "h"                    # unit of what is counted for comfort
 SMALL = 1e-9
 OF_DRAWS = "posterior"
+DAY = 86400                    # [s]
 
 
 def outputs(study, is_comfort):
@@ -27,6 +28,15 @@ def ends_and_middle(study, name):
 def is_of_draws(study):
     """Draws of a posterior give probabilities; the best points of a screening or grid only a range."""
     return study.kinds.get(study.text("points_of"), OF_DRAWS) == OF_DRAWS
+
+
+def period_words(study):
+    """" over 2015-01-01 to 2015-12-31 (365 days)"; "" where a result does not say."""
+    ends = study.numbers("simulated_period").ravel() if study.has("simulated_period") else []
+    if len(ends) != 2 or not np.isfinite(ends).all():
+        return ""
+    first, last = (str(np.datetime64(int(end), "s").astype("datetime64[D]")) for end in (ends[0], ends[1] - 1))
+    return f" over {first} to {last} ({(ends[1] - ends[0]) / DAY:.0f} days)"
 
 
 def intervals_words(study):
@@ -60,8 +70,8 @@ def savings(study):
         f"{names[k]} {number(middle[s, k])} ({number(low[s, k])} to {number(high[s, k])}) {units[k]}"
         + (f", {percent(share[1][s, k])}" if share is not None else "") for k in shown)
         for s, scenario in enumerate(scenarios))
-    yield picture(figure, "Energy saved", f"Savings of each scenario: {said}.",
-                  f"Before less after, point by point of the study {study.text('points_of')}. Bars: middle; lines: "
+    yield picture(figure, "Energy saved", f"Savings of each scenario{period_words(study)}: {said}.",
+                  f"Before less after{period_words(study)}, point by point of the study {study.text('points_of')}. Bars: middle; lines: "
                   f"{intervals_words(study)}. Below 0: more than before.")
 
 
@@ -97,10 +107,12 @@ def beside(study, shown, title, what, more=""):
         axis.grid(False, axis="y")
         axis.locator_params(axis="x", nbins=5)
         theme.compact(axis)
+    over = period_words(study)
+    sums = f" Sums{over}." if over else ""
     said = "; ".join(f"{names[k]} {number(before[1, k])} before, " + listed(
         f"{number(after[1, s, k])} with {scenario}" for s, scenario in enumerate(scenarios)) for k in shown)
     yield picture(figure, title, f"{what[:1].upper() + what[1:]} before and after: {said}.",
-                  f"Dots: middle; lines: {intervals_words(study)}.{more}")
+                  f"Dots: middle; lines: {intervals_words(study)}.{sums}{more}")
 
 
 def table(study):

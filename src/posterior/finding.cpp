@@ -33,8 +33,7 @@ constexpr Rule rules[] = {
      [](const Evidence& e) {
          return fmt::format(
              "at the {} end of its range ({:.0f} % of the draws are near {:.4g}): the "
-             "range "
-             "or the model is wrong",
+             "range is too narrow, or it makes up for what the model lacks",
              e.edge.name, 100 * e.edge.draws, e.edge.at);
      }},
     {Finding::determined,

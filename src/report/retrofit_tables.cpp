@@ -2,6 +2,7 @@
 /// and the difference, and hours too cold or too warm.
 /// Made from stored quantiles alone, which are not computed again. Outputs that are
 /// nothing before and after are left out; costs are not known.
+#include "physics/calendar.hpp"
 #include "report/sections.hpp"
 #include "report/text_table.hpp"
 
@@ -12,6 +13,12 @@
 
 namespace bemcal::report {
 namespace {
+
+/// "2021-03-05" of seconds since 1970.
+std::string date_of(double seconds) {
+    return physics::format_date(
+        physics::Seconds(std::chrono::seconds(static_cast<long long>(seconds))));
+}
 
 /// Quantiles of 5, 50 and 95 %.
 using Three = std::array<double, 3>;
@@ -73,6 +80,11 @@ std::string retrofit_section(const Group& study) {
                         study.path(), scenarios[s], shape.empty() ? 0 : shape[0],
                         of.empty() ? "?" : of[0]) +
             scenario_table(study, s);
+    const auto& ends = study.values("simulated_period");
+    if (ends.size() == 2)
+        text += fmt::format("  energies and hours are of {} to {}, {:.0f} days\n",
+                            date_of(ends[0]), date_of(ends[1] - 1),
+                            (ends[1] - ends[0]) / physics::day_s);
     const auto& limits = study.values("comfort_limit");
     if (limits.size() == 2)
         text += fmt::format(

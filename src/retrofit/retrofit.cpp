@@ -70,6 +70,7 @@ class Retrofit : public study::Stage {
              const RetrofitOptions& options)
         : name_(std::move(name)),
           building_(building),
+          period_(period),
           options_(options),
           numbers_(building, options.scenarios),
           drive_(study::drive_of(building, period)) {
@@ -148,6 +149,7 @@ class Retrofit : public study::Stage {
 
     std::string name_;
     study::Case building_;
+    study::Period period_;
     RetrofitOptions options_;
     ScenarioNumbers numbers_;
     physics::Drive drive_;
@@ -250,6 +252,7 @@ void Retrofit::add_names(study::DatasetBuilder& datasets) const {
     datasets.text("points_of", options_.of);
     datasets.vector("quantile", "quantile", {std::begin(quantiles), std::end(quantiles)});
     datasets.vector("comfort_limit", "limit", {options_.too_cold, options_.too_warm});
+    datasets.times("simulated_period", {period_.from, period_.to}, "end");
     datasets.parameters(building_.parameters);
 }
 

@@ -628,6 +628,8 @@ constexpr LayoutRow own_rows[] = {
     {"scenario", "scenario", text, "", "names of the scenarios"},
     {"points_of", "", text, "", "the study whose points they are applied to"},
     {"comfort_limit", "limit", number, "degC", "too cold below, too warm above"},
+    {"simulated_period", "end", number, seconds,
+     "begin and end of the hours that energies and comfort are of"},
     {"described", "variant output", number, "of the output",
      "the building as described: before, then after each scenario"},
     {"before", "point output", number, "of the output", "each point; NaN = failed"},

@@ -115,8 +115,8 @@ TEST(ParameterMoves, SayAtWhichEndOfItsRangeItIs) {
     EXPECT_EQ(upper.finding, posterior::Finding::at_edge);
     EXPECT_EQ(
         upper.words,
-        "at the upper end of its range (67 % of the draws are near 20): the range or "
-        "the model is wrong");
+        "at the upper end of its range (67 % of the draws are near 20): the range is "
+        "too narrow, or it makes up for what the model lacks");
     const posterior::ParameterMove lower =
         move_of(uniform("u"), [](double p) { return 1.2 * p; });
     EXPECT_EQ(lower.finding, posterior::Finding::at_edge);

@@ -261,6 +261,7 @@ def retrofit(study, random):
     text(study, "output_unit", ("kWh", "kWh", "h"))
     text(study, "points_of", "office/posterior")
     study["quantile"], study["comfort_limit"] = [0.05, 0.5, 0.95], [19.0, 26.0]
+    study["simulated_period"] = [1420070400.0, 1451606400.0]     # 2015
     levels = np.array([0.9, 1.0, 1.1])[:, None]
     study["before_quantile"] = levels * [20000, 8000, 40]
     after = np.array([[15000, 8000, 30], [20000, 5000, 45]])[:, None] * levels

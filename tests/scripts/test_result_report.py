@@ -25,7 +25,7 @@ from test_loop_page import Page  # noqa: E402
 
 DAMAGE = "do not fit together"
 # What is known before any simulation.
-OF_THE_JOB = {"parameter_least", "parameter_most", "time", "threshold", "error_level", "quantile", "comfort_limit",
+OF_THE_JOB = {"parameter_least", "parameter_most", "time", "threshold", "error_level", "quantile", "comfort_limit", "simulated_period",
               "n_failed", "target_measured", "field_input", "field_measured", "measured", "grid_value",
               "grid_parameter", "grid_points", "neighbour", "stage_points", "outdoor_temperature", "round_end",
               "best_point", "calibration_least", "calibration_most"}
@@ -115,6 +115,7 @@ class EveryKind(unittest.TestCase):
         self.assertIn("What matters most", self.of("sensitivity").answer)
         self.assertIn("The nearest point misses", self.of("grid").answer)
         self.assertIn("new windows 5000 kWh of heating", self.of("retrofit").answer)
+        self.assertIn("Saved over 2015-01-01 to 2015-12-31 (365 days)", self.of("retrofit").answer)
         self.assertEqual(self.of("posterior").answer, "Of 3 calibrated inputs the data narrow these: infiltration; "
                          "the data tell these only together with others: heat_capacity_of_the_second_mass; the data "
                          "say nothing of these: set_point.")
