@@ -210,14 +210,19 @@ class MeterReader {
             ask(checks::doubt_of_register(series, meter_.quantity), series, sources);
     }
 
-    /// Values, then runs and steps.
-    void check(input::RegularSeries& series, const std::vector<TimedCsv>& sources) {
-        const checks::CheckOptions options = check_options();
+    void check_below_zero(input::RegularSeries& series,
+                          const std::vector<TimedCsv>& sources) {
         std::optional<checks::Question> question;
         decide(checks::check_negative(series, meter_.quantity,
                                       section_.choice_as<checks::Handling>("negative"),
                                       question));
         ask(question, series, sources);
+    }
+
+    /// Values, then runs and steps.
+    void check(input::RegularSeries& series, const std::vector<TimedCsv>& sources) {
+        const checks::CheckOptions options = check_options();
+        check_below_zero(series, sources);
         if (meter_checks("spikes")) decide(checks::mask_spikes(series, meter_.quantity));
         decide(series.axis.step_s <= 3600
                    ? checks::check_series(series, meter_.quantity, options)
@@ -251,7 +256,7 @@ class MeterReader {
                  fmt::format("read as {} bills, each over its own time", bills.size())});
         }
         input::RegularSeries series = input::series_of(bills, notes);
-        check_bills(series);
+        check_bills(series, sources);
         for (input::TimeNote& note : notes)
             building_.decisions.push_back({"stamps of " + meter_.name,
                                            std::move(note.finding),
@@ -262,7 +267,7 @@ class MeterReader {
         return series;
     }
 
-    void check_bills(input::RegularSeries& series) {
+    void check_bills(input::RegularSeries& series, const std::vector<TimedCsv>& sources) {
         if (meter_checks("codes")) decide(checks::mask_codes(series, meter_.quantity));
         if (counts())
             section_.fail_value("register",
@@ -270,6 +275,7 @@ class MeterReader {
                                 "bill in place of what the register shows");
         if (meter_checks("register"))
             decide(checks::state_bills(series, meter_.quantity));
+        check_below_zero(series, sources);
     }
 
     void check_step_of_bills(int step_s) const {

@@ -101,6 +101,32 @@ TEST(MeterBills, CodesAreMaskedAndARegistersRiseIsTold) {
                      "its bills rise 10 times and never fall: perhaps what a register"));
 }
 
+TEST(MeterBills, OneBelowZeroIsMaskedAndMoreAreAskedAbout) {
+    const std::string one = "t,x\n2021-01-01,300\n2021-02-01,-120\n2021-03-01,280\n";
+    const auto february = [](const study::Case& building) {
+        return building.meters[0].values.at(31 * 24);
+    };
+    const auto building = read_with(one, "");
+    EXPECT_TRUE(std::isnan(february(building)));
+    EXPECT_TRUE(std::ranges::any_of(building.decisions, [](const auto& decision) {
+        return decision.finding ==
+                   "1 reading below 0, down to -120, the first from 2021-02-01 00:00:00" &&
+               decision.action == "masked; negative = \"keep\" would keep them";
+    }));
+    EXPECT_EQ(february(read_with(one, "negative = \"keep\"\n")), -120);
+    const std::string two = one + "2021-04-01,-90\n";
+    try {
+        read_with(two, "");
+        FAIL() << "two bills below 0 were read";
+    } catch (const UserError& error) {
+        EXPECT_NE(std::string(error.what())
+                      .find("bills.csv:3:x: -120, and 2 of 4 readings are below 0"),
+                  std::string::npos)
+            << error.what();
+    }
+    EXPECT_TRUE(std::isnan(february(read_with(two, "negative = \"missing\"\n"))));
+}
+
 TEST(MeterBills, DaysOfGasBeginAtSix) {
     std::string file = "t,x\n";
     for (int day = 0; day < 59; ++day)
