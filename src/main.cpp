@@ -589,7 +589,8 @@ int parse_failed(const CLI::App& app, const CLI::ParseError& error, int rank) {
 
 int run_program(run::Comm& comm, int argc, char** argv) {
     CLI::App app(
-        "Calibrates hourly building energy models against measured data, in batches.");
+        "Calibrates hourly building energy models against measured data, in batches.",
+        "bemcal-batch");
     app.set_version_flag("--version", "bemcal-batch " BEMCAL_VERSION);
     app.require_subcommand(1);
     app.footer(footer);

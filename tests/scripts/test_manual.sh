@@ -28,6 +28,7 @@ fi
 told() { [[ $("$program" "${@:2}" 2>&1 | head -n 1) == "$1" ]] || fail "after '${*:2}' it is not said: $1"; }
 told 'bemcal-batch: chek: there is no such command or job; did you mean "check"?' chek office.toml
 told "--every: 0: expected a number above 0" status office.h5 --watch --every 0
+[[ $("$program" status --help) == *"Usage: bemcal-batch status "* ]] || fail "the help's usage is no line to type"
 
 # The words that bash offers for a line; the last one is completed.
 "$program" describe completion bash >completion
