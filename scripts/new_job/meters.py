@@ -25,6 +25,7 @@ OF_COUNTRY = {"US": ("therm", "100 ft3"), "GB": ("100 ft3",)}  # more of gas
 ZERO_RUN = 12                  # h, of zeros that are gaps
 MOST_FILLED, MOST_SHORT = 0.1, 0.002  # of the readings, that stand for gaps, and that are other zeros
 LEAST_RISES, MOST_FALLS = 0.3, 0.01  # of a register's readings; of its rises
+RISES_OF_BILLS = 9             # without a fall: perhaps a register
 OFFSET, MOST_BELOW = 0.01, 0.01    # of what a meter reaches, and of its readings, that may be below 0 by faults
 SPIKE = 20                     # times what 98 % of the readings reach
 LEAST_FACTOR = 3               # a unit but kWh is guessed only where kWh is so far off
@@ -233,6 +234,21 @@ def check_use(meter, area, told):
                    f"({USUAL[meter.quantity]}): unit or floor area may be another")
 
 
+def is_of_ends(table, keys):
+    """Whether stamps close their steps: where names say it, or where they close whole days, as the program sees it."""
+    midnight = dt.timedelta(0)
+    since = [time - dt.datetime.combine(time, dt.time()) for time in (table.times[0], table.times[-1])]
+    return keys.get("stamp", "end") == "end" and ("stamp" in keys or (
+        since == [dt.timedelta(seconds=table.step), midnight] and not table.has_offset))
+
+
+def is_register_of_bills(meter):
+    """As the program sees it (src/checks/data_values.cpp)."""
+    values = [value for _, value in meter.read()]
+    return len(values) > RISES_OF_BILLS and all(a <= b for a, b in zip(values, values[1:])) and \
+        sum(a < b for a, b in zip(values, values[1:])) >= RISES_OF_BILLS
+
+
 def is_register(meter):
     values = [value for _, value in meter.read()]
     rises = sum(b > a for a, b in zip(values, values[1:]))
@@ -292,6 +308,9 @@ def make_meter(table, column, quantity, unit, options, told):
     keys = keys_of_meter(table, numbers, told)
     if table.step > DAY and keys.get("stamp") == "end" and are_last_days(begins):
         begins = begins_of_months(begins)
+    if table.step < DAY and not table.per_day and is_of_ends(table, keys):
+        step = dt.timedelta(seconds=table.step)
+        begins = [time - step for time in begins]
     if table.per_day:
         part = dt.timedelta(seconds=table.step)
         begins = [day + k * part for k in range(table.per_day) for day in table.times]
@@ -316,8 +335,11 @@ def make_meter(table, column, quantity, unit, options, told):
         meter.series = [(begin, value or None) for begin, value in meter.series]
         told.check(f"{table.path}: {column}: zeros of {ZERO_RUN} h and more were taken for gaps that were filled, "
                    "for it hardly shows a zero otherwise")
-    if meter.is_energy and table.step <= DAY:
+    if meter.is_energy:
         tell_negatives(meter, told)
+    if meter.is_energy and table.step > DAY and is_register_of_bills(meter):
+        told.check(f"{table.path}: {column}: rises from bill to bill: perhaps what a register shows; expected the use of "
+                   "each bill")
     bills = bill_columns(table)
     if bills:
         ends = ends_of_bills(begins, times.read_times(table.column(bills[1]))[1])
@@ -329,7 +351,7 @@ def make_meter(table, column, quantity, unit, options, told):
         raise Refused(f"{table.path}: column {column}: has no readings")
     finish_unit(meter, options, told)
     told.say(f"{table.path}: {column}: {quantity} [{meter.unit}{'' if meter.factor == 1 else f' x {meter.factor:g}'}], "
-             f"{interval_of(table.step)[1]}, {meter.first:%Y-%m-%d} to {meter.last:%Y-%m-%d}" +
+             f"{interval_of(table.step)[1]}, {times.span(meter.first, meter.last)}" +
              (f", {year_use(meter, options.area):.0f} kWh/(m2 a)" if meter.is_energy else ""))
     return meter
 

@@ -7,6 +7,7 @@ import datetime as dt
 from dataclasses import dataclass
 
 from new_job.refused import Refused
+from new_job.times import span
 from new_job.weather import TYPICAL
 
 DAY = dt.timedelta(days=1)
@@ -28,10 +29,6 @@ def whole_days(first, last):
     """(first day, last day) that lie within two times."""
     begin = first.date() if first.time() == dt.time() else first.date() + DAY
     return begin, last.date() - DAY
-
-
-def span(first, last):
-    return f"{first:%Y-%m-%d} to {last:%Y-%m-%d}"
 
 
 def common_days(meters, weather):

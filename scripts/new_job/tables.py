@@ -28,8 +28,10 @@ COUNTED = ((29221, 73051, "perhaps a workbook's days since 1900; give its cells 
                           "save them as CSV"),
            (315532800, 4102444800, "perhaps seconds since 1970; write them as dates and clock of standard time, or the "
                                    "meter by hand with time_format = \"%s\""))
+NO_YEAR = re.compile(r"\d\d?[/-]\d\d? +\d\d?:\d\d(:\d\d)?$")  # EnergyPlus writes them
 BLANK, BLANK_GROUP = re.compile(r"\s"), re.compile(r"\d\s\d{3}(\D|$)")
 CLOCKS_APART = ("%H:%M", "%H:%M:%S", "%I:%M %p", "%I:%M:%S %p")   # in a column beside that of dates
+HOURS = ("hour", "hr", "hh", "he", "hour ending", "hour beginning", "stunde", "heure", "hora", "ora")
 TIME_COLUMNS = 10              # a time is in one of the first ones: exports begin with names and numbers of meters
 YEARS = (1900, 2100)           # of readings: a sum such as 20480115 is no date
 
@@ -154,7 +156,10 @@ def header_at(path, cells):
 
 
 def counted_time(cells):
-    """What a first column of numbers may be: days or seconds since an origin, which are not read."""
+    """What a first column may be that is not read: days or seconds since an origin, times without a year."""
+    last = cells[-1][0].strip() if cells[-1] else ""
+    if NO_YEAR.match(last):
+        return f" that is read: its first has times such as {last}, which have no year; write it"
     try:
         values = [float(row[0]) for row in cells[-2:]]
     except (ValueError, IndexError):
@@ -209,6 +214,18 @@ def add_clock(table):
             table.form = f"{table.form or iso} {form}" if table.form or "%I" in form else ""
             table.time.append(name)
             return
+    add_hour(table)
+
+
+def add_hour(table):
+    """A column of whole hours beside that of dates, from 0 to 23 or from 1 to 24."""
+    name = next((name for name in table.names if spaced(name) in HOURS and name not in table.time), None)
+    cells = table.column(name) if name else []
+    if not cells or not all(cell.isdigit() and int(cell) <= 24 for cell in cells):
+        return
+    table.times = [day + int(cell) * times.HOUR for day, cell in zip(table.times, cells)]
+    table.form = table.form and f"{table.form} %H"
+    table.time.append(name)
 
 
 def clock_in(cells):
@@ -244,6 +261,13 @@ def line_of(path, row, separator):
     return next((k for k, line in enumerate(lines, 1) if cells_of([line], separator) == [row]), 1)
 
 
+def line_behind(path, before, row, separator):
+    """Number of the first line with these cells behind one with those of the row before."""
+    first = line_of(path, before, separator)
+    rows = cells_of(text_of(path).splitlines()[first:], separator)
+    return first + next((k for k, cells in enumerate(rows, 1) if cells == row), 0)
+
+
 def check_widths(path, names, rows, separator):
     """Decimal commas between separators that are commas, too, make two cells of a number."""
     for row in rows:
@@ -257,9 +281,10 @@ def check_order(table):
     """The program takes rows in the order of time alone, each once; only a wall clock has an hour twice, in autumn."""
     has_clock = table.step <= 3600 and times.clock_of(table.times) is not None
     back = times.HOUR if has_clock else dt.timedelta(0)
-    for k, (one, other) in enumerate(zip(table.times, table.times[1:]), 2):
+    for k, (one, other) in enumerate(zip(table.times, table.times[1:]), 1):
         if one - other > back or one == other and not has_clock:
-            raise Refused(f"{table.path}: {table.time[0]}: row {k}, {other:%Y-%m-%d %H:%M}, is not later than the row "
+            line = line_behind(table.path, table.rows[k - 1], table.rows[k], table.separator)
+            raise Refused(f"{table.path}:{line}: {table.time[0]}: {other:%Y-%m-%d %H:%M} is not later than the row "
                           f"before ({one:%Y-%m-%d %H:%M}); sort the rows by time, each time once; meters below each "
                           "other go into columns or files of their own")
 

@@ -13,7 +13,8 @@ DATES = ("%d.%m.%Y", "%d/%m/%Y", "%m/%d/%Y", "%d-%m-%Y", "%m-%d-%Y", "%d-%b-%Y",
          "%d/%m/%y", "%m/%d/%y", "%Y.%m.%d", "%Y%m%d")
 CLOCKS = ("", " %H:%M", " %H:%M:%S", " %I:%M %p", " %I:%M:%S %p", "T%H:%M", ", %H:%M", " %H:%M %z", " %H:%M%z",
           " %H:%M:%S %z", " %H:%M:%S%z")
-OTHER_FORMS = tuple(date + clock for date in DATES for clock in CLOCKS)
+MONTHS = ("%Y-%m", "%Y/%m", "%m/%Y", "%m.%Y", "%b %Y", "%B %Y", "%b-%Y", "%b-%y", "%b %y")
+OTHER_FORMS = (*(date + clock for date in DATES for clock in CLOCKS), *MONTHS)
 MONTH_FIRST = ("US", "PH")
 HOUR = dt.timedelta(hours=1)
 SAMPLE = 60                    # cells that have to have a form before all are asked
@@ -82,6 +83,11 @@ def step_of(times):
     ordered = sorted(set(times))
     steps = sorted((b - a).total_seconds() for a, b in zip(ordered, ordered[1:]))
     return max(60, round(steps[len(steps) // 2] / 60) * 60) if steps else 0
+
+
+def span(first, last):
+    """First and last day, from a begin and an end."""
+    return f"{first:%Y-%m-%d} to {last - dt.timedelta(seconds=1):%Y-%m-%d}"
 
 
 def change_days(rule, year):

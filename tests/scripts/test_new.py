@@ -407,6 +407,37 @@ class New(unittest.TestCase):
         self.assertEqual((self.meter()["from"], self.meter()["to"]), ("from", "to"))
         self.assertEqual(self.checked()["periods"]["training"], ["2021-01-01", "2021-12-31"])
 
+    def test_months_without_a_day(self):
+        stamps = months()
+        for form in ("%Y-%m", "%b %Y", "%B %Y", "%b-%y", "%m/%Y"):
+            lines = [f"{a.strftime(form)},{total(gas, a, b):.0f}" for a, b in zip(stamps, stamps[1:])]
+            said = self.new(self.written("gas.csv", ["month,gas_kwh", *lines]), force=True).stdout
+            self.assertIn("2021-01-01 to 2022-12-31", said)
+            self.assertEqual((self.meter()["interval"], self.meter()["time_format"]), ("monthly", form))
+
+    def test_bills_below_zero_and_those_of_a_register_are_told(self):
+        def bills(of):
+            return self.written("gas.csv", ["month,gas_kwh", *(f"{begin:%Y-%m-%d},{of(k)}" for k, begin in
+                                                               enumerate(months()[:-1]))])
+        said = self.new(bills(lambda k: -100 if k in (6, 7) else 5000 - 300 * (k % 12))).stdout
+        self.assertIn("2 of 24 readings are below 0", said)
+        self.assertEqual(self.meter()["negative"], "missing")
+        said = self.new(bills(lambda k: 5000 + 400 * k), force=True).stdout
+        self.assertIn("rises from bill to bill: perhaps what a register shows", said)
+
+    def test_hours_in_a_column_of_numbers_and_stamps_at_ends(self):
+        for form in ("%Y-%m-%d", "%d.%m.%Y"):
+            for late in (0, 1):
+                lines = [f"{t.strftime(form)},{t.hour + late},{gas(t):.2f}" for t in hours(2021, 2022)]
+                said = self.new(self.written("gas.csv", ["date,hour,gas_kwh", *lines]), force=True).stdout
+                self.assertIn("hours, 2021-01-01 to 2022-12-31", said)
+                self.assertEqual(self.checked()["periods"]["training"], ["2021-01-01", "2021-12-31"])
+                self.assertEqual(self.meter()["time"], ["date", "hour"])
+        lines = [f"{t + HOUR:%Y-%m-%d %H:%M},{gas(t):.2f}" for t in hours(2021, 2021)]
+        said = self.new(self.written("gas.csv", ["time,gas_kwh", *lines]), force=True).stdout
+        self.assertIn("hours, 2021-01-01 to 2021-12-31", said)
+        self.assertEqual(self.checked()["periods"]["training"][0], "2021-01-01")
+
     def test_portfolio_manager(self):
         file = self.written("meter_entries.csv", portfolio(months()))
         self.new(file, place="US-MA")
@@ -515,10 +546,10 @@ class New(unittest.TestCase):
 
     def test_rows_out_of_order_are_refused(self):
         lines = rows(gas, 2021, 2021)
-        for name, order in (("newest first", lines[::-1]), ("one astray", [lines[-1], *lines[:-1]]),
-                            ("twice", [*lines[:99], *lines[98:]])):
+        for name, line, order in (("newest first", 3, lines[::-1]), ("one astray", 3, [lines[-1], *lines[:-1]]),
+                                  ("twice", 101, [*lines[:99], *lines[98:]])):
             with self.subTest(name=name):
-                self.refused("is not later", DATA, self.written("gas.csv", ["time,gas_kwh", *order]))
+                self.refused(f"gas.csv:{line}: time: ", DATA, self.written("gas.csv", ["time,gas_kwh", *order]))
 
     def test_codes_and_spikes_do_not_make_a_base_load(self):
         lines = rows(electricity, 2021, 2021)
@@ -588,7 +619,9 @@ class New(unittest.TestCase):
                                              for hour in range(24))))
         self.refused(["a.csv:2: gas_kwh: '1.5 kWh' is no number"], DATA,
                      table("time,gas_kwh", "2021-01-01 00:00,1.5 kWh", "2021-01-01 01:00,1.7 kWh"))
-        self.refused(["row 2, 2021-01-01 00:00, is not later", "meters below each other"], DATA,
+        self.refused(["01/01  02:00:00", "have no year"], DATA,
+                     table("Date/Time,Gas:Facility [J](Hourly)", *(f" 01/01  {hour:02}:00:00,5" for hour in (1, 2))))
+        self.refused(["a.csv:3: time: 2021-01-01 00:00 is not later", "meters below each other"], DATA,
                      table("time,meter,gas_kwh", "2021-01-01 00:00,A,1", "2021-01-01 00:00,B,2",
                            "2021-01-01 01:00,A,1", "2021-01-01 01:00,B,2"))
 
