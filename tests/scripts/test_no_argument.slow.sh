@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The installed program, started without an argument in any folder, runs the quickstart and writes
 # quickstart-NNN.h5 with the next free number and its page; what stands there already is left alone.
+# The README's cut of the last tables is what it prints.
 set -euo pipefail
 . "$(dirname "$0")/../../scripts/environment"
 fail() { echo "$*" >&2; exit 1; }
@@ -22,3 +23,9 @@ grep -q "wrote quickstart-002.html" "$folder/log" || fail "no word of the page"
 # The last table is that of the errors before and after, on the held-out year.
 tables=$(grep -v '^bemcal-batch: ' "$folder/log" | sed '/^$/d' | tail -n 1)
 [[ $tables == *held_out*electricity*monthly* ]] || fail "the last line is: $tables"
+in_one_line() { tr -s ' \n' ' '; }
+printed=$(in_one_line <"$folder/log")
+for part in '/^  effect found/,/^  other hours than declared:/p' '/^  error in held_out/,/^      to/p'; do
+  cut=$(sed -n "$part" "$(dirname "$0")/../../README.md" | in_one_line)
+  [[ -n $cut && $printed == *"$cut"* ]] || fail "README.md shows what is not printed: $cut"
+done
