@@ -17,6 +17,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace bemcal::job {
 
@@ -24,8 +25,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* name_columns[] = {"name", "id", "building"};
+
 std::string name_in(const StockLine& line) {
-    for (const char* column : {"name", "id", "building"})
+    for (const char* column : name_columns)
         if (const std::string name = line.cell(column); !name.empty()) return name;
     return {};
 }
@@ -48,7 +51,21 @@ void check_names(std::vector<StockLine>& lines) {
     }
 }
 
+/// Readings or weather in place of a table of buildings, say.
+void check_columns(const input::Csv& csv) {
+    const auto is_there = [&](const char* column) {
+        return std::ranges::find(csv.columns, column) != csv.columns.end();
+    };
+    if (std::ranges::any_of(name_columns, is_there)) return;
+    throw UserError(
+        ExitCode::data,
+        fmt::format("{}: has no column name or id, as a table of buildings has, but {}; "
+                    "readings and weather go into a job (bemcal-batch new writes one)",
+                    csv.file, fmt::join(csv.columns, ", ")));
+}
+
 std::vector<StockLine> lines_of(const input::Csv& csv) {
+    check_columns(csv);
     std::vector<std::size_t> order(csv.columns.size());
     std::iota(order.begin(), order.end(), 0U);
     std::ranges::sort(order, {}, [&](std::size_t k) { return csv.columns[k]; });

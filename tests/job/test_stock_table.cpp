@@ -70,6 +70,24 @@ std::string ends_of(const study::Case& building, std::size_t period) {
     return physics::format_date(is.from) + " " + physics::format_date(is.to);
 }
 
+TEST(StockTable, ReadingsInItsPlaceAreRefused) {
+    const Folder folder;
+    folder.write("gas.csv", "time,gas_kwh\n2021-01-01 00:00,5\n2021-01-01 01:00,6\n");
+    folder.write("job.toml",
+                 "[stock]\ntable = \"gas.csv\"\n[[study]]\nkind = \"screening\"\n");
+    try {
+        read_job(folder / "job.toml");
+        FAIL() << "readings were taken for a table of buildings";
+    } catch (const UserError& error) {
+        EXPECT_EQ(error.exit_code(), ExitCode::data);
+        EXPECT_NE(std::string(error.what())
+                      .find("gas.csv: has no column name or id, as a table of buildings "
+                            "has, but time, gas_kwh; readings and weather go into a job"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
 TEST(StockTables, HaveNoBuildingsInBlankRows) {
     const StockTable stock(
         fmt::format("{}\n,,,,\none,{},gas.csv,kwh\n\n,,,,,,,,,,\n\"\",,,\n", head, place),
