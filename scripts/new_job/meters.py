@@ -338,8 +338,8 @@ def make_meter(table, column, quantity, unit, options, told):
     if meter.is_energy:
         tell_negatives(meter, told)
     if meter.is_energy and table.step > DAY and is_register_of_bills(meter):
-        told.check(f"{table.path}: {column}: rises from bill to bill: perhaps what a register shows; expected the use of "
-                   "each bill")
+        told.check(f"{table.path}: {column}: rises from bill to bill: perhaps what a register shows; expected the use "
+                   "of each bill")
     bills = bill_columns(table)
     if bills:
         ends = ends_of_bills(begins, times.read_times(table.column(bills[1]))[1])
