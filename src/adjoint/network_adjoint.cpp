@@ -265,12 +265,20 @@ void pull_network(const PlaceBack& place, const physics::Network& network,
     pull_capacity(place, network, of_network);
 }
 
-void pull_control(const PlaceBack& place, const physics::Control& of_control) {
-    const physics::Thermostat& control = place.here().thermostat;
+void pull_control(const PlaceBack& place, const physics::Control& control,
+                  physics::Control of_control) {
+    const physics::Thermostat& thermostat = place.here().thermostat;
     physics::Thermostat& of = place.of_here().thermostat;
-    if (control.imposed) return;
-    place.pull(control.heating_set_point, of_control.theta_H_set, of.heating_set_point);
-    place.pull(control.cooling_set_point, of_control.theta_C_set, of.cooling_set_point);
+    if (thermostat.imposed) return;
+    if (control.held_apart) {
+        of_control.theta_H_set += of_control.theta_C_set;
+        place.of_here().structure.proportional_band += of_control.theta_C_set;
+        of_control.theta_C_set = 0;
+    }
+    place.pull(thermostat.heating_set_point, of_control.theta_H_set,
+               of.heating_set_point);
+    place.pull(thermostat.cooling_set_point, of_control.theta_C_set,
+               of.cooling_set_point);
     pull_limit(place, of_control.phi_H_max, &physics::Thermostat::heating_capacity,
                &physics::Thermostat::heating_available);
     pull_limit(place, of_control.phi_C_max, &physics::Thermostat::cooling_capacity,

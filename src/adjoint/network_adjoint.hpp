@@ -53,6 +53,7 @@ void pull_network(const PlaceBack& place, const physics::Network& network,
                   physics::Network& of_network);
 
 /// Of control_at's set-points and limits.
-void pull_control(const PlaceBack& place, const physics::Control& of_control);
+void pull_control(const PlaceBack& place, const physics::Control& control,
+                  physics::Control of_control);
 
 }  // namespace bemcal::adjoint

@@ -29,6 +29,9 @@ inline constexpr int most_levels = 12;
 inline constexpr double most_missing = 0.1;
 /// Indoors, for temperature differences [degC]. Judgement.
 inline constexpr double base_temperature = 20;
+/// Steps of the sun on the sunniest window [W/m2]. Judgement: a quarter of a kelvin of
+/// set-point.
+inline constexpr double sun_step = 50;
 /// Least of the wind about its mean. Judgement: some leaks are left.
 inline constexpr double least_excess_of_wind = -0.6;
 /// Of a year's hours: with fewer in the weather, its mean is that of all weather.

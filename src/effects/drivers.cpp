@@ -82,6 +82,22 @@ Series sun_of(const Effect& effect, const Surroundings& around) {
     return sun;
 }
 
+/// What the room has whose window the sun is on, in steps: hours of one step share their
+/// matrices in the kernel.
+Series sunniest_window(const Effect&, const Surroundings& around) {
+    const Matrix& irradiance = around.drive->irradiance;
+    Series sun(static_cast<std::size_t>(around.drive->n_steps()));
+    for (const physics::Zone& zone : around.building->zones)
+        for (const physics::Window& window : zone.windows) {
+            const auto row = irradiance.row(static_cast<std::size_t>(window.plane));
+            for (std::size_t k = 0; k < sun.size(); ++k)
+                sun[k] = std::max(sun[k], row[k]);
+        }
+    constexpr double step = decisions::sun_step;
+    for (double& value : sun) value = step * std::round(value / step);
+    return sun;
+}
+
 Series elapsed_of(const Effect&, const Surroundings& around) {
     return each_step(around, [&](std::size_t k) {
         const auto begin = around.drive->axis.begin_of(static_cast<int>(k));
@@ -193,6 +209,11 @@ constexpr DriverRow driver_table[] = {
      .unit = "W/m2",
      .first_move = 50,
      .of_steps = sun_of},
+    {.driver = Driver::sunniest_window,
+     .name = "sun on the sunniest window",
+     .unit = "W/m2",
+     .first_move = 50,
+     .of_steps = sunniest_window},
     {.driver = Driver::moisture,
      .name = "outdoor moisture",
      .unit = "g/kg",

@@ -68,6 +68,7 @@ enum class Driver {
     wind_and_difference,  ///< wind x |20 degC - theta_e| [K m/s]
     sun_horizontal,       ///< global [W/m2]
     sun_on_facade,        ///< on the hook's facade [W/m2]
+    sunniest_window,      ///< the largest on a window of the zones [W/m2]
     moisture,             ///< outdoor humidity ratio [g/kg]
     ground,               ///< outdoor temperature of the last months, lagged [degC]
     yearly_mean,          ///< outdoor temperature, mean of the calendar year [degC]

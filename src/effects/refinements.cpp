@@ -251,7 +251,13 @@ const std::vector<Refinement>& refinements() {
          {},
          {{following("heating efficiency per outdoor temperature",
                      Hook::heating_efficiency, Driver::theta_e, 0.01),
-           0.005, 0.01, -0.2, 0.2}}}};
+           0.005, 0.01, -0.2, 0.2}}},
+        {"sunny rooms",
+         "cooling that the rooms with the most sun ask for, before the others need it",
+         {},
+         {{following("cooling set-point per sun on the sunniest window",
+                     Hook::cooling_set_point, Driver::sunniest_window, 0.01),
+           -0.002, 0.003, -0.03, 0}}}};
     return table;
 }
 

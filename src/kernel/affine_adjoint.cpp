@@ -365,7 +365,7 @@ void pull_coefficients(const ZonePlan& plan, const physics::Building& building,
             plan.is_standard() ? pull_regime<StandardBack> : pull_regime<GeneralBack>;
         pull(back, index, tables);
         adjoint::pull_radiant_split(network, back.of_split, of_network);
-        adjoint::pull_control(place, back.of_control);
+        adjoint::pull_control(place, regime.control, back.of_control);
         adjoint::pull_network(place, network, of_network);
     }
 }

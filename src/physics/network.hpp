@@ -52,9 +52,11 @@ struct Control {
     bool imposed = false;
     double phi_imposed = 0;         ///< [W]
     double heated = 1, cooled = 1;  ///< shares of rooms, by the season [-]
+    bool held_apart = false;  ///< theta_C_set is theta_H_set and the proportional band
 };
 /// Throws CannotSimulate where heating and cooling are both there and their set-points
-/// cross or lie closer than the proportional band. A zone with a radiator has no other
+/// cross or lie closer than the proportional band; where an effect moves them so near,
+/// cooling gives way, as thermostats hold a dead band. A zone with a radiator has no other
 /// heating.
 Control control_at(const Zone& zone, const Drive& drive, int step);
 

@@ -141,6 +141,28 @@ TEST(Surroundings, WindTakesSixTenthsOfLeaksAtMost) {
     EXPECT_NEAR(relative(4.1), -0.59, 1e-3);
 }
 
+TEST(Profiles, TheSunniestWindowsSunIsInStepsOfFifty) {
+    const physics::Building& building = office().building;
+    physics::Drive drive = office().drive;
+    const std::size_t step = at("2021-03-05 14:00");
+    for (double& value : drive.irradiance.values) value = 0;
+    const auto sun = [&] {
+        return profile_of({.driver = Driver::sunniest_window},
+                          make_surroundings(building, drive, office().weather,
+                                            office().around.from))[step];
+    };
+    const auto of_window = [&](std::size_t k) -> double& {
+        const auto& windows = building.zones[0].windows;
+        return drive.irradiance(static_cast<std::size_t>(windows[k].plane), step);
+    };
+    of_window(0) = 124.9;
+    EXPECT_EQ(sun(), 100);
+    of_window(0) = 125.1;
+    EXPECT_EQ(sun(), 150);
+    of_window(1) = 300;
+    EXPECT_EQ(sun(), 300);
+}
+
 TEST(Profiles, ShapesOfWind) {
     const double wind = office().around.weather.at(Driver::wind)[at("2021-03-05 14:00")];
     const auto value = [&](Shape shape) {

@@ -201,6 +201,24 @@ TEST(Network, RefusesCrossedSetPointsOnlyWhereBothWork) {
     EXPECT_NO_THROW(control_at(c.zone(), c.drive, 0));
 }
 
+TEST(Network, WhereAnEffectBringsSetPointsTogetherCoolingGivesWay) {
+    Case c;
+    c.drive = test::constant_drive(c.building, 2, 5, 0, 3600, 1);
+    c.drive.profiles(0, 1) = 1;
+    Thermostat& thermostat = c.zone().thermostat;
+    c.zone().structure.proportional_band = 1.5;
+    thermostat.heating_set_point.value = 21;
+    thermostat.cooling_set_point.value = 24;
+    thermostat.cooling_set_point.changes[0] = {-1.5, 0, ChangeKind::shift};
+    const auto control = [&] { return control_at(c.zone(), c.drive, 1); };
+    EXPECT_EQ(control().theta_C_set, 22.5);  // just the band
+    EXPECT_FALSE(control().held_apart);
+    thermostat.cooling_set_point.changes[0].amount = -1.6;
+    EXPECT_EQ(control().theta_C_set, 22.5);
+    EXPECT_EQ(control().theta_H_set, 21);
+    EXPECT_TRUE(control().held_apart);
+}
+
 TEST(Network, RefusesSetPointsCloserThanTheBand) {
     Case c;
     c.zone().structure.proportional_band = 4;
