@@ -20,7 +20,8 @@ OF_FINDINGS = (("the data narrow these", ("determined", "narrowed")),
                ("the data move these, but leave them as uncertain", ("moved",)),
                ("prior and data disagree on these", ("wider",)),
                ("the data say nothing of these", ("as_before",)),
-               ("these lie at an end of their range, which is too narrow, or they make up for what the model lacks", ("at_edge",)))
+               ("these lie at an end of their range: it is too narrow, or they make up for what the model lacks",
+                ("at_edge",)))
 # Unknowns that no line of the job names: of a meter's residuals; of the stand-in.
 OF_RESIDUALS = ("constant", "proportional", "phi", "share", "length")
 OF_STATISTICS = ("log_density", "lambda_", "beta_", "rho")

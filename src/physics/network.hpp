@@ -56,8 +56,8 @@ struct Control {
 };
 /// Throws CannotSimulate where heating and cooling are both there and their set-points
 /// cross or lie closer than the proportional band; where an effect moves them so near,
-/// cooling gives way, as thermostats hold a dead band. A zone with a radiator has no other
-/// heating.
+/// cooling gives way, as thermostats hold a dead band. A zone with a radiator has no
+/// other heating.
 Control control_at(const Zone& zone, const Drive& drive, int step);
 
 /// Temperatures and gains of one step.
