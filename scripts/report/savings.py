@@ -71,8 +71,8 @@ def savings(study):
         + (f", {percent(share[1][s, k])}" if share is not None else "") for k in shown)
         for s, scenario in enumerate(scenarios))
     yield picture(figure, "Energy saved", f"Savings of each scenario{period_words(study)}: {said}.",
-                  f"Before less after{period_words(study)}, point by point of the study {study.text('points_of')}. Bars: middle; lines: "
-                  f"{intervals_words(study)}. Below 0: more than before.")
+                  f"Before less after{period_words(study)}, point by point of the study {study.text('points_of')}. "
+                  f"Bars: middle; lines: {intervals_words(study)}. Below 0: more than before.")
 
 
 def before_and_after(study):

@@ -192,27 +192,26 @@ double capacity_at(const Zone& zone, const Drive& drive, int step, const Input& 
     return share > 0 && limit > 0 ? share * limit * zone.floor_area : 0;
 }
 
-/// Whether both work, with less than the band between their set-points.
-bool are_too_near(const Zone& zone, const Control& control) {
-    if (control.phi_H_max <= 0 || control.phi_C_max <= 0) return false;
-    const double gap = control.theta_C_set - control.theta_H_set;
-    return gap < zone.structure.proportional_band || !(gap >= 0);
-}
-
 /// Whether an effect moves a set-point.
 bool is_moved(const Thermostat& thermostat) {
     return thermostat.heating_set_point.is_changed() ||
            thermostat.cooling_set_point.is_changed();
 }
 
-void check_control(const Zone& zone, int step, const Control& control) {
-    if (are_too_near(zone, control))
+/// Where both work, at least the band is between their set-points.
+void hold_apart(const Zone& zone, int step, Control& control) {
+    if (control.phi_H_max <= 0 || control.phi_C_max <= 0) return;
+    const double gap = control.theta_C_set - control.theta_H_set;
+    if (gap >= zone.structure.proportional_band) return;
+    if (std::isnan(gap) || !is_moved(zone.thermostat))
         reject(zone, step,
                fmt::format(
                    "heating_set_point = {:.6g} degC and cooling_set_point = {:.6g} "
                    "degC cross, or lie closer than the proportional_band of {:.6g} K",
                    control.theta_H_set, control.theta_C_set,
                    zone.structure.proportional_band));
+    control.held_apart = true;
+    control.theta_C_set = control.theta_H_set + zone.structure.proportional_band;
 }
 
 }  // namespace
@@ -268,11 +267,7 @@ Control control_at(const Zone& zone, const Drive& drive, int step) {
                                         thermostat.heating_available);
     control.phi_C_max = capacity_at(zone, drive, step, thermostat.cooling_capacity,
                                     thermostat.cooling_available);
-    control.held_apart = is_moved(thermostat) && are_too_near(zone, control);
-    if (control.held_apart)
-        control.theta_C_set = control.theta_H_set + zone.structure.proportional_band;
-    else
-        check_control(zone, step, control);
+    hold_apart(zone, step, control);
     if (zone.structure.is_seasonal()) {
         const double theta_rm = drive.theta_rm[static_cast<std::size_t>(step)];
         control.heated = heated_share(zone.structure, theta_rm);

@@ -70,7 +70,6 @@ class Retrofit : public study::Stage {
              const RetrofitOptions& options)
         : name_(std::move(name)),
           building_(building),
-          period_(period),
           options_(options),
           numbers_(building, options.scenarios),
           drive_(study::drive_of(building, period)) {
@@ -149,7 +148,6 @@ class Retrofit : public study::Stage {
 
     std::string name_;
     study::Case building_;
-    study::Period period_;
     RetrofitOptions options_;
     ScenarioNumbers numbers_;
     physics::Drive drive_;
@@ -252,7 +250,8 @@ void Retrofit::add_names(study::DatasetBuilder& datasets) const {
     datasets.text("points_of", options_.of);
     datasets.vector("quantile", "quantile", {std::begin(quantiles), std::end(quantiles)});
     datasets.vector("comfort_limit", "limit", {options_.too_cold, options_.too_warm});
-    datasets.times("simulated_period", {period_.from, period_.to}, "end");
+    const physics::TimeAxis simulated = drive_.period();
+    datasets.times("simulated_period", {simulated.start, simulated.end()}, "end");
     datasets.parameters(building_.parameters);
 }
 

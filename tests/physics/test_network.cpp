@@ -217,6 +217,8 @@ TEST(Network, WhereAnEffectBringsSetPointsTogetherCoolingGivesWay) {
     EXPECT_EQ(control().theta_C_set, 22.5);
     EXPECT_EQ(control().theta_H_set, 21);
     EXPECT_TRUE(control().held_apart);
+    thermostat.cooling_set_point.changes[0].amount = std::nan("");
+    EXPECT_THROW(control(), std::domain_error);
 }
 
 TEST(Network, RefusesSetPointsCloserThanTheBand) {

@@ -25,10 +25,10 @@ from test_loop_page import Page  # noqa: E402
 
 DAMAGE = "do not fit together"
 # What is known before any simulation.
-OF_THE_JOB = {"parameter_least", "parameter_most", "time", "threshold", "error_level", "quantile", "comfort_limit", "simulated_period",
-              "n_failed", "target_measured", "field_input", "field_measured", "measured", "grid_value",
-              "grid_parameter", "grid_points", "neighbour", "stage_points", "outdoor_temperature", "round_end",
-              "best_point", "calibration_least", "calibration_most"}
+OF_THE_JOB = {"parameter_least", "parameter_most", "time", "threshold", "error_level", "quantile", "comfort_limit",
+              "simulated_period", "n_failed", "target_measured", "field_input", "field_measured", "measured",
+              "grid_value", "grid_parameter", "grid_points", "neighbour", "stage_points", "outdoor_temperature",
+              "round_end", "best_point", "calibration_least", "calibration_most"}
 LETTER = 0.5                   # width of a letter, of its size
 PROGRAM = os.environ.get("BEMCAL_PROGRAM", str(ROOT / "build" / "release" / "bemcal-batch"))
 # What each study of fake_results must have, by a word of the titles of its pictures and tables.
