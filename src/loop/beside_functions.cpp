@@ -6,13 +6,9 @@
 
 #include "loop/effect_search.hpp"
 #include "loop/find_functions.hpp"
-#include "loop/period_hours.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
-
-#include <fmt/format.h>
 
 namespace bemcal::loop {
 namespace {
@@ -86,50 +82,13 @@ void search_beside_functions(const LoopData& data, const Place& place, LoopResul
     }
 }
 
-void search_once(const LoopData& data, LoopResult& result, UnderWay& under_way) {
+}  // namespace
+
+void search_functions(const LoopData& data, LoopResult& result, UnderWay& under_way) {
     const Place without = result.baseline.place;
     under_way.begin("functions");
     lay_rest_to_functions(data, without, result);
     search_beside_functions(data, without, result, under_way);
-}
-
-std::optional<ImpossiblePeriod> impossible_period(const LoopData& data,
-                                                  const LoopResult& result) {
-    return impossible_period(data, result.baseline, result.last, result.functions);
-}
-
-bool has_functions_at_set_points(const LoopResult& result) {
-    return std::ranges::any_of(result.functions, is_at_set_point, &FoundFunction::at);
-}
-
-void say_they_left(const ImpossiblePeriod& with_them, LoopResult& result) {
-    result.log.push_back({"functions at set-points",
-                          fmt::format("left: with them {} cannot be simulated: {}",
-                                      with_them.period, with_them.why),
-                          0,
-                          0,
-                          0,
-                          {}});
-    result.decisions.push_back({"period " + with_them.period, with_them.why,
-                                "functions at set-points left: 'after' is without them",
-                                study::DecisionKind::period});
-}
-
-}  // namespace
-
-void search_functions(const LoopData& data, LoopResult& result, UnderWay& under_way) {
-    const LoopResult before = result;
-    search_once(data, result, under_way);
-    if (!has_functions_at_set_points(result)) return;
-    const auto impossible = impossible_period(data, result);
-    if (!impossible) return;
-    LoopData apart = data;
-    apart.options.functions_at_set_points = false;
-    LoopResult fewer = before;
-    search_once(apart, fewer, under_way);
-    if (impossible_period(data, fewer)) return;
-    result = std::move(fewer);
-    say_they_left(*impossible, result);
 }
 
 }  // namespace bemcal::loop

@@ -12,8 +12,6 @@ namespace bemcal::loop {
 /// functions take the misfit: beside them effects with a name are searched once more. One
 /// that passes joins the model without functions, which are found again. All of it stays
 /// if it foretells unseen readings better than the functions that were there.
-/// Functions at set-points leave, all of them, where the model with them cannot be
-/// simulated in another period and the one without them can.
 void search_functions(const LoopData& data, LoopResult& result, UnderWay& under_way);
 
 }  // namespace bemcal::loop

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <optional>
 
@@ -86,12 +85,6 @@ struct Simulated {
     Place place;        ///< with the functions
 };
 
-/// Those that leave set-points alone: where these are close no function can enter.
-std::vector<FoundFunction> apart_from_set_points(std::vector<FoundFunction> found) {
-    std::erase_if(found, [](const auto& one) { return is_at_set_point(one.at); });
-    return found;
-}
-
 /// Simulates stages of a search.
 class StageSimulator {
   public:
@@ -108,24 +101,12 @@ class StageSimulator {
 
     /// nothing where it cannot be simulated.
     std::optional<Simulated> simulated(const functions::Stage& stage) const {
-        auto whole =
-            simulated(stage, [&](const auto& fit) { return remainder_.found_by(fit); });
-        if (whole) return whole;
-        return simulated(stage, [&](const auto& fit) {
-            return apart_from_set_points(remainder_.found_by(fit));
-        });
-    }
-
-  private:
-    using FoundBy = std::function<std::vector<FoundFunction>(const functions::JointFit&)>;
-
-    std::optional<Simulated> simulated(const functions::Stage& stage,
-                                       const FoundBy& found_by) const {
-        std::vector<FoundFunction> found = found_by(stage.all);
+        std::vector<FoundFunction> found = remainder_.found_by(stage.all);
         if (found.empty()) return std::nullopt;
         Series left_out(data_.targets.size(), 0.0);
         for (std::size_t half = 0; half < 2; ++half) {
-            const auto one = model_of(stage.halves[half], found_by(stage.halves[half]));
+            const auto one =
+                model_of(stage.halves[half], remainder_.found_by(stage.halves[half]));
             if (!one) return std::nullopt;
             for (std::size_t k = 0; k < left_out.size(); ++k)
                 if (static_cast<std::size_t>(data_.blocks[k]) % 2 == half)

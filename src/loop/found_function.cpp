@@ -16,11 +16,6 @@ std::vector<double> FoundFunction::values() const {
     return all;
 }
 
-bool is_at_set_point(const effects::Effect& hook) {
-    return hook.hook == effects::Hook::heating_set_point ||
-           hook.hook == effects::Hook::cooling_set_point;
-}
-
 std::vector<FunctionsAtHook> by_hook(const std::vector<FoundFunction>& found) {
     std::vector<FunctionsAtHook> all;
     for (const FoundFunction& function : found) {

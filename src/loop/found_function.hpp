@@ -25,9 +25,6 @@ struct FoundFunction {
     std::vector<double> values() const;
 };
 
-/// Of heating or of cooling, which must not come closer than the thermostat's band.
-bool is_at_set_point(const effects::Effect& hook);
-
 /// All functions at a hook, which bring their sum.
 struct FunctionsAtHook {
     effects::Effect at;

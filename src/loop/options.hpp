@@ -40,7 +40,6 @@ struct LoopOptions {
         decisions::simulator_runs;  ///< of another program, where it is what is searched
     bool generic = true;            ///< whether the grammar's effects are tried, too
     std::vector<std::string> columns;  ///< names of the case's columns that may drive one
-    bool functions_at_set_points = true;  ///< whether functions may enter there
 };
 
 }  // namespace bemcal::loop

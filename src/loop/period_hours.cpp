@@ -4,13 +4,11 @@
 #include "loop/period_hours.hpp"
 
 #include "base/error.hpp"
-#include "base/machine.hpp"
 #include "loop/find_functions.hpp"
 #include "loop/loads.hpp"
 #include "physics/simulate.hpp"
 
 #include <cmath>
-#include <exception>
 
 namespace bemcal::loop {
 namespace {
@@ -52,18 +50,6 @@ std::vector<std::vector<double>> hours_of(
         hours.emplace_back(predicted.values.begin() + static_cast<long>(first[c]),
                            predicted.values.begin() + static_cast<long>(first[c + 1]));
     return hours;
-}
-
-std::optional<ImpossiblePeriod> impossible_period(
-    const LoopData& data, const Baseline& baseline, const Standing& standing,
-    const std::vector<FoundFunction>& functions) {
-    for (const study::Period& period : data.building.periods) try {
-            hours_of(data, baseline, standing, functions, data.drive_over(period));
-        } catch (const std::exception& error) {
-            rethrow_of_machine(error);
-            return ImpossiblePeriod{period.name, error.what()};
-        }
-    return std::nullopt;
 }
 
 }  // namespace bemcal::loop

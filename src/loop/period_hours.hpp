@@ -6,7 +6,6 @@
 #include "loop/found_function.hpp"
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,14 +23,5 @@ std::vector<std::vector<double>> hours_of(
     const LoopData& data, const Baseline& baseline, const Standing& standing,
     const std::vector<FoundFunction>& functions,
     const std::shared_ptr<const physics::Drive>& drive);
-
-/// A period in which a model cannot be simulated, and why.
-struct ImpossiblePeriod {
-    std::string period, why;
-};
-/// The first such one; nothing where the model can be simulated in all.
-std::optional<ImpossiblePeriod> impossible_period(
-    const LoopData& data, const Baseline& baseline, const Standing& standing,
-    const std::vector<FoundFunction>& functions);
 
 }  // namespace bemcal::loop

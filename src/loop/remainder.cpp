@@ -88,8 +88,7 @@ Remainder::Remainder(const LoopData& data, const Place& place, const Standing& s
       layout_(data, noise),
       linear_(linear_model(data, place, standing)),
       bases_(bases_of(drivers, *place.drive)),
-      without_functions_(standing.residuals),
-      may_enter_at_set_points_(data.options.functions_at_set_points) {
+      without_functions_(standing.residuals) {
     for (const functions::Basis& basis : bases_)
         inputs_.push_back(functions::columns_of(
             basis, of_period(drivers.at(basis.driver), *place.drive)));
@@ -152,10 +151,9 @@ std::vector<functions::Pair> Remainder::pairs() const {
     std::vector<functions::Pair> pairs;
     pairs.reserve(n_pairs());
     for (std::size_t id = 0; id < n_pairs(); ++id)
-        if (may_enter_at_set_points_ || !is_at_set_point(hook_of(id)))
-            pairs.push_back({id, effects::is_at_a_meter(hook_of(id).hook)
-                                     ? decisions::log_odds_of_meter
-                                     : decisions::log_odds_of_hook});
+        pairs.push_back({id, effects::is_at_a_meter(hook_of(id).hook)
+                                 ? decisions::log_odds_of_meter
+                                 : decisions::log_odds_of_hook});
     return pairs;
 }
 

@@ -86,7 +86,6 @@ class Remainder {
     std::vector<std::size_t> free_;  ///< unknowns that no end of a range holds
     std::vector<functions::There> there_;
     std::vector<double> without_functions_;  ///< residuals if those there were not
-    bool may_enter_at_set_points_;
 };
 
 }  // namespace bemcal::loop

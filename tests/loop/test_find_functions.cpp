@@ -116,23 +116,14 @@ bool are_at_set_points(const std::vector<std::string>& functions) {
 
 }  // namespace
 
-TEST(FindFunctions, AtSetPointsLeaveWhereAnotherPeriodHasThemCross) {
+// Heating would rise above what it is cooled to there; cooling gives way.
+TEST(FindFunctions, AtSetPointsStayWhereAnotherPeriodHasThemMeet) {
     Case made = heated_case();
     measure(made, heated_more_by_night(), 3, 3);
-    ASSERT_TRUE(are_at_set_points(
-        test::find(searched(made, functions_only()), "function").texts));
     cool_more_when_held_out(made);
     const auto datasets = searched(made, functions_only());
-    EXPECT_FALSE(are_at_set_points(test::find(datasets, "function").texts));
+    EXPECT_TRUE(are_at_set_points(test::find(datasets, "function").texts));
     EXPECT_TRUE(std::isfinite(error_of(datasets, 2, 1)));
-    const auto& verdicts = test::find(datasets, "step_verdict").texts;
-    EXPECT_TRUE(std::ranges::any_of(verdicts, [](const std::string& verdict) {
-        return verdict.starts_with("left: with them held_out cannot be simulated: zone");
-    }));
-    const auto& actions = test::find(datasets, "decision_action").texts;
-    EXPECT_NE(std::ranges::find(actions,
-                                "functions at set-points left: 'after' is without them"),
-              actions.end());
 }
 
 // Linear steps move the parameters; where they end, the simulation has nothing to gain
