@@ -5,11 +5,11 @@
 
 The weather is that of ../shared/energyplus/so_null and ap_null, which EnergyPlus made of DOE's small office and mid-
 rise apartments on a ground of its own. The description by hand is theirs (scripts/run_case). `new --idf` reads DOE's
-file, and the readings are EnergyPlus's of that file, with the noise of the cases. Neither has summer time and
-holidays, which are taken out of the file and of its job.
+file. It is judged on two sets of readings: EnergyPlus's of that file, with the noise of the cases (`file`), and those
+of the case (`case`). Neither has summer time and holidays, which are taken out of the file and of its job.
 Prints `name value unit reference ratio`: the held-out error of `before` (no effect accepted) and of `after` by the
-hour, CV(RMSE) or K, with that of the description by hand as the reference. Needs pyenergyplus-lbnl
-(tests/energyplus/reports.py) and ../shared.
+hour, CV(RMSE) or K, with that of the description by hand, on the case's readings, as the reference. Needs
+pyenergyplus-lbnl (tests/energyplus/reports.py) and ../shared.
 """
 import argparse
 import os
@@ -71,6 +71,14 @@ def readings(energyplus, case, model, folder):
     return path, list(rows[0])
 
 
+def readings_of_case(case, folder):
+    """The same of ../shared/energyplus: training, then what is held out."""
+    parts = [pandas.read_csv(CASES / case / name, index_col=0) for name in ("measured.csv", "measured_test.csv")]
+    path = folder / f"{case}_readings.csv"
+    pandas.concat(parts).to_csv(path)
+    return path, list(parts[0])
+
+
 def channels(case, year):
     """{column: hours} of what ../shared/energyplus has of the case."""
     measured = {ROOM: year.room_temperature()}
@@ -80,15 +88,15 @@ def channels(case, year):
     return {column: measured[column] for column in header[1:]}
 
 
-def from_file(case, folder):
-    """{quantity: errors of before and after} of the job that `new --idf` writes."""
+def from_file(case, folder, of):
+    """{quantity: errors of before and after} of the job that `new --idf` writes, on readings `of` "file" or "case"."""
     energyplus = idf.program()
     model = energyplus and reports.file_like(energyplus, MODELS[case])
     if model is None:
         print(f"skipped: {reports.HOW}")
         sys.exit(SKIPPED)
-    job = folder / f"{case}.toml"
-    table, columns = readings(energyplus, case, model, folder)
+    job = folder / f"{case}_{of}.toml"
+    table, columns = readings(energyplus, case, model, folder) if of == "file" else readings_of_case(case, folder)
     words = [f"{table}:{column}:{CHANNELS[column][1]}:{CHANNELS[column][2]}" for column in columns]
     words = [word for meter in words for word in ("--meter", meter)]
     words += [word for part in PARTS for word in ("--weather", CASES / case / f"weather_{part}.epw")]
@@ -98,7 +106,7 @@ def from_file(case, folder):
     result = job.with_suffix(".h5")
     run(large_job.PROGRAM, "run", job, "-o", result, "--force", "--no-report")
     with h5py.File(result) as file:
-        loop = stored.Loop(file, f"{case}/loop")
+        loop = stored.Loop(file, f"{job.stem}/loop")
     quantity = {name: QUANTITY_OF_NAME.get(name, name) for name in loop.channels}
     return {quantity[row.channel]: [row.error[which] for which in (stored.BEFORE, stored.AFTER)]
             for row in loop.judged_errors() if row.resolution == "hourly"}
@@ -131,11 +139,13 @@ def main():
     folder = options.folder.resolve()
     folder.mkdir(parents=True, exist_ok=True)
     for case in options.cases:
-        ours, reference = from_file(case, folder), by_hand(case, folder)
-        for quantity, values in ours.items():
-            unit = "K" if quantity == "air_temperature" else "%"
-            for which, value, other in zip(("before", "after"), values, reference[quantity]):
-                print(f"{case}_{quantity}_{which} {value:.2f} {unit} {other:.2f} {value / other:.2f}", flush=True)
+        reference = by_hand(case, folder)
+        for of in ("file", "case"):
+            for quantity, values in from_file(case, folder, of).items():
+                unit = "K" if quantity == "air_temperature" else "%"
+                for which, value, other in zip(("before", "after"), values, reference[quantity]):
+                    print(f"{case}_of_{of}_{quantity}_{which} {value:.2f} {unit} {other:.2f} {value / other:.2f}",
+                          flush=True)
     return 0
 
 

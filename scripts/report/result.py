@@ -103,6 +103,7 @@ SIMULATOR_RUN = {"of": text("simulator_run"), "failure": text("simulator_run_fai
 EMULATED = {"name": text("simulator_channel"), "error": number("simulator_emulator_error")}
 NUMBERS = ("fit", "step_error", "localisation", "localisation_after", "parameter_value", "parameter_sd", "coverage")
 TRIED = {"name": text("structure"), "score": number("structure_score")}
+REFINEMENT = {"name": text("refinement"), "what": text("refinement_is")}
 PARAMETER = {"name": text("parameter"), "unit": text("parameter_unit"),
              "mean": number("parameter_prior_mean"), "sd": number("parameter_prior_sd")}
 CHANNEL = {"name": text("channel"), "unit": text("channel_unit"),
@@ -267,6 +268,7 @@ class Loop:
             for name in ("period", "resolution", "metric", "hook", "driver"))
         self.numbers = {name: numbers_in(group, name) for name in NUMBERS}
         self.structure = (texts_of(group, "structure_chosen") or [""])[0]
+        self.refinements = rows_in(group, REFINEMENT)
         self.least_detectability = limit_in(group, "least_detectability")
         self.same_signature = limit_in(group, "same_signature")
         self.judged = self._judged()

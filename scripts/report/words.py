@@ -198,7 +198,7 @@ def judged(loop):
     rows = loop.judged_errors()
     n = len(loop.effects) + len(loop.functions)
     if not rows or n == 0:
-        return "" if rows else "No channel has readings, so that there is no error."
+        return "" if rows else "Nothing is measured there, so that there is no error."
     where = f"With {'it' if n == 1 else 'them'}, in {loop.judged}, which " \
         "the search has not seen, " if loop.has_held_out else \
         "No readings were held out, so that nothing here shows how well the model predicts; in " \

@@ -135,8 +135,13 @@ class Writer {
     void structures() {
         for (const TriedStructure& tried : result_.baseline.tried)
             loop_.structures.push_back({tried.name, tried.score});
-        loop_.structure_chosen = effects::name_of(
-            whole_structure(data_, result_.baseline.chosen.model.structure));
+        const auto chosen =
+            whole_structure(data_, result_.baseline.chosen.model.structure);
+        loop_.structure_chosen = effects::name_of(chosen);
+        for (const std::size_t index : chosen) {
+            const effects::Refinement& one = effects::refinements()[index];
+            loop_.refinements.push_back({one.name, one.what});
+        }
     }
 
     void steps() {

@@ -43,6 +43,10 @@ void visit_tables(Loop& loop, Table&& table) {
         see("structure", row.name);
         see("structure_score", row.score);
     });
+    table("refinement", loop.refinements, [](auto& row, auto&& see) {
+        see("refinement", row.name);
+        see("refinement_is", row.what);
+    });
     table("step", loop.steps, [](auto& row, auto&& see) {
         see("step_effect", row.effect);
         see("step_verdict", row.verdict);

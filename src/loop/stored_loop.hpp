@@ -35,6 +35,10 @@ struct StoredLoop {
         std::string name;
         double score = nan;
     };
+    /// Of the structure that was chosen.
+    struct Refinement {
+        std::string name, what;
+    };
     struct Step {
         std::string effect;  ///< "" = of the search as a whole
         std::string verdict;
@@ -108,6 +112,7 @@ struct StoredLoop {
     std::vector<std::string> models, periods, resolutions, metrics, hooks, drivers;
     std::vector<Parameter> parameters;
     std::vector<Structure> structures;
+    std::vector<Refinement> refinements;
     std::vector<Step> steps;
     std::vector<Candidate> candidates;
     std::vector<Effect> effects;

@@ -106,7 +106,10 @@ std::string loop_structure_table(const StoredLoop& loop) {
     for (const StoredLoop::Structure& tried : loop.structures)
         table.add({tried.name, three_digits(tried.score),
                    tried.name == loop.structure_chosen ? "chosen" : ""});
-    return text_of(table, 60);
+    std::string text = text_of(table, 60);
+    for (const StoredLoop::Refinement& one : loop.refinements)
+        text += fmt::format("{}: {}\n", one.name, one.what);
+    return text;
 }
 
 std::string loop_power_table(const StoredLoop& loop) {

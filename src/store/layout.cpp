@@ -415,6 +415,8 @@ constexpr LayoutRow own_rows[] = {
     {"structure_score", "structure", number, "1",
      "their cross-validated score in training; smaller is better"},
     {"structure_chosen", "", text, "", "the one that the search starts from"},
+    {"refinement", "refinement", text, "", "what the chosen structure consists of"},
+    {"refinement_is", "refinement", text, "", "what it adds to the standard, in words"},
     {"decision_series", "decision", text, "",
      "channel with a finding, or effect of one class with parameters"},
     {"decision_finding", "decision", text, "", "what was found in it, or the class"},

@@ -36,7 +36,8 @@ StoredLoop made() {
     loop.seen = {{"wind", "ground", "effect", "u_wall", 60, 0.9, 0.4, -3}};
     loop.decisions = {{"gas", "zeros", "masked", "data"},
                       {"ground", "one class with u_floor", "kept", "class"}};
-    loop.structure_chosen = "standard";
+    loop.structure_chosen = "sky";
+    loop.refinements = {{"sky", "the sky's temperature below the air's"}};
     loop.least_detectability = 4;
     return loop;
 }
@@ -66,7 +67,9 @@ TEST(StoredLoop, ComesBackAsItWas) {
     EXPECT_EQ(back.seen[0].alias_kind, name_of(AliasKind::effect));
     EXPECT_FALSE(back.decisions[0].is_of_class());
     EXPECT_TRUE(back.decisions[1].is_of_class());
-    EXPECT_EQ(back.structure_chosen, "standard");
+    EXPECT_EQ(back.structure_chosen, "sky");
+    ASSERT_EQ(back.refinements.size(), 1U);
+    EXPECT_EQ(back.refinements[0].what, "the sky's temperature below the air's");
     EXPECT_EQ(back.least_detectability, 4);
     EXPECT_EQ(back.same_signature, decisions::same_signature);
 }
