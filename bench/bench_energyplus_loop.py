@@ -1,17 +1,18 @@
 #!/usr/bin/python3
 """A loop around EnergyPlus: a user's model, and readings of the same with other values of parameters and one effect.
 
-    bench_energyplus_loop.py [--model NAME] [--idf FILE] [--only CASE ...] [--seed S] [--runs N] [--ranks R]
+    bench_energyplus_loop.py [--model NAME] [--idf FILE] [--alone] [--only CASE ...] [--seed S] [--runs N] [--ranks R]
                              [--folder DIR]
 
-Models are the office of jobs/energyplus_office, whose job is the shipped one, and buildings of DOE, of which `new --idf
+With --alone the loop runs on the building that `new --idf` reads from the file, without EnergyPlus: a building of DOE
+as another simulator has it. Models are the office of jobs/energyplus_office, whose job is the shipped one, and buildings of DOE, of which `new --idf
 --simulator` writes the job; their files are in the package pyenergyplus-lbnl beside EnergyPlus, or given by --idf. The
 weather is the shipped one. Readings are EnergyPlus's own, with an effect that no description has, by
 scripts/energyplus_hours, with noise of 1.5 % and 0.05 K. Prints for each case what was found and
 `name value unit reference ratio` lines: effects at the right place, false ones, held-out errors of `after` and of
 `before` over those of the true building (EnergyPlus with the true values: noise alone), minutes of the longest case.
 Needs EnergyPlus 25.2 on PATH or in ENERGYPLUS_DIR; without it nothing is measured. A case takes some minutes, of a
-building of DOE an hour.
+building of DOE around EnergyPlus an hour.
 """
 import argparse
 import gzip
@@ -59,7 +60,10 @@ class Model:
 MODELS = {model.name: model for model in (
     Model("energyplus_office", (18, 5, 5)),
     Model("small_office", (22, 6, 5.4), "RefBldgSmallOfficeNew2004_Chicago.idf", "US-IL"),
-    Model("apartments", (), "RefBldgMidriseApartmentNew2004_Chicago.idf", "US-IL"))}
+    Model("apartments", (), "RefBldgMidriseApartmentNew2004_Chicago.idf", "US-IL"),
+    Model("medium_office", (22, 6, 5.4), "RefBldgMediumOfficeNew2004_Chicago.idf", "US-IL"),
+    Model("retail", (21, 7, 5.4), "RefBldgStand-aloneRetailNew2004_Chicago.idf", "US-IL"),
+    Model("warehouse", (21, 6, 5.4), "RefBldgWarehouseNew2004_Chicago.idf", "US-IL"))}
 
 
 @dataclass(frozen=True)
@@ -158,15 +162,17 @@ def copy_inputs(make, folder, model, idf):
         shutil.copyfile(JOB / make.weather_name(year), folder / make.weather_name(year))
 
 
-def write_job(make, folder, model, runs):
+def write_job(make, folder, model, runs, alone):
     """The shipped job, or one by `new`."""
     job = folder / f"{model.name}.toml"
     if model.idf:
         weather = [word for year in make.YEARS for word in ("--weather", make.weather_name(year))]
         meters = [word for column, quantity in COLUMNS.items()
                   for word in ("--meter", f"{make.MEASURED}:{column}:{quantity}")]
-        subprocess.run([NEW, job.name, "--idf", IDF, "--simulator", "--place", model.place, "--force",
-                        *weather, *meters], cwd=folder, check=True)
+        subprocess.run([NEW, job.name, "--idf", IDF, *([] if alone else ["--simulator"]), "--place", model.place,
+                        "--force", *weather, *meters], cwd=folder, check=True)
+        if alone:
+            return job
     text = job.read_text().replace('"../../scripts/energyplus_hours"', f'"{ROOT}/scripts/energyplus_hours"')
     assert 'kind = "loop"' in text
     job.write_text(text.replace('kind = "loop"', f'kind = "loop"\nruns = {runs}', 1))
@@ -192,7 +198,7 @@ def run(name, case, args, make):
     copy_inputs(make, folder, model, model.idf and file_of(model, args.idf))
     hours = simulate(make, case, truth(args.seed, name), folder, model)
     make.write_readings(folder / make.MEASURED, hours)
-    job = write_job(make, folder, model, args.runs)
+    job = write_job(make, folder, model, args.runs, args.alone)
     begun = time.monotonic()
     done = subprocess.run(["mpirun", "-np", str(args.ranks), str(PROGRAM), "run", job.name, "-o", "result.h5"],
                           cwd=folder, capture_output=True, text=True, check=False)
@@ -225,6 +231,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--model", default="energyplus_office", choices=list(MODELS))
     parser.add_argument("--idf", help="the file of a building of DOE")
+    parser.add_argument("--alone", action="store_true", help="the loop on what `new --idf` reads, without EnergyPlus")
     parser.add_argument("--only", nargs="*", help=f"of {', '.join(CASES)}, no_set_back")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--runs", type=int, default=80)
@@ -232,6 +239,8 @@ def main():
     parser.add_argument("--folder")
     args = parser.parse_args()
     make = maker()
+    if args.alone and not MODELS[args.model].idf:
+        parser.error("--alone: expected a model of DOE")
     cases = CASES | no_set_back(MODELS[args.model])
     wrong = next((name for name in args.only or () if name not in cases), None)
     if wrong:
