@@ -16,7 +16,7 @@ namespace {
 
 using loop::StoredLoop;
 
-constexpr std::size_t most_effects = 15, most_alarms = 10;
+constexpr std::size_t most_effects = 15, most_alarms = 10, longest_structure = 60;
 
 /// Whether the data can show it.
 bool can_be_seen(const StoredLoop& loop, const StoredLoop::Seen& effect) {
@@ -42,6 +42,13 @@ std::string unseen_line(const StoredLoop& loop) {
         fmt::format("would not be seen in these data (detectability below "
                     "{:g}): {}",
                     loop.least_detectability, fmt::join(names, ", ")));
+}
+
+/// What a structure ends with: those that were tried last differ there.
+std::string end_of_structure(const std::string& name) {
+    if (name.size() <= longest_structure) return name;
+    const std::size_t from = name.find(" + ", name.size() - longest_structure + 2);
+    return from == std::string::npos ? name : ".." + name.substr(from);
 }
 
 /// Pairs with the same signature, each once; those that the parameters are like,
@@ -91,24 +98,24 @@ std::vector<Alarm> alarms_of(const StoredLoop& loop) {
 
 std::string loop_decision_table(const StoredLoop& loop,
                                 const std::vector<std::string>& of_data) {
-    TextTable table({"data", "finding", "done about it"});
+    std::string lines;
     std::vector<std::string> shown;
     for (const StoredLoop::Decision& decision : loop.decisions) {
         if (decision.is_of_class()) continue;  // it stands with the power table
         shown.push_back(decision.finding);
-        table.add({decision.series, decision.finding, decision.action});
+        lines += finding_line(decision.series, decision.finding, decision.action);
     }
-    return shown == of_data ? std::string() : text_of(table, 38);
+    return shown == of_data ? std::string() : lines;
 }
 
 std::string loop_structure_table(const StoredLoop& loop) {
     TextTable table({"structure tried", "score", ""});
     for (const StoredLoop::Structure& tried : loop.structures)
-        table.add({tried.name, three_digits(tried.score),
+        table.add({end_of_structure(tried.name), three_digits(tried.score),
                    tried.name == loop.structure_chosen ? "chosen" : ""});
-    std::string text = text_of(table, 60);
+    std::string text = text_of(table, longest_structure);
     for (const StoredLoop::Refinement& one : loop.refinements)
-        text += fmt::format("{}: {}\n", one.name, one.what);
+        text += wrapped(fmt::format("{}: {}", one.name, one.what));
     return text;
 }
 

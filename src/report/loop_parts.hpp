@@ -30,8 +30,6 @@ std::string loop_unexplained_table(const loop::StoredLoop& loop);
 std::string three_digits(double value);
 /// "0.841 +- 0.051"
 std::string plus_minus_brief(double value, double sd);
-/// Lines of at most 98 columns, the first indented by two, the others by four.
-std::string wrapped(const std::string& sentence);
 /// The table, or nothing where it has no row.
 class TextTable;
 std::string text_of(const TextTable& table, std::size_t widest);

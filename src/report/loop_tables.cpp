@@ -325,20 +325,6 @@ std::string plus_minus_brief(double value, double sd) {
                        sd < 1000 ? fmt::format("{:.2g}", sd) : three_digits(sd));
 }
 
-std::string wrapped(const std::string& sentence) {
-    constexpr std::size_t widest = 98;
-    std::istringstream words(sentence);
-    std::string text, line = sentence.starts_with("  ") ? "   " : " ";
-    for (std::string word; words >> word;) {
-        if (line.size() + 1 + word.size() > widest) {
-            text += line + "\n";
-            line = "     ";
-        }
-        line += " " + word;
-    }
-    return text + line + "\n";
-}
-
 std::string text_of(const TextTable& table, std::size_t widest) {
     return table.is_empty() ? std::string() : table.text(widest);
 }

@@ -45,10 +45,10 @@ std::string without_numbers(const std::string& reason) {
 std::string decision_section(const Group& data) {
     const auto &series = data.texts("series"), &findings = data.texts("finding");
     const auto& actions = data.texts("action");
-    TextTable table({"data", "finding", "done about it"});
+    std::string lines;
     for (std::size_t k = 0; k < series.size(); ++k)
-        table.add({series[k], findings[k], actions[k]});
-    return table.is_empty() ? "" : fmt::format("\n{}\n", data.path()) + table.text(38);
+        lines += finding_line(series[k], findings[k], actions[k]);
+    return lines.empty() ? "" : fmt::format("\n{}\n", data.path()) + lines;
 }
 
 std::string failure_lines(const Group& study) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -87,6 +88,25 @@ std::string in_short(double value) {
 
 std::string percent(double share) {
     return std::isfinite(share) ? fmt::format("{:.1f} %", 100 * share) : "-";
+}
+
+std::string wrapped(const std::string& sentence) {
+    constexpr std::size_t widest = 98;
+    std::istringstream words(sentence);
+    std::string text, line = sentence.starts_with("  ") ? "   " : " ";
+    for (std::string word; words >> word;) {
+        if (line.size() + 1 + word.size() > widest) {
+            text += line + "\n";
+            line = "     ";
+        }
+        line += " " + word;
+    }
+    return text + line + "\n";
+}
+
+std::string finding_line(const std::string& series, const std::string& finding,
+                         const std::string& action) {
+    return wrapped(fmt::format("{}: {}: {}", series, finding, action));
 }
 
 }  // namespace bemcal::report

@@ -19,6 +19,12 @@ class TextTable {
     std::vector<std::vector<std::string>> rows_;
 };
 
+/// Lines of at most 98 columns, the first indented by two, the others by four.
+std::string wrapped(const std::string& sentence);
+/// What was found in data, and what was done about it: a sentence each.
+std::string finding_line(const std::string& series, const std::string& finding,
+                         const std::string& action);
+
 /// A cell of at most that many characters, ended by ".." where it is longer.
 std::string cut(const std::string& cell, std::size_t widest);
 /// A number for a table: "0.0512", "12.3", "4320", "nan" as "-".

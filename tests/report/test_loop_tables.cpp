@@ -183,6 +183,8 @@ store::ResultFile loop_result(bool is_held_out = true, bool is_adequate = true) 
     add(numbers("structure_score", "structure", {1.31, 0.94}));
     add({"office/loop/kind", {}, {}, {}, {"loop"}});
     add({"office/loop/structure_chosen", {}, {}, {}, {"second mass"}});
+    add(texts("refinement", "refinement", {"second mass"}));
+    add(texts("refinement_is", "refinement", {"a slower mass behind the first"}));
     add(texts("decision_series", "decision", {"gas", "ground"}));
     add(texts("decision_finding", "decision",
               {"60 h of the same value", "one class with u_floor"}));
@@ -322,7 +324,8 @@ TEST(LoopTables, ClassesAreToldByTheirKindAndNotByTheirWords) {
     store::ResultFile result = loop_result();
     dataset_of(result, "decision_kind").texts = {"class", "data"};
     const std::string text = tables_of(result);
-    EXPECT_TRUE(says(text, "ground one class with u_floor told apart where it is large"));
+    EXPECT_TRUE(
+        says(text, "ground: one class with u_floor: told apart where it is large"));
     EXPECT_FALSE(says(text, "60 h of the same value"));
 }
 
@@ -354,7 +357,7 @@ TEST(LoopTables, AlarmsStandFromTheLoudestOn) {
 
 TEST(LoopTables, WhatTheDataChecksSaidAlreadyIsNotSaidAgain) {
     store::ResultFile result = loop_result();
-    EXPECT_TRUE(says(tables_of(result), "gas 60 h of the same value masked"));
+    EXPECT_TRUE(says(tables_of(result), "gas: 60 h of the same value: masked"));
     EXPECT_FALSE(says(tables_of(result), "one class with u_floor"));
     for (const char* leaf : {"series", "finding", "action"})
         result.datasets.push_back({std::string("office/data/") + leaf,
@@ -366,10 +369,20 @@ TEST(LoopTables, WhatTheDataChecksSaidAlreadyIsNotSaidAgain) {
     EXPECT_EQ(text.find("masked"), std::string::npos) << text;
 }
 
+TEST(LoopTables, OfALongStructureTheEndIsShown) {
+    store::ResultFile result = loop_result();
+    dataset_of(result, "structure").texts[0] =
+        "surfaces + sky of Hay and Davies + gains to air + emitter + glass by angle";
+    const std::string text = tables_of(result);
+    EXPECT_TRUE(says(text, ".. + gains to air + emitter + glass by angle 1.31"));
+    EXPECT_FALSE(says(text, "surfaces + sky"));
+}
+
 TEST(LoopTables, StructuresDataAndWhatIsLeftAreThere) {
     const std::string text = tables_of(loop_result());
     EXPECT_TRUE(says(text, "second mass 0.94 chosen"));
-    EXPECT_TRUE(says(text, "gas 60 h of the same value masked"));
+    EXPECT_TRUE(says(text, "second mass: a slower mass behind the first"));
+    EXPECT_TRUE(says(text, "gas: 60 h of the same value: masked"));
     EXPECT_TRUE(says(text, "gas 7.0 % weekday mornings"));
 }
 

@@ -24,5 +24,12 @@ TEST(TextTable, AlignsByCharacters) {
               "  name       n\n  K\u00e4lte      1\n  W\u00e4rme ..  20\n");
 }
 
+TEST(TextTable, AFindingIsSaidToItsEnd) {
+    const std::string advice(120, 'x');
+    const std::string line = finding_line("weather", "late", "kept; " + advice);
+    EXPECT_TRUE(line.starts_with("  weather: late: kept;"));
+    EXPECT_NE(line.find(advice), std::string::npos);
+}
+
 }  // namespace
 }  // namespace bemcal::report
