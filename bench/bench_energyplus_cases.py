@@ -1,0 +1,271 @@
+#!/usr/bin/python3
+"""Loops on buildings that EnergyPlus simulates with an effect that their description does not know.
+
+    bench_energyplus_cases.py [--folder DIR] [--only CASE ...]
+
+The files are DOE's small office (so) and mid-rise apartments (ap), of the package pyenergyplus-lbnl beside EnergyPlus;
+the descriptions by hand and the weather are those of ../shared/energyplus/so_null and ap_null. An effect is put into
+the file, both years are simulated, noise is that of the cases there. What begins on a day is the file without it before
+that day and the file with it after. No case of ../shared is among them.
+Prints what was found in each and `name value unit reference ratio`: cases named right, false names, and the geometric
+mean over energies of the hourly held-out error of `after` over that of `before` (no effect accepted).
+"""
+import argparse
+import json
+import pathlib
+import re
+import shutil
+import sys
+from dataclasses import dataclass
+
+import bench_idf_loads as loads
+import large_job
+import numpy as np
+import pandas
+
+import idf        # noqa: E402  (found by bench_idf_loads)
+import reports    # noqa: E402
+
+NULL = {"so": "so_null", "ap": "ap_null"}
+JUNE, SEPTEMBER = "06-01", "09-01"
+
+
+def objects_of(text):
+    """[[class, field, ...]] of a file's text."""
+    bare = "\n".join(line.partition("!")[0] for line in text.splitlines())
+    return [[field.strip() for field in each.split(",")] for each in bare.split(";") if each.strip()]
+
+
+def text_of(objects):
+    return "".join(",\n  ".join(fields) + ";\n" for fields in objects)
+
+
+def is_a(fields, kind):
+    return fields[0].lower() == kind.lower()
+
+
+def scaled(kind, places, factor):
+    """Numbers of a class, by their place, times a factor."""
+    def change(objects):
+        for fields in objects:
+            for place in places if is_a(fields, kind) else ():
+                if place < len(fields) and re.fullmatch(r"[-\d.eE+]+", fields[place]):
+                    fields[place] = f"{float(fields[place]) * factor:.6g}"
+        return objects
+    return change
+
+
+def with_field(kind, place, value):
+    def change(objects):
+        for fields in objects:
+            if is_a(fields, kind):
+                fields[place] = value
+        return objects
+    return change
+
+
+def days_of(fields):
+    """[(days, [24 values])] of a Schedule:Compact of a whole year; nothing of others."""
+    blocks = []
+    for field, value in zip(fields[3:], [*fields[4:], ""]):
+        if field.lower().startswith("through") and "12/31" not in field:
+            return []
+        if field.lower().startswith("for"):
+            blocks.append((field, []))
+        elif field.lower().startswith("until"):
+            until = int(re.search(r"(\d+):", field)[1])
+            hours = blocks[-1][1]
+            hours += [float(value)] * (until - len(hours))
+    return blocks
+
+
+def schedule(pattern, new_hours):
+    """Whole-year schedules whose name fits; `new_hours(days, hours, others)` gives the hours of a block."""
+    def change(objects):
+        for fields in objects:
+            if not is_a(fields, "Schedule:Compact") or not re.fullmatch(pattern, fields[1], re.I):
+                continue
+            blocks = days_of(fields)
+            made = [fields[0], fields[1], fields[2], "Through: 12/31"]
+            for days, hours in blocks:
+                made.append(days)
+                for k, value in enumerate(new_hours(days, hours, dict(blocks))):
+                    made += [f"Until: {k + 1:02d}:00", f"{value:.6g}"]
+            if blocks:
+                fields[:] = made
+        return objects
+    return change
+
+
+def raised(first, last, size):
+    return lambda days, hours, _: [value + size * (first <= k < last) for k, value in enumerate(hours)]
+
+
+def later(by):
+    return lambda days, hours, _: hours[-by:] + hours[:-by]
+
+
+def saturday_as_monday(days, hours, others):
+    monday = next(those for kind, those in others.items() if "weekdays" in kind.lower())
+    return monday if "saturday" in days.lower() else hours
+
+
+def vented(schedule_hours, least_room, flow):
+    """Air through windows where the room is warmer than outdoors and than a limit."""
+    def change(objects):
+        first, last = schedule_hours
+        inside = [first <= k < last if first < last else k >= first or k < last for k in range(24)]
+        made = ["Schedule:Compact", "bench venting", "Fraction", "Through: 12/31", "For: AllDays"]
+        for k, is_open in enumerate(inside):
+            made += [f"Until: {k + 1:02d}:00", "1" if is_open else "0"]
+        zones = [fields[2] for fields in objects if is_a(fields, "People")]
+        return [*objects, made, *(["ZoneVentilation:DesignFlowRate", f"bench venting {zone}", zone, "bench venting",
+                                   "AirChanges/Hour", "", "", "", f"{flow}", "Natural", "0", "1", "1", "0", "0", "0",
+                                   f"{least_room}", "", "100", "", "1"] for zone in zones)]
+    return change
+
+
+def by_wind(objects):
+    """Infiltration by wind alone, as much as before at 4 m/s."""
+    for fields in objects:
+        if is_a(fields, "ZoneInfiltration:DesignFlowRate"):
+            fields[9:13] = ["0", "0", "0.25", "0"]
+    return objects
+
+
+def both(*changes):
+    def change(objects):
+        for one in changes:
+            objects = one(objects)
+        return objects
+    return change
+
+
+@dataclass(frozen=True)
+class Case:
+    """`since`: month and day of the first year from which it holds; `meter`: (column, factor) of a meter alone."""
+    change: object = None
+    since: str = ""
+    meter: tuple = ()
+    names: tuple = ()
+
+
+USE = "BLDG_(OCC|LIGHT|EQUIP)_SCH"
+CASES = {
+    "so_effstep": Case(scaled("Coil:Heating:Fuel", [4], 0.8), "02-01", names=("new or serviced boiler",)),
+    "so_meterstep": Case(meter=("elec_kWh", 1.12), since=SEPTEMBER, names=("step of a meter",)),
+    "so_thermo": Case(schedule("HTGSETP_SCH", raised(15, 22, 1.5)), names=("heating set-point of some hours",)),
+    "so_wind": Case(by_wind, names=("wind infiltration", "infiltration by strong wind", "wind in leaks")),
+    "so_windows": Case(vented((7, 19), 23, 3), names=("windows opened in warm rooms", "windows opened while occupied",
+                                                      "economiser")),
+    "so_saturday": Case(both(schedule(USE, saturday_as_monday)), names=("Saturdays worked", "other hours than declared",
+                                                                        "Saturday mornings worked")),
+    "so_late": Case(schedule(USE, later(2)), names=("schedules earlier or later", "other hours than declared")),
+    "so_copstep": Case(scaled("Coil:Cooling:DX:SingleSpeed", [5], 0.75), "07-01", names=("new or serviced chiller",)),
+    "so_coolset": Case(schedule("CLGSETP_SCH", raised(12, 18, -1.5)), names=("cooling set-point of some hours",)),
+    "so_leaks": Case(scaled("ZoneInfiltration:DesignFlowRate", [5, 6, 7, 8], 0.4), "10-01",
+                     names=("leaks sealed or opened",)),
+    "ap_meterstep": Case(meter=("gas_kWh", 0.88), since="02-15", names=("step of a meter", "new or serviced boiler")),
+    "ap_plugstep": Case(scaled("ElectricEquipment", [5, 6, 7], 1.4), JUNE, names=("tenants move in or out",)),
+    "ap_wind": Case(by_wind, names=("wind infiltration", "infiltration by strong wind", "wind in leaks")),
+    "ap_windows": Case(vented((0, 24), 24, 2), names=("windows opened in warm rooms", "windows opened while occupied")),
+    "ap_coolset": Case(schedule("APT_CLGSETP_SCH", raised(18, 24, -1.5)), names=("cooling set-point of some hours",)),
+}
+
+
+def simulated(energyplus, case, model, folder):
+    """[(year, {column: hours})]"""
+    null, years = NULL[case[:2]], []
+    for part in loads.PARTS:
+        epw = loads.CASES / null / f"weather_{part}.epw"
+        year = int(epw.read_text().splitlines()[loads.FIRST_HOUR].split(",")[0])
+        run = reports.MeteredYear(energyplus, model, year, epw, folder / part,
+                                  {meter for parts in loads.ENERGIES.values() for meter in parts})
+        years.append((year, loads.channels(null, run)))
+    return years
+
+
+def with_effect(energyplus, case, effect, folder):
+    """Both years, with the effect from its day on."""
+    source = reports.file_like(energyplus, loads.MODELS[NULL[case[:2]]])
+    if source is None:
+        print(f"skipped: {reports.HOW}")
+        sys.exit(loads.SKIPPED)
+    plain = folder.parent / f"{case[:2]}.idf"
+    plain.write_text(text_of(objects_of(source.read_text(errors="replace"))))
+    years = without = None
+    if effect.since or effect.meter:
+        without = simulated(energyplus, case, plain, folder / "without")
+    if effect.change:
+        changed = folder / "changed.idf"
+        changed.write_text(text_of(effect.change(objects_of(plain.read_text()))))
+        years = simulated(energyplus, case, changed, folder / "with")
+    else:
+        column, factor = effect.meter
+        years = [(year, {**hours, column: factor * hours[column]}) for year, hours in without]
+    if effect.since:
+        year, first = years[0]
+        begin = (pandas.Timestamp(f"{year}-{effect.since}") - pandas.Timestamp(f"{year}-01-01")).days * 24
+        years[0] = (year, {column: np.concatenate([without[0][1][column][:begin], hours[begin:]])
+                           for column, hours in first.items()})
+    return years
+
+
+def write_case(case, years, folder):
+    """A folder as scripts/run_case takes it."""
+    null, dice = loads.CASES / NULL[case[:2]], np.random.default_rng([loads.NOISE_SEED, *case.encode()])
+    for name in ("building.json", *(f"weather_{part}.epw" for part in loads.PARTS)):
+        shutil.copyfile(null / name, folder / name)
+    for (year, hours), name in zip(years, ("measured.csv", "measured_test.csv")):
+        noisy = {column: values + loads.NOISE_K * dice.standard_normal(len(values)) if column == loads.ROOM else
+                 np.maximum(0, values * (1 + loads.NOISE * dice.standard_normal(len(values))))
+                 for column, values in hours.items()}
+        stamps = pandas.date_range(f"{year}-01-01T01:00", periods=len(hours[loads.ROOM]), freq="h")
+        pandas.DataFrame(noisy, index=stamps.rename("timestamp")).to_csv(
+            folder / name, date_format="%Y-%m-%dT%H:%M:%S", float_format="%.5g")
+
+
+def score(folder, effect):
+    """(names that are right, others, geometric mean of after over before)"""
+    found = [one["name"] for one in json.loads((folder / "out" / "effects.json").read_text())]
+    right = [name for name in found if name in effect.names]
+    measured = pandas.read_csv(folder / "measured_test.csv", index_col=0)
+    before, after = (pandas.read_csv(folder / "out" / f"{which}.csv", index_col=0) for which in ("before", "after"))
+    ratios = [loads.error(after[column], measured[column], "kWh") / loads.error(before[column], measured[column], "kWh")
+              for column in measured if column != loads.ROOM]
+    return right, [name for name in found if name not in right], float(np.exp(np.mean(np.log(ratios))))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("--only", nargs="*", metavar="CASE", help=f"of {', '.join(CASES)}")
+    parser.add_argument("--folder", type=pathlib.Path, default=large_job.ROOT / "build" / "energyplus_cases")
+    options = parser.parse_args()
+    energyplus = idf.program()
+    if not loads.CASES.exists() or energyplus is None:
+        print(f"skipped: {reports.HOW}; no {loads.CASES}" if not loads.CASES.exists() else f"skipped: {reports.HOW}")
+        return loads.SKIPPED
+    wrong = next((name for name in options.only or () if name not in CASES), None)
+    if wrong:
+        parser.error(f"--only: {wrong}: expected one of {', '.join(CASES)}")
+    scores = {}
+    for case in options.only or CASES:
+        folder = options.folder.resolve() / case
+        folder.mkdir(parents=True, exist_ok=True)
+        if not (folder / "measured_test.csv").exists():
+            write_case(case, with_effect(energyplus, case, CASES[case], folder), folder)
+        loads.run(large_job.ROOT / "scripts" / "run_case", folder, folder / "out", "--ranks", 1, "--force")
+        right, others, ratio = scores[case] = score(folder, CASES[case])
+        print(f"# {case}: right: {', '.join(right) or '-'}; others: {', '.join(others) or '-'}; "
+              f"after / before {ratio:.2f}", flush=True)
+    n_right = sum(bool(right) for right, _, _ in scores.values())
+    n_false = sum(len(others) for _, others, _ in scores.values())
+    mean = float(np.exp(np.mean([np.log(ratio) for _, _, ratio in scores.values()])))
+    print(f"energyplus_cases_right {n_right} of {len(scores)} 0.8 {n_right / len(scores) / 0.8:.2f}")
+    print(f"energyplus_cases_false {n_false} effects 0 {n_false / len(scores):.2f}")
+    print(f"energyplus_cases_after_over_before {mean:.3f} - 1 {mean:.3f}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
