@@ -104,15 +104,38 @@ struct Descent {
         return held;
     }
 
+    /// These, and those that the readings say less of here than their priors: a prior
+    /// leads on where readings would deny it.
+    std::vector<char> with_prior_led(std::vector<char> held,
+                                     const stats::NormalEquations& all) const {
+        for (std::size_t k = 0; k < held.size(); ++k)
+            if (all.matrix(k, k) < prior[k]) held[k] = 1;
+        return held;
+    }
+
+    /// The damped step within the ranges: what would leave its range stays at the end of
+    /// it, and the others move as fits that.
     std::vector<double> moved(const Linearised& at, const stats::NormalEquations& all,
-                              std::span<const char> fixed, double damping) const {
-        std::vector<double> diagonal = prior;
+                              std::span<const char> at_ends, double damping) const {
+        std::vector<double> diagonal = prior, right = all.right, x = at.x;
+        std::vector<char> fixed(at_ends.begin(), at_ends.end());
         for (std::size_t k = 0; k < diagonal.size(); ++k)
-            diagonal[k] += damping * all.matrix(k, k) + 1e-9;
-        std::vector<double> x = stats::solve(all.matrix, diagonal, all.right, fixed);
-        for (std::size_t k = 0; k < x.size(); ++k)
-            x[k] =
-                std::clamp(at.x[k] + x[k], unknowns[k].lowest(), unknowns[k].highest());
+            diagonal[k] += damping * (all.matrix(k, k) + prior[k]) + 1e-9;
+        for (bool is_within = false; !is_within;) {
+            const std::vector<double> step =
+                stats::solve(all.matrix, diagonal, right, fixed);
+            is_within = true;
+            for (std::size_t k = 0; k < x.size(); ++k) {
+                if (fixed[k] != 0) continue;
+                x[k] = std::clamp(at.x[k] + step[k], unknowns[k].lowest(),
+                                  unknowns[k].highest());
+                if (x[k] == at.x[k] + step[k]) continue;
+                is_within = false;
+                fixed[k] = 1;
+                for (std::size_t j = 0; j < right.size(); ++j)
+                    right[j] -= all.matrix(j, k) * (x[k] - at.x[k]);
+            }
+        }
         return x;
     }
 };
@@ -292,6 +315,8 @@ Fit fit(const FitModel& model, std::span<const FitUnknown> unknowns,
         const std::vector<char> held = descent.held(result.at, all.right);
         result.bound = held;
         Tried best = best_step(descent, result.at, held, all);
+        if (!(best.objective < result.objective) && !was_by_secants)
+            best = best_step(descent, result.at, descent.with_prior_led(held, all), all);
         const double gained = result.objective - best.objective;
         if (gained > 0) {
             learn_from(std::move(best.at), result.at);

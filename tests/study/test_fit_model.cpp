@@ -134,6 +134,41 @@ TEST(FitModel, SecantsOfAnotherModelLeadToTheSameEnd) {
         EXPECT_NEAR(by_secants.at.x[k], by_differences.at.x[k], 1e-3);
 }
 
+// Where the power is ample the readings say nothing of it, and its prior alone would have
+// it where the room gets cold.
+TEST(FitModel, APriorDoesNotLeadAStepToWhereTheReadingsDenyIt) {
+    Room room;
+    room.parameters.push_back(
+        {"capacity", "W/m2", 1, 500, physics::Effect::replace,
+         physics::resolve(room.building, "zone.room.heating_capacity"), 100});
+    room.unknowns.push_back({"capacity", "W/m2", 5, 20, 1, 500, true});
+    const FitModel model = room.model();
+    Matrix truth(1, 3);
+    truth.values = {1.7, 0.6, 200};
+    const auto measured = model.predict(truth).values;
+    const std::vector<double> weights(measured.size(), 1e4);
+    const Fit found =
+        fit(model, room.unknowns, measured, weights, {1.2, -0.6, 195.0 / 20}, {20, 1e-9});
+    ASSERT_FALSE(found.failed);
+    EXPECT_NEAR(room.unknowns[0].value(found.at.x[0]), 1.7, 0.02);
+    EXPECT_NEAR(room.unknowns[1].value(found.at.x[1]), 0.6, 0.02);
+}
+
+// The wall and the leaks stand for each other; with the wall at its end one step gets the
+// leaks nearly to where many do.
+TEST(FitModel, WhatStaysAtAnEndIsKnownToTheOthers) {
+    Room room;
+    const FitModel model = room.model();
+    const auto measured = room.readings(model, 1.5, 1);
+    room.unknowns[0].most = 1.2;
+    const std::vector<double> weights(measured.size(), 1e4);
+    const auto leaks_after = [&](int steps) {
+        return room.unknowns[1].value(
+            fit(model, room.unknowns, measured, weights, {0, 0}, {steps, 1e-12}).at.x[1]);
+    };
+    EXPECT_NEAR(leaks_after(1), leaks_after(30), 0.05 * leaks_after(30));
+}
+
 TEST(FitModel, WithoutReadingsThePriorHolds) {
     Room room;
     for (FitUnknown& unknown : room.unknowns) unknown.has_prior = true;
