@@ -6,7 +6,7 @@ and what LEFT_OUT names.
 import os
 from dataclasses import dataclass, field
 
-from new_job import idf, idf_envelope, idf_fans, idf_geometry, idf_room, idf_use
+from new_job import idf, idf_envelope, idf_fans, idf_geometry, idf_outside, idf_room, idf_use
 from new_job.building import Load, Plant
 from new_job.envelopes import Envelope
 
@@ -22,9 +22,8 @@ LEFT_OUT = (
     ("zoneventilation:windandstackopenarea", "air through openings; venting_air_change may stand for it"),
     ("heatexchanger:airtoair", "heat recovery; write heat_recovery in the flow"),
     ("zonehvac:energyrecoveryventilator", "heat recovery; write heat_recovery in the flow"),
-    ("wateruse:equipment", "hot water; a load may stand for it"),
-    ("waterheater:", "hot water; a load may stand for it"),
-    ("exterior:lights", "lights outside"), ("otherequipment", "other equipment"),
+    ("waterheater:stratified", "hot water; a load may stand for it"),
+    ("waterheater:heatpump", "hot water; a load may stand for it"), ("otherequipment", "other equipment"),
     ("hotwaterequipment", "equipment by hot water"), ("steamequipment", "equipment by steam"),
     ("daylighting:", "lights that daylight dims"), ("energymanagementsystem:program", "programs of EnergyPlus"),
     ("refrigeration:", "refrigeration"), ("generator:", "generators"),
@@ -73,12 +72,12 @@ def size_of(zones):
 class Reader:
     """Of rooms, one after the other."""
 
-    def __init__(self, model, left_out, hours):
-        self.model, self.left_out, self.hours = model, left_out, hours
+    def __init__(self, model, left_out, hours, dark):
+        self.model, self.left_out, self.hours, self.dark = model, left_out, hours, dark
         self.zones = idf_geometry.read_zones(model)
         idf_use.mark_conditioned(model, self.zones, left_out)
         self.rooms = [zone for zone in self.zones.values() if zone.is_conditioned]
-        self.envelope = self.fans = None
+        self.envelope = self.fans = self.outside = None
 
     def whole(self):
         area, volume = size_of(self.rooms)
@@ -111,6 +110,9 @@ class Reader:
         area, volume = size_of(zones)
         air = use.ventilation()
         self.fans = self.fans or idf_fans.load_of(self.model, use.schedules, size_of(self.rooms)[0])
+        if self.outside is None:
+            self.outside = idf_outside.loads_of(self.model, use.schedules, self.zones, self.dark,
+                                                size_of(self.rooms)[0], self.left_out)
         if "people" in loads and len(self.hours) >= idf_room.LEAST_HOURS:
             gains = sum(profile.share * profile.values for profile in loads.values()) + \
                 self.fans.share * self.fans.values * area
@@ -121,14 +123,15 @@ class Reader:
             profile.values = profile.values / area
         if self.fans.values.any():
             loads["fans"] = self.fans
+        loads |= self.outside
         return Room(name, area, volume, shell, loads, infiltration / volume, air / volume, heating, cooling)
 
 
-def read_building(path, has_rooms=False, hours=()):
+def read_building(path, has_rooms=False, hours=(), site=None, has_summer_time=False):
     """`hours`: of the weather (weather.hours_of); without a year of them people are in rooms half-way between the
-    set-points."""
+    set-points. `site`: (latitude, longitude, UTC offset), for its nights."""
     model, left_out = idf.read_model(path), []
-    reader = Reader(model, left_out, hours)
+    reader = Reader(model, left_out, hours, idf_outside.dark_share(site, has_summer_time))
     whole = reader.whole()
     rooms = reader.each(whole) if has_rooms else [whole]
     found = Described(path, whole, rooms, idf_use.machines(model, idf_use.HEATERS),
@@ -159,11 +162,13 @@ def envelope_of(found):
 
 
 def loads_of(found, others):
-    """Those of the file, and hot water, which is a table's."""
-    names = {"equipment": "equipment", "lights": "lights", "people": "people, sensible", "fans": found.fans_say}
+    """Those of the file, and hot water, which is a table's where the file has none."""
+    names = {"equipment": "equipment", "lights": "lights", "people": "people, sensible", "fans": found.fans_say,
+             idf_outside.OUTSIDE_LIGHTS: "lights outside", idf_outside.HOT_WATER: "hot water, with losses of its tanks"}
     loads = [Load(name, float(profile.values.max()), name, profile.carrier, names.get(name, "equipment by gas"))
              for name, profile in found.whole.loads.items()]
-    return [*loads, *(load for load in others if load.name == "hot_water")]
+    return [*loads, *(load for load in others if load.name == idf_outside.HOT_WATER and
+                      load.name not in found.whole.loads)]
 
 
 def plant_of(found, by_meters, meters, told):

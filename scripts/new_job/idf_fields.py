@@ -69,6 +69,24 @@ _TABLE = {
     "construction:cfactorundergroundwall": "name c_factor height",
     **dict.fromkeys(("site:groundtemperature:buildingsurface", "site:groundtemperature:fcfactormethod"),
                     " ".join(f"{month}_ground_temperature" for month in MONTHS)),
+    "site:watermainstemperature":
+        "calculation_method temperature_schedule_name annual_average_outdoor_air_temperature "
+        "maximum_difference_in_monthly_average_outdoor_air_temperatures",
+    "exterior:lights": "name schedule_name design_level control_option",
+    "wateruse:equipment": "name end_use_subcategory peak_flow_rate flow_rate_fraction_schedule_name "
+                          "target_temperature_schedule_name hot_water_supply_temperature_schedule_name "
+                          "cold_water_supply_temperature_schedule_name zone_name",
+    "waterheater:mixed":
+        "name tank_volume setpoint_temperature_schedule_name deadband_temperature_difference maximum_temperature_limit "
+        "heater_control_type heater_maximum_capacity heater_minimum_capacity heater_ignition_minimum_flow_rate "
+        "heater_ignition_delay heater_fuel_type heater_thermal_efficiency part_load_factor_curve_name "
+        "off_cycle_parasitic_fuel_consumption_rate off_cycle_parasitic_fuel_type "
+        "off_cycle_parasitic_heat_fraction_to_tank on_cycle_parasitic_fuel_consumption_rate "
+        "on_cycle_parasitic_fuel_type on_cycle_parasitic_heat_fraction_to_tank ambient_temperature_indicator "
+        "ambient_temperature_schedule_name ambient_temperature_zone_name ambient_temperature_outdoor_air_node_name "
+        "off_cycle_loss_coefficient_to_ambient_temperature off_cycle_loss_fraction_to_zone "
+        "on_cycle_loss_coefficient_to_ambient_temperature on_cycle_loss_fraction_to_zone peak_use_flow_rate "
+        "use_flow_rate_fraction_schedule_name",
     "people": "name zone_or_zonelist_or_space_or_spacelist_name number_of_people_schedule_name "
               "number_of_people_calculation_method number_of_people people_per_floor_area floor_area_per_person "
               "fraction_radiant sensible_heat_fraction activity_level_schedule_name",

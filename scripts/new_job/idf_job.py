@@ -8,6 +8,7 @@ import numpy as np
 from cases.toml import number
 from new_job import building, job, priors
 from new_job.idf_envelope import GROUND_CLASSES
+from new_job.idf_outside import HOT_WATER
 from new_job.idf_schedules import HOURS, KINDS, MONTH_DAYS, runs_of
 from new_job.job import NOT_COOLED, section
 
@@ -266,9 +267,12 @@ def flow_priors(first):
 
 
 def load_priors(first):
-    names = [load.name for load in first.loads if load.name not in ("people", "hot_water")]
-    # Readings by the hour tell apart what has hours of its own.
-    groups = {name: [name] for name in names} if first.is_hourly else {"lights_and_equipment": names}
+    of_file = first.model.whole.loads
+    names = [load.name for load in first.loads if load.name in of_file and load.name != "people"]
+    # Readings by the hour tell apart what has hours of its own; another meter may see hot water.
+    groups = {name: [name] for name in names} if first.is_hourly else \
+        {"lights_and_equipment": [name for name in names if name != HOT_WATER],
+         HOT_WATER: [name for name in names if name == HOT_WATER]}
     for group, loads in groups.items():
         targets = [target for name in loads for target in load_targets(first, name)]
         if targets:
@@ -277,7 +281,7 @@ def load_priors(first):
         targets = load_targets(first, load.name)
         if load.name == "people":
             yield priors.level("people", targets, load.value, 0.3 * load.value, "[W/m2]")
-        if load.name == "hot_water":
+        if load.name == HOT_WATER and HOT_WATER not in of_file:
             yield priors.level("hot_water", targets, load.value, max(0.5 * load.value, 0.25 * load.most, 0.3),
                                "[W/m2] at all hours", reach=load.most)
 

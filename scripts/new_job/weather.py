@@ -55,6 +55,11 @@ class Weather:
     degree_days: tuple = (0, 0)                  # cooling above 10 degC, heating below 18 degC, of a year
     days: dict = field(default_factory=dict)     # {date: mean outdoor temperature [degC]}
 
+    @property
+    def site(self):
+        """(latitude, longitude, UTC offset [h]); the offset by the longitude where it is not known."""
+        return self.latitude, self.longitude, round(self.longitude / 15) if self.offset is None else self.offset
+
 
 def epw_rows(path):
     lines = tables.text_of(path).replace("\r\n", "\n").replace("\r", "\n").split("\n")

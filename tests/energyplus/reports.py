@@ -20,6 +20,7 @@ TABLES = ("EnvelopeSummary", "InputVerificationandResultsSummary")
 YEAR = "SimulationControl, Yes, Yes, Yes, No, Yes"
 REPORTED = "Output|Meter:|SimulationControl"
 AIR = "Zone Mean Air Temperature"
+OUTSIDE = ("ExteriorLights:Electricity", "WaterSystems:NaturalGas", "WaterSystems:Electricity")   # meters
 
 
 def file_like(energyplus, name):
@@ -41,7 +42,8 @@ def with_objects(path, others, taken_out):
 def asked(path):
     """The file's objects, with other reports."""
     return with_objects(path, ["Output:SQLite, SimpleAndTabular", f"Output:Table:SummaryReports, {', '.join(TABLES)}",
-                               *(f"Output:Variable, *, {name}, Hourly" for name in HOURLY)], REPORTED)
+                               *(f"Output:Variable, *, {name}, Hourly" for name in HOURLY),
+                               *(f"Output:Meter, {name}, Hourly" for name in OUTSIDE)], REPORTED)
 
 
 def metered(path, year, meters):

@@ -19,7 +19,7 @@ import numpy as np         # noqa: E402
 import reports             # noqa: E402
 from new_job import idf_building, idf_geometry, idf_schedules   # noqa: E402
 from new_job.idf import read_model   # noqa: E402
-from new_job.weather import hours_of   # noqa: E402
+from new_job.weather import epw_rows, hours_of, location   # noqa: E402
 
 BUILDINGS = {"small_office": "RefBldgSmallOfficeNew2004_Chicago.idf",
              "apartments": "RefBldgMidriseApartmentNew2004_Chicago.idf"}
@@ -27,6 +27,7 @@ WEATHER = "USA_IL_Chicago-OHare*.epw"
 SKIPPED = 77
 ASKED = 1                  # %
 GAINS = ("people", "lights", "equipment")
+SECONDS = 3600             # an hour
 
 
 def parts_of(shell):
@@ -101,6 +102,11 @@ def use(found, year, conditioned):
         gains += pair * (name in GAINS)
         yield name, unit, *map(float, pair)
     yield "gains", "W", *map(float, gains)
+    outside = {"outside_lights": reports.OUTSIDE[:1], "hot_water": reports.OUTSIDE[1:]}
+    for name, meters in outside.items():
+        if name in found.whole.loads:
+            drawn = [np.mean(hours) / SECONDS for hours in map(year.hours, meters) if hours]
+            yield name, "W", mean_by(calendar, found.whole.loads[name].values * found.whole.area), sum(drawn)
 
 
 def rows(found, year):
@@ -171,7 +177,8 @@ def main():
     for building, model in models.items():
         with tempfile.TemporaryDirectory() as folder:
             year = reports.Year(energyplus, model, weather, pathlib.Path(folder))
-            found = idf_building.read_building(str(model), hours=hours_of([str(weather)]))
+            found = idf_building.read_building(str(model), hours=hours_of([str(weather)]),
+                                               site=location(weather, epw_rows(str(weather))[0]), has_summer_time=True)
             wrong += compare(building, found, year)
     print("\n".join(wrong))
     return bool(wrong)

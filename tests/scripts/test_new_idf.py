@@ -22,7 +22,7 @@ import idf as energyplus  # noqa: E402  (found above)
 import numpy as np  # noqa: E402
 import test_new as usual  # noqa: E402
 from new_job import (  # noqa: E402
-    building, idf, idf_building, idf_envelope, idf_fields, idf_geometry, idf_room, idf_schedules,
+    building, idf, idf_building, idf_envelope, idf_fields, idf_geometry, idf_outside, idf_room, idf_schedules,
     idf_use)
 from new_job.refused import Refused  # noqa: E402
 
@@ -464,6 +464,47 @@ class Box(unittest.TestCase):
         one, other = self.read(BOX), self.read(old)
         self.assertEqual((one.whole.area, one.whole.shell.conductance),
                          (other.whole.area, other.whole.shell.conductance))
+
+    def test_lights_outside_burn_by_their_schedule_or_by_night(self):
+        text = "Exterior:Lights, Front, Half, 320, {}; Schedule:Constant, Half, , 0.5;\n"
+        lights = self.read(BOX + text.format("ScheduleNameOnly")).whole.loads["outside_lights"]
+        self.assertEqual((lights.carrier, lights.share, set(lights.values.flat)), ("electricity", 0, {0.5 * 320 / 160}))
+        lights = self.read(BOX + text.format("AstronomicalClock")).whole.loads["outside_lights"]
+        self.assertEqual(set(lights.values[0, 0]), {0, 1})
+        self.assertNotIn("outside_lights", self.read(BOX).whole.loads)
+
+    def test_nights_are_those_of_the_place(self):
+        """Sunrise and sunset at Greenwich on 21 March and 21 June, to five minutes: NOAA's solar calculator."""
+        for day, end, begin in ((80, 6 + 8 / 60, 18 + 7 / 60), (172, 3 + 52 / 60, 20 + 12 / 60)):
+            self.assertTrue(np.allclose(idf_outside.night(day, 51.48, 0, 0), (end, begin), atol=5 / 60))
+        self.assertTrue(np.allclose(idf_outside.night(172, 80, 0, 0), (0, 24), atol=0.1))
+        dark = idf_outside.dark_share((51.48, 0, 0), False)
+        self.assertTrue(0.48 < dark.mean() < 0.52)
+        ahead = idf_outside.dark_share((51.48, 0, 0), True)
+        self.assertTrue((ahead[180, 0] == np.roll(dark[180, 0], 1)).all() and (ahead[0] == dark[0]).all())
+
+    def test_hot_water_is_what_is_drawn_and_lost(self):
+        text = "Schedule:Constant, Hot, , 60; Schedule:Constant, Warm, , 43; Schedule:Constant, Air, , 20;\n" \
+               "Site:WaterMainsTemperature, Schedule, Warm;\n" \
+               "WaterHeater:Mixed, Tank, 0.2, Hot, 2, 80, Cycle, 9000, , , , {fuel}, 0.8, , , , , , , , Schedule, Air, " \
+               ", , 6, , 6;\n" \
+               "WaterUse:Equipment, Taps, , 1e-5, Work, Hot, Hot, , Room;\n"
+        water = self.read(BOX + text.format(fuel="NaturalGas")).whole.loads["hot_water"]
+        self.assertEqual((water.carrier, water.share), ("gas", 0))
+        lost, drawn = 6 * (59 - 20), ALIKE * 1e-5 * 4.18e6 * (60 - 43)
+        self.assertAlmostEqual(160 * water.values[0, 0].min(), lost / 0.8)
+        self.assertAlmostEqual(160 * water.values[0, 0].max(), (lost + drawn) / 0.8)
+        without = self.read(BOX + text.format(fuel="Steam"))
+        self.assertNotIn("hot_water", without.whole.loads)
+        self.assertIn("hot water without", "".join(without.left_out))
+
+    def test_mains_are_as_energyplus_has_them(self):
+        """Its correlation: yearly mean 9.69 degC + 6 degF, in Chicago 28.1 K between months, coldest in winter."""
+        model = types.SimpleNamespace(all=lambda kind: [types.SimpleNamespace(
+            word=lambda key: "correlation", number=lambda key, *_: 9.69 if key.startswith("annual") else 28.1)])
+        months = idf_outside.mains(model, None)[::31, 0, 0]
+        self.assertAlmostEqual(months.mean(), 9.69 + 6 / 1.8, delta=0.5)
+        self.assertLess(months[1], months[7] - 8)
 
     def test_what_is_left_out_is_told(self):
         said = "\n".join(self.read(BOX).left_out)
