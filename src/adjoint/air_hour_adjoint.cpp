@@ -17,9 +17,9 @@ void pull_flows(const PlaceBack& place, const physics::AirHour& of_hour) {
         if (flow.supply != physics::outdoors) continue;
         const bool is_its = static_cast<int>(k) == zone.system_flow;
         const double of_q = is_its ? of_hour.q_e : of_hour.q_inf;
-        of_zone.volume += of_q * place.at(flow.air_change) / 3600;
-        place.pull(flow.air_change, of_q * zone.volume / 3600,
-                   of_zone.flows[k].air_change);
+        of_zone.volume += of_q * place.air_change(flow.air_change) / 3600;
+        place.pull_air_change(flow.air_change, of_q * zone.volume / 3600,
+                              of_zone.flows[k].air_change);
         if (is_its)
             place.pull(flow.heat_recovery, of_hour.heat_recovery,
                        of_zone.flows[k].heat_recovery);

@@ -125,8 +125,8 @@ void pull_flow(const PlaceBack& place, std::size_t index,
     const double g =
         of_boundary(of_network.ve_share, flow.supply) * physics::rho_c_air / 3600;
     const double b_ve = recovers ? 1 - place.at(flow.heat_recovery) : 1;
-    const double n = place.at(flow.air_change), V = place.here().volume;
-    place.pull(flow.air_change, g * b_ve * V, of_flow.air_change);
+    const double n = place.air_change(flow.air_change), V = place.here().volume;
+    place.pull_air_change(flow.air_change, g * b_ve * V, of_flow.air_change);
     place.of_here().volume += g * b_ve * n;
     if (recovers) place.pull(flow.heat_recovery, -g * n * V, of_flow.heat_recovery);
 }

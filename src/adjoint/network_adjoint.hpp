@@ -46,6 +46,14 @@ struct PlaceBack {
               physics::Input& of_input) const {
         pull_input(input, drive, step, of_value, of_input);
     }
+    double air_change(const physics::Input& input) const {
+        return physics::air_change_at(drive, input, step);
+    }
+    /// Air that effects have used up does not follow them.
+    void pull_air_change(const physics::Input& input, double of_value,
+                         physics::Input& of_input) const {
+        if (air_change(input) == at(input)) pull(input, of_value, of_input);
+    }
 };
 
 /// Of make_network; uses up of_network.

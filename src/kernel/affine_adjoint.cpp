@@ -296,11 +296,12 @@ class GeneralBack {
     /// Of rho c V n / 3600.
     void pull_opening(int step, double g) {
         const auto& [building, index, drive, first, of_building] = back_.place;
+        const adjoint::PlaceBack place{building, index, drive, step, of_building};
         const physics::Zone& zone = back_.regime.zone;
         const double per = g * physics::rho_c_air / 3600;
-        adjoint::pull_input(zone.venting.air_change, drive, step, per * zone.volume,
-                            of_building.zones[index].venting.air_change);
-        of_building.zones[index].volume += per * drive.at(zone.venting.air_change, step);
+        place.pull_air_change(zone.venting.air_change, per * zone.volume,
+                              place.of_here().venting.air_change);
+        place.of_here().volume += per * place.air_change(zone.venting.air_change);
     }
 
     void pull_lines() {

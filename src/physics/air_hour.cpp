@@ -78,7 +78,7 @@ AirHour air_hour(const Building& building, const Zone& zone, const Drive& drive,
     for (std::size_t k = 0; k < zone.flows.size(); ++k) {
         const AirFlow& flow = zone.flows[k];
         if (flow.supply != outdoors) continue;
-        const double q = at(flow.air_change) * zone.volume / 3600;
+        const double q = air_change_at(drive, flow.air_change, step) * zone.volume / 3600;
         const bool is_its = static_cast<int>(k) == zone.system_flow;
         (is_its ? hour.q_e : hour.q_inf) += q;
         if (is_its) hour.heat_recovery = at(flow.heat_recovery);

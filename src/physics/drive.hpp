@@ -54,6 +54,13 @@ struct Drive {
     double changed(const Input& input, int step) const;
 };
 
+/// An air change at a step [1/h]. Effects that would take more air than flows leave none;
+/// what is described below 0 stays so, and is refused where it flows.
+inline double air_change_at(const Drive& drive, const Input& air_change, int step) {
+    const double n = drive.at(air_change, step);
+    return air_change.is_changed() && n < 0 ? 0 : n;
+}
+
 /// How many whole hours before `from`, at most `most`, weather and series cover without a
 /// gap.
 int known_hours_before(const Weather& weather, const Building& building,

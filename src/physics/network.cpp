@@ -112,7 +112,8 @@ void add_window(const Place& place, const Window& window, Network& network) {
 /// rho c b_ve q_ve (eq. 21), b_ve = 1 - eta where heat is recovered (eq. 27); with a
 /// supply temperature of its own b_ve = 1.
 void add_flow(const Place& place, const AirFlow& flow, Network& network) {
-    const double q = place.at(flow.air_change) * place.zone.volume / 3600;
+    const double q = air_change_at(place.drive, flow.air_change, place.step) *
+                     place.zone.volume / 3600;
     const double b_ve = flow.supply == outdoors ? 1 - place.at(flow.heat_recovery) : 1;
     of_boundary(network.ve_share, flow.supply) +=
         not_negative(place, rho_c_air * b_ve * q, "heat carried by an air flow");
@@ -295,7 +296,7 @@ HourDrive hour_drive(const Building& building, const Zone& zone, const Network& 
 }
 
 double venting_conductance(const Zone& zone, const Drive& drive, int step) {
-    const double n = drive.at(zone.venting.air_change, step);
+    const double n = air_change_at(drive, zone.venting.air_change, step);
     if (!(n >= 0) || !std::isfinite(n))
         reject(zone, step,
                fmt::format("venting_air_change = {} is not a number >= 0", n));

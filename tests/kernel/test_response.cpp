@@ -209,6 +209,25 @@ TEST(Response, SetPointsThatAnEffectBringsTogetherAreHeldApartThereAndBack) {
     EXPECT_GE(n, 4);
 }
 
+TEST(Response, AirThatEffectsUseUpIsNoneThereAndBack) {
+    int n = 0;
+    for (unsigned seed = 1; seed <= 12; ++seed) {
+        RandomCase made = test::random_hooked_case(seed);
+        if (is_coupled(made)) continue;
+        for (Zone& zone : made.building.zones) {
+            for (AirFlow& flow : zone.flows) {
+                flow.air_change.changes[0] = {-30, test::night, ChangeKind::shift};
+                ++n;
+            }
+            zone.venting.air_change.changes[0] = {-30, test::night, ChangeKind::shift};
+        }
+        made.parameters = test::every_number(made.building);
+        test::expect_derivative(made);
+        expect_plain_readings(made, seed);
+    }
+    EXPECT_GE(n, 4);
+}
+
 TEST(Response, ReadingsAreThoseThatErrorsAreMadeOf) {
     const RandomCase made = first_case(false);
     const Matrix points = random_points(4, made.parameters, 1);

@@ -221,6 +221,28 @@ TEST(Network, WhereAnEffectBringsSetPointsTogetherCoolingGivesWay) {
     EXPECT_THROW(control(), std::domain_error);
 }
 
+TEST(Network, EffectsThatWouldTakeMoreAirThanFlowsLeaveNone) {
+    Case c;
+    c.drive = test::constant_drive(c.building, 2, 5, 0, 3600, 1);
+    c.drive.profiles(0, 1) = 1;
+    ASSERT_EQ(c.zone().flows.size(), 1U);
+    Input& air_change = c.zone().flows[0].air_change;
+    air_change = {0.5, 0, -1};
+    const auto H_ve = [&] {
+        Network network;
+        make_network(c.building, c.zone(), c.drive, 1, network);
+        return network.H_ve;
+    };
+    air_change.changes[0] = {-0.4, 0, ChangeKind::shift};
+    EXPECT_NEAR(H_ve(), rho_c_air * 0.1 * c.zone().volume / 3600, 1e-9);
+    air_change.changes[0].amount = -0.6;
+    EXPECT_EQ(H_ve(), 0);
+    air_change.changes[0].amount = std::nan("");
+    EXPECT_THROW(H_ve(), std::domain_error);
+    air_change = {-0.1, 0, -1};  // as described
+    EXPECT_THROW(H_ve(), std::domain_error);
+}
+
 TEST(Network, RefusesSetPointsCloserThanTheBand) {
     Case c;
     c.zone().structure.proportional_band = 4;
