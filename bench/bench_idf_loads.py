@@ -6,7 +6,8 @@
 The weather is that of ../shared/energyplus/so_null and ap_null, which EnergyPlus made of DOE's small office and mid-
 rise apartments on a ground of its own. The description by hand is theirs (scripts/run_case). `new --idf` reads DOE's
 file. It is judged on two sets of readings: EnergyPlus's of that file, with the noise of the cases (`file`), and those
-of the case (`case`). Neither has summer time and holidays, which are taken out of the file and of its job.
+of the case (`case`). Neither has summer time and holidays, light outdoors and hot water, which are taken out of the
+file and of its job.
 Prints `name value unit reference ratio`: the held-out error of `before` (no effect accepted) and of `after` by the
 hour, CV(RMSE) or K, with that of the description by hand, on the case's readings, as the reference. Needs
 pyenergyplus-lbnl (tests/energyplus/reports.py) and ../shared.
@@ -41,6 +42,7 @@ ENERGIES = {"heat_kWh": ("HeatingCoils:EnergyTransfer",), "cool_kWh": ("CoolingC
             "elec_kWh": tuple(f"{use}:Electricity" for use in ("InteriorLights", "InteriorEquipment", "Fans", "Pumps",
                                                                "Heating", "Cooling")),
             "gas_kWh": ("Heating:NaturalGas",)}  # as the cases have them: no light outside, no hot water
+OUTDOORS = "Exterior:Lights|WaterUse:Equipment|WaterHeater:"
 J_OF_KWH = 3.6e6
 NOISE, NOISE_K, NOISE_SEED = 0.015, 0.07, 1      # of ../shared/energyplus/README.md
 
@@ -95,12 +97,13 @@ def from_file(case, folder, of):
     if model is None:
         print(f"skipped: {reports.HOW}")
         sys.exit(SKIPPED)
-    job = folder / f"{case}_{of}.toml"
+    job, indoors = folder / f"{case}_{of}.toml", folder / f"{case}_{of}.idf"
+    indoors.write_text(reports.with_objects(model, [], OUTDOORS))
     table, columns = readings(energyplus, case, model, folder) if of == "file" else readings_of_case(case, folder)
     words = [f"{table}:{column}:{CHANNELS[column][1]}:{CHANNELS[column][2]}" for column in columns]
     words = [word for meter in words for word in ("--meter", meter)]
     words += [word for part in PARTS for word in ("--weather", CASES / case / f"weather_{part}.epw")]
-    run(large_job.PROGRAM, "new", job, "--force", "--idf", model, "--place", PLACE, *words)
+    run(large_job.PROGRAM, "new", job, "--force", "--idf", indoors, "--place", PLACE, *words)
     text = re.sub(r"(?m)^summer_time.*\n", "", job.read_text())
     job.write_text(re.sub(r"(?m)^\[holidays\]\n(.+\n)*", "", text))
     result = job.with_suffix(".h5")

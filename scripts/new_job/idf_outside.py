@@ -1,7 +1,7 @@
 """What an EnergyPlus file draws outside of its zones: lights outdoors and hot water, which no room feels.
 
-Source: EnergyPlus Input Output Reference, Exterior:Lights, WaterUse:Equipment, WaterHeater:Mixed; Engineering Reference,
-Water Mains Temperatures (Christensen and Burch). Lights of an astronomical clock burn while the sun is down.
+Source: EnergyPlus Input Output Reference, Exterior:Lights, WaterUse:Equipment, WaterHeater:Mixed; Engineering
+Reference, Water Mains Temperatures (Christensen and Burch). Lights of an astronomical clock burn while the sun is down.
 Leaves out pumps, parasitic power, and heaters other than mixed tanks.
 """
 import math
@@ -36,7 +36,8 @@ def night(day, latitude, longitude, utc_offset):
     angle = 2 * math.pi * (day - 1) / DAYS
     turns = [(math.cos(k * angle), math.sin(k * angle)) for k in (1, 2, 3)]
     (c1, s1), (c2, s2), (c3, s3) = turns
-    declination = 0.006918 - 0.399912 * c1 + 0.070257 * s1 - 0.006758 * c2 + 0.000907 * s2 - 0.002697 * c3 + 0.00148 * s3
+    declination = 0.006918 - 0.399912 * c1 + 0.070257 * s1 - 0.006758 * c2 + 0.000907 * s2 - 0.002697 * c3 + \
+        0.00148 * s3
     minutes = 229.18 * (0.000075 + 0.001868 * c1 - 0.032077 * s1 - 0.014615 * c2 - 0.04089 * s2)
     half = math.acos(min(1, max(-1, -math.tan(math.radians(latitude)) * math.tan(declination)))) * 12 / math.pi
     noon = 12 + utc_offset - longitude / 15 - minutes / 60
@@ -98,15 +99,16 @@ def drawn(model, schedules, zones, heaters):
         from_cold = schedules.of(thing, "cold_water_supply_temperature_schedule_name") if own else cold
         total += WATER * flow * np.maximum(schedules.of(thing, key) - from_cold, 0)
     for heater in heaters:     # a tank without a loop has its own use
-        flow = heater.number("peak_use_flow_rate", 0, 0, 10) * schedules.of(heater, "use_flow_rate_fraction_schedule_name")
+        flow = heater.number("peak_use_flow_rate", 0, 0, 10) * \
+            schedules.of(heater, "use_flow_rate_fraction_schedule_name")
         total += WATER * flow * np.maximum(schedules.of(heater, "setpoint_temperature_schedule_name") - cold, 0)
     return total
 
 
 def kept_warm(heater, schedules):
     """What a tank, in the middle of its dead band, loses to air of its own schedule or of a room [W]."""
-    air = schedules.of(heater, "ambient_temperature_schedule_name") if heater.text("ambient_temperature_schedule_name") \
-        else ROOM
+    key = "ambient_temperature_schedule_name"
+    air = schedules.of(heater, key) if heater.text(key) else ROOM
     water = schedules.of(heater, "setpoint_temperature_schedule_name") - \
         heater.number("deadband_temperature_difference", 0, 0, 50) / 2
     return heater.number("off_cycle_loss_coefficient_to_ambient_temperature", 0, 0, 1e4) * np.maximum(water - air, 0)

@@ -36,11 +36,31 @@ effects::Effect effect_of(const effects::Effect& hook) {
     return effect;
 }
 
-/// Simulates the model at x, without derivatives. Whether it can be.
+/// Whether all air is used up at a step: a function that takes more than there is was not
+/// seen by a tangent, and says nothing of where it ends.
+bool uses_up_air(const BuiltModel& built, const Series& x) {
+    std::vector<double> values;
+    values.reserve(x.size());
+    for (std::size_t k = 0; k < x.size(); ++k)
+        values.push_back(built.unknowns[k].within(x[k]));
+    const physics::Building building = building_at(built, values);
+    const physics::Drive& drive = built.placed->drive;
+    const auto is_used_up = [&](const physics::Input& air_change) {
+        for (int step = 0; air_change.is_changed() && step < drive.n_steps(); ++step)
+            if (drive.at(air_change, step) < 0) return true;
+        return false;
+    };
+    return std::ranges::any_of(building.zones, [&](const physics::Zone& zone) {
+        return is_used_up(zone.venting.air_change) ||
+               std::ranges::any_of(zone.flows, is_used_up, &physics::AirFlow::air_change);
+    });
+}
+
+/// Simulates the model at x, without derivatives. Whether it can be, in training.
 bool simulate_at(const LoopData& data, const Series& x, Standing& standing) {
     study::Linearised at{x};
     study::predict_at(*standing.built.fit_model, standing.built.unknowns, at);
-    if (std::isnan(at.predicted[0])) return false;
+    if (std::isnan(at.predicted[0]) || uses_up_air(standing.built, x)) return false;
     standing.fit.at = std::move(at);
     standing.residuals =
         study::residuals_of(data.targets.measured, standing.fit.at.predicted);

@@ -486,8 +486,8 @@ class Box(unittest.TestCase):
     def test_hot_water_is_what_is_drawn_and_lost(self):
         text = "Schedule:Constant, Hot, , 60; Schedule:Constant, Warm, , 43; Schedule:Constant, Air, , 20;\n" \
                "Site:WaterMainsTemperature, Schedule, Warm;\n" \
-               "WaterHeater:Mixed, Tank, 0.2, Hot, 2, 80, Cycle, 9000, , , , {fuel}, 0.8, , , , , , , , Schedule, Air, " \
-               ", , 6, , 6;\n" \
+               "WaterHeater:Mixed, Tank, 0.2, Hot, 2, 80, Cycle, 9000, , , , {fuel}, 0.8, , , , , , , , Schedule, " \
+               "Air, , , 6, , 6;\n" \
                "WaterUse:Equipment, Taps, , 1e-5, Work, Hot, Hot, , Room;\n"
         water = self.read(BOX + text.format(fuel="NaturalGas")).whole.loads["hot_water"]
         self.assertEqual((water.carrier, water.share), ("gas", 0))
