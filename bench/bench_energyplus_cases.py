@@ -55,15 +55,6 @@ def scaled(kind, places, factor):
     return change
 
 
-def with_field(kind, place, value):
-    def change(objects):
-        for fields in objects:
-            if is_a(fields, kind):
-                fields[place] = value
-        return objects
-    return change
-
-
 def days_of(fields):
     """[(days, [24 values])] of a Schedule:Compact of a whole year; nothing of others."""
     blocks = []
@@ -133,14 +124,6 @@ def by_wind(objects):
     return objects
 
 
-def both(*changes):
-    def change(objects):
-        for one in changes:
-            objects = one(objects)
-        return objects
-    return change
-
-
 @dataclass(frozen=True)
 class Case:
     """`since`: month and day of the first year from which it holds; `meter`: (column, factor) of a meter alone."""
@@ -158,8 +141,8 @@ CASES = {
     "so_wind": Case(by_wind, names=("wind infiltration", "infiltration by strong wind", "wind in leaks")),
     "so_windows": Case(vented((7, 19), 23, 3), names=("windows opened in warm rooms", "windows opened while occupied",
                                                       "economiser")),
-    "so_saturday": Case(both(schedule(USE, saturday_as_monday)), names=("Saturdays worked", "other hours than declared",
-                                                                        "Saturday mornings worked")),
+    "so_saturday": Case(schedule(USE, saturday_as_monday), names=("Saturdays worked", "other hours than declared",
+                                                                  "Saturday mornings worked")),
     "so_late": Case(schedule(USE, later(2)), names=("schedules earlier or later", "other hours than declared")),
     "so_copstep": Case(scaled("Coil:Cooling:DX:SingleSpeed", [5], 0.75), "07-01", names=("new or serviced chiller",)),
     "so_coolset": Case(schedule("CLGSETP_SCH", raised(12, 18, -1.5)), names=("cooling set-point of some hours",)),
@@ -173,18 +156,6 @@ CASES = {
 }
 
 
-def simulated(energyplus, case, model, folder):
-    """[(year, {column: hours})]"""
-    null, years = NULL[case[:2]], []
-    for part in loads.PARTS:
-        epw = loads.CASES / null / f"weather_{part}.epw"
-        year = int(epw.read_text().splitlines()[loads.FIRST_HOUR].split(",")[0])
-        run = reports.MeteredYear(energyplus, model, year, epw, folder / part,
-                                  {meter for parts in loads.ENERGIES.values() for meter in parts})
-        years.append((year, loads.channels(null, run)))
-    return years
-
-
 def with_effect(energyplus, case, effect, folder):
     """Both years, with the effect from its day on."""
     source = reports.file_like(energyplus, loads.MODELS[NULL[case[:2]]])
@@ -195,11 +166,11 @@ def with_effect(energyplus, case, effect, folder):
     plain.write_text(text_of(objects_of(source.read_text(errors="replace"))))
     years = without = None
     if effect.since or effect.meter:
-        without = simulated(energyplus, case, plain, folder / "without")
+        without = list(loads.years(energyplus, NULL[case[:2]], plain, folder / "without"))
     if effect.change:
         changed = folder / "changed.idf"
         changed.write_text(text_of(effect.change(objects_of(plain.read_text()))))
-        years = simulated(energyplus, case, changed, folder / "with")
+        years = list(loads.years(energyplus, NULL[case[:2]], changed, folder / "with"))
     else:
         column, factor = effect.meter
         years = [(year, {**hours, column: factor * hours[column]}) for year, hours in without]
@@ -217,12 +188,7 @@ def write_case(case, years, folder):
     for name in ("building.json", *(f"weather_{part}.epw" for part in loads.PARTS)):
         shutil.copyfile(null / name, folder / name)
     for (year, hours), name in zip(years, ("measured.csv", "measured_test.csv")):
-        noisy = {column: values + loads.NOISE_K * dice.standard_normal(len(values)) if column == loads.ROOM else
-                 np.maximum(0, values * (1 + loads.NOISE * dice.standard_normal(len(values))))
-                 for column, values in hours.items()}
-        stamps = pandas.date_range(f"{year}-01-01T01:00", periods=len(hours[loads.ROOM]), freq="h")
-        pandas.DataFrame(noisy, index=stamps.rename("timestamp")).to_csv(
-            folder / name, date_format="%Y-%m-%dT%H:%M:%S", float_format="%.5g")
+        loads.write_table(folder / name, loads.noisy_table(year, hours, dice))
 
 
 def score(folder, effect):

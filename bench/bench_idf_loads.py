@@ -54,23 +54,35 @@ def run(*words):
         sys.exit(f"{words[0]} ended with {done.returncode}: {done.stdout[-2000:]}{done.stderr}")
 
 
-def readings(energyplus, case, model, folder):
-    """A table of both years by EnergyPlus, with noise; returns its path and columns."""
-    dice, rows = np.random.default_rng(NOISE_SEED), []
+def years(energyplus, case, model, folder):
+    """[(year, {column: hours})] of both, by EnergyPlus, in the case's weather."""
     for part in PARTS:
         epw = CASES / case / f"weather_{part}.epw"
         year = int(epw.read_text().splitlines()[FIRST_HOUR].split(",")[0])
-        run_of_year = reports.MeteredYear(energyplus, model, year, epw, folder / f"{case}_{part}",
-                                          {meter for parts in ENERGIES.values() for meter in parts})
-        hours = channels(case, run_of_year)
-        for name, values in hours.items():
-            noise = dice.standard_normal(len(values))
-            hours[name] = values + NOISE_K * noise if name == ROOM else np.maximum(0, values * (1 + NOISE * noise))
-        stamps = pandas.date_range(f"{year}-01-01T01:00", periods=len(hours[ROOM]), freq="h")
-        rows.append(pandas.DataFrame(hours, index=stamps.rename("timestamp")))
+        yield year, channels(case, reports.MeteredYear(energyplus, model, year, epw, folder / part,
+                                                       {meter for parts in ENERGIES.values() for meter in parts}))
+
+
+def noisy_table(year, hours, dice):
+    """A year's readings with noise, by their stamps."""
+    measured = {name: values + NOISE_K * noise if name == ROOM else np.maximum(0, values * (1 + NOISE * noise))
+                for name, values in hours.items() for noise in [dice.standard_normal(len(values))]}
+    stamps = pandas.date_range(f"{year}-01-01T01:00", periods=len(hours[ROOM]), freq="h")
+    return pandas.DataFrame(measured, index=stamps.rename("timestamp"))
+
+
+def write_table(path, table):
+    table.to_csv(path, date_format="%Y-%m-%dT%H:%M:%S", float_format="%.5g")
+
+
+def readings(energyplus, case, model, folder):
+    """A table of both years by EnergyPlus, with noise; returns its path and columns."""
+    dice = np.random.default_rng(NOISE_SEED)
+    table = pandas.concat([noisy_table(year, hours, dice)
+                           for year, hours in years(energyplus, case, model, folder / f"{case}_years")])
     path = folder / f"{case}.csv"
-    pandas.concat(rows).to_csv(path, date_format="%Y-%m-%dT%H:%M:%S", float_format="%.5g")
-    return path, list(rows[0])
+    write_table(path, table)
+    return path, list(table)
 
 
 def readings_of_case(case, folder):

@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from new_job import idf_schedules
+from new_job import idf_schedules, idf_use
 from new_job.idf_schedules import DAYS, HOURS, KINDS, MONTH_DAYS
 from new_job.profile import Profile
 
@@ -19,8 +19,7 @@ WATER = 4.18e6                 # J/(m3 K)
 USUAL_MAINS = 10               # degC, EnergyPlus's where the file has none
 USUAL_EFFICIENCY = 0.8
 ROOM = 20                      # degC around a tank that stands in one
-FUELS = {"naturalgas": "gas", "gas": "gas", "propane": "gas", "fueloilno1": "gas", "fueloilno2": "gas",
-         "electricity": "electricity", "districtheating": "district", "districtheatingwater": "district"}
+CARRIERS = idf_use.FUELS | dict.fromkeys(("districtheating", "districtheatingwater"), "district")
 HEATER, DRAW = "WaterHeater:Mixed", "WaterUse:Equipment"
 
 
@@ -117,7 +116,7 @@ def kept_warm(heater, schedules):
 def hot_water(model, schedules, zones, left_out):
     """(fuel or power [W], its carrier); the tanks of several fuels are taken to have the first."""
     heaters = [heater for heater in model.all(HEATER) if heater.text("setpoint_temperature_schedule_name")]
-    fuels = [FUELS.get(heater.word("heater_fuel_type"), "") for heater in heaters]
+    fuels = [CARRIERS.get(heater.word("heater_fuel_type"), "") for heater in heaters]
     if not fuels or not fuels[0]:
         if model.all(DRAW):
             left_out.append(f"{DRAW}: hot water without a {HEATER} that burns a fuel of the meters; a load may stand "

@@ -295,8 +295,8 @@ class GeneralBack {
 
     /// Of rho c V n / 3600.
     void pull_opening(int step, double g) {
-        const auto& [building, index, drive, first, of_building] = back_.place;
-        const adjoint::PlaceBack place{building, index, drive, step, of_building};
+        adjoint::PlaceBack place = back_.place;
+        place.step = step;
         const physics::Zone& zone = back_.regime.zone;
         const double per = g * physics::rho_c_air / 3600;
         place.pull_air_change(zone.venting.air_change, per * zone.volume,

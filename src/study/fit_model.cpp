@@ -315,8 +315,11 @@ Fit fit(const FitModel& model, std::span<const FitUnknown> unknowns,
         const std::vector<char> held = descent.held(result.at, all.right);
         result.bound = held;
         Tried best = best_step(descent, result.at, held, all);
-        if (!(best.objective < result.objective) && !was_by_secants)
-            best = best_step(descent, result.at, descent.with_prior_led(held, all), all);
+        if (!(best.objective < result.objective) && !was_by_secants) {
+            const std::vector<char> others_held = descent.with_prior_led(held, all);
+            if (others_held != held)
+                best = best_step(descent, result.at, others_held, all);
+        }
         const double gained = result.objective - best.objective;
         if (gained > 0) {
             learn_from(std::move(best.at), result.at);

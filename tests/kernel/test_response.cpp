@@ -191,40 +191,43 @@ TEST(Response, DerivativeIsThatOfCentralDifferences) {
     }
 }
 
-TEST(Response, SetPointsThatAnEffectBringsTogetherAreHeldApartThereAndBack) {
+namespace {
+
+/// Readings as of the plain version, and derivatives, of random buildings whose zones are
+/// changed. \param change  of a zone; how many of its inputs \return of all zones
+template <class ChangeZone>
+int expect_there_and_back(unsigned n_seeds, ChangeZone change) {
     int n = 0;
-    for (unsigned seed = 1; seed <= 12; ++seed) {
+    for (unsigned seed = 1; seed <= n_seeds; ++seed) {
         RandomCase made = test::random_hooked_case(seed);
         if (is_coupled(made)) continue;
-        for (Zone& zone : made.building.zones) {
-            if (zone.thermostat.imposed) continue;
-            zone.thermostat.cooling_set_point.changes[0] = {-30, test::night,
-                                                            ChangeKind::shift};
-            ++n;
-        }
+        for (Zone& zone : made.building.zones) n += change(zone);
         made.parameters = test::every_number(made.building);
         test::expect_derivative(made);
         expect_plain_readings(made, seed);
     }
+    return n;
+}
+
+constexpr Change far_down_by_night{-30, test::night, ChangeKind::shift};
+
+}  // namespace
+
+TEST(Response, SetPointsThatAnEffectBringsTogetherAreHeldApartThereAndBack) {
+    const int n = expect_there_and_back(12, [](Zone& zone) {
+        if (zone.thermostat.imposed) return 0;
+        zone.thermostat.cooling_set_point.changes[0] = far_down_by_night;
+        return 1;
+    });
     EXPECT_GE(n, 4);
 }
 
 TEST(Response, AirThatEffectsUseUpIsNoneThereAndBack) {
-    int n = 0;
-    for (unsigned seed = 1; seed <= 3; ++seed) {
-        RandomCase made = test::random_hooked_case(seed);
-        if (is_coupled(made)) continue;
-        for (Zone& zone : made.building.zones) {
-            for (AirFlow& flow : zone.flows) {
-                flow.air_change.changes[0] = {-30, test::night, ChangeKind::shift};
-                ++n;
-            }
-            zone.venting.air_change.changes[0] = {-30, test::night, ChangeKind::shift};
-        }
-        made.parameters = test::every_number(made.building);
-        test::expect_derivative(made);
-        expect_plain_readings(made, seed);
-    }
+    const int n = expect_there_and_back(3, [](Zone& zone) {
+        for (AirFlow& flow : zone.flows) flow.air_change.changes[0] = far_down_by_night;
+        zone.venting.air_change.changes[0] = far_down_by_night;
+        return static_cast<int>(zone.flows.size());
+    });
     EXPECT_GE(n, 2);
 }
 
