@@ -103,15 +103,9 @@ def header(first):
 def site(first):
     if first.weather.is_epw and not first.options.site:
         return
-    o, place, weather = first.options, first.place, first.weather
-    offset, says = weather.offset, "the EPW file's"
-    if offset is None:
-        offset, says = place.offset, f"of {place.name}"
-    if offset is None:
-        offset, says = round(weather.longitude / 15), "check this: by the longitude; the country has several zones"
-        first.told.check(f"[site] utc_offset: {offset:+d} h was taken by the longitude {number(weather.longitude)}")
-    yield section("[site]", ("latitude", weather.latitude, "--site" if o.site else "the EPW file's"),
-                  ("longitude", weather.longitude), ("utc_offset", offset, says))
+    weather = first.weather
+    yield section("[site]", ("latitude", weather.latitude, "--site" if first.options.site else "the EPW file's"),
+                  ("longitude", weather.longitude), ("utc_offset", weather.offset, weather.offset_is))
 
 
 def holidays(first):

@@ -12,6 +12,7 @@ from new_job.building import air_change
 
 MOST_U = 9.9                   # W/(m2 K), that a job takes
 SHARE_OF_LOADS = 0.5           # standard deviation of lights and equipment
+LEAST_POWER = 5                # W/m2, half of what a passive house needs (10: criteria of the Passive House Institute)
 HEAT_CAPACITIES = (80000, 600000, 165000, 1e5)  # J/(m2 K): least, most, ISO 13790 class medium, sd
 
 
@@ -80,7 +81,7 @@ def plant_priors(first, targets):
         yield shift("heating_set_point", targets("heating_set_point"), 4, 1.2, "[K]")
         yield shift("heating_set_back", targets("heating_set_point.low"), 6, 2, "[K]")
         if first.is_hourly:
-            yield level("heating_capacity", targets("heating_capacity"), 100, 40, "[W/m2]", 20)
+            yield level("heating_capacity", targets("heating_capacity"), 100, 40, "[W/m2]", LEAST_POWER)
     if plant.efficiency_sd:
         yield Prior("heating_efficiency", ("plant.heating_efficiency",), *plant.efficiency_range, plant.efficiency,
                     plant.efficiency_sd, "seasonal, with losses of distribution")
@@ -88,7 +89,7 @@ def plant_priors(first, targets):
         yield shift("cooling_set_point", targets("cooling_set_point"), 4, 1.5, "[K]")
         yield shift("cooling_set_back", targets("cooling_set_point.low"), 5, 2, "[K]")
         if first.is_hourly:
-            yield level("cooling_capacity", targets("cooling_capacity"), 90, 30, "[W/m2]", 20)
+            yield level("cooling_capacity", targets("cooling_capacity"), 90, 30, "[W/m2]", LEAST_POWER)
     if plant.cooling == "electricity":
         yield level("cooling_cop", ["plant.cooling_cop"], plant.cop, 0.8, "with pumps and fans of the plant", 1.2,
                     most=max(6, 1.3 * plant.cop))

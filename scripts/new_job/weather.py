@@ -7,7 +7,8 @@ import datetime as dt
 import os
 from dataclasses import dataclass, field
 
-from new_job import tables, times
+from cases.toml import number
+from new_job import places, tables, times
 from new_job.refused import USAGE, Refused
 from new_job.words import says, spaced, unit_of
 
@@ -46,7 +47,8 @@ class Weather:
     months: dict               # {month: mean outdoor temperature [degC]}
     latitude: float = None
     longitude: float = None
-    offset: float = None
+    offset: float = None       # of standard time to UTC [h]
+    offset_is: str = "the EPW file's"
     is_epw: bool = True
     columns: list = field(default_factory=list)  # (key, column, unit or None)
     keys: dict = field(default_factory=dict)     # of [weather]
@@ -57,8 +59,17 @@ class Weather:
 
     @property
     def site(self):
-        """(latitude, longitude, UTC offset [h]); the offset by the longitude where it is not known."""
-        return self.latitude, self.longitude, round(self.longitude / 15) if self.offset is None else self.offset
+        """(latitude, longitude, UTC offset [h])"""
+        return self.latitude, self.longitude, self.offset
+
+    def set_offset(self, place, told):
+        """By the country where no file says it, by the longitude where the country has several zones."""
+        if self.offset is None:
+            self.offset, self.offset_is = place.offset, f"of {place.name}"
+        if self.offset is None:
+            self.offset = round(self.longitude / 15)
+            self.offset_is = "check this: by the longitude; the country has several zones"
+            told.check(f"[site] utc_offset: {self.offset:+d} h was taken by the longitude {number(self.longitude)}")
 
 
 def epw_rows(path):
@@ -298,7 +309,7 @@ def keys_of(table):
 
 
 def read_weather(paths, country, site, told):
-    """`site`: (latitude, longitude) or None."""
+    """`site`: (latitude, longitude) or None; `country`: a key of places.PLACES."""
     are_epw = {is_epw(path) for path in paths}
     if len(are_epw) > 1:
         raise Refused("--weather: has EPW and CSV files; expected one kind", USAGE)
@@ -308,4 +319,5 @@ def read_weather(paths, country, site, told):
     if weather.latitude is None:
         raise Refused(f"{paths[0]}: says not where it is, as an EPW file does; add --site 52.20,0.12 (latitude and "
                       "longitude, north and east positive)", USAGE)
+    weather.set_offset(places.PLACES[country], told)
     return weather
