@@ -56,7 +56,11 @@ expect "office.toml " bemcal-batch off
 expect "" bemcal-batch check no
 
 # The same of zsh, which completes the line at a terminal.
-if command -v zsh >/dev/null; then
+if ! command -v zsh >/dev/null; then
+  echo "zsh is not there: its completion was not tried"
+elif ! zsh -fc 'zmodload zsh/zpty; zpty shell true' 2>/dev/null; then
+  echo "zsh finds no pseudo-terminal: its completion was not tried"
+else
   "$program" describe completion zsh >_bemcal-batch
   zsh -n _bemcal-batch || fail "zsh does not read its completion"
   expect_zsh() {  # what is offered, then the line
@@ -71,6 +75,4 @@ if command -v zsh >/dev/null; then
   expect_zsh "posterior " "describe post"
   expect_zsh "--weather " "new office.toml --weather 2021.epw --we"
   expect_zsh "office.h5 office.toml " "run --after o"
-else
-  echo "zsh is not there: its completion was not tried"
 fi
