@@ -12,7 +12,9 @@ from cases.toml import numbers, scheduled, section, texts
 AIR_CHANGE_PER_FLOW = 3.6  # l/s in m3/h
 CONCRETE_CAPACITY = 2.3e6  # J/(m3 K), 2300 kg/m3 of 1000 J/(kg K)
 SENSIBLE_SHARE = 0.7       # of a cooling capacity that also dries
-SUPPLY_BELOW_ROOM = 11     # K, air of 13 degC into a room of 24 degC
+SUPPLY = 13                # degC
+SUPPLY_BELOW_ROOM = 11     # K, into a room of 24 degC
+LEAST_FLOW = 0.3           # of a varying flow's largest (ASHRAE 90.1-2004, 6.5.2.1)
 TYPICAL_FLOW = 0.4         # of a varying flow's largest, over the hours of a year
 MOISTURE = 60              # g/h that a person gives off at a desk (ASHRAE Fundamentals 2017, 18.1)
 RHO_C_AIR = 1200           # J/(m3 K)
@@ -111,9 +113,18 @@ def air_flows(case):
     yield section("[[zone.flow]]", name="infiltration",
                   air_change=case["envelope"]["infiltration_ACH"] * thinner(case))
     v = case["ventilation"]
-    peak = v["flow_l_s_m2_peak"] * area * AIR_CHANGE_PER_FLOW / volume * thinner(case)
-    yield section("[[zone.flow]]", name="ventilation", air_change=scheduled(peak, "vent"),
+    if reheats(case):
+        yield section("[[zone.flow]]", name="ventilation", supply="supply",
+                      air_change=scheduled(LEAST_FLOW * design_flow(case) * area / volume, "hvac"))
+        return
+    yield section("[[zone.flow]]", name="ventilation", air_change=scheduled(outdoor_air(case), "vent"),
                   heat_recovery=v["heat_recovery"] or None)
+
+
+def outdoor_air(case):
+    """[1/h] in use."""
+    area, volume = case["geometry"]["gross_floor_area_m2"], case["geometry"]["air_volume_m3"]
+    return case["ventilation"]["flow_l_s_m2_peak"] * area * AIR_CHANGE_PER_FLOW / volume * thinner(case)
 
 
 def loads(case, base_load):
@@ -162,15 +173,20 @@ def reheats(case):
     return "reheat" in case["plant"]["heat_source"].lower() and has_cooling(case)
 
 
+def design_flow(case):
+    """[m3/(h m2)] that carries the cooling capacity."""
+    return SENSIBLE_SHARE * case["plant"]["cooling_capacity_W_m2"] / SUPPLY_BELOW_ROOM / RHO_C_AIR * 3600
+
+
 def air_system(case):
     """The unit of a building whose terminals reheat. Its flow is what carries its cooling capacity;
     the fan's declared power is that of a typical hour."""
-    design = SENSIBLE_SHARE * case["plant"]["cooling_capacity_W_m2"] / SUPPLY_BELOW_ROOM / \
-        RHO_C_AIR * 3600
+    design = design_flow(case)
+    yield section("[[boundary]]", name="supply", temperature=SUPPLY)
     fan = fan_power(case) / TYPICAL_FLOW ** 2 / (design / AIR_CHANGE_PER_FLOW)
     yield section("[[air_system]]", name="unit", flow="ventilation", volume="variable",
                   available=scheduled(1, "hvac"), design_flow=design, fan_power=fan,
-                  fan_exponent=2,
+                  fan_exponent=2, outdoor_air_change=scheduled(outdoor_air(case), "vent"),
                   people_moisture=scheduled(case["internal"]["people_per_m2"] * MOISTURE, "occ"))
 
 

@@ -14,9 +14,12 @@ void pull_flows(const PlaceBack& place, const physics::AirHour& of_hour) {
     physics::Zone& of_zone = place.of_here();
     for (std::size_t k = 0; k < zone.flows.size(); ++k) {
         const physics::AirFlow& flow = zone.flows[k];
-        if (flow.supply != physics::outdoors) continue;
         const bool is_its = static_cast<int>(k) == zone.system_flow;
-        const double of_q = is_its ? of_hour.q_e : of_hour.q_inf;
+        const bool is_supplied = flow.supply != physics::outdoors;
+        if (is_supplied && !is_its) continue;
+        const double of_q = is_supplied ? of_hour.q_supplied
+                            : is_its    ? of_hour.q_e
+                                        : of_hour.q_inf;
         of_zone.volume += of_q * place.air_change(flow.air_change) / 3600;
         place.pull_air_change(flow.air_change, of_q * zone.volume / 3600,
                               of_zone.flows[k].air_change);
@@ -24,6 +27,20 @@ void pull_flows(const PlaceBack& place, const physics::AirHour& of_hour) {
             place.pull(flow.heat_recovery, of_hour.heat_recovery,
                        of_zone.flows[k].heat_recovery);
     }
+}
+
+/// Air from a boundary: its temperature, and the outdoor air in it.
+void pull_supplied(const PlaceBack& place, int boundary,
+                   const physics::AirSystem& system, const physics::AirHour& of_hour,
+                   physics::AirSystem& of_system) {
+    const auto row = static_cast<std::size_t>(boundary);
+    place.pull(place.building.boundaries[row].temperature, of_hour.theta_supply,
+               place.of_building.boundaries[row].temperature);
+    place.of_here().volume +=
+        of_hour.q_e * place.air_change(system.outdoor_air_change) / 3600;
+    place.pull_air_change(system.outdoor_air_change,
+                          of_hour.q_e * place.here().volume / 3600,
+                          of_system.outdoor_air_change);
 }
 
 /// Returns the adjoint of the outdoor temperature in it.
@@ -69,19 +86,26 @@ void pull_air_hour(const physics::Building& building, std::size_t zone_index,
     of_zone.floor_area +=
         of_q_design * design_flow / 3600 + of_hour.moisture * moisture / 3.6e6;
     place.pull(system.available, of_hour.available, of_system.available);
-    place.pull(system.supply_temperature, of_hour.theta_supply,
-               of_system.supply_temperature);
+    const int boundary = physics::supply_boundary(zone);
+    double of_theta_e = of_hour.theta_e;
+    if (boundary != physics::outdoors) {
+        pull_supplied(place, boundary, system, of_hour, of_system);
+    } else {
+        place.pull(system.supply_temperature, of_hour.theta_supply,
+                   of_system.supply_temperature);
+        of_theta_e += pull_reset(system, theta_e, of_hour.theta_supply, of_system);
+    }
     if (physics::open_economiser(system, drive, step, theta_e) != 0)
         place.pull(system.economiser, of_hour.economiser, of_system.economiser);
     of_system.least_flow += of_hour.least_flow;
+    of_system.load_spread += of_hour.load_spread * zone.floor_area;
+    of_zone.floor_area += of_hour.load_spread * system.load_spread;
     of_system.fan_exponent += of_hour.fan_exponent;
     of_system.fan_heat += of_hour.fan_heat;
     of_system.bypass_factor += of_hour.bypass_factor;
     of_system.coil_enthalpy += of_hour.coil_enthalpy * 1000;
     of_system.frost_limit += of_hour.frost_limit;
     of_system.least_humidity += of_hour.least_w / 1000;
-    const double of_theta_e =
-        of_hour.theta_e + pull_reset(system, theta_e, of_hour.theta_supply, of_system);
     place.pull(zone.outdoor_shift.supply, of_theta_e, of_zone.outdoor_shift.supply);
 }
 

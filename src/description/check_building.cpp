@@ -4,6 +4,7 @@
 /// Set-points are checked hour by hour, conductances at a period's first step only.
 /// Weather and the ranges of parameters are left to their readers.
 #include "description/building_readers.hpp"
+#include "physics/air_hour.hpp"
 #include "physics/network.hpp"
 
 #include <cmath>
@@ -82,11 +83,17 @@ void check_air_systems(const Sources& sources, const Case& building) {
         const auto row = static_cast<std::size_t>(zone.air_system);
         const physics::AirSystem& system = building.building.air_systems[row];
         const schema::Section& section = sections[row];
-        if (system.supply_temperature.value >= zone.thermostat.cooling_set_point.value)
-            section.fail("supply_temperature",
+        const int supply = physics::supply_boundary(zone);
+        const auto& boundaries = building.building.boundaries;
+        const physics::Input& temperature =
+            supply == physics::outdoors
+                ? system.supply_temperature
+                : boundaries[static_cast<std::size_t>(supply)].temperature;
+        if (temperature.value >= zone.thermostat.cooling_set_point.value)
+            section.fail(supply == physics::outdoors ? "supply_temperature" : "flow",
                          fmt::format("is {:g} degC, not below the cooling set-point of "
                                      "zone \"{}\", {:g} degC; expected less",
-                                     system.supply_temperature.value, zone.name,
+                                     temperature.value, zone.name,
                                      zone.thermostat.cooling_set_point.value));
         if (!building.weather.relative_humidity.empty()) continue;
         if (system.limited_by == physics::EconomiserLimit::enthalpy)

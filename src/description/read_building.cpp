@@ -390,7 +390,7 @@ class BuildingReader {
 
     static void check_keys(const schema::Section& section,
                            const physics::AirSystem& system) {
-        for (const char* key : {"least_flow", "fan_exponent"})
+        for (const char* key : {"least_flow", "load_spread", "fan_exponent"})
             if (!system.variable && section.has(key))
                 section.fail(key,
                              "has no effect with volume = \"constant\"; remove one "
@@ -427,6 +427,20 @@ class BuildingReader {
         return rows;
     }
 
+    /// The flow is the least supply air: it has what these keys would say.
+    static void check_supplied(const schema::Section& section) {
+        if (section.choice_as<int>("volume") != 1)
+            section.fail_value("volume",
+                               "its flow comes from a boundary, as the least supply air "
+                               "of terminals; expected \"variable\", or a flow from "
+                               "outdoors");
+        for (const char* key : {"least_flow", "supply_temperature", "supply_reset"})
+            if (section.has(key))
+                section.fail(key,
+                             "has no effect where the flow comes from a boundary, which "
+                             "says it; remove it");
+    }
+
     /// Returns whether the zone has the flow that the system brings.
     bool serve(const schema::Section& section, int index, Zone& zone) const {
         if (zone.air_system >= 0)
@@ -448,9 +462,11 @@ class BuildingReader {
         for (std::size_t k = 0; k < zone.flows.size(); ++k)
             if (zone.flows[k].name == section.text("flow")) {
                 if (zone.flows[k].supply != physics::outdoors)
-                    section.fail_value("flow",
-                                       "this flow comes from a boundary; expected "
-                                       "one from outdoors");
+                    check_supplied(section);
+                else if (section.has("outdoor_air_change"))
+                    section.fail("outdoor_air_change",
+                                 "has no effect where the flow comes from outdoors; "
+                                 "remove it, or give the flow a supply");
                 zone.system_flow = static_cast<int>(k);
                 return true;
             }

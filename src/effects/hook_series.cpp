@@ -52,6 +52,7 @@ constexpr InputRow input_rows[] = {
     {Part::plant, "cooling_cop", "cooling COP", "-", true},
     {Part::meter, "factor", "meter factor", "-", true},
     {Part::air_system, "economiser", "economiser", "-"},
+    {Part::air_system, "outdoor_air_change", "ventilation", "-"},
     {Part::air_system, "supply_temperature", "supply temperature", "K"},
 };
 
@@ -131,8 +132,12 @@ void place_load(const physics::Load& load, HookSeries& series) {
 }
 
 /// [1/h] that all fans of a zone bring at most.
-double full_flow(const physics::Zone& zone) {
+double full_flow(const Building& building) {
+    const physics::Zone& zone = building.zones[0];
     double sum = 0;
+    if (zone.air_system >= 0)
+        sum = building.air_systems[static_cast<std::size_t>(zone.air_system)]
+                  .outdoor_air_change.value;
     for (const physics::AirFlow& flow : zone.flows)
         if (is_fan(flow)) sum += flow.air_change.value;
     return sum;
@@ -229,7 +234,7 @@ std::vector<HookSeries> changes_between(const Version& without, const Version& w
         HookSeries series = placed_at(*row, target, with.building);
         series.values = std::move(change);
         if (series.hook == "ventilation")
-            divide(series.values, full_flow(without.building.zones[0]));
+            divide(series.values, full_flow(without.building));
         take(all, std::move(series), row->part == Part::load || row->part == Part::flow);
     }
     join_facades(all, n_facades_of(with.building));

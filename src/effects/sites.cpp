@@ -4,6 +4,8 @@
 /// a schedule counts as infiltration. Hooks that add a part are left to entering.
 #include "effects/sites.hpp"
 
+#include "physics/air_hour.hpp"
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -73,7 +75,7 @@ bool has_cooling(const Zone& zone) {
 }  // namespace
 
 bool is_fan(const AirFlow& flow) {
-    return flow.air_change.profile >= 0 && !is_infiltration(flow);
+    return flow.supply == physics::outdoors && flow.air_change.profile >= 0 && !is_infiltration(flow);
 }
 
 bool recovers_heat(const AirFlow& flow) {
@@ -146,7 +148,7 @@ void Sites::of_leaks() {
 
 void Sites::of_boundaries() {
     for (std::size_t b = 0; b < building_.boundaries.size(); ++b)
-        if (building_.boundaries[b].temperature.profile >= 0)
+        if (building_.boundaries[b].temperature.profile >= 0 && !is_supply(b))
             add(Part::boundary, b, 0, building_.boundaries[b].temperature);
 }
 
@@ -209,6 +211,26 @@ void Sites::of_air_systems(Input physics::AirSystem::* input) {
             add(Part::air_system, k, 0, building_.air_systems[k].*input);
 }
 
+bool Sites::is_supply(std::size_t boundary) const {
+    return std::ranges::any_of(building_.zones, [&](const Zone& zone) {
+        return physics::supply_boundary(zone) == static_cast<int>(boundary);
+    });
+}
+
+void Sites::of_ventilation() {
+    of_flows(&AirFlow::air_change, is_fan);
+    for (std::size_t k = 0; k < building_.air_systems.size(); ++k)
+        if (const auto& system = building_.air_systems[k];
+            !is_off(system.outdoor_air_change))
+            add(Part::air_system, k, 0, system.outdoor_air_change);
+}
+
+void Sites::of_supply_temperatures() {
+    for (std::size_t b = 0; b < building_.boundaries.size(); ++b)
+        if (is_supply(b)) add(Part::boundary, b, 0, building_.boundaries[b].temperature);
+    if (targets_.empty()) of_air_systems(&physics::AirSystem::supply_temperature);
+}
+
 void Sites::of_heating_plant() {
     if (building_.plant.heating_carrier != physics::Carrier::none &&
         std::ranges::any_of(building_.zones, has_heating))
@@ -243,7 +265,7 @@ void Sites::of_scheduled_plant() {
     of_openings();
     for (Input physics::AirSystem::* input :
          {&physics::AirSystem::available, &physics::AirSystem::supply_temperature,
-          &physics::AirSystem::economiser})
+          &physics::AirSystem::economiser, &physics::AirSystem::outdoor_air_change})
         of_air_systems(input);
     keep_scheduled();
 }

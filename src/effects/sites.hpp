@@ -22,9 +22,11 @@ class Sites {
     void of_flows(physics::Input physics::AirFlow::* input,
                   bool (*is_one)(const physics::AirFlow&));
     void of_openings();
-    /// Constructions of elements that face outdoors, changed wherever they are used.
+    /// Air from outdoors that fans bring: flows, or what a system has of it.
+    void of_ventilation();
     /// Temperatures behind elements that follow a profile.
     void of_boundaries();
+    /// Constructions of elements that face outdoors, changed wherever they are used.
     void of_outer_walls();
     void of_glazings();
     /// Shading of the windows that face as this plane does; none = of all.
@@ -35,6 +37,8 @@ class Sites {
     void of_cooling(physics::Input physics::Thermostat::* input);
     /// Of the systems that serve a zone.
     void of_air_systems(physics::Input physics::AirSystem::* input);
+    /// Of boundaries whose air systems supply, else of the systems.
+    void of_supply_temperatures();
     /// The efficiency, or COP, where a carrier and some zone use it.
     void of_heating_plant();
     void of_cooling_plant();
@@ -55,6 +59,7 @@ class Sites {
     template <class Has>
     void of_thermostats(physics::Input physics::Thermostat::* input, Has has);
     void keep_scheduled();
+    bool is_supply(std::size_t boundary) const;
 
     physics::Building& building_;
     std::vector<physics::Target> targets_;

@@ -737,6 +737,26 @@ area = 40
 azimuth = 0
 tilt = 0
 
+[[boundary]]
+name = "duct"
+temperature = 13                      # [degC] of supply air
+
+[[zone]]
+name = "shop"                         # its terminals bring the least supply air
+floor_area = 40
+volume = 120
+
+[[zone.flow]]
+name = "least"
+supply = "duct"
+air_change = {value = 1.5, schedule = "heating"}
+
+[[zone.surface]]
+construction = "roof"
+area = 40
+azimuth = 0
+tilt = 0
+
 [[zone]]
 name = "test room"                    # whose heat is known
 floor_area = 20
@@ -771,6 +791,14 @@ economiser_by = "dry_bulb"
 economiser_limit = 20                 # [degC]
 frost_limit = -5                      # [degC]
 least_humidity = 4                    # [g/kg]
+
+[[air_system]]
+name = "terminals"
+zones = ["shop"]
+flow = "least"
+available = {value = 1, schedule = "heating"}
+outdoor_air_change = {value = 0.5, schedule = "heating"}  # [1/h] in the supply air
+load_spread = 5                       # [W/m2]
 
 [[air_system]]
 name = "split"

@@ -29,7 +29,7 @@ struct Lane {
           zone(building.zones[place.zone]),
           system(building.air_systems[static_cast<std::size_t>(zone.air_system)]),
           drive(place.drive),
-          kind(physics::air_kind(system, drive)) {}
+          kind(physics::air_kind(building, zone, drive)) {}
 
     bool is_passive(int step, double cooling) const {
         return cooling <= 0 && drive.at(system.available, step) <= 0;

@@ -36,7 +36,8 @@ void check_air(const Zone& zone, int step, const AirHour& hour) {
         {"available", hour.available},         {"fan_power", hour.fan_power},
         {"people_moisture", hour.moisture},    {"outdoor air", hour.q_e},
         {"least_flow", hour.least_flow},       {"economiser", hour.economiser},
-        {"bypass_factor", hour.bypass_factor}, {"coil_enthalpy", hour.coil_enthalpy}};
+        {"load_spread", hour.load_spread},     {"bypass_factor", hour.bypass_factor},
+        {"coil_enthalpy", hour.coil_enthalpy}};
     for (const auto& number : numbers)
         if (!(number.value >= 0) || !std::isfinite(number.value))
             reject_air(
@@ -46,8 +47,16 @@ void check_air(const Zone& zone, int step, const AirHour& hour) {
 
 }  // namespace
 
-AirKind air_kind(const AirSystem& system, const Drive& drive) {
-    return {system.variable, !drive.w_e.empty(), drive.pressure};
+AirKind air_kind(const Building& building, const Zone& zone, const Drive& drive) {
+    const AirSystem& system =
+        building.air_systems[static_cast<std::size_t>(zone.air_system)];
+    return {system.variable, !drive.w_e.empty(), drive.pressure,
+            supply_boundary(zone) != outdoors};
+}
+
+int supply_boundary(const Zone& zone) {
+    if (zone.system_flow < 0) return outdoors;
+    return zone.flows[static_cast<std::size_t>(zone.system_flow)].supply;
 }
 
 double supply_reset(const AirSystem& system, double theta_e) {
@@ -77,21 +86,31 @@ AirHour air_hour(const Building& building, const Zone& zone, const Drive& drive,
     if (!drive.w_e.empty()) hour.w_e = drive.w_e[static_cast<std::size_t>(step)];
     for (std::size_t k = 0; k < zone.flows.size(); ++k) {
         const AirFlow& flow = zone.flows[k];
-        if (flow.supply != outdoors) continue;
-        const double q = air_change_at(drive, flow.air_change, step) * zone.volume / 3600;
         const bool is_its = static_cast<int>(k) == zone.system_flow;
-        (is_its ? hour.q_e : hour.q_inf) += q;
+        if (flow.supply != outdoors && !is_its) continue;
+        const double q = air_change_at(drive, flow.air_change, step) * zone.volume / 3600;
+        if (flow.supply != outdoors)
+            hour.q_supplied = q;
+        else
+            (is_its ? hour.q_e : hour.q_inf) += q;
         if (is_its) hour.heat_recovery = at(flow.heat_recovery);
     }
+    const int supply = supply_boundary(zone);
+    if (supply != outdoors)
+        hour.q_e =
+            air_change_at(drive, system.outdoor_air_change, step) * zone.volume / 3600;
     hour.moisture = at(system.people_moisture) * zone.floor_area / 3.6e6;
     hour.available = at(system.available);
     hour.q_design = at(system.design_flow) * zone.floor_area / 3600;
     hour.least_flow = system.least_flow;
+    hour.load_spread = system.load_spread * zone.floor_area;
     hour.fan_power = at(system.fan_power) * 1000 * hour.q_design;
     hour.fan_exponent = system.fan_exponent;
     hour.fan_heat = system.fan_heat;
     hour.theta_supply =
-        at(system.supply_temperature) + supply_reset(system, hour.theta_e);
+        supply == outdoors
+            ? at(system.supply_temperature) + supply_reset(system, hour.theta_e)
+            : at(building.boundaries[static_cast<std::size_t>(supply)].temperature);
     hour.bypass_factor = system.bypass_factor;
     hour.coil_enthalpy = 1000 * system.coil_enthalpy;
     hour.economiser = open_economiser(system, drive, step, hour.theta_e);
@@ -107,9 +126,7 @@ AirLoads system_loads(const Building& building, const Zone& zone, const Drive& d
     hour.heating = asked.heating;
     hour.cooling = asked.cooling;
     hour.theta_air = theta_air;
-    const AirSystem& system =
-        building.air_systems[static_cast<std::size_t>(zone.air_system)];
-    return supply(air_kind(system, drive), hour);
+    return supply(air_kind(building, zone, drive), hour);
 }
 
 }  // namespace bemcal::physics

@@ -8,7 +8,11 @@
 
 namespace bemcal::physics {
 
-AirKind air_kind(const AirSystem& system, const Drive& drive);
+/// Of a zone that has a system.
+AirKind air_kind(const Building& building, const Zone& zone, const Drive& drive);
+
+/// Row of the boundary whose air the system's flow is; `outdoors` where it has none.
+int supply_boundary(const Zone& zone);
 
 /// Of a zone that has a system; its loads and temperature are left 0.
 AirHour air_hour(const Building& building, const Zone& zone, const Drive& drive,

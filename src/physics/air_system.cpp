@@ -1,7 +1,8 @@
 /// One hour of an air system, steady within the hour: the heat that supply air has to
 /// take from the zone, its flow, the fan, the mixed air, the coil with what it dries,
-/// reheat at the terminals. The zone itself gets its outdoor air by its own flow, so what
-/// it asks for holds already what outdoor air brings; nothing here changes its
+/// reheat at the terminals. The zone itself gets either its outdoor air by its own flow,
+/// so that what it asks for holds already what outdoor air brings, or the least supply
+/// air (`supplies`), so that it asks for what that leaves; nothing here changes its
 /// temperature.
 /// Source: energy and water balances of the streams, as in ASHRAE Handbook HVAC Systems
 /// and Equipment 2016, chapter 4; coil by bypass factor and apparatus dew point
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace bemcal::physics {
 
@@ -44,7 +46,7 @@ enum class Mode {
 };
 
 /// What set a flow.
-enum class Limit { load, least, outdoor, turning, design };
+enum class Limit { load, boxes, least, outdoor, turning, design };
 
 /// What sets the coil's surface.
 enum class Coil {
@@ -64,6 +66,7 @@ struct Way {
     double E = 0;               ///< to be taken from the zone by supply air [W]
     double drop = 0;            ///< supply air below the room [K]
     double q = 0;               ///< supply air [m3/s]
+    double at_least = 0;        ///< share of the boxes at their least flow [-]
     double fan = 0;             ///< [W]
     double in_air = 0;          ///< of it, that coils see [W]
     double reheat = 0;          ///< [W]
@@ -86,16 +89,27 @@ struct Way {
     double humidified = 0;  ///< [W]
 };
 
+/// Of the standard normal.
+double density(double z) {
+    return std::exp(-z * z / 2) * std::numbers::inv_sqrtpi / std::numbers::sqrt2;
+}
+
 Mode mode_of(const AirKind& kind, const AirHour& in) {
     if (in.available > 0) return kind.variable ? Mode::variable : Mode::constant;
     return in.cooling > 0 ? Mode::cycling : Mode::passive;
 }
 
-void recover(const AirHour& in, Way& way) {
+void recover(const AirKind& kind, const AirHour& in, Way& way) {
     way.D = in.theta_air - in.theta_e;
     way.eta = in.heat_recovery;
     way.is_frosted = way.D > 0 && in.theta_air - way.eta * way.D < in.frost_limit;
     if (way.is_frosted) way.eta = std::max(0.0, (in.theta_air - in.frost_limit) / way.D);
+    if (kind.supplies) {
+        way.asked = in.heating;
+        way.E = in.cooling - in.heating +
+                rho_c_air * in.q_supplied * (in.theta_air - in.theta_supply);
+        return;
+    }
     way.asked = in.heating + rho_c_air * in.q_e * (in.heat_recovery - way.eta) * way.D;
     way.E = in.cooling - in.heating + rho_c_air * in.q_e * (1 - in.heat_recovery) * way.D;
 }
@@ -107,7 +121,22 @@ void raise(double flow, Limit limit, Way& way) {
     way.limit = limit;
 }
 
-void set_flow(const AirHour& in, Way& way) {
+/// Loads of boxes are normal about E, and each box has its least flow: the mean flow
+/// carries E and what the boxes at their least flow reheat, as they have to.
+void ask_by_box(const AirHour& in, double least, Way& way) {
+    const double z = (rho_c_air * way.drop * least - way.E) / in.load_spread;
+    way.at_least = std::erfc(-z / std::numbers::sqrt2) / 2;
+    const double excess = in.load_spread * (density(z) + z * way.at_least);
+    way.q = (way.E + excess) / (rho_c_air * way.drop);
+    way.limit = Limit::boxes;
+}
+
+/// Of a flow that varies [m3/s].
+double least_flow(const AirKind& kind, const AirHour& in) {
+    return kind.supplies ? in.q_supplied : in.least_flow * in.available * in.q_design;
+}
+
+void set_flow(const AirKind& kind, const AirHour& in, Way& way) {
     if (way.mode == Mode::constant) {
         way.q = in.available * in.q_design;
         way.limit = Limit::design;
@@ -116,12 +145,14 @@ void set_flow(const AirHour& in, Way& way) {
         way.drop = std::max(in.theta_air - in.theta_supply, least_drop);
         way.q = way.E / (rho_c_air * way.drop);
         way.limit = Limit::load;
+        const bool varies = way.mode == Mode::variable;
+        const double least = varies ? least_flow(kind, in) : 0;
+        if (varies && in.load_spread > 0) ask_by_box(in, least, way);
         if (way.q > most) {
             way.q = most;
             way.limit = Limit::design;
         }
-        if (way.mode == Mode::variable)
-            raise(in.least_flow * in.available * in.q_design, Limit::least, way);
+        raise(least, Limit::least, way);
     }
     raise(in.q_e, Limit::outdoor, way);
     raise(least_turning * in.q_design, Limit::turning, way);
@@ -138,11 +169,14 @@ void drive_fan(const AirHour& in, Way& way) {
         way.in_air = std::min(way.in_air, in.cooling + way.asked);
 }
 
-void mix(const AirHour& in, Way& way) {
+void mix(const AirKind& kind, const AirHour& in, Way& way) {
     if (way.mode == Mode::variable)
         way.reheat =
             std::max(0.0, rho_c_air * way.q * (in.theta_air - in.theta_supply) - way.E);
-    way.net = in.cooling - way.asked + way.reheat + way.in_air;
+    const double of_room = kind.supplies
+                               ? way.E - rho_c_air * in.q_e * (1 - way.eta) * way.D
+                               : in.cooling - way.asked;
+    way.net = of_room + way.reheat + way.in_air;
     way.x_least = way.x = in.q_e / way.q;
     way.sensible = std::max(0.0, way.net);
     if (!(in.economiser > way.x_least && way.D > 0 && way.net > 0)) return;
@@ -256,10 +290,10 @@ Way go(const AirKind& kind, const AirHour& in) {
     Way way;
     way.mode = mode_of(kind, in);
     if (way.mode == Mode::passive) return way;
-    recover(in, way);
-    set_flow(in, way);
+    recover(kind, in, way);
+    set_flow(kind, in, way);
     drive_fan(in, way);
-    mix(in, way);
+    mix(kind, in, way);
     if (kind.is_moist) dry(kind, in, way);
     return way;
 }
@@ -267,8 +301,9 @@ Way go(const AirKind& kind, const AirHour& in) {
 /// `go` in reverse: each step adds to what the steps before it gave. Adjoints have the
 /// names of what they belong to.
 struct Back {
-    Back(const AirHour& hour, const Way& of_way, const AirLoads& of)
-        : in(hour), way(of_way), loads(of) {}
+    Back(const AirKind& of_kind, const AirHour& hour, const Way& of_way,
+         const AirLoads& of)
+        : kind(of_kind), in(hour), way(of_way), loads(of) {}
 
     AirHour pull() {
         if (way.mode == Mode::passive) {
@@ -404,8 +439,7 @@ struct Back {
         to.q_e += x_least / way.q;
         q -= x_least * way.x_least / way.q;
         net += way.net > 0 ? sensible : -loads.heating;
-        to.cooling += net;
-        asked -= net;
+        pull_of_room();
         reheat += net;
         in_air += net;
         if (way.reheat <= 0) return;
@@ -413,6 +447,18 @@ struct Back {
         to.theta_air += reheat * c();
         to.theta_supply -= reheat * c();
         E -= reheat;
+    }
+
+    void pull_of_room() {
+        if (!kind.supplies) {
+            to.cooling += net;
+            asked -= net;
+            return;
+        }
+        E += net;
+        to.q_e -= net * rho_c_air * (1 - way.eta) * way.D;
+        eta += net * rho_c_air * in.q_e * way.D;
+        D -= net * rho_c_air * in.q_e * (1 - way.eta);
     }
 
     void pull_fan() {
@@ -440,6 +486,17 @@ struct Back {
         to.q_design -= of_share * share / in.q_design;
     }
 
+    /// Of `least_flow`.
+    void pull_least(double of_least, double on) {
+        if (kind.supplies) {
+            to.q_supplied += of_least;
+            return;
+        }
+        to.least_flow += of_least * on * in.q_design;
+        to.q_design += of_least * in.least_flow * on;
+        if (way.mode != Mode::cycling) to.available += of_least * in.least_flow * in.q_design;
+    }
+
     void pull_flow() {
         const double on = way.mode == Mode::cycling ? 1 : in.available;
         double share = 0;  // of on q_design
@@ -451,9 +508,22 @@ struct Back {
                     to.theta_supply += q * way.q / way.drop;
                 }
                 break;
+            case Limit::boxes: {
+                const double least = least_flow(kind, in);
+                const double per = q / (rho_c_air * way.drop);
+                E += per * (1 - way.at_least);
+                to.load_spread +=
+                    per * density((rho_c_air * way.drop * least - way.E) / in.load_spread);
+                pull_least(q * way.at_least, on);
+                if (way.drop > least_drop) {
+                    const double of_drop = q * (way.at_least * least - way.q) / way.drop;
+                    to.theta_air += of_drop;
+                    to.theta_supply -= of_drop;
+                }
+                break;
+            }
             case Limit::least:
-                to.least_flow += q * on * in.q_design;
-                share = in.least_flow;
+                pull_least(q, on);
                 break;
             case Limit::design:
                 share = 1;
@@ -469,7 +539,17 @@ struct Back {
         if (way.mode != Mode::cycling) to.available += q * share * in.q_design;
     }
 
+    void pull_supplied() {
+        to.cooling += E;
+        to.heating += asked - E;
+        to.q_supplied += E * rho_c_air * (in.theta_air - in.theta_supply);
+        to.theta_air += E * rho_c_air * in.q_supplied;
+        to.theta_supply -= E * rho_c_air * in.q_supplied;
+        pull_efficiency();
+    }
+
     void pull_recovery() {
+        if (kind.supplies) return pull_supplied();
         to.cooling += E;
         to.heating += asked - E;
         const double lost = asked * rho_c_air, brought = E * rho_c_air;
@@ -480,6 +560,10 @@ struct Back {
         eta -= lost * in.q_e * way.D;
         D += (lost * (in.heat_recovery - way.eta) + brought * (1 - in.heat_recovery)) *
              in.q_e;
+        pull_efficiency();
+    }
+
+    void pull_efficiency() {
         if (!way.is_frosted) {
             to.heat_recovery += eta;
         } else if (way.eta > 0) {
@@ -491,6 +575,7 @@ struct Back {
         to.theta_e -= D;
     }
 
+    const AirKind& kind;
     const AirHour& in;
     const Way& way;
     const AirLoads& loads;
@@ -510,7 +595,7 @@ AirLoads supply(const AirKind& kind, const AirHour& hour) {
 
 AirHour pull_supply(const AirKind& kind, const AirHour& hour, const AirLoads& of_loads) {
     const Way way = go(kind, hour);
-    return Back(hour, way, of_loads).pull();
+    return Back(kind, hour, way, of_loads).pull();
 }
 
 }  // namespace bemcal::physics

@@ -12,12 +12,14 @@ struct AirHour {
     double theta_e = 0;               ///< outdoor air as the system takes it [degC]
     double w_e = 0;                   ///< its humidity ratio [kg/kg]
     double q_e = 0;                   ///< its least flow [m3/s]
+    double q_supplied = 0;            ///< supply air of the zone's own balance [m3/s]
     double q_inf = 0;                 ///< other outdoor air that enters the zone [m3/s]
     double moisture = 0;              ///< that people give off [kg/s]
     double heat_recovery = 0;         ///< as the zone's flow has it [-]
     double available = 0;             ///< share of the fan that runs by the clock [-]
     double q_design = 0;              ///< largest flow of supply air [m3/s]
     double least_flow = 0;            ///< of q_design, where the flow varies [-]
+    double load_spread = 0;           ///< sd of loads of boxes, where it varies [W]
     double fan_power = 0;             ///< at q_design [W]
     double fan_exponent = 0;          ///< of the flow in the fan's power [-]
     double fan_heat = 0;              ///< share of the fan's power in the air [-]
@@ -34,6 +36,7 @@ struct AirKind {
     bool variable = true;      ///< the flow follows the load
     bool is_moist = false;     ///< w_e is known
     double pressure = 101325;  ///< of the air [Pa]
+    bool supplies = false;     ///< the zone's own balance has the least supply air
 };
 
 /// What coils and fan take [W].

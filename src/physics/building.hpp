@@ -199,9 +199,11 @@ struct AirSystem {
     Input design_flow{15};         ///< largest, of supply air [m3/(h m2)]
     Input fan_power{1.5};          ///< at design_flow [W/(l/s)]
     Input supply_temperature{13};  ///< of air that cools [degC]
+    Input outdoor_air_change;      ///< in air from a boundary [1/h of the volume]
     Input people_moisture;         ///< water that people give off [g/(h m2)]
     Input economiser;              ///< largest share of outdoor air [-]; 0 = none
     double least_flow = 0.3;       ///< of design_flow, where it varies [-]
+    double load_spread = 0;        ///< sd of loads of its boxes, where it varies [W/m2]
     double fan_exponent = 2.5;     ///< power follows flow to this power [-]
     double fan_heat = 1;           ///< share of the fan's power that warms the air [-]
     double supply_reset = 0;       ///< warmer by this per K below reset_below [K/K]

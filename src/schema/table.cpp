@@ -385,8 +385,8 @@ constexpr Key table[] = {
     {"air_system", "zones", Type::texts, "", "", 0, 0,
      "Names of the [[zone]]s that it serves; default: all."},
     {"air_system", "flow", Type::text, "", "", 0, 0,
-     "Name of the [[zone.flow]] that it brings as its outdoor air; default: none, air "
-     "circulates."},
+     "Name of the [[zone.flow]] that it brings as its outdoor air, or, from a boundary, as "
+     "its least supply air; default: none, air circulates."},
     {"air_system", "volume", Type::choice, "constant|variable", "variable", 0, 0,
      "variable: the flow follows the load and terminals reheat; constant: the temperature "
      "follows it."},

@@ -87,6 +87,48 @@ TEST(AirSystem, TerminalsReheatTheLeastFlow) {
     EXPECT_NEAR(loads.heating, rho_c_air * least_of(hour) * 11 - 10000, 1e-8);
 }
 
+// Boxes whose loads differ: flow and reheat are means over them.
+TEST(AirSystem, BoxesThatAskForDifferentLoadsAreTheirMean) {
+    AirHour hour = office();
+    hour.theta_e = 24;
+    hour.cooling = 20000;
+    hour.load_spread = 8000;
+    const double least = rho_c_air * least_of(hour) * 11, cell = 0.001;
+    double flow = 0, heat = 0, weight = 0;
+    for (double z = -6; z < 6; z += cell) {
+        const double of_box = std::exp(-0.5 * z * z), load = 20000 + 8000 * z;
+        weight += of_box;
+        flow += of_box * std::max(load, least);
+        heat += of_box * std::max(least - load, 0.0);
+    }
+    const AirLoads loads = supply(dry_variable, hour);
+    EXPECT_NEAR(loads.heating, heat / weight, 1e-2);
+    EXPECT_NEAR(loads.fan, 9000 * std::pow(flow / weight / least * 0.3, 2.5), 1e-3);
+    EXPECT_NEAR(loads.cooling - loads.heating - loads.fan, 20000, 1e-8);
+}
+
+// The zone's own balance has 1.8 m3/s of supply air. It asks for nothing more, so that
+// nothing is reheated; coil and fan make the supply air of return and outdoor air.
+TEST(AirSystem, LeastSupplyAirIsNotReheatedWhereTheRoomAsksForNothing) {
+    const AirKind supplies{true, false, 101325, true};
+    AirHour hour = office();
+    hour.q_supplied = 1.8;
+    AirLoads loads = supply(supplies, hour);
+    EXPECT_EQ(loads.heating, 0);
+    EXPECT_NEAR(loads.fan, 9000 * std::pow(0.3, 2.5), 1e-9);
+    const double mixed = 24 + 6 * 1 / 1.8;  // outdoors is 6 K warmer
+    EXPECT_NEAR(loads.cooling, rho_c_air * 1.8 * (mixed - 13) + loads.fan, 1e-8);
+    hour.heating = 5000;
+    const AirLoads heated = supply(supplies, hour);
+    EXPECT_NEAR(heated.heating, 5000, 1e-8);
+    EXPECT_NEAR(heated.cooling, loads.cooling, 1e-8);
+    hour.heating = 0;
+    hour.cooling = 11000;
+    loads = supply(supplies, hour);
+    EXPECT_EQ(loads.heating, 0);
+    EXPECT_NEAR(loads.fan, 9000 * std::pow((1.8 + 1000 / rho_c_air) / 6, 2.5), 1e-9);
+}
+
 TEST(AirSystem, FanThatIsOffDoesNothing) {
     AirHour hour = office();
     hour.available = 0;
@@ -246,7 +288,8 @@ constexpr double AirHour::* numbers[] = {
     &AirHour::available,    &AirHour::q_design,      &AirHour::least_flow,
     &AirHour::fan_power,    &AirHour::fan_exponent,  &AirHour::fan_heat,
     &AirHour::theta_supply, &AirHour::bypass_factor, &AirHour::coil_enthalpy,
-    &AirHour::economiser,   &AirHour::frost_limit,   &AirHour::least_w};
+    &AirHour::economiser,   &AirHour::frost_limit,   &AirHour::least_w,
+    &AirHour::load_spread,  &AirHour::q_supplied};
 
 /// Hours of all kinds, drawn.
 AirHour drawn(std::mt19937_64& engine) {
@@ -264,6 +307,7 @@ AirHour drawn(std::mt19937_64& engine) {
     hour.available = chance(0.8) ? between(0.5, 1) : 0;
     hour.heat_recovery = chance(0.5) ? between(0.3, 0.9) : 0;
     hour.economiser = chance(0.5) ? between(0.3, 1) : 0;
+    hour.load_spread = chance(0.5) ? between(500, 20000) : 0;
     hour.coil_enthalpy = chance(0.3) ? between(8000, 20000) : 0;
     hour.frost_limit = chance(0.5) ? between(0, 8) : -100;
     hour.least_w = chance(0.5) ? between(0.004, 0.009) : 0;
@@ -287,8 +331,11 @@ TEST(AirSystem, WayBackIsTheDerivative) {
     double worst = 0;
     int n_compared = 0;
     for (int draw = 0; draw < 3000; ++draw) {
-        const AirKind kind{draw % 2 == 0, draw % 5 != 0, 101325};
-        const AirHour hour = drawn(engine);
+        const bool varies = draw % 2 == 0;
+        const AirKind kind{varies, draw % 5 != 0, 101325, varies && draw % 3 == 0};
+        AirHour hour = drawn(engine);
+        if (kind.supplies && hour.available > 0)
+            hour.q_supplied = 0.1 + 0.5 * hour.available;
         const AirHour back = pull_supply(kind, hour, {1.3, -0.7, 2.1});
         for (double AirHour::* number : numbers) {
             if (hour.*number == 0) continue;  // most begin to act there

@@ -100,6 +100,11 @@ class CaseToJob(unittest.TestCase):
         unit, = job["air_system"]
         self.assertEqual((unit["flow"], unit["volume"]), ("ventilation", "variable"))
         self.assertAlmostEqual(unit["design_flow"], 0.7 * 60 / 11 / 1200 * 3600, places=3)
+        # The room gets three tenths of it, cold; 1 l/(s m2) of the supply air is from outdoors.
+        self.assertAlmostEqual(unit["outdoor_air_change"]["value"], 1)
+        least = next(flow for flow in job["zone"][0]["flow"] if flow["name"] == "ventilation")
+        self.assertEqual(least["supply"], "supply")
+        self.assertAlmostEqual(least["air_change"]["value"], 0.3 * unit["design_flow"] / 3.6, places=3)
         # At four tenths of its flow the fan draws what is declared, 1.5 W/m2.
         full = unit["fan_power"] * unit["design_flow"] / 3.6
         self.assertAlmostEqual(full * 0.4 ** unit["fan_exponent"], 1.5, places=3)
