@@ -68,7 +68,6 @@ ROWS = [
     factor("heating_cop", 0.6, 1.5, 0.2, "plant.heating_efficiency", needs="heat pump"),
     factor("supply_flow", 0.4, 2, 0.25, "air_system.unit.design_flow", needs="reheat"),
     factor("least_flow", 0.2, 2.5, 0.33, "zone.zone.flow.ventilation.air_change", needs="reheat"),
-    Row("load_spread", "replace", 0, 20, 5, 5, ["air_system.unit.load_spread"], needs="reheat"),
     factor("unit_fan", 0.3, 2.5, 0.4, "air_system.unit.fan_power", needs="reheat"),
     offset("supply_temperature", 5, 1.5, "boundary.supply.temperature", needs="reheat"),
     Row("bypass_factor", "replace", 0, 0.5, 0.1, 0.05, ["air_system.unit.bypass_factor"],

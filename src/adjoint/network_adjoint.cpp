@@ -165,6 +165,7 @@ void pull_structure(const PlaceBack& place, physics::Network& of_network) {
     of.emitter_time_constant += of_network.tau_emitter;
     of.emitter_radiant_share += of_network.radiant_share;
     of.proportional_band += of_network.band;
+    of.room_spread += of_network.room_spread;
     of_network.A_f += of_network.air_capacity * structure.air_capacity +
                       of_network.H_2 * structure.second_mass_conductance +
                       of_network.C_2 * structure.second_mass_capacity;

@@ -95,14 +95,25 @@ double most_of(double share, double limit) {
     return share > 0 ? share * limit : 0;
 }
 
+double per_reach(double reach) {
+    return reach > 0 ? 1 / (4 * reach) : 0;
+}
+
 /// In the order of GeneralColumn.
 void write_general_regime(const Regime& regime, Columns columns) {
     const physics::Input& imposed = regime.zone.thermostat.imposed_power;
     const double heated = regime.control.heated, cooled = regime.control.cooled;
     columns.add(most_of(heated, regime.control.phi_H_max));
     columns.add(most_of(cooled, regime.control.phi_C_max));
-    columns.add(heated * heating_line(regime).gain);
-    columns.add(cooled * cooling_line(regime).gain);
+    const double heating = heated * heating_line(regime).gain;
+    const double cooling = cooled * cooling_line(regime).gain;
+    columns.add(heating);
+    columns.add(cooling);
+    const double half = 0.5 * regime.network.room_spread;
+    columns.add(half * heating);
+    columns.add(half * cooling);
+    columns.add(per_reach(half * heating));
+    columns.add(per_reach(half * cooling));
     columns.add(span_of(imposed) * regime.network.A_f);
     const auto add_term = [&](physics::Term term) {
         for_forms(regime,

@@ -185,6 +185,11 @@ class GeneralBack {
                   of.phi_C_max);
         of_heating_.gain += columns.take();
         of_cooling_.gain += columns.take();
+        pull_reach(control.heated * heating_line(back_.regime).gain, columns.take(),
+                   of_heating_);
+        pull_reach(control.cooled * cooling_line(back_.regime).gain, columns.take(),
+                   of_cooling_);
+        for (int per_reach = 0; per_reach < 2; ++per_reach) columns.take();
         pull_imposed_span(columns.take());
         pull_term(physics::Term::phi_h, columns);
         pull_term(physics::Term::phi_c, columns);
@@ -302,6 +307,12 @@ class GeneralBack {
         place.pull_air_change(zone.venting.air_change, per * zone.volume,
                               place.of_here().venting.air_change);
         place.of_here().volume += per * place.air_change(zone.venting.air_change);
+    }
+
+    /// Of half the rooms' spread times a gain; `reach` holds that of its inverse, too.
+    void pull_reach(double gain, double reach, Line& of_line) {
+        of_line.gain += 0.5 * back_.regime.network.room_spread * reach;
+        back_.of_network.room_spread += 0.5 * gain * reach;
     }
 
     void pull_lines() {

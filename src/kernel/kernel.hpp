@@ -48,6 +48,10 @@ struct GeneralColumn {
         most_cooling,  ///< [W], >= 0
         gain_heating,  ///< power asked per kelvin of the free air temperature [W/K]
         gain_cooling,
+        reach_heating,  ///< by which rooms differ from what is asked [W]
+        reach_cooling,
+        per_reach_heating,  ///< 1 / (4 reach) [1/W]; 0 where they do not differ
+        per_reach_cooling,
         imposed,  ///< power per value of the last driver [W]
         forms  ///< (1 + n) each: heating, cooling, states, sun, drivers; then apertures
     };

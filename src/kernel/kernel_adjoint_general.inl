@@ -40,27 +40,42 @@ struct FormAdjoints {
     }
 };
 
-/// A power within its limit: the adjoint of what was asked; that of the limit is added.
-inline V pull_clamp(V power, V of_power, const double* regime, int limit,
-                    double* of_regime) {
+/// Columns of a power.
+struct PowerColumns {
+    int limit, reach, per_reach;
+};
+
+/// A power of rooms that differ, within its limit: the adjoint of what was asked; those
+/// of limit and reach are added.
+inline V pull_rooms(V asked, V power, V of_power, const double* regime,
+                    const PowerColumns& columns, double* of_regime) {
     const V on = keep_where(less(broadcast(0), power), of_power);
-    const V freely = keep_where(less(power, column(regime, limit)), on);
-    add_to(of_regime, limit, sub(on, freely));
-    return freely;
+    const V freely = keep_where(less(power, column(regime, columns.limit)), on);
+    add_to(of_regime, columns.limit, sub(on, freely));
+    const V reach = column(regime, columns.reach),
+            per = column(regime, columns.per_reach);
+    const V share = mul(add(per, per), some_of_rooms(asked, reach));
+    add_to(of_regime, columns.reach, mul(freely, fnma(share, share, share)));
+    const Mask all = less(reach, asked);
+    const Mask some = both(less(sub(broadcast(0), reach), asked), less(asked, reach));
+    return add(keep_where(all, freely), keep_where(some, mul(freely, share)));
 }
 
 /// Back through the powers: returns the adjoint of the air temperature that would be
 /// without them.
 template <int n>
-V pull_powers(const ZoneTime& zone, const double* regime, const double* row,
-              const double* drivers, V of_heating, V of_cooling, double* of_regime,
-              double* of_row) {
+V pull_powers(const ZoneTime& zone, const double* regime, const double* coefficients,
+              const double* row, const double* drivers, V of_heating, V of_cooling,
+              double* of_regime, double* of_row) {
     using C = GeneralColumn;
     const V free = column(row, n);
+    const Powers asked = asked_of_step<n>(zone, regime, coefficients, drivers, free);
     const V heat =
-        pull_clamp(column(row, n + 1), of_heating, regime, C::most_heating, of_regime);
+        pull_rooms(asked.heating, column(row, n + 1), of_heating, regime,
+                   {C::most_heating, C::reach_heating, C::per_reach_heating}, of_regime);
     const V cool =
-        pull_clamp(column(row, n + 2), of_cooling, regime, C::most_cooling, of_regime);
+        pull_rooms(asked.cooling, column(row, n + 2), of_cooling, regime,
+                   {C::most_cooling, C::reach_cooling, C::per_reach_cooling}, of_regime);
     add_to(of_row, n + 1, heat);
     add_to(of_row, n + 2, cool);
     if (zone.imposed != 0)
@@ -143,8 +158,9 @@ void pull_segment(const ZoneTime& zone, const ZoneLanes& group, const Segment& s
         const V of_cooling = add(load(adjoints.cooling + at * lanes),
                                  of_form.pull(forms, 1, column(row, n + 2), of_forms));
         of_form.value[0] =
-            add(of_form.value[0], pull_powers<n>(zone, regime, row, drivers, of_heating,
-                                                 of_cooling, of_regime, of_row));
+            add(of_form.value[0],
+                pull_powers<n>(zone, regime, group.rows + zone.row_offset[step], row,
+                               drivers, of_heating, of_cooling, of_regime, of_row));
         for (int f = 0; f <= n; ++f) add_to(of_row, f, of_form.value[f]);
         for (int k = 0; k < zone.n_drivers; ++k)
             of_form.add_to_column(of_forms, 3 + n + k, broadcast(drivers[k]));

@@ -35,9 +35,10 @@ struct Powers {
     V heating, cooling;
 };
 
+/// Powers that thermostats ask for, below 0 where they are off.
 template <int n>
-Powers powers_of_step(const ZoneTime& zone, const double* regime, const double* row,
-                      const double* drivers, V theta_free) {
+Powers asked_of_step(const ZoneTime& zone, const double* regime, const double* row,
+                     const double* drivers, V theta_free) {
     using C = GeneralColumn;
     V heat = column(row, n + 1), cool = column(row, n + 2);
     if (zone.imposed != 0) {
@@ -45,11 +46,29 @@ Powers powers_of_step(const ZoneTime& zone, const double* regime, const double* 
         heat = fma(column(regime, C::imposed), driver, heat);
         cool = fnma(column(regime, C::imposed), driver, cool);
     }
-    heat = fnma(column(regime, C::gain_heating), theta_free, heat);
-    cool = fma(column(regime, C::gain_cooling), theta_free, cool);
-    const V zero = broadcast(0);
-    return {min(max(heat, zero), column(regime, C::most_heating)),
-            min(max(cool, zero), column(regime, C::most_cooling))};
+    return {fnma(column(regime, C::gain_heating), theta_free, heat),
+            fma(column(regime, C::gain_cooling), theta_free, cool)};
+}
+
+/// Of the rooms' span the part that asks for power [W].
+inline V some_of_rooms(V asked, V reach) {
+    return min(max(add(asked, reach), broadcast(0)), add(reach, reach));
+}
+
+/// Mean over rooms that differ, physics/structure's.
+inline V mean_of_rooms(V asked, V reach, V per_reach) {
+    const V some = some_of_rooms(asked, reach);
+    return fma(mul(some, some), per_reach, max(sub(asked, reach), broadcast(0)));
+}
+
+inline Powers powers_of_rooms(const double* regime, Powers asked) {
+    using C = GeneralColumn;
+    return {min(mean_of_rooms(asked.heating, column(regime, C::reach_heating),
+                              column(regime, C::per_reach_heating)),
+                column(regime, C::most_heating)),
+            min(mean_of_rooms(asked.cooling, column(regime, C::reach_cooling),
+                              column(regime, C::per_reach_cooling)),
+                column(regime, C::most_cooling))};
 }
 
 /// Writes what is to be shown of a general zone's step.
@@ -114,7 +133,8 @@ void general_segment(const ZoneTime& zone, const ZoneLanes& group, const Segment
             forms_of_step<n>(zone, forms, row, drivers, state, segment.in_sun != 0);
         if constexpr (vented) vent<n>(zone, forms, row, drivers[0], state, form);
         const V free = form.value[0];
-        const Powers power = powers_of_step<n>(zone, regime, row, drivers, free);
+        const Powers power = powers_of_rooms(
+            regime, asked_of_step<n>(zone, regime, row, drivers, free));
         form.add_column(forms, 0, power.heating);
         form.add_column(forms, 1, power.cooling);
         watch.see(step, state, free, power, form.value[0]);

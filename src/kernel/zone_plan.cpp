@@ -117,6 +117,7 @@ Options options_of(const Nominal& nominal, std::size_t index) {
             for (double physics::Structure::* field :
                  {&physics::Structure::air_capacity,
                   &physics::Structure::proportional_band,
+                  &physics::Structure::room_spread,
                   &physics::Structure::emitter_time_constant,
                   &physics::Structure::emitter_radiant_share,
                   &physics::Structure::second_mass_conductance,

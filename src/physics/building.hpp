@@ -135,6 +135,7 @@ struct Thermostat {
 struct Structure {
     double air_capacity = 0;           ///< of the air node [J/K per m2 of floor]
     double proportional_band = 0;      ///< of the thermostat [K]; needs finite capacities
+    double room_spread = 0;            ///< by which rooms differ, all told [K]
     double emitter_time_constant = 0;  ///< of heating [s]
     double emitter_radiant_share = 0;  ///< of heating [-]
     double second_mass_conductance = 0;  ///< H_2 between the masses [W/K per m2 of floor]
@@ -146,8 +147,9 @@ struct Structure {
         return heating_limit < unlimited || cooling_limit > -unlimited;
     }
     bool any() const {
-        return air_capacity > 0 || proportional_band > 0 || emitter_time_constant > 0 ||
-               emitter_radiant_share > 0 || second_mass_conductance > 0 || is_seasonal();
+        return air_capacity > 0 || proportional_band > 0 || room_spread > 0 ||
+               emitter_time_constant > 0 || emitter_radiant_share > 0 ||
+               second_mass_conductance > 0 || is_seasonal();
     }
 };
 

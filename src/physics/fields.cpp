@@ -156,6 +156,8 @@ constexpr Field table[] = {
         "heat capacity of air and furniture at the air node per floor area", of_structure<&Structure::air_capacity>()),
     row(Part::zone, "proportional_band", "K", 0, 0, 20,
         "temperature span over which the thermostat goes from none to all of its capacity", of_structure<&Structure::proportional_band>()),
+    row(Part::zone, "room_spread", "K", 0, 0, 20,
+        "from the coldest to the warmest room where nothing heats or cools; each asks for itself", of_structure<&Structure::room_spread>()),
     row(Part::zone, "emitter_time_constant", "s", 0, 0, 1e6,
         "first-order lag between heating power and heat in the zone", of_structure<&Structure::emitter_time_constant>()),
     row(Part::zone, "emitter_radiant_share", "-", 0, 0, 1,

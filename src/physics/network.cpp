@@ -149,6 +149,7 @@ void set_structure(const Place& place, Network& network) {
     network.radiant_share =
         not_negative(place, structure.emitter_radiant_share, "emitter_radiant_share");
     network.band = not_negative(place, structure.proportional_band, "proportional_band");
+    network.room_spread = not_negative(place, structure.room_spread, "room_spread");
 }
 
 void add_elements(const Place& place, Network& network) {

@@ -31,6 +31,7 @@ struct Network {
     double tau_emitter = 0;    ///< [s]
     double radiant_share = 0;  ///< [-]
     double band = 0;           ///< [K]
+    double room_spread = 0;    ///< [K]
 };
 
 /// The network at one step. Throws CannotSimulate with a sentence where the building

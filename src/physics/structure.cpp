@@ -19,30 +19,40 @@ TermValues terms_of(const HourDrive& drive, const NodeGains& gains,
              gains.phi_m, 0, 0}};
 }
 
+/// Mean of max(0, power) over powers that lie evenly within `reach` about what is asked.
+double mean_of_rooms(double asked, double reach) {
+    if (!(reach > 0)) return std::max(asked, 0.0);
+    const double some = std::clamp(asked + reach, 0.0, 2 * reach);
+    return some * some / (4 * reach) + std::max(asked - reach, 0.0);
+}
+
 /// power = limit clamp(1/2 + (theta_set - theta_air) / band, 0, 1), theta_air = free +
 /// slope power, solved for the power. For cooling every sign turns. Without a band it is
 /// the ideal thermostat; with a band and no limit, what holds theta_set + band / 2.
 /// \param missing  theta_set - free for heating, free - theta_set for cooling [K]
-double thermostat_power(double missing, double slope, double band, double limit) {
+double thermostat_power(const Network& network, double missing, double slope,
+                        double limit) {
     if (limit <= 0) return 0;
-    const double droop = band / limit;  // of the set-point per power [K/W]
-    return std::clamp((missing + 0.5 * band) / (slope + droop), 0.0, limit);
+    const double droop = network.band / limit;  // of the set-point per power [K/W]
+    const double asked = (missing + 0.5 * network.band) / (slope + droop);
+    const double reach = 0.5 * network.room_spread / (slope + droop);
+    return std::min(mean_of_rooms(asked, reach), limit);
 }
 
 struct Powers {
     double heating, cooling;
 };
 
-Powers control_powers(const Control& control, const StepMap& map, double theta_air_free,
-                      double band) {
+Powers control_powers(const Control& control, const Network& network,
+                      const StepMap& map, double theta_air_free) {
     if (control.imposed)
         return {std::max(control.phi_imposed, 0.0), std::max(-control.phi_imposed, 0.0)};
     const double heating =
-        thermostat_power(control.theta_H_set - theta_air_free, map.theta_air[Term::phi_h],
-                         band, control.phi_H_max);
+        thermostat_power(network, control.theta_H_set - theta_air_free,
+                         map.theta_air[Term::phi_h], control.phi_H_max);
     const double cooling =
-        thermostat_power(theta_air_free - control.theta_C_set,
-                         -map.theta_air[Term::phi_c], band, control.phi_C_max);
+        thermostat_power(network, theta_air_free - control.theta_C_set,
+                         -map.theta_air[Term::phi_c], control.phi_C_max);
     return {control.heated * heating, control.cooled * cooling};
 }
 
@@ -64,7 +74,7 @@ StepResult advance_step(const Network& network, const HourDrive& drive,
     const NodeGains gains = split_gains(network, drive);
     TermValues terms = terms_of(drive, gains, before);
     const Powers powers =
-        control_powers(control, map, map.theta_air.at(terms), network.band);
+        control_powers(control, network, map, map.theta_air.at(terms));
     terms[Term::phi_h] = powers.heating;
     terms[Term::phi_c] = powers.cooling;
 

@@ -206,6 +206,14 @@ inline std::vector<Parameter> random_parameters(const Building& building) {
     return parameters;
 }
 
+/// Of dice of their own, so that the rest of a building stays what it was.
+inline void set_rooms(unsigned seed, Building& building) {
+    Dice dice(seed + 99000);
+    for (Zone& zone : building.zones)
+        if (zone.structure.any() && dice.chance(0.5))
+            zone.structure.room_spread = dice.between(0.5, 8);
+}
+
 inline RandomCase random_case(unsigned seed) {
     Dice dice(seed);
     RandomCase made;
@@ -221,6 +229,7 @@ inline RandomCase random_case(unsigned seed) {
     if (n_zones > 1 && dice.chance(0.25))
         building.zones[0].couplings.push_back({1, {dice.between(5, 80), 0, -1}, {}});
     set_plant(dice, building.plant);
+    set_rooms(seed, building);
     made.parameters = random_parameters(building);
     made.drive =
         random_drive(dice, dice.chance(0.25) ? 600 : 3600, 40, building.planes.size());

@@ -136,6 +136,33 @@ TEST(Structure, ObeysTheProportionalLawExactly) {
     EXPECT_GT(inside, 50);
 }
 
+// Rooms that are up to 3 K warmer or colder than the zone, each with a thermostat of its
+// own: their mean power, and the zone's temperature with it.
+TEST(Structure, RoomsThatDifferAreTheMeanOfTheirThermostats) {
+    std::mt19937_64 random(12);
+    for (int draw = 0; draw < 200; ++draw) {
+        Situation s = random_situation(random);
+        s.control.phi_H_max = s.control.phi_C_max = unlimited;
+        s.control.theta_C_set = s.control.theta_H_set + 3;
+        double heating = 0, cooling = 0;
+        const int rooms = 4000;
+        for (int room = 0; room < rooms; ++room) {
+            Situation one = s;
+            const double warmer = 6 * ((room + 0.5) / rooms - 0.5);
+            one.control.theta_H_set -= warmer;
+            one.control.theta_C_set -= warmer;
+            const StepResult result = step(one);
+            heating += result.phi_heating / rooms;
+            cooling += result.phi_cooling / rooms;
+        }
+        s.network.room_spread = 6;
+        const StepResult result = step(s);
+        const double scale = s.network.A_f;
+        EXPECT_NEAR(result.phi_heating / scale, heating / scale, 1e-4);
+        EXPECT_NEAR(result.phi_cooling / scale, cooling / scale, 1e-4);
+    }
+}
+
 TEST(Structure, NeverHeatsAndCoolsAtOnce) {
     std::mt19937_64 random(5);
     for (int k = 0; k < 500; ++k) {
@@ -323,7 +350,7 @@ TEST(Structure, SimulatesTenMinutesWithEveryRefinement) {
     };
     const double plain = energy(hourly);
     EXPECT_NEAR(energy(fine), plain, 0.01 * plain);
-    zone.structure = {10000, 0.5, 900, 0.3, 2, 1e5};
+    zone.structure = {10000, 0.5, 0, 900, 0.3, 2, 1e5};
     EXPECT_NEAR(energy(fine), plain, 0.05 * plain);
 }
 
