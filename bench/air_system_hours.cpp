@@ -33,7 +33,6 @@ const struct {
                {"q_design", &AirHour::q_design},
                {"least_flow", &AirHour::least_flow},
                {"fan_power", &AirHour::fan_power},
-               {"load_spread", &AirHour::load_spread},
                {"fan_exponent", &AirHour::fan_exponent},
                {"fan_heat", &AirHour::fan_heat},
                {"theta_supply", &AirHour::theta_supply},

@@ -29,6 +29,20 @@ void pull_flows(const PlaceBack& place, const physics::AirHour& of_hour) {
     }
 }
 
+/// A room of outdoor air in the zone's water, where a fan starts.
+void pull_fan_start(const PlaceBack& place, const physics::AirSystem& system,
+                    double of_q_inf, physics::AirSystem& of_system) {
+    const double start = physics::fan_start(system, place.drive, place.step);
+    if (start <= 0) return;
+    const double per_s = of_q_inf / place.drive.axis.step_s;
+    place.of_here().volume += per_s * start;
+    PlaceBack before = place;
+    --before.step;
+    const double of_available = per_s * place.here().volume;
+    place.pull(system.available, of_available, of_system.available);
+    before.pull(system.available, -of_available, of_system.available);
+}
+
 /// Air from a boundary: its temperature, and the outdoor air in it.
 void pull_supplied(const PlaceBack& place, int boundary,
                    const physics::AirSystem& system, const physics::AirHour& of_hour,
@@ -86,6 +100,7 @@ void pull_air_hour(const physics::Building& building, std::size_t zone_index,
     of_zone.floor_area +=
         of_q_design * design_flow / 3600 + of_hour.moisture * moisture / 3.6e6;
     place.pull(system.available, of_hour.available, of_system.available);
+    pull_fan_start(place, system, of_hour.q_inf, of_system);
     const int boundary = physics::supply_boundary(zone);
     double of_theta_e = of_hour.theta_e;
     if (boundary != physics::outdoors) {
@@ -98,8 +113,6 @@ void pull_air_hour(const physics::Building& building, std::size_t zone_index,
     if (physics::open_economiser(system, drive, step, theta_e) != 0)
         place.pull(system.economiser, of_hour.economiser, of_system.economiser);
     of_system.least_flow += of_hour.least_flow;
-    of_system.load_spread += of_hour.load_spread * zone.floor_area;
-    of_zone.floor_area += of_hour.load_spread * system.load_spread;
     of_system.fan_exponent += of_hour.fan_exponent;
     of_system.fan_heat += of_hour.fan_heat;
     of_system.bypass_factor += of_hour.bypass_factor;

@@ -390,7 +390,7 @@ class BuildingReader {
 
     static void check_keys(const schema::Section& section,
                            const physics::AirSystem& system) {
-        for (const char* key : {"least_flow", "load_spread", "fan_exponent"})
+        for (const char* key : {"least_flow", "fan_exponent"})
             if (!system.variable && section.has(key))
                 section.fail(key,
                              "has no effect with volume = \"constant\"; remove one "

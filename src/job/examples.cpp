@@ -799,7 +799,6 @@ zones = ["shop"]
 flow = "least"
 available = {value = 1, schedule = "heating"}
 outdoor_air_change = {value = 0.5, schedule = "heating"}  # [1/h] in the supply air
-load_spread = 5                       # [W/m2]
 
 [[air_system]]
 name = "split"

@@ -36,8 +36,7 @@ void check_air(const Zone& zone, int step, const AirHour& hour) {
         {"available", hour.available},         {"fan_power", hour.fan_power},
         {"people_moisture", hour.moisture},    {"outdoor air", hour.q_e},
         {"least_flow", hour.least_flow},       {"economiser", hour.economiser},
-        {"load_spread", hour.load_spread},     {"bypass_factor", hour.bypass_factor},
-        {"coil_enthalpy", hour.coil_enthalpy}};
+        {"bypass_factor", hour.bypass_factor}, {"coil_enthalpy", hour.coil_enthalpy}};
     for (const auto& number : numbers)
         if (!(number.value >= 0) || !std::isfinite(number.value))
             reject_air(
@@ -62,6 +61,12 @@ int supply_boundary(const Zone& zone) {
 double supply_reset(const AirSystem& system, double theta_e) {
     return std::clamp(system.supply_reset * (system.reset_below - theta_e), 0.0,
                       std::max(system.most_reset, 0.0));
+}
+
+double fan_start(const AirSystem& system, const Drive& drive, int step) {
+    if (step == 0) return 0;
+    return std::max(
+        0.0, drive.at(system.available, step) - drive.at(system.available, step - 1));
 }
 
 double open_economiser(const AirSystem& system, const Drive& drive, int step,
@@ -101,9 +106,9 @@ AirHour air_hour(const Building& building, const Zone& zone, const Drive& drive,
             air_change_at(drive, system.outdoor_air_change, step) * zone.volume / 3600;
     hour.moisture = at(system.people_moisture) * zone.floor_area / 3.6e6;
     hour.available = at(system.available);
+    hour.q_inf += zone.volume / drive.axis.step_s * fan_start(system, drive, step);
     hour.q_design = at(system.design_flow) * zone.floor_area / 3600;
     hour.least_flow = system.least_flow;
-    hour.load_spread = system.load_spread * zone.floor_area;
     hour.fan_power = at(system.fan_power) * 1000 * hour.q_design;
     hour.fan_exponent = system.fan_exponent;
     hour.fan_heat = system.fan_heat;

@@ -8,7 +8,8 @@
 /// and Equipment 2016, chapter 4; coil by bypass factor and apparatus dew point
 /// (ASHRAE Handbook Fundamentals 2017, 1.10); fan by a power of its flow (90.1, G3.1.3).
 /// A coil with an enthalpy of its own (direct expansion) is on or off.
-/// Left out: water that room and furniture store, ducts' leaks and heat, the mixing of
+/// Left out: water that furniture stores, and a room's air but for that of the first hour
+/// of a fan (air_hour.hpp), ducts' leaks and heat, the mixing of
 /// several zones' return air (each zone has its own part of the system), fan heat in
 /// hours of a constant flow without a load, bypass of the recovery without an economiser,
 /// water that evaporates from a coil that is off, a stage's capacity at another flow.
@@ -19,7 +20,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace bemcal::physics {
 
@@ -46,7 +46,7 @@ enum class Mode {
 };
 
 /// What set a flow.
-enum class Limit { load, boxes, least, outdoor, turning, design };
+enum class Limit { load, least, outdoor, turning, design };
 
 /// What sets the coil's surface.
 enum class Coil {
@@ -66,7 +66,6 @@ struct Way {
     double E = 0;               ///< to be taken from the zone by supply air [W]
     double drop = 0;            ///< supply air below the room [K]
     double q = 0;               ///< supply air [m3/s]
-    double at_least = 0;        ///< share of the boxes at their least flow [-]
     double fan = 0;             ///< [W]
     double in_air = 0;          ///< of it, that coils see [W]
     double reheat = 0;          ///< [W]
@@ -88,11 +87,6 @@ struct Way {
     double latent = 0;      ///< [W]
     double humidified = 0;  ///< [W]
 };
-
-/// Of the standard normal.
-double density(double z) {
-    return std::exp(-z * z / 2) * std::numbers::inv_sqrtpi / std::numbers::sqrt2;
-}
 
 Mode mode_of(const AirKind& kind, const AirHour& in) {
     if (in.available > 0) return kind.variable ? Mode::variable : Mode::constant;
@@ -121,16 +115,6 @@ void raise(double flow, Limit limit, Way& way) {
     way.limit = limit;
 }
 
-/// Loads of boxes are normal about E, and each box has its least flow: the mean flow
-/// carries E and what the boxes at their least flow reheat, as they have to.
-void ask_by_box(const AirHour& in, double least, Way& way) {
-    const double z = (rho_c_air * way.drop * least - way.E) / in.load_spread;
-    way.at_least = std::erfc(-z / std::numbers::sqrt2) / 2;
-    const double excess = in.load_spread * (density(z) + z * way.at_least);
-    way.q = (way.E + excess) / (rho_c_air * way.drop);
-    way.limit = Limit::boxes;
-}
-
 /// Of a flow that varies [m3/s].
 double least_flow(const AirKind& kind, const AirHour& in) {
     return kind.supplies ? in.q_supplied : in.least_flow * in.available * in.q_design;
@@ -143,16 +127,15 @@ void set_flow(const AirKind& kind, const AirHour& in, Way& way) {
     } else {
         const double most = (way.mode == Mode::variable ? in.available : 1) * in.q_design;
         way.drop = std::max(in.theta_air - in.theta_supply, least_drop);
-        way.q = way.E / (rho_c_air * way.drop);
+        // Of rooms that differ some may ask for heat: the others' flow is for them alone.
+        const double to_cool = way.E + (kind.supplies ? in.heating : 0);
+        way.q = to_cool / (rho_c_air * way.drop);
         way.limit = Limit::load;
-        const bool varies = way.mode == Mode::variable;
-        const double least = varies ? least_flow(kind, in) : 0;
-        if (varies && in.load_spread > 0) ask_by_box(in, least, way);
         if (way.q > most) {
             way.q = most;
             way.limit = Limit::design;
         }
-        raise(least, Limit::least, way);
+        if (way.mode == Mode::variable) raise(least_flow(kind, in), Limit::least, way);
     }
     raise(in.q_e, Limit::outdoor, way);
     raise(least_turning * in.q_design, Limit::turning, way);
@@ -503,25 +486,12 @@ struct Back {
         switch (way.limit) {
             case Limit::load:
                 E += q / (rho_c_air * way.drop);
+                if (kind.supplies) to.heating += q / (rho_c_air * way.drop);
                 if (way.drop > least_drop) {
                     to.theta_air -= q * way.q / way.drop;
                     to.theta_supply += q * way.q / way.drop;
                 }
                 break;
-            case Limit::boxes: {
-                const double least = least_flow(kind, in);
-                const double per = q / (rho_c_air * way.drop);
-                E += per * (1 - way.at_least);
-                to.load_spread +=
-                    per * density((rho_c_air * way.drop * least - way.E) / in.load_spread);
-                pull_least(q * way.at_least, on);
-                if (way.drop > least_drop) {
-                    const double of_drop = q * (way.at_least * least - way.q) / way.drop;
-                    to.theta_air += of_drop;
-                    to.theta_supply -= of_drop;
-                }
-                break;
-            }
             case Limit::least:
                 pull_least(q, on);
                 break;

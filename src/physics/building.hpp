@@ -205,7 +205,6 @@ struct AirSystem {
     Input people_moisture;         ///< water that people give off [g/(h m2)]
     Input economiser;              ///< largest share of outdoor air [-]; 0 = none
     double least_flow = 0.3;       ///< of design_flow, where it varies [-]
-    double load_spread = 0;        ///< sd of loads of its boxes, where it varies [W/m2]
     double fan_exponent = 2.5;     ///< power follows flow to this power [-]
     double fan_heat = 1;           ///< share of the fan's power that warms the air [-]
     double supply_reset = 0;       ///< warmer by this per K below reset_below [K/K]

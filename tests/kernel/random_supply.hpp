@@ -17,7 +17,6 @@ inline AirSystem random_air_system(Dice& dice, int number) {
     system.people_moisture = random_input(dice, 1, 8, 0.7);
     if (dice.chance(0.5)) system.economiser = random_input(dice, 0.5, 1, 0.2);
     system.least_flow = dice.between(0.1, 0.5);
-    if (dice.chance(0.5)) system.load_spread = dice.between(1, 15);
     system.fan_exponent = dice.between(1, 3);
     system.fan_heat = dice.between(0.5, 1);
     if (dice.chance(0.5)) system.supply_reset = dice.between(0.1, 0.6);
