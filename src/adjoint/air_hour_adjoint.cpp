@@ -44,9 +44,8 @@ void pull_fan_start(const PlaceBack& place, const physics::AirSystem& system,
 }
 
 /// Air from a boundary: its temperature, and the outdoor air in it.
-void pull_supplied(const PlaceBack& place, int boundary,
-                   const physics::AirSystem& system, const physics::AirHour& of_hour,
-                   physics::AirSystem& of_system) {
+void pull_supplied(const PlaceBack& place, int boundary, const physics::AirSystem& system,
+                   const physics::AirHour& of_hour, physics::AirSystem& of_system) {
     const auto row = static_cast<std::size_t>(boundary);
     place.pull(place.building.boundaries[row].temperature, of_hour.theta_supply,
                place.of_building.boundaries[row].temperature);

@@ -75,7 +75,8 @@ bool has_cooling(const Zone& zone) {
 }  // namespace
 
 bool is_fan(const AirFlow& flow) {
-    return flow.supply == physics::outdoors && flow.air_change.profile >= 0 && !is_infiltration(flow);
+    return flow.supply == physics::outdoors && flow.air_change.profile >= 0 &&
+           !is_infiltration(flow);
 }
 
 bool recovers_heat(const AirFlow& flow) {

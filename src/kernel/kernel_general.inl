@@ -133,8 +133,8 @@ void general_segment(const ZoneTime& zone, const ZoneLanes& group, const Segment
             forms_of_step<n>(zone, forms, row, drivers, state, segment.in_sun != 0);
         if constexpr (vented) vent<n>(zone, forms, row, drivers[0], state, form);
         const V free = form.value[0];
-        const Powers power = powers_of_rooms(
-            regime, asked_of_step<n>(zone, regime, row, drivers, free));
+        const Powers power =
+            powers_of_rooms(regime, asked_of_step<n>(zone, regime, row, drivers, free));
         form.add_column(forms, 0, power.heating);
         form.add_column(forms, 1, power.cooling);
         watch.see(step, state, free, power, form.value[0]);

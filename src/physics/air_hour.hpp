@@ -21,8 +21,9 @@ AirHour air_hour(const Building& building, const Zone& zone, const Drive& drive,
 /// What reset adds to the temperature of supply air [K].
 double supply_reset(const AirSystem& system, double theta_e);
 
-/// Share of the fan that has come on since the step before [-]. While it stood, leaks made
-/// the room's air as moist as outdoors: a fan that starts finds a room of outdoor air.
+/// Share of the fan that has come on since the step before [-]. While it stood, leaks
+/// made the room's air as moist as outdoors: a fan that starts finds a room of outdoor
+/// air.
 double fan_start(const AirSystem& system, const Drive& drive, int step);
 
 /// How far the economiser may open at a step [-]: nothing where its limit shuts it.

@@ -477,7 +477,8 @@ struct Back {
         }
         to.least_flow += of_least * on * in.q_design;
         to.q_design += of_least * in.least_flow * on;
-        if (way.mode != Mode::cycling) to.available += of_least * in.least_flow * in.q_design;
+        if (way.mode != Mode::cycling)
+            to.available += of_least * in.least_flow * in.q_design;
     }
 
     void pull_flow() {

@@ -43,8 +43,8 @@ struct Powers {
     double heating, cooling;
 };
 
-Powers control_powers(const Control& control, const Network& network,
-                      const StepMap& map, double theta_air_free) {
+Powers control_powers(const Control& control, const Network& network, const StepMap& map,
+                      double theta_air_free) {
     if (control.imposed)
         return {std::max(control.phi_imposed, 0.0), std::max(-control.phi_imposed, 0.0)};
     const double heating =
@@ -73,8 +73,7 @@ StepResult advance_step(const Network& network, const HourDrive& drive,
     const StepMap map = make_step_map(network, dt);
     const NodeGains gains = split_gains(network, drive);
     TermValues terms = terms_of(drive, gains, before);
-    const Powers powers =
-        control_powers(control, network, map, map.theta_air.at(terms));
+    const Powers powers = control_powers(control, network, map, map.theta_air.at(terms));
     terms[Term::phi_h] = powers.heating;
     terms[Term::phi_c] = powers.cooling;
 
