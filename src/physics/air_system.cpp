@@ -8,11 +8,10 @@
 /// and Equipment 2016, chapter 4; coil by bypass factor and apparatus dew point
 /// (ASHRAE Handbook Fundamentals 2017, 1.10); fan by a power of its flow (90.1, G3.1.3).
 /// A coil with an enthalpy of its own (direct expansion) is on or off.
-/// Left out: water that furniture stores, and a room's air but for that of the first hour
-/// of a fan (air_hour.hpp), ducts' leaks and heat, the mixing of
-/// several zones' return air (each zone has its own part of the system), fan heat in
-/// hours of a constant flow without a load, bypass of the recovery without an economiser,
-/// water that evaporates from a coil that is off, a stage's capacity at another flow.
+/// Left out: water that furniture and rooms store (but see fan_start), ducts' leaks and
+/// heat, the mixing of several zones' return air, fan heat in hours of a constant flow
+/// without a load, bypass of the recovery without an economiser, water that evaporates
+/// from a coil that is off, a stage's capacity at another flow.
 #include "physics/air_system.hpp"
 
 #include "physics/moist_air.hpp"
