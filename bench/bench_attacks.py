@@ -84,10 +84,10 @@ class Attacks:
     def __init__(self, folder, seed):
         self.folder = folder
         self.random = random.Random(seed)
-        self.library = folder / "failing.so"
+        self.failing = folder / "failing.so"
         self.place = folder / "place"
         source = large_job.ROOT / "tests" / "support" / "failing.c"
-        subprocess.run(["cc", "-shared", "-fPIC", "-O1", "-o", self.library, source, "-ldl"], check=True)
+        subprocess.run(["cc", "-shared", "-fPIC", "-O1", "-o", self.failing, source, "-ldl"], check=True)
         self.counts = dict.fromkeys(("trials", "exits_0_damaged", "codes_unknown", "not_the_same_by_resume", "lost",
                                      "false", "refused"), 0)
 
@@ -151,7 +151,7 @@ class Attacks:
     def fail(self, job, way, at, error):
         """way: FAIL_AT, or FAIL_EVERY."""
         self.clear()
-        done = self.run(job, LD_PRELOAD=str(self.library), FAIL_READ="1", FAIL_ERRNO=error, **{way: str(at)})
+        done = self.run(job, LD_PRELOAD=str(self.failing), FAIL_READ="1", FAIL_ERRNO=error, **{way: str(at)})
         before = self.counts.copy()
         self.judge(job, done.returncode)
         if self.counts["exits_0_damaged"] > before["exits_0_damaged"]:
@@ -160,7 +160,7 @@ class Attacks:
     def n_calls(self, job):
         self.clear()
         count = self.folder / "count"
-        self.run(job, LD_PRELOAD=str(self.library), FAIL_READ="1", FAIL_COUNT=str(count))
+        self.run(job, LD_PRELOAD=str(self.failing), FAIL_READ="1", FAIL_COUNT=str(count))
         return int(count.read_text())
 
     def stopped(self, job):

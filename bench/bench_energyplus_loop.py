@@ -7,8 +7,7 @@
 With --alone the loop runs on the building that `new --idf` reads from the file, without EnergyPlus: a building of DOE
 as another simulator has it. Models are the office of jobs/energyplus_office, whose job is the shipped one, and
 buildings of DOE, of which `new --idf --simulator` writes the job; their files are in the package pyenergyplus-lbnl
-beside EnergyPlus, or given by --idf. The
-weather is the shipped one. Readings are EnergyPlus's own, with an effect that no description has, by
+beside EnergyPlus, or given by --idf. The weather is the shipped one. Readings are EnergyPlus's own, with an effect that no description has, by
 scripts/energyplus_hours, with noise of 1.5 % and 0.05 K. Prints for each case what was found and
 `name value unit reference ratio` lines: effects at the right place, false ones, held-out errors of `after` and of
 `before` over those of the true building (EnergyPlus with the true values: noise alone), minutes of the longest case.

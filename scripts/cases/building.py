@@ -109,22 +109,24 @@ def thinner(case):
 
 def air_flows(case):
     """As flows of sea-level air that carry the same heat."""
-    area, volume = case["geometry"]["gross_floor_area_m2"], case["geometry"]["air_volume_m3"]
     yield section("[[zone.flow]]", name="infiltration",
                   air_change=case["envelope"]["infiltration_ACH"] * thinner(case))
-    v = case["ventilation"]
     if reheats(case):
-        yield section("[[zone.flow]]", name="ventilation", supply="supply",
-                      air_change=scheduled(LEAST_FLOW * design_flow(case) * area / volume, "hvac"))
-        return
-    yield section("[[zone.flow]]", name="ventilation", air_change=scheduled(outdoor_air(case), "vent"),
-                  heat_recovery=v["heat_recovery"] or None)
+        least = air_change(case, LEAST_FLOW * design_flow(case))
+        yield section("[[zone.flow]]", name="ventilation", supply="supply", air_change=scheduled(least, "hvac"))
+    else:
+        yield section("[[zone.flow]]", name="ventilation", air_change=scheduled(outdoor_air(case), "vent"),
+                      heat_recovery=case["ventilation"]["heat_recovery"] or None)
+
+
+def air_change(case, flow):
+    """[1/h] of a flow in m3/(h m2)"""
+    return flow * case["geometry"]["gross_floor_area_m2"] / case["geometry"]["air_volume_m3"]
 
 
 def outdoor_air(case):
     """[1/h] in use."""
-    area, volume = case["geometry"]["gross_floor_area_m2"], case["geometry"]["air_volume_m3"]
-    return case["ventilation"]["flow_l_s_m2_peak"] * area * AIR_CHANGE_PER_FLOW / volume * thinner(case)
+    return air_change(case, case["ventilation"]["flow_l_s_m2_peak"] * AIR_CHANGE_PER_FLOW) * thinner(case)
 
 
 def loads(case, base_load):

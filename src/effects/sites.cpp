@@ -229,7 +229,12 @@ void Sites::of_ventilation() {
 void Sites::of_supply_temperatures() {
     for (std::size_t b = 0; b < building_.boundaries.size(); ++b)
         if (is_supply(b)) add(Part::boundary, b, 0, building_.boundaries[b].temperature);
-    if (targets_.empty()) of_air_systems(&physics::AirSystem::supply_temperature);
+    for (std::size_t k = 0; k < building_.air_systems.size(); ++k)
+        if (std::ranges::any_of(building_.zones, [k](const Zone& zone) {
+                return zone.air_system == static_cast<int>(k) &&
+                       physics::supply_boundary(zone) == physics::outdoors;
+            }))
+            add(Part::air_system, k, 0, building_.air_systems[k].supply_temperature);
 }
 
 void Sites::of_heating_plant() {

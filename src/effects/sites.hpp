@@ -37,7 +37,7 @@ class Sites {
     void of_cooling(physics::Input physics::Thermostat::* input);
     /// Of the systems that serve a zone.
     void of_air_systems(physics::Input physics::AirSystem::* input);
-    /// Of boundaries whose air systems supply, else of the systems.
+    /// Of boundaries whose air systems supply; of systems where they supply another.
     void of_supply_temperatures();
     /// The efficiency, or COP, where a carrier and some zone use it.
     void of_heating_plant();

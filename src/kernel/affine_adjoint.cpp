@@ -189,7 +189,7 @@ class GeneralBack {
                    of_heating_);
         pull_reach(control.cooled * cooling_line(back_.regime).gain, columns.take(),
                    of_cooling_);
-        for (int per_reach = 0; per_reach < 2; ++per_reach) columns.take();
+        for (int inverse = 0; inverse < 2; ++inverse) columns.take();
         pull_imposed_span(columns.take());
         pull_term(physics::Term::phi_h, columns);
         pull_term(physics::Term::phi_c, columns);

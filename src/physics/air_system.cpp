@@ -468,16 +468,15 @@ struct Back {
         to.q_design -= of_share * share / in.q_design;
     }
 
-    /// Of `least_flow`.
-    void pull_least(double of_least, double on) {
+    /// Of `least_flow`, which a flow that varies has alone.
+    void pull_least() {
         if (kind.supplies) {
-            to.q_supplied += of_least;
+            to.q_supplied += q;
             return;
         }
-        to.least_flow += of_least * on * in.q_design;
-        to.q_design += of_least * in.least_flow * on;
-        if (way.mode != Mode::cycling)
-            to.available += of_least * in.least_flow * in.q_design;
+        to.least_flow += q * in.available * in.q_design;
+        to.q_design += q * in.least_flow * in.available;
+        to.available += q * in.least_flow * in.q_design;
     }
 
     void pull_flow() {
@@ -493,7 +492,7 @@ struct Back {
                 }
                 break;
             case Limit::least:
-                pull_least(q, on);
+                pull_least();
                 break;
             case Limit::design:
                 share = 1;
@@ -509,19 +508,24 @@ struct Back {
         if (way.mode != Mode::cycling) to.available += q * share * in.q_design;
     }
 
-    void pull_supplied() {
+    void pull_recovery() {
         to.cooling += E;
         to.heating += asked - E;
-        to.q_supplied += E * rho_c_air * (in.theta_air - in.theta_supply);
-        to.theta_air += E * rho_c_air * in.q_supplied;
-        to.theta_supply -= E * rho_c_air * in.q_supplied;
+        if (kind.supplies)
+            pull_supplied();
+        else
+            pull_brought();
         pull_efficiency();
     }
 
-    void pull_recovery() {
-        if (kind.supplies) return pull_supplied();
-        to.cooling += E;
-        to.heating += asked - E;
+    void pull_supplied() {
+        to.q_supplied += E * rho_c_air * (in.theta_air - in.theta_supply);
+        to.theta_air += E * rho_c_air * in.q_supplied;
+        to.theta_supply -= E * rho_c_air * in.q_supplied;
+    }
+
+    /// Of what outdoor air brings, and what frost costs.
+    void pull_brought() {
         const double lost = asked * rho_c_air, brought = E * rho_c_air;
         to.q_e +=
             (lost * (in.heat_recovery - way.eta) + brought * (1 - in.heat_recovery)) *
@@ -530,7 +534,6 @@ struct Back {
         eta -= lost * in.q_e * way.D;
         D += (lost * (in.heat_recovery - way.eta) + brought * (1 - in.heat_recovery)) *
              in.q_e;
-        pull_efficiency();
     }
 
     void pull_efficiency() {

@@ -35,8 +35,8 @@ class Trust(unittest.TestCase):
         cls.job = bench_attacks.screening(folder / "one")
         cls.stock = bench_attacks.stock(folder / "many")
         cls.folder = folder
-        source, cls.library = ROOT / "tests" / "support" / "failing.c", folder / "failing.so"
-        subprocess.run(["cc", "-shared", "-fPIC", "-o", cls.library, source, "-ldl"], check=True)
+        source, cls.failing = ROOT / "tests" / "support" / "failing.c", folder / "failing.so"
+        subprocess.run(["cc", "-shared", "-fPIC", "-o", cls.failing, source, "-ldl"], check=True)
 
     @classmethod
     def tearDownClass(cls):
@@ -151,7 +151,7 @@ class Trust(unittest.TestCase):
             self.assertEqual(now.split(b"result hash")[1][:33], expected.split(b"result hash")[1][:33])
 
     def test_a_disk_without_locks_is_said(self):
-        done = self.run_job("-o", "a.h5", env={**os.environ, "LD_PRELOAD": str(self.library), "FAIL_LOCKS": "1"})
+        done = self.run_job("-o", "a.h5", env={**os.environ, "LD_PRELOAD": str(self.failing), "FAIL_LOCKS": "1"})
         self.assertIn(b"keeps no locks", done.stderr)
 
     def test_a_second_run_is_refused_by_the_lock(self):
