@@ -72,6 +72,9 @@ void ProgressFile::write(const std::string& text) {
 }
 
 bool is_progress_file(const fs::path& path) {
+    struct stat there{};
+    if (::lstat(path.c_str(), &there) != 0 || !S_ISREG(there.st_mode)) return false;
+    if (there.st_size == 0) return true;  // of a run that ended before its first line
     return begin_of(path).starts_with(mark) && fs::file_size(path) == file_bytes;
 }
 

@@ -29,7 +29,7 @@ class ProgressFile {
     int file_ = -1;
 };
 
-/// Whether a run made the file.
+/// Whether a run made the file, or nobody has anything to lose in it: it is empty.
 bool is_progress_file(const std::filesystem::path& path);
 
 /// The line of the run that writes in that folder; empty = none, or just being written.

@@ -60,6 +60,22 @@ TEST_F(ProgressOnDisk, OfAKilledRunIsARunsAndMakesPlace) {
     EXPECT_EQ(read_progress(folder()), "resumed");
 }
 
+/// The machine may end a run between the file and its first line.
+TEST_F(ProgressOnDisk, OfARunThatEndedBeforeItsFirstLineIsARuns) {
+    folder_.write(progress_name, "");
+    EXPECT_EQ(part_files(folder()).ours.size(), 1U);
+    EXPECT_TRUE(part_files(folder()).foreign.empty());
+    ProgressFile progress(folder());
+    progress.write("begun");
+    EXPECT_EQ(read_progress(folder()), "begun");
+}
+
+TEST_F(ProgressOnDisk, LeavesALinkToAnEmptyFile) {
+    folder_.write("elsewhere", "");
+    std::filesystem::create_symlink("elsewhere", file());
+    EXPECT_FALSE(is_progress_file(file()));
+}
+
 TEST_F(ProgressOnDisk, LeavesAFileThatNoRunMade) {
     folder_.write(progress_name, "my notes\n");
     EXPECT_EQ(part_files(folder()).foreign.size(), 1U);
