@@ -4,14 +4,29 @@
 /// functions.
 #include "loop/beside_functions.hpp"
 
+#include "loop/decisions.hpp"
 #include "loop/effect_search.hpp"
 #include "loop/find_functions.hpp"
+#include "loop/gates.hpp"
+#include "loop/intervals.hpp"
+#include "loop/moves.hpp"
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
 namespace bemcal::loop {
 namespace {
+
+/// The model as it stands, without its functions; nothing where it needs them.
+std::optional<Standing> without_functions(const LoopData& data, const Place& place,
+                                          Standing last) {
+    last.built = build(place, last.model.effects);
+    last.fit.at = {last.fit.at.x, {}, {}};
+    refit(data, last, only_derivatives);
+    if (last.fit.failed) return std::nullopt;
+    return last;
+}
 
 /// What a search sees where functions have taken the misfit: readings less what functions
 /// bring to them, and the last model without functions. Candidates without a name are
@@ -27,11 +42,9 @@ std::optional<BesideFunctions> beside_functions(const LoopData& data, const Plac
     BesideFunctions beside{data, result};
     beside.data.options.generic = false;
     beside.result.baseline.place = place;
-    Standing& last = beside.result.last;
-    last.built = build(place, last.model.effects);
-    last.fit.at = {last.fit.at.x, {}, {}};
-    refit(data, last, only_derivatives);
-    if (last.fit.failed) return std::nullopt;
+    auto without = without_functions(data, place, result.last);
+    if (!without) return std::nullopt;
+    Standing& last = beside.result.last = std::move(*without);
     for (std::size_t k = 0; k < data.targets.size(); ++k)
         beside.data.targets.measured[k] -=
             result.last.fit.at.predicted[k] - last.fit.at.predicted[k];
@@ -82,6 +95,45 @@ void search_beside_functions(const LoopData& data, const Place& place, LoopResul
     }
 }
 
+/// The effect of whose coefficient functions have left least: its interval holds 0, or it
+/// is no longer plausible.
+std::optional<std::size_t> told_by_functions(const LoopData& data,
+                                             const LoopResult& result) {
+    const Standing& last = result.last;
+    const auto sds = deviations_of(data, last, result.misfit);
+    double least = decisions::certainty_beside_functions;
+    std::optional<std::size_t> weakest;
+    for (std::size_t k = 0; k < result.found.size(); ++k) {
+        const double c = last.coefficient(k);
+        const double sd =
+            deviation_of(result.found[k], sds[last.built.first_effect() + k], c);
+        const double certainty =
+            is_plausible(last.model.effects[k], c) ? std::abs(c) / sd : 0;
+        if (!(certainty < least)) continue;
+        least = certainty;
+        weakest = k;
+    }
+    return weakest;
+}
+
+/// Effects of which functions leave nothing leave; functions are found anew without them.
+void leave_what_functions_tell(const LoopData& data, const Place& place,
+                               LoopResult& result) {
+    while (!result.functions.empty()) {
+        const auto effect = told_by_functions(data, result);
+        if (!effect) return;
+        auto last = without_functions(data, place, result.last);
+        if (!last) return;
+        const auto gone = take_out(data, place, *last, *effect);
+        if (!gone) return;
+        result.last = std::move(*last);
+        result.found.erase(result.found.begin() + static_cast<std::ptrdiff_t>(*effect));
+        result.log.push_back(
+            {gone->name, "left: functions tell it as well", 0, 0, 0, {}});
+        lay_rest_to_functions(data, place, result);
+    }
+}
+
 }  // namespace
 
 void search_functions(const LoopData& data, LoopResult& result, UnderWay& under_way) {
@@ -89,6 +141,7 @@ void search_functions(const LoopData& data, LoopResult& result, UnderWay& under_
     under_way.begin("functions");
     lay_rest_to_functions(data, without, result);
     search_beside_functions(data, without, result, under_way);
+    leave_what_functions_tell(data, without, result);
 }
 
 }  // namespace bemcal::loop

@@ -13,7 +13,8 @@ using namespace bemcal::study;
 
 namespace {
 
-std::vector<Dataset> searched(double gains, double wind, bool functions) {
+std::vector<Dataset> searched(double gains, double wind, bool functions,
+                              const std::string& name = "wind infiltration") {
     Case made = test::windy_case();
     test::measure(made, {test::gains_of_the_morning(), test::named("wind infiltration")},
                   {gains, wind}, 3);
@@ -23,8 +24,7 @@ std::vector<Dataset> searched(double gains, double wind, bool functions) {
     options.functions = functions;
     options.generic = false;
     for (const effects::Entry& entry : effects::catalogue())
-        if (entry.effect.name != "wind infiltration")
-            options.exclude.push_back(entry.effect.name);
+        if (entry.effect.name != name) options.exclude.push_back(entry.effect.name);
     const std::vector<Case> buildings = {made};
     const auto stage = make_loop("loop", buildings, options);
     return stage->conclude({stage->run(0)}).datasets;
@@ -54,4 +54,18 @@ TEST(BesideFunctions, WhatFunctionsForetellAsWellLeavesAgain) {
     ASSERT_GE(verdicts.size(), 2U);
     EXPECT_EQ(verdicts[verdicts.size() - 2], "accepted");
     EXPECT_EQ(verdicts.back(), "left: functions foretell as much without it");
+}
+
+TEST(BesideFunctions, AnEffectOfWhichFunctionsLeaveNothingLeaves) {
+    const auto found = [](double gains, const char* name, bool functions) {
+        const auto datasets = searched(gains, 0, functions, name);
+        const auto& verdicts = test::find(datasets, "step_verdict").texts;
+        return std::pair(test::find(datasets, "effect").texts, verdicts.back());
+    };
+    const std::vector<std::string> none, early{"early start"}, fan{"exhaust fan"};
+    EXPECT_EQ(found(-20, "early start", false).first, early);
+    EXPECT_EQ(found(-20, "early start", true),
+              std::pair(none, std::string("left: functions tell it as well")));
+    EXPECT_EQ(found(-40, "early start", true).first, early) << "some of it is left";
+    EXPECT_EQ(found(-20, "exhaust fan", true).first, fan);
 }
