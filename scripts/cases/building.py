@@ -278,6 +278,7 @@ def building_parts(case, case_dir, manner):
     site = case["site"]
     weather = [manner.place(site[key]) for key in ("weather_train", "weather_test")]
     yield section("", name=manner.name or case["case"],
+                  structure=texts(["one unit for all"]) if reheats(case) else None,
                   holidays=texts(closed) if closed else None).lstrip()
     yield section("[site]", latitude=site["latitude"], longitude=site["longitude"],
                   utc_offset=site["utc_offset_h"], elevation=site["elevation_m"])

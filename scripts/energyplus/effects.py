@@ -149,6 +149,7 @@ HOOKS = {
                                  less_electricity),
     "heating set-point": Hook("schedules of thermostats", change_schedules(_HEATING, "add", _NO_HEAT)),
     "cooling set-point": Hook("schedules of thermostats", change_schedules(_COOLING, "add", _NO_COLD)),
+    "room spread": Hook("left out", leave_out("EnergyPlus has each room by itself")),
     "heating available": Hook("schedules of thermostats", change_schedules(_HEATING, "add", _NO_HEAT, OFF)),
     "cooling available": Hook("schedules of thermostats", change_schedules(_COOLING, "add", _NO_COLD, -OFF)),
     "operation": Hook("the schedule's own hook", move_schedule),

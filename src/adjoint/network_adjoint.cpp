@@ -165,7 +165,6 @@ void pull_structure(const PlaceBack& place, physics::Network& of_network) {
     of.emitter_time_constant += of_network.tau_emitter;
     of.emitter_radiant_share += of_network.radiant_share;
     of.proportional_band += of_network.band;
-    of.room_spread += of_network.room_spread;
     of_network.A_f += of_network.air_capacity * structure.air_capacity +
                       of_network.H_2 * structure.second_mass_conductance +
                       of_network.C_2 * structure.second_mass_capacity;
@@ -284,6 +283,8 @@ void pull_control(const PlaceBack& place, const physics::Control& control,
                &physics::Thermostat::heating_available);
     pull_limit(place, of_control.phi_C_max, &physics::Thermostat::cooling_capacity,
                &physics::Thermostat::cooling_available);
+    place.pull(thermostat.room_spread, of_control.room_spread, of.room_spread);
+    place.pull(thermostat.cooled_together, of_control.together, of.cooled_together);
     pull_season(place, of_control);
 }
 

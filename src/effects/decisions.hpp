@@ -32,6 +32,9 @@ inline constexpr double base_temperature = 20;
 /// Steps of the sun on the sunniest window [W/m2]. Judgement: a quarter of a kelvin of
 /// set-point.
 inline constexpr double sun_step = 50;
+/// Of the sun that a room had an hour ago, what still warms it. Judgement: a time
+/// constant of three to four hours.
+inline constexpr double kept_of_sun = 0.75;
 /// Least of the wind about its mean. Judgement: some leaks are left.
 inline constexpr double least_excess_of_wind = -0.6;
 /// Of a year's hours: with fewer in the weather, its mean is that of all weather.

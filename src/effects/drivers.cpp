@@ -82,9 +82,15 @@ Series sun_of(const Effect& effect, const Surroundings& around) {
     return sun;
 }
 
-/// What the room has whose window the sun is on, in steps: hours of one step share their
-/// matrices in the kernel.
-Series sunniest_window(const Effect&, const Surroundings& around) {
+/// In steps: hours of one step share their matrices in the kernel.
+Series in_steps_of_sun(Series sun) {
+    constexpr double step = decisions::sun_step;
+    for (double& value : sun) value = step * std::round(value / step);
+    return sun;
+}
+
+/// What the room has whose window the sun is on.
+Series sun_of_sunniest(const Surroundings& around) {
     const Matrix& irradiance = around.drive->irradiance;
     Series sun(static_cast<std::size_t>(around.drive->n_steps()));
     for (const physics::Zone& zone : around.building->zones)
@@ -93,9 +99,21 @@ Series sunniest_window(const Effect&, const Surroundings& around) {
             for (std::size_t k = 0; k < sun.size(); ++k)
                 sun[k] = std::max(sun[k], row[k]);
         }
-    constexpr double step = decisions::sun_step;
-    for (double& value : sun) value = step * std::round(value / step);
     return sun;
+}
+
+Series sunniest_window(const Effect&, const Surroundings& around) {
+    return in_steps_of_sun(sun_of_sunniest(around));
+}
+
+/// A room that had the sun is warm for hours.
+Series sunniest_room(const Effect&, const Surroundings& around) {
+    Series sun = sun_of_sunniest(around);
+    const double kept =
+        std::pow(decisions::kept_of_sun, around.drive->axis.step_s / 3600);
+    for (std::size_t k = 1; k < sun.size(); ++k)
+        sun[k] = std::max(sun[k], kept * sun[k - 1]);
+    return in_steps_of_sun(std::move(sun));
 }
 
 Series elapsed_of(const Effect&, const Surroundings& around) {
@@ -214,6 +232,11 @@ constexpr DriverRow driver_table[] = {
      .unit = "W/m2",
      .first_move = 50,
      .of_steps = sunniest_window},
+    {.driver = Driver::sunniest_room,
+     .name = "sun that the sunniest room keeps",
+     .unit = "W/m2",
+     .first_move = 50,
+     .of_steps = sunniest_room},
     {.driver = Driver::moisture,
      .name = "outdoor moisture",
      .unit = "g/kg",

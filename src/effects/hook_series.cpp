@@ -36,6 +36,7 @@ struct InputRow {
 constexpr InputRow input_rows[] = {
     {Part::zone, "heating_set_point", "heating set-point", "K"},
     {Part::zone, "cooling_set_point", "cooling set-point", "K"},
+    {Part::zone, "room_spread", "room spread", "K"},
     {Part::zone, "heating_available", "heating available", "-"},
     {Part::zone, "cooling_available", "cooling available", "-"},
     {Part::zone, "venting_air_change", "venting", "1/h"},

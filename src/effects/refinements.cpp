@@ -117,6 +117,22 @@ bool coil_that_dries(physics::Building& building) {
     });
 }
 
+/// An air system that is off by its hours runs for the one room that asks, and supplies
+/// the others, too.
+bool one_unit_for_all(physics::Building& building) {
+    bool changed = false;
+    for (physics::Zone& zone : building.zones) {
+        if (zone.air_system < 0 || zone.thermostat.imposed) continue;
+        const physics::Input& available =
+            building.air_systems[static_cast<std::size_t>(zone.air_system)].available;
+        if (available.profile < 0) continue;
+        zone.thermostat.cooled_together = {0, 1, available.profile};
+        zone.thermostat.room_spread.profile = available.profile;
+        changed = true;
+    }
+    return changed;
+}
+
 /// Whether a thermostat heats: there is a season to be found.
 bool is_heated(physics::Building& building) {
     return std::ranges::any_of(building.zones, [](const physics::Zone& zone) {
@@ -140,6 +156,13 @@ Effect following(const char* name, Hook hook, Driver driver, double typical) {
     effect.most = 20 * typical;
     effect.least = -effect.most;
     return effect;
+}
+
+/// Rooms differ by the sun that some of them have.
+Refinement::Always spread_by_sun() {
+    return {following("room spread per sun that the sunniest room keeps",
+                      Hook::room_spread, Driver::sunniest_room, 0.005),
+            0.003, 0.003, 0, 0.03};
 }
 
 }  // namespace
@@ -169,7 +192,17 @@ const std::vector<Refinement>& refinements() {
           {"thermostat_band", "zone.*.proportional_band", 0.8, 0.6, 0.02, 3}}},
         {"rooms that differ",
          "rooms warmer and colder than the mean, each of which asks for itself",
-         {{"room_spread", "zone.*.room_spread", 2.5, 1.5, 0.05, 8}}},
+         {{"room_spread", "zone.*.room_spread", 2.5, 1.5, 0.05, 8}},
+         {spread_by_sun()},
+         nullptr,
+         "rooms"},
+        {"one unit for all",
+         "an air system, off by its hours, that any room turns on for all rooms",
+         {{"room_spread", "zone.*.room_spread", 2.5, 1.5, 0.05, 8},
+          {"room_spread_off", "zone.*.room_spread.low", 1.5, 1, 0.05, 8}},
+         {spread_by_sun()},
+         one_unit_for_all,
+         "rooms"},
         {"emitter",
          "heat that comes late from radiators, in part as radiation",
          {{"emitter_lag", "zone.*.emitter_time_constant", 1500, 1200, 60, 10000},

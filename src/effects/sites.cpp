@@ -205,6 +205,12 @@ void Sites::of_cooling(Input Thermostat::* input) {
     of_thermostats(input, has_cooling);
 }
 
+void Sites::of_rooms() {
+    of_thermostats(&Thermostat::room_spread, [](const Zone& zone) {
+        return has_heating(zone) || has_cooling(zone);
+    });
+}
+
 void Sites::of_air_systems(Input physics::AirSystem::* input) {
     for (std::size_t k = 0; k < building_.air_systems.size(); ++k)
         if (std::ranges::find(building_.zones, static_cast<int>(k), &Zone::air_system) !=

@@ -35,6 +35,8 @@ class Sites {
     /// A thermostat's input in the zones that it heats, or cools.
     void of_heating(physics::Input physics::Thermostat::* input);
     void of_cooling(physics::Input physics::Thermostat::* input);
+    /// By how much the rooms of zones differ that a thermostat heats or cools.
+    void of_rooms();
     /// Of the systems that serve a zone.
     void of_air_systems(physics::Input physics::AirSystem::* input);
     /// Of boundaries whose air systems supply; of systems where they supply another.

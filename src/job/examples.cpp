@@ -163,7 +163,8 @@ heating_available = 1
 cooling_available = {value = 1, low = 0, schedule = "plant"}
 air_capacity = 15000                  # [J/(m2 K)]
 proportional_band = 0.5               # [K]
-room_spread = 2                       # [K]
+room_spread = {value = 4, low = 2, schedule = "work"}  # [K]
+cooled_together = {value = 0, low = 1, schedule = "plant"}
 emitter_time_constant = 1200          # [s]
 emitter_radiant_share = 0.4
 heating_limit = 16                    # [degC] of the running mean outdoors

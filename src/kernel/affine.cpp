@@ -95,8 +95,15 @@ double most_of(double share, double limit) {
     return share > 0 ? share * limit : 0;
 }
 
-double per_reach(double reach) {
-    return reach > 0 ? 1 / (4 * reach) : 0;
+/// Of the hottest room's power, over which some rooms ask for less than they get;
+/// without an end where all get what it asks for.
+double span_of_rooms(double reach, double together) {
+    if (!(reach > 0)) return 0;
+    return together < 1 ? 2 * reach / (1 - together) : physics::unlimited;
+}
+
+double inverse_of(double span) {
+    return span > 0 ? 1 / span : 0;
 }
 
 /// In the order of GeneralColumn.
@@ -109,11 +116,17 @@ void write_general_regime(const Regime& regime, Columns columns) {
     const double cooling = cooled * cooling_line(regime).gain;
     columns.add(heating);
     columns.add(cooling);
-    const double half = 0.5 * regime.network.room_spread;
+    const double half = 0.5 * regime.control.room_spread;
+    const double together = regime.control.together;
+    const double span_heating = 2 * half * heating,
+                 span_cooling = span_of_rooms(half * cooling, together);
     columns.add(half * heating);
     columns.add(half * cooling);
-    columns.add(per_reach(half * heating));
-    columns.add(per_reach(half * cooling));
+    columns.add(span_heating);
+    columns.add(span_cooling);
+    columns.add(inverse_of(span_heating));
+    columns.add(inverse_of(span_cooling));
+    columns.add(together);
     columns.add(span_of(imposed) * regime.network.A_f);
     const auto add_term = [&](physics::Term term) {
         for_forms(regime,

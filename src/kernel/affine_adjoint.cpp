@@ -189,7 +189,8 @@ class GeneralBack {
                    of_heating_);
         pull_reach(control.cooled * cooling_line(back_.regime).gain, columns.take(),
                    of_cooling_);
-        for (int inverse = 0; inverse < 2; ++inverse) columns.take();
+        for (int in_reach = 0; in_reach < 4; ++in_reach) columns.take();
+        of.together += columns.take();
         pull_imposed_span(columns.take());
         pull_term(physics::Term::phi_h, columns);
         pull_term(physics::Term::phi_c, columns);
@@ -309,10 +310,10 @@ class GeneralBack {
         place.of_here().volume += per * place.air_change(zone.venting.air_change);
     }
 
-    /// Of half the rooms' spread times a gain; `reach` holds that of its inverse, too.
+    /// Of half the rooms' spread times a gain; `reach` holds those of their spans, too.
     void pull_reach(double gain, double reach, Line& of_line) {
-        of_line.gain += 0.5 * back_.regime.network.room_spread * reach;
-        back_.of_network.room_spread += 0.5 * gain * reach;
+        of_line.gain += 0.5 * back_.regime.control.room_spread * reach;
+        back_.of_control.room_spread += 0.5 * gain * reach;
     }
 
     void pull_lines() {

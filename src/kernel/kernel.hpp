@@ -50,9 +50,12 @@ struct GeneralColumn {
         gain_cooling,
         reach_heating,  ///< by which rooms differ from what is asked [W]
         reach_cooling,
-        per_reach_heating,  ///< 1 / (4 reach) [1/W]; 0 where they do not differ
-        per_reach_cooling,
-        imposed,  ///< power per value of the last driver [W]
+        span_heating,  ///< of the hottest room's power, over which some ask [W]
+        span_cooling,
+        per_span_heating,  ///< [1/W]; 0 where they do not differ
+        per_span_cooling,
+        together,  ///< of the hottest room's cooling, what each gets at least [-]
+        imposed,   ///< power per value of the last driver [W]
         forms  ///< (1 + n) each: heating, cooling, states, sun, drivers; then apertures
     };
 };

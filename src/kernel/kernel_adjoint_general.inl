@@ -40,25 +40,24 @@ struct FormAdjoints {
     }
 };
 
-/// Columns of a power.
-struct PowerColumns {
-    int limit, reach, per_reach;
+/// Adjoints of a power of rooms that differ.
+struct OfRooms {
+    V limit, asked, reach, together;
 };
 
-/// A power of rooms that differ, within its limit: the adjoint of what was asked; those
-/// of limit and reach are added.
-inline V pull_rooms(V asked, V power, V of_power, const double* regime,
-                    const PowerColumns& columns, double* of_regime) {
+/// Back through the mean over rooms and its limit. Those of span and its inverse are in
+/// reach and together.
+inline OfRooms pull_rooms(const Rooms& rooms, V limit, V asked, V power, V of_power) {
     const V on = keep_where(less(broadcast(0), power), of_power);
-    const V freely = keep_where(less(power, column(regime, columns.limit)), on);
-    add_to(of_regime, columns.limit, sub(on, freely));
-    const V reach = column(regime, columns.reach),
-            per = column(regime, columns.per_reach);
-    const V share = mul(add(per, per), some_of_rooms(asked, reach));
-    add_to(of_regime, columns.reach, mul(freely, fnma(share, share, share)));
-    const Mask all = less(reach, asked);
-    const Mask some = both(less(sub(broadcast(0), reach), asked), less(asked, reach));
-    return add(keep_where(all, freely), keep_where(some, mul(freely, share)));
+    const V freely = keep_where(less(power, limit), on);
+    const V hottest = rooms.hottest(asked), share = rooms.share(asked);
+    const Mask is_some = both(less(broadcast(0), hottest), less(hottest, rooms.span));
+    const V of_all = keep_where(less(rooms.span, hottest), freely);
+    const V of_some = keep_where(is_some, freely);
+    const V slope = rooms.slope(asked);
+    return {sub(on, freely), fma(of_some, slope, of_all),
+            mul(of_some, fnma(share, share, slope)),
+            mul(of_some, fnma(share, rooms.some(asked), rooms.some(asked)))};
 }
 
 /// Back through the powers: returns the adjoint of the air temperature that would be
@@ -70,12 +69,18 @@ V pull_powers(const ZoneTime& zone, const double* regime, const double* coeffici
     using C = GeneralColumn;
     const V free = column(row, n);
     const Powers asked = asked_of_step<n>(zone, regime, coefficients, drivers, free);
-    const V heat =
-        pull_rooms(asked.heating, column(row, n + 1), of_heating, regime,
-                   {C::most_heating, C::reach_heating, C::per_reach_heating}, of_regime);
-    const V cool =
-        pull_rooms(asked.cooling, column(row, n + 2), of_cooling, regime,
-                   {C::most_cooling, C::reach_cooling, C::per_reach_cooling}, of_regime);
+    const OfRooms heated =
+        pull_rooms(heated_rooms(regime), column(regime, C::most_heating), asked.heating,
+                   column(row, n + 1), of_heating);
+    const OfRooms cooled =
+        pull_rooms(cooled_rooms(regime), column(regime, C::most_cooling), asked.cooling,
+                   column(row, n + 2), of_cooling);
+    add_to(of_regime, C::most_heating, heated.limit);
+    add_to(of_regime, C::most_cooling, cooled.limit);
+    add_to(of_regime, C::reach_heating, heated.reach);
+    add_to(of_regime, C::reach_cooling, cooled.reach);
+    add_to(of_regime, C::together, cooled.together);
+    const V heat = heated.asked, cool = cooled.asked;
     add_to(of_row, n + 1, heat);
     add_to(of_row, n + 2, cool);
     if (zone.imposed != 0)

@@ -50,25 +50,42 @@ Powers asked_of_step(const ZoneTime& zone, const double* regime, const double* r
             fma(column(regime, C::gain_cooling), theta_free, cool)};
 }
 
-/// Of the rooms' span the part that asks for power [W].
-inline V some_of_rooms(V asked, V reach) {
-    return min(max(add(asked, reach), broadcast(0)), add(reach, reach));
-}
+/// How rooms differ, physics/structure's: columns of a regime.
+struct Rooms {
+    V reach, span, per_span, together;
+    V hottest(V asked) const { return add(asked, reach); }
+    /// Of the span the part over which rooms ask for power [W].
+    V some(V asked) const { return min(max(hottest(asked), broadcast(0)), span); }
+    /// 0 = no room asks, 1 = all do.
+    V share(V asked) const { return mul(some(asked), per_span); }
+    /// Mean power per power of the hottest, while only some ask for more than they get.
+    V slope(V asked) const {
+        return fma(fnma(together, broadcast(1), broadcast(1)), share(asked), together);
+    }
+    V mean(V asked) const {
+        const V half = broadcast(0.5);
+        const V per_hottest = fma(fnma(together, half, half), share(asked), together);
+        return fma(some(asked), per_hottest,
+                   max(sub(hottest(asked), span), broadcast(0)));
+    }
+};
 
-/// Mean over rooms that differ, physics/structure's.
-inline V mean_of_rooms(V asked, V reach, V per_reach) {
-    const V some = some_of_rooms(asked, reach);
-    return fma(mul(some, some), per_reach, max(sub(asked, reach), broadcast(0)));
+inline Rooms heated_rooms(const double* regime) {
+    using C = GeneralColumn;
+    return {column(regime, C::reach_heating), column(regime, C::span_heating),
+            column(regime, C::per_span_heating), broadcast(0)};
+}
+inline Rooms cooled_rooms(const double* regime) {
+    using C = GeneralColumn;
+    return {column(regime, C::reach_cooling), column(regime, C::span_cooling),
+            column(regime, C::per_span_cooling), column(regime, C::together)};
 }
 
 inline Powers powers_of_rooms(const double* regime, Powers asked) {
     using C = GeneralColumn;
-    return {min(mean_of_rooms(asked.heating, column(regime, C::reach_heating),
-                              column(regime, C::per_reach_heating)),
-                column(regime, C::most_heating)),
-            min(mean_of_rooms(asked.cooling, column(regime, C::reach_cooling),
-                              column(regime, C::per_reach_cooling)),
-                column(regime, C::most_cooling))};
+    return {
+        min(heated_rooms(regime).mean(asked.heating), column(regime, C::most_heating)),
+        min(cooled_rooms(regime).mean(asked.cooling), column(regime, C::most_cooling))};
 }
 
 /// Writes what is to be shown of a general zone's step.

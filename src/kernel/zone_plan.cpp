@@ -46,7 +46,8 @@ std::vector<int> regime_profiles(const physics::Building& building,
         for (const physics::Input* input :
              {&control.heating_set_point, &control.cooling_set_point,
               &control.heating_capacity, &control.cooling_capacity,
-              &control.heating_available, &control.cooling_available})
+              &control.heating_available, &control.cooling_available,
+              &control.room_spread, &control.cooled_together})
             add_profiles(profiles, *input);
     return profiles;
 }
@@ -106,7 +107,7 @@ LinearProfiles gain_profiles(const Nominal& nominal, std::size_t index) {
 struct Options {
     physics::Structure widest;
     SeasonLimits season;
-    bool shifted = false, vented = false;
+    bool shifted = false, vented = false, rooms_differ = false;
 };
 
 Options options_of(const Nominal& nominal, std::size_t index) {
@@ -117,7 +118,6 @@ Options options_of(const Nominal& nominal, std::size_t index) {
             for (double physics::Structure::* field :
                  {&physics::Structure::air_capacity,
                   &physics::Structure::proportional_band,
-                  &physics::Structure::room_spread,
                   &physics::Structure::emitter_time_constant,
                   &physics::Structure::emitter_radiant_share,
                   &physics::Structure::second_mass_conductance,
@@ -129,13 +129,15 @@ Options options_of(const Nominal& nominal, std::size_t index) {
             options.shifted |= is_active(shift.supply) || is_active(shift.opaque) ||
                                is_active(shift.windows);
             options.vented |= is_active(zone.venting.air_change);
+            options.rooms_differ |= zone.thermostat.rooms_differ();
         });
     return options;
 }
 
 std::vector<physics::Term> states_of(const Options& options, bool imposed) {
     const physics::Structure& structure = options.widest;
-    if (!structure.any() && !options.season.is_seasonal() && !imposed && !options.vented)
+    if (!structure.any() && !options.season.is_seasonal() && !imposed &&
+        !options.vented && !options.rooms_differ)
         return {};
     std::vector<physics::Term> states{physics::Term::theta_m};
     if (structure.second_mass_conductance > 0) states.push_back(physics::Term::theta_m2);

@@ -43,6 +43,13 @@ struct Input {
     std::array<Change, most_changes> changes{};
 
     bool is_changed() const { return changes[0].profile >= 0; }
+    /// Whether it is above 0 at some time; what reaches below 0 is refused elsewhere.
+    bool is_anything() const {
+        bool any = value > 0 || low > 0;
+        for (const Change& change : changes)
+            any |= change.profile >= 0 && change.amount != 0;
+        return any;
+    }
 };
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
@@ -127,15 +134,18 @@ struct Thermostat {
     Input cooling_capacity{unlimited, 0, -1};  ///< [W/m2 of floor]
     Input heating_available{1, 0, -1};         ///< 0 or 1, times the capacity
     Input cooling_available{1, 0, -1};
+    Input room_spread;  ///< by which rooms differ, all told [K]
+    /// Of what the room asks for that asks most, what each room gets at least [-].
+    Input cooled_together;
     bool imposed = false;  ///< then no set-points: `imposed_power` enters the air node
     Input imposed_power;   ///< [W/m2 of floor], heating positive
+    bool rooms_differ() const { return room_spread.is_anything(); }
 };
 
 /// Refinements of the standard's one-capacity hour; all off by default (structure.hpp).
 struct Structure {
     double air_capacity = 0;           ///< of the air node [J/K per m2 of floor]
     double proportional_band = 0;      ///< of the thermostat [K]; needs finite capacities
-    double room_spread = 0;            ///< by which rooms differ, all told [K]
     double emitter_time_constant = 0;  ///< of heating [s]
     double emitter_radiant_share = 0;  ///< of heating [-]
     double second_mass_conductance = 0;  ///< H_2 between the masses [W/K per m2 of floor]
@@ -147,9 +157,8 @@ struct Structure {
         return heating_limit < unlimited || cooling_limit > -unlimited;
     }
     bool any() const {
-        return air_capacity > 0 || proportional_band > 0 || room_spread > 0 ||
-               emitter_time_constant > 0 || emitter_radiant_share > 0 ||
-               second_mass_conductance > 0 || is_seasonal();
+        return air_capacity > 0 || proportional_band > 0 || emitter_time_constant > 0 ||
+               emitter_radiant_share > 0 || second_mass_conductance > 0 || is_seasonal();
     }
 };
 

@@ -149,7 +149,6 @@ void set_structure(const Place& place, Network& network) {
     network.radiant_share =
         not_negative(place, structure.emitter_radiant_share, "emitter_radiant_share");
     network.band = not_negative(place, structure.proportional_band, "proportional_band");
-    network.room_spread = not_negative(place, structure.room_spread, "room_spread");
 }
 
 void add_elements(const Place& place, Network& network) {
@@ -192,6 +191,20 @@ double capacity_at(const Zone& zone, const Drive& drive, int step, const Input& 
     const double share = drive.at(available, step);
     const double limit = drive.at(capacity, step);
     return share > 0 && limit > 0 ? share * limit * zone.floor_area : 0;
+}
+
+double spread_at(const Zone& zone, const Drive& drive, int step) {
+    const double spread = drive.at(zone.thermostat.room_spread, step);
+    if (!(spread >= 0) || !std::isfinite(spread))
+        reject(zone, step, fmt::format("room_spread = {:.6g} K is not >= 0", spread));
+    return spread;
+}
+
+double together_at(const Zone& zone, const Drive& drive, int step) {
+    const double share = drive.at(zone.thermostat.cooled_together, step);
+    if (!(share >= 0 && share <= 1))
+        reject(zone, step, fmt::format("cooled_together = {:.6g} is not a share", share));
+    return share;
 }
 
 /// Whether an effect moves a set-point.
@@ -269,6 +282,8 @@ Control control_at(const Zone& zone, const Drive& drive, int step) {
                                         thermostat.heating_available);
     control.phi_C_max = capacity_at(zone, drive, step, thermostat.cooling_capacity,
                                     thermostat.cooling_available);
+    control.room_spread = spread_at(zone, drive, step);
+    control.together = together_at(zone, drive, step);
     hold_apart(zone, step, control);
     if (zone.structure.is_seasonal()) {
         const double theta_rm = drive.theta_rm[static_cast<std::size_t>(step)];

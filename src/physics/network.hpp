@@ -31,7 +31,6 @@ struct Network {
     double tau_emitter = 0;    ///< [s]
     double radiant_share = 0;  ///< [-]
     double band = 0;           ///< [K]
-    double room_spread = 0;    ///< [K]
 };
 
 /// The network at one step. Throws CannotSimulate with a sentence where the building
@@ -53,6 +52,8 @@ struct Control {
     bool imposed = false;
     double phi_imposed = 0;         ///< [W]
     double heated = 1, cooled = 1;  ///< shares of rooms, by the season [-]
+    double room_spread = 0;         ///< [K]
+    double together = 0;            ///< cooled_together [-]
     bool held_apart = false;  ///< theta_C_set is theta_H_set and the proportional band
 };
 /// Throws CannotSimulate where heating and cooling are both there and their set-points

@@ -103,7 +103,9 @@ class Stepper::ZoneRun {
         hour.phi_vent = venting_power(zone, *drive_, step, state_.theta_air);
         const Control control = control_at(zone, *drive_, step);
         const auto room = [&](const HourDrive& with) {
-            const auto one_step = zone.structure.any() ? advance_step : standard_step;
+            const auto one_step = zone.structure.any() || zone.thermostat.rooms_differ()
+                                      ? advance_step
+                                      : standard_step;
             return one_step(network_, with, control, state_, drive_->axis.step_s);
         };
         StepResult result =

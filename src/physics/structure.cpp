@@ -19,24 +19,35 @@ TermValues terms_of(const HourDrive& drive, const NodeGains& gains,
              gains.phi_m, 0, 0}};
 }
 
-/// Mean of max(0, power) over powers that lie evenly within `reach` about what is asked.
-double mean_of_rooms(double asked, double reach) {
+/// Mean of max(power, together hottest, 0) over powers that lie evenly within `reach`
+/// about what is asked; hottest = asked + reach.
+double mean_of_rooms(double asked, double reach, double together) {
     if (!(reach > 0)) return std::max(asked, 0.0);
-    const double some = std::clamp(asked + reach, 0.0, 2 * reach);
-    return some * some / (4 * reach) + std::max(asked - reach, 0.0);
+    const double hottest = asked + reach;
+    if (together >= 1) return std::max(hottest, 0.0);
+    const double span = 2 * reach / (1 - together);  // above it all ask for more
+    const double some = std::clamp(hottest, 0.0, span);
+    return some * (0.5 * (1 - together) * some / span + together) +
+           std::max(hottest - span, 0.0);
 }
+
+struct Rooms {
+    double spread;  ///< [K]
+    double together;
+};
 
 /// power = limit clamp(1/2 + (theta_set - theta_air) / band, 0, 1), theta_air = free +
 /// slope power, solved for the power. For cooling every sign turns. Without a band it is
 /// the ideal thermostat; with a band and no limit, what holds theta_set + band / 2.
+/// \param rooms  how they differ
 /// \param missing  theta_set - free for heating, free - theta_set for cooling [K]
-double thermostat_power(const Network& network, double missing, double slope,
-                        double limit) {
+double thermostat_power(const Network& network, const Rooms& rooms, double missing,
+                        double slope, double limit) {
     if (limit <= 0) return 0;
     const double droop = network.band / limit;  // of the set-point per power [K/W]
     const double asked = (missing + 0.5 * network.band) / (slope + droop);
-    const double reach = 0.5 * network.room_spread / (slope + droop);
-    return std::min(mean_of_rooms(asked, reach), limit);
+    const double reach = 0.5 * rooms.spread / (slope + droop);
+    return std::min(mean_of_rooms(asked, reach, rooms.together), limit);
 }
 
 struct Powers {
@@ -47,11 +58,12 @@ Powers control_powers(const Control& control, const Network& network, const Step
                       double theta_air_free) {
     if (control.imposed)
         return {std::max(control.phi_imposed, 0.0), std::max(-control.phi_imposed, 0.0)};
-    const double heating =
-        thermostat_power(network, control.theta_H_set - theta_air_free,
-                         map.theta_air[Term::phi_h], control.phi_H_max);
+    const double heating = thermostat_power(
+        network, {control.room_spread, 0}, control.theta_H_set - theta_air_free,
+        map.theta_air[Term::phi_h], control.phi_H_max);
     const double cooling =
-        thermostat_power(network, theta_air_free - control.theta_C_set,
+        thermostat_power(network, {control.room_spread, control.together},
+                         theta_air_free - control.theta_C_set,
                          -map.theta_air[Term::phi_c], control.phi_C_max);
     return {control.heated * heating, control.cooled * cooling};
 }

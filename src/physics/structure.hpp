@@ -9,7 +9,8 @@
 ///   theta_set + band / 2); for cooling with the signs turned;
 /// - rooms that differ: their free temperatures lie evenly over room_spread about the
 /// zone's, each asks for the same power per kelvin that it lacks, and some may heat while
-/// others cool; the zone's power is their mean;
+/// others cool; the zone's power is their mean. Where one unit runs for the room that
+/// asks most, each room gets `cooled_together` of that room's cooling at least;
 /// - emitter: heating passes a first-order lag (exact over the step), a share of it
 /// radiant,
 ///   split to the surface and mass nodes as the standard splits radiant gains;

@@ -350,6 +350,13 @@ TEST(Placement, SetPointsShift) {
                 -before_heating, 1e-9);
 }
 
+TEST(Placement, RoomsThatDifferMoreAskForMore) {
+    const Effect rooms{.name = "rooms", .hook = Hook::room_spread};
+    EXPECT_GT(heating(rooms, 2), 0);
+    EXPECT_GT(heating(rooms, 4), heating(rooms, 2));
+    EXPECT_GT(cooling(rooms, 4), 0);
+}
+
 TEST(Placement, ConversionFactors) {
     const Effect worse{.name = "worse", .hook = Hook::heating_efficiency};
     EXPECT_NEAR(raised(office(), worse, -0.1, Quantity::gas),

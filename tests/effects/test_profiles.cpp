@@ -163,6 +163,24 @@ TEST(Profiles, TheSunniestWindowsSunIsInStepsOfFifty) {
     EXPECT_EQ(sun(), 300);
 }
 
+TEST(Profiles, ARoomKeepsSomeOfTheSunThatItHad) {
+    const physics::Building& building = office().building;
+    physics::Drive drive = office().drive;
+    const std::size_t step = at("2021-03-05 14:00");
+    for (double& value : drive.irradiance.values) value = 0;
+    const auto plane = static_cast<std::size_t>(building.zones[0].windows[0].plane);
+    drive.irradiance(plane, step) = 800;
+    drive.irradiance(plane, step + 2) = 500;
+    const auto sun = profile_of(
+        {.driver = Driver::sunniest_room},
+        make_surroundings(building, drive, office().weather, office().around.from));
+    EXPECT_EQ(sun[step - 1], 0);
+    EXPECT_EQ(sun[step], 800);
+    EXPECT_EQ(sun[step + 1], 600) << "three quarters of it";
+    EXPECT_EQ(sun[step + 2], 500) << "the sun itself, not 450";
+    EXPECT_EQ(sun[step + 3], 400) << "375, in steps of fifty";
+}
+
 TEST(Profiles, ShapesOfWind) {
     const double wind = office().around.weather.at(Driver::wind)[at("2021-03-05 14:00")];
     const auto value = [&](Shape shape) {

@@ -33,7 +33,26 @@ TEST(Refinements, OfOneKindAreNotTogether) {
     };
     EXPECT_TRUE(are_of_one_kind(index("sky"), index("sky by weather")));
     EXPECT_TRUE(are_of_one_kind(index("surfaces"), index("surfaces")));
+    EXPECT_TRUE(are_of_one_kind(index("rooms that differ"), index("one unit for all")));
     EXPECT_FALSE(are_of_one_kind(index("surfaces"), index("sky")));
+}
+
+TEST(Refinements, OneUnitForAllIsOfAnAirSystemWithHours) {
+    physics::Building building = Office().building;
+    const Refinement& unit = named("one unit for all");
+    physics::Zone& zone = building.zones[0];
+    physics::Input& available =
+        building.air_systems[static_cast<std::size_t>(zone.air_system)].available;
+    const int hours = available.profile;
+    available.profile = -1;
+    EXPECT_FALSE(unit.change(building)) << "it never stands";
+    available.profile = hours;
+    EXPECT_TRUE(unit.change(building));
+    EXPECT_EQ(zone.thermostat.cooled_together.value, 0) << "while it runs by its hours";
+    EXPECT_EQ(zone.thermostat.cooled_together.low, 1);
+    EXPECT_EQ(zone.thermostat.cooled_together.profile, hours);
+    zone.air_system = -1;
+    EXPECT_FALSE(unit.change(building));
 }
 
 TEST(Refinements, ANumberStandsAtItsMeanAndIsAParameter) {

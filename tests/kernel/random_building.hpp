@@ -211,7 +211,11 @@ inline void set_rooms(unsigned seed, Building& building) {
     Dice dice(seed + 99000);
     for (Zone& zone : building.zones)
         if (zone.structure.any() && dice.chance(0.5))
-            zone.structure.room_spread = dice.between(0.5, 8);
+            zone.thermostat.room_spread = {dice.between(0.5, 8), dice.between(0, 4),
+                                           dice.chance(0.5) ? office_hours : -1};
+    for (Zone& zone : building.zones)
+        if (!zone.thermostat.imposed && dice.chance(0.5))
+            zone.thermostat.cooled_together = {0, dice.between(0, 0.95), office_hours};
 }
 
 inline RandomCase random_case(unsigned seed) {

@@ -73,6 +73,8 @@ inline void change_zone(Dice& dice, double chance, Zone& zone) {
     for (Input* input : {&control.heating_capacity, &control.cooling_capacity,
                          &control.heating_available})
         change_some(dice, chance, *input, 0.1);
+    if (std::min(control.room_spread.value, control.room_spread.low) > 2)
+        change_some(dice, chance, control.room_spread, 0.5);
     if (control.imposed)
         change_some(dice, 2 * chance, control.imposed_power, 0.2, swinging);
 }

@@ -226,6 +226,21 @@ TEST_P(FastWithSeasonsAgainstPlain, EveryStepAgrees) {
     expect_steps(test::random_seasonal_case(GetParam()), GetParam() + 9000);
 }
 
+/// All rooms get what the warmest asks for: no room asks for more than it gets.
+TEST(FastAgainstPlainOfRooms, OneUnitCoolsAllRooms) {
+    int n_seen = 0;
+    for (unsigned seed = 0; seed < 30; ++seed) {
+        RandomCase made = random_case(seed);
+        for (physics::Zone& zone : made.building.zones) {
+            if (!zone.thermostat.rooms_differ() || zone.thermostat.imposed) continue;
+            zone.thermostat.cooled_together = {1, 1, -1};
+            ++n_seen;
+        }
+        expect_steps(made, seed + 2000);
+    }
+    EXPECT_GT(n_seen, 3);
+}
+
 /// A season's days are sorted for the ends of parameters' ranges.
 TEST(FastWithSeasons, RefusesLimitsBeyondTheRanges) {
     RandomCase made = random_case(3);

@@ -155,11 +155,39 @@ TEST(Structure, RoomsThatDifferAreTheMeanOfTheirThermostats) {
             heating += result.phi_heating / rooms;
             cooling += result.phi_cooling / rooms;
         }
-        s.network.room_spread = 6;
+        s.control.room_spread = 6;
         const StepResult result = step(s);
         const double scale = s.network.A_f;
         EXPECT_NEAR(result.phi_heating / scale, heating / scale, 1e-4);
         EXPECT_NEAR(result.phi_cooling / scale, cooling / scale, 1e-4);
+    }
+}
+
+// Rooms as above, of which each gets what it asks for, and a share of what the warmest
+// asks for.
+TEST(Structure, OneUnitThatAnyRoomTurnsOnCoolsAllRooms) {
+    std::mt19937_64 random(13);
+    for (int draw = 0; draw < 100; ++draw) {
+        Situation s = random_situation(random);
+        s.control.phi_H_max = 0;
+        s.control.phi_C_max = unlimited;
+        const int rooms = 4000;
+        std::vector<double> asked;
+        for (int room = 0; room < rooms; ++room) {
+            Situation one = s;
+            one.control.theta_C_set -= 6 * ((room + 0.5) / rooms - 0.5);
+            asked.push_back(step(one).phi_cooling);
+        }
+        s.control.room_spread = 6;
+        const double alone = step(s).phi_cooling, scale = s.network.A_f;
+        for (const double together : {0.3, 1.0}) {
+            double mean = 0;
+            for (const double power : asked)
+                mean += std::max(power, together * asked.back()) / rooms;
+            s.control.together = together;
+            EXPECT_NEAR(step(s).phi_cooling / scale, mean / scale, 2e-2);
+            EXPECT_GE(step(s).phi_cooling, alone * (1 - 1e-12));
+        }
     }
 }
 
@@ -350,7 +378,7 @@ TEST(Structure, SimulatesTenMinutesWithEveryRefinement) {
     };
     const double plain = energy(hourly);
     EXPECT_NEAR(energy(fine), plain, 0.01 * plain);
-    zone.structure = {10000, 0.5, 0, 900, 0.3, 2, 1e5};
+    zone.structure = {10000, 0.5, 900, 0.3, 2, 1e5};
     EXPECT_NEAR(energy(fine), plain, 0.05 * plain);
 }
 

@@ -562,7 +562,7 @@ class Tables(unittest.TestCase):
 
     def test_each_hook_changes_the_model_or_the_hours(self):
         left_here = {"second mass", "ground", "neighbour", "economiser", "supply temperature", "operation",
-                     "occupation", "plant operation"}
+                     "room spread", "occupation", "plant operation"}
         for hook, row in effects.HOOKS.items():
             with self.subTest(hook):
                 self.setUp()
