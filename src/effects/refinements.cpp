@@ -125,9 +125,11 @@ bool one_unit_for_all(physics::Building& building) {
         if (zone.air_system < 0 || zone.thermostat.imposed) continue;
         const physics::Input& available =
             building.air_systems[static_cast<std::size_t>(zone.air_system)].available;
-        if (available.profile < 0) continue;
+        if (available.profile < 0 || zone.thermostat.cooled_together.is_anything())
+            continue;
         zone.thermostat.cooled_together = {0, 1, available.profile};
-        zone.thermostat.room_spread.profile = available.profile;
+        if (!zone.thermostat.rooms_differ())
+            zone.thermostat.room_spread.profile = available.profile;
         changed = true;
     }
     return changed;
