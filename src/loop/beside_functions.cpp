@@ -4,14 +4,13 @@
 /// functions.
 #include "loop/beside_functions.hpp"
 
-#include "loop/decisions.hpp"
 #include "loop/effect_search.hpp"
 #include "loop/find_functions.hpp"
 #include "loop/gates.hpp"
 #include "loop/intervals.hpp"
 #include "loop/moves.hpp"
+#include "stats/distributions.hpp"
 
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -99,16 +98,14 @@ void search_beside_functions(const LoopData& data, const Place& place, LoopResul
 /// is no longer plausible.
 std::optional<std::size_t> told_by_functions(const LoopData& data,
                                              const LoopResult& result) {
-    const Standing& last = result.last;
-    const auto sds = deviations_of(data, last, result.misfit);
-    double least = decisions::certainty_beside_functions;
+    const auto certainties =
+        certainties_of(data, result.last, result.found, result.misfit);
+    double least = stats::z_90_two_sided;
     std::optional<std::size_t> weakest;
-    for (std::size_t k = 0; k < result.found.size(); ++k) {
-        const double c = last.coefficient(k);
-        const double sd =
-            deviation_of(result.found[k], sds[last.built.first_effect() + k], c);
-        const double certainty =
-            is_plausible(last.model.effects[k], c) ? std::abs(c) / sd : 0;
+    for (std::size_t k = 0; k < certainties.size(); ++k) {
+        const bool is_possible =
+            is_plausible(result.last.model.effects[k], result.last.coefficient(k));
+        const double certainty = is_possible ? certainties[k] : 0;
         if (!(certainty < least)) continue;
         least = certainty;
         weakest = k;

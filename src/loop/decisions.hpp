@@ -299,9 +299,6 @@ inline constexpr double log_odds_of_meter = 7.3;
 /// How far parameters move with functions in a round [prior sd]. Judgement: where steps
 /// are linear.
 inline constexpr double linear_range = 0.2;
-/// A coefficient nearer to 0 beside functions is told by them [standard deviations].
-/// Statistic: its 90 % interval holds 0.
-inline constexpr double certainty_beside_functions = 1.645;
 /// Every so many-th block is left out together. Judgement.
 inline constexpr std::size_t function_folds = 6;
 /// Searches, each about the model with the functions so far. Judgement: time.

@@ -79,7 +79,7 @@ class Search {
         Found& newest = result_.found.back();
         if (!is_overwhelming(newest.gain, threshold_)) return leaves(too_little_beside);
         note_what_shapes_leave_open(result_.baseline.place);
-        if (fate_of(certainties_of().back(), newest.gain, threshold_) != Fate::stays)
+        if (fate_of(certainties().back(), newest.gain, threshold_) != Fate::stays)
             return leaves(nearly_nothing);
         if (newest.doubt.empty()) newest.doubt = "it is seen only beside functions";
         return true;
@@ -198,7 +198,7 @@ class Search {
     /// Says whether one did.
     bool leave_least_certain(const Place& place) {
         note_what_shapes_leave_open(place);
-        const auto certainties = certainties_of();
+        const auto certainties = this->certainties();
         std::optional<std::size_t> weakest;
         for (std::size_t k = 0; k < certainties.size(); ++k) {
             Found& found = result_.found[k];
@@ -222,19 +222,8 @@ class Search {
                 deviation_over_shapes(data_, place, result_.last, k, result_.misfit);
     }
 
-    /// How many standard deviations each effect's coefficient is from 0, by all that its
-    /// interval holds.
-    std::vector<double> certainties_of() const {
-        const Standing& last = result_.last;
-        const auto sds = deviations_of(data_, last, result_.misfit);
-        std::vector<double> certainties;
-        for (std::size_t k = 0; k < result_.found.size(); ++k) {
-            const double c = last.coefficient(k);
-            const double of_noise = sds[last.built.first_effect() + k];
-            certainties.push_back(std::abs(c) /
-                                  deviation_of(result_.found[k], of_noise, c));
-        }
-        return certainties;
+    std::vector<double> certainties() const {
+        return certainties_of(data_, result_.last, result_.found, result_.misfit);
     }
 
     void note_split(std::size_t effect) {

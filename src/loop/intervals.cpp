@@ -97,6 +97,19 @@ double deviation_of(const Found& found, double of_noise, double coefficient) {
                       found.of_shape, found.of_missing);
 }
 
+std::vector<double> certainties_of(const LoopData& data, const Standing& standing,
+                                   const std::vector<Found>& found, double misfit) {
+    const auto sds = deviations_of(data, standing, misfit);
+    std::vector<double> certainties;
+    certainties.reserve(found.size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        const double c = standing.coefficient(k);
+        const double of_noise = sds[standing.built.first_effect() + k];
+        certainties.push_back(std::abs(c) / deviation_of(found[k], of_noise, c));
+    }
+    return certainties;
+}
+
 Fate fate_of(double certainty, double gain, double threshold) {
     if (certainty >= decisions::least_certainty) return Fate::stays;
     return gain > decisions::doubtful_evidence * threshold ? Fate::is_doubtful
