@@ -29,10 +29,6 @@ Target field_where(Target target, Is is) {
     throw std::logic_error("an input that no field names");
 }
 
-bool is_off(const Input& input) {
-    return input.value == 0 && (input.profile < 0 || input.low == 0);
-}
-
 bool is_infiltration(const AirFlow& flow) {
     return flow.name.find("infiltration") != std::string::npos;
 }
@@ -65,11 +61,11 @@ std::size_t infiltration_of(Zone& zone) {
 }
 
 bool has_heating(const Zone& zone) {
-    return !zone.thermostat.imposed && !is_off(zone.thermostat.heating_capacity);
+    return !zone.thermostat.imposed && !zone.thermostat.heating_capacity.is_off();
 }
 
 bool has_cooling(const Zone& zone) {
-    return !zone.thermostat.imposed && !is_off(zone.thermostat.cooling_capacity);
+    return !zone.thermostat.imposed && !zone.thermostat.cooling_capacity.is_off();
 }
 
 }  // namespace
@@ -80,7 +76,7 @@ bool is_fan(const AirFlow& flow) {
 }
 
 bool recovers_heat(const AirFlow& flow) {
-    const bool ventilates = is_fan(flow) || !is_off(flow.heat_recovery);
+    const bool ventilates = is_fan(flow) || !flow.heat_recovery.is_off();
     return ventilates && flow.supply == physics::outdoors && !is_infiltration(flow);
 }
 
@@ -141,7 +137,7 @@ void Sites::of_leaks() {
     for (std::size_t z = 0; z < building_.zones.size(); ++z) {
         std::vector<AirFlow>& flows = building_.zones[z].flows;
         const auto found = infiltration_among(flows);
-        if (found == flows.end() || is_off(found->air_change)) continue;
+        if (found == flows.end() || found->air_change.is_off()) continue;
         add(Part::flow, z, static_cast<std::size_t>(found - flows.begin()),
             found->air_change);
     }
@@ -228,7 +224,7 @@ void Sites::of_ventilation() {
     of_flows(&AirFlow::air_change, is_fan);
     for (std::size_t k = 0; k < building_.air_systems.size(); ++k)
         if (const auto& system = building_.air_systems[k];
-            !is_off(system.outdoor_air_change))
+            !system.outdoor_air_change.is_off())
             add(Part::air_system, k, 0, system.outdoor_air_change);
 }
 

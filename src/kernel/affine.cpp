@@ -118,7 +118,7 @@ void write_general_regime(const Regime& regime, Columns columns) {
     columns.add(cooling);
     const double half = 0.5 * regime.control.room_spread;
     const double together = regime.control.together;
-    const double span_heating = 2 * half * heating,
+    const double span_heating = span_of_rooms(half * heating, 0),
                  span_cooling = span_of_rooms(half * cooling, together);
     columns.add(half * heating);
     columns.add(half * cooling);

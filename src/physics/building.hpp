@@ -43,9 +43,11 @@ struct Input {
     std::array<Change, most_changes> changes{};
 
     bool is_changed() const { return changes[0].profile >= 0; }
-    /// Whether it is above 0 at some time; what reaches below 0 is refused elsewhere.
+    /// Whether it is 0 at all times, but for its changes.
+    bool is_off() const { return value == 0 && (profile < 0 || low == 0); }
+    /// Whether it is or is changed to anything but 0.
     bool is_anything() const {
-        bool any = value > 0 || low > 0;
+        bool any = !is_off();
         for (const Change& change : changes)
             any |= change.profile >= 0 && change.amount != 0;
         return any;

@@ -75,7 +75,7 @@ bool is_progress_file(const fs::path& path) {
     struct stat there{};
     if (::lstat(path.c_str(), &there) != 0 || !S_ISREG(there.st_mode)) return false;
     if (there.st_size == 0) return true;  // of a run that ended before its first line
-    return begin_of(path).starts_with(mark) && fs::file_size(path) == file_bytes;
+    return there.st_size == off_t{file_bytes} && begin_of(path).starts_with(mark);
 }
 
 std::string read_progress(const fs::path& folder) {
