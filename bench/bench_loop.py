@@ -191,6 +191,13 @@ def print_names(scored):
         scored, "outside"))), "%", 0)
 
 
+def print_air_systems(scored):
+    """That are found in buildings which have none."""
+    without = [s for s in scored if not s.air_handler]
+    line("loop_air_system_where_none_is", sum(map(loop_scores.has_found_an_air_system, without)),
+         f"of_{len(without)}", 0)
+
+
 def print_classes(scored):
     sizes = [loop_scores.class_size(effect) for s in scored for effect in s.found]
     for name, at in (("median", 50), ("p90", 90)):
@@ -256,6 +263,7 @@ def judge(cases, folder, options, rung):
         print_rung(scored, rung)
         return
     print_names(scored)
+    print_air_systems(scored)
     print_classes(scored)
     print_errors(scored)
     print_reliability(scored)

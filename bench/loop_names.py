@@ -173,6 +173,9 @@ OF_AIR_HANDLER = {
     "VAV with terminal reheat": {"economiser", "latent load", "latent load on the meter of cooling",
                                  "reheat"}}
 
+# By which the loop says that a building has an air system of which nobody told: a structure, or an effect of one.
+AIR_SYSTEM = {"coil that dries"}.union(*OF_AIR_HANDLER.values())
+
 
 def names_of(planted, details=None):
     """Those of the planted effect, as it was drawn."""

@@ -19,7 +19,7 @@ sys.path[:0] = [str(large_job.ROOT / "scripts"), str(large_job.ROOT / "tests" / 
 from case_folder import COLUMNS as CHANNELS, YEAR, error   # noqa: E402
 from cases import loop_result                              # noqa: E402
 from effects import EFFECTS                                # noqa: E402
-from loop_names import (ALWAYS_THERE, CLOCK, CODE_OF, OF_AIR_HANDLER, RIGHT,  # noqa: E402
+from loop_names import (AIR_SYSTEM, ALWAYS_THERE, CLOCK, CODE_OF, OF_AIR_HANDLER, RIGHT,  # noqa: E402
                         is_in_class, is_right)
 from report.result import OF_CLASS                         # noqa: E402
 
@@ -56,6 +56,7 @@ class Scored:
     calibrated: dict = field(default_factory=dict)   # parameter: its value in the last model
     details: dict = field(default_factory=dict)   # planted effect: what it drew
     air_handler: str = ""   # its kind
+    structure: tuple = ()   # refinements that the loop chose
 
 
 def true_parameters(truth):
@@ -177,7 +178,8 @@ def score(file, case, kind):
                   detectability(loop, truth), parameter_errors(loop, truth, case, found),
                   coverage(found, planted, truth), value_coverage(found, planted, truth), calibrated(loop),
                   truth.get("details", {}),
-                  truth.get("structure", {}).get("air_handler", {}).get("kind", ""))
+                  truth.get("structure", {}).get("air_handler", {}).get("kind", ""),
+                  tuple(loop["structure_chosen"].asstr()[0].split(" + ")))
 
 
 def scores(result, cases):
@@ -246,6 +248,11 @@ def false_effects(scored):
     return [effect for effect in scored.found if effect["name"] not in excused
             and not any(is_in_class(effect, name, scored.details.get(name))
                         for name in scored.planted)]
+
+
+def has_found_an_air_system(scored):
+    """Whether structure or effects say that there is one."""
+    return bool(AIR_SYSTEM & {*scored.structure, *(effect["name"] for effect in scored.found)})
 
 
 def class_size(effect):

@@ -51,7 +51,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 struct CommandLine {
-    fs::path job, output, file, csv;
+    fs::path job, output, file, csv, parquet;
     std::vector<fs::path> files;
     fs::path last_night;
     std::string topic, place, years, stage;
@@ -257,11 +257,17 @@ void add_others(CLI::App& app, CommandLine& line) {
         ->add_option("FILE", line.files,
                      "result files; those of one job with other chains become one")
         ->required();
+    auto* csv = report
+                    ->add_option("--csv", line.csv,
+                                 "write every dataset as CSV into this new folder "
+                                 "instead, by building and study")
+                    ->type_name("FOLDER");
     report
-        ->add_option("--csv", line.csv,
-                     "write every dataset as CSV into this new folder instead, by "
-                     "building and study; the Python package's to_parquet writes Parquet")
-        ->type_name("FOLDER");
+        ->add_option("--parquet", line.parquet,
+                     "write tables as Parquet into this new folder instead; takes "
+                     "Python's pyarrow")
+        ->type_name("FOLDER")
+        ->excludes(csv);
 }
 
 /// `run` where no command stands first. Throws UserError (usage) of a word that is nearly
@@ -502,8 +508,36 @@ void write_csv(const fs::path& folder, const std::vector<fs::path>& files,
     }
 }
 
+/// By scripts/NAME, whose messages and codes are this program's.
+/// \param takes  what it needs of Python, told where it does not run
+ExitCode script_command(const std::string& name, std::vector<std::string> words,
+                        const char* takes) {
+    const auto script =
+        run::find_script("scripts/" + name, {BEMCAL_SOURCE_DIR, BEMCAL_DATA_DIR});
+    if (!script)
+        throw UserError(ExitCode::no_input,
+                        fmt::format("scripts/{} was not found beside the program; cmake "
+                                    "--install puts it there",
+                                    name));
+    words.insert(words.begin(), script->string());
+    const int code = run::code_of_program(std::move(words), run::Said::shown);
+    if (code < 0)
+        throw UserError(ExitCode::os, fmt::format("{}: did not run; it takes {}",
+                                                  script->string(), takes));
+    return static_cast<ExitCode>(code);
+}
+
+/// Parquet has a library for Python, none for C++ in Debian.
+ExitCode parquet_command(const CommandLine& line) {
+    std::vector<std::string> words{"--parquet", line.parquet.string()};
+    for (const fs::path& file : line.files) words.push_back(file.string());
+    return script_command("result_tables", std::move(words),
+                          "Python with pandas, xarray, h5py and pyarrow");
+}
+
 /// Each file with its tables; where chains were put together, all files come first.
 ExitCode report_command(const CommandLine& line) {
+    if (!line.parquet.empty()) return parquet_command(line);
     std::vector<store::ResultFile> results;
     results.reserve(line.files.size());
     for (const fs::path& file : line.files) results.push_back(store::read_result(file));
@@ -522,25 +556,6 @@ ExitCode report_command(const CommandLine& line) {
     if (merged.size() == n_files) return code;
     for (const store::ResultFile& result : merged) print_tables_of(line.files[0], result);
     return code;
-}
-
-/// By scripts/NAME, whose messages and codes are this program's.
-/// \param takes  what it needs of Python, told where it does not run
-ExitCode script_command(const std::string& name, std::vector<std::string> words,
-                        const char* takes) {
-    const auto script =
-        run::find_script("scripts/" + name, {BEMCAL_SOURCE_DIR, BEMCAL_DATA_DIR});
-    if (!script)
-        throw UserError(ExitCode::no_input,
-                        fmt::format("scripts/{} was not found beside the program; cmake "
-                                    "--install puts it there",
-                                    name));
-    words.insert(words.begin(), script->string());
-    const int code = run::code_of_program(std::move(words), run::Said::shown);
-    if (code < 0)
-        throw UserError(ExitCode::os, fmt::format("{}: did not run; it takes {}",
-                                                  script->string(), takes));
-    return static_cast<ExitCode>(code);
 }
 
 ExitCode adopt_command(const CommandLine& line) {

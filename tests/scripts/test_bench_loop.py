@@ -114,6 +114,19 @@ class Names(unittest.TestCase):
 
 
 class Scores(unittest.TestCase):
+    def test_an_air_system_is_found_by_structure_or_by_an_effect(self):
+        case = scored({}, [found("blinds")])
+        self.assertFalse(loop_scores.has_found_an_air_system(case))
+        by_effect = scored({}, [found("economiser")])
+        by_structure = dataclasses.replace(case, structure=("surfaces", "coil that dries"))
+        self.assertTrue(loop_scores.has_found_an_air_system(by_effect))
+        self.assertTrue(loop_scores.has_found_an_air_system(by_structure))
+
+    def test_names_of_an_air_system_are_of_the_catalogue_or_the_refinements(self):
+        texts = "".join(path.read_text() for path in (ROOT / "src/effects").glob("*.cpp"))
+        for name in loop_names.AIR_SYSTEM:
+            self.assertIn(f'"{name}"', texts)
+
     def test_the_planted_name_is_right(self):
         case = scored({"blinds": 0.5}, [found("blinds")])
         self.assertTrue(loop_scores.is_named(case, "blinds"))

@@ -482,7 +482,18 @@ class Runs(Folder):
             best = pd.read_parquet(self.folder / "parquet/small/screening/rank_by_parameter.parquet")
             self.assertEqual(best["best_parameters"].iloc[0], self.stored("screening/best_parameters")[0, 0])
         else:
-            self.assertRefused(ExitCode.NO_INPUT, "pip install pyarrow", self.result.to_parquet, self.folder / "p")
+            self.assertRefused(ExitCode.NO_INPUT, "pip install \"pyarrow", self.result.to_parquet, self.folder / "p")
+
+    def test_the_program_writes_parquet_by_the_package(self):
+        folder = self.folder / "by_the_program"
+        done = subprocess.run([program.find(), "report", self.result.path, "--parquet", folder], text=True,
+                              capture_output=True, check=False)
+        if result.is_installed("pyarrow"):
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertTrue((folder / "small/screening/rank_by_parameter.parquet").exists())
+        else:
+            self.assertEqual((done.returncode, folder.exists()), (ExitCode.NO_INPUT, False))
+            self.assertIn("pip install \"pyarrow", done.stderr)
 
     def test_tables_page_and_pictures_are_those_of_the_program_and_its_script(self):
         self.assertIn("effect found", self.result.report())

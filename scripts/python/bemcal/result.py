@@ -9,6 +9,7 @@ Leaves out results of version 0.1.0, whose studies do not say their kind.
 from __future__ import annotations
 
 import contextlib
+import importlib
 import importlib.util
 import multiprocessing
 import os
@@ -35,6 +36,7 @@ NO_VARIABLE = b"This is a netCDF dimension but not a netCDF variable"
 NOT_OF_THE_USER = ("CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "_Netcdf4Dimid", "_Netcdf4Coordinates")
 TIMES: Dict[str, Literal["s", "D"]] = {     # units of times, and what pandas calls them
     "seconds since 1970-01-01 00:00:00": "s", "days since 1970-01-01": "D"}
+PYARROW = "pip install \"pyarrow<26\", the last for Debian 12's NumPy 1.24, or any with NumPy 2"
 FIRST = ("measured", "nominal", "plain", "before", "best", "after")     # columns of a series, others behind
 
 Path = Union[str, "os.PathLike[str]"]
@@ -158,6 +160,17 @@ def dataset_of(parts: List[Stored]) -> xarray.Dataset:
 
 def is_installed(module: str) -> bool:
     return importlib.util.find_spec(module) is not None
+
+
+def check_pyarrow() -> None:
+    """Whether it is there and starts: each of its versions takes a least one of NumPy."""
+    if not is_installed("pyarrow"):
+        raise Error(f"Parquet takes pyarrow, which is not installed: {PYARROW}; CSV does without", ExitCode.NO_INPUT)
+    try:
+        importlib.import_module("pyarrow")
+    except ImportError as error:
+        raise Error(f"Parquet takes pyarrow, which does not start ({error}): {PYARROW}; CSV does without",
+                    ExitCode.NO_INPUT) from None
 
 
 def by_step(group: xarray.Dataset) -> pd.DataFrame:
@@ -433,9 +446,7 @@ class Result:
 
         folder  is made; one that is there is an Error (CANNOT_CREATE) unless force. Returns the files.
         """
-        if not is_installed("pyarrow"):
-            raise Error("to_parquet takes pyarrow, which is not installed: pip install pyarrow; to_csv does without",
-                        ExitCode.NO_INPUT)
+        check_pyarrow()
         place, files, columns = new_folder(folder, force), [], []
         with writing_into(place):
             for names, table in self.tables():
