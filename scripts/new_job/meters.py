@@ -390,7 +390,7 @@ def of_converted(made, options, told):
     """The meter of an export's CSV file."""
     if made.doubt:
         told.check(made.doubt)
-    table = tables.read_table(made.file, options.country)
+    table = tables.read_table(made.file, options.country, options.utc_offset)
     meter = make_meter(table, made.column, made.quantity, (made.unit, made.factor), options, told)
     meter.comments.append(f"from {made.says}")
     if "from" in meter.keys:
@@ -404,7 +404,8 @@ def meters_in(request, options, told):
         made = exports.of_green_button(request.file, options.converted)
         return [of_converted(each, options, told) for each in made]
     is_workbook = workbook.is_workbook(request.file)
-    table = exports.portfolio_sheet(request.file) if is_workbook else tables.read_table(request.file, options.country)
+    table = exports.portfolio_sheet(request.file) if is_workbook else \
+        tables.read_table(request.file, options.country, options.utc_offset)
     if exports.is_portfolio_manager(table) and (is_workbook or not request.column):
         made = exports.of_portfolio_manager(table, options.converted)
         return [of_converted(each, options, told) for each in made]

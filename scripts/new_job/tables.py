@@ -94,7 +94,7 @@ class Table:
     form: str = ""             # of strptime; "" = as the program reads it
     times: list = None         # [row] of the stamps' own clock
     is_guess: bool = False     # day and month
-    has_offset: bool = False   # stamps say theirs; times are then UTC
+    has_offset: bool = False   # stamps say theirs; times are then of standard time
     per_day: int = 0           # readings of a line that is a day
 
     def column(self, name):
@@ -237,8 +237,8 @@ def clock_in(cells):
     return None
 
 
-def read_table(path, country=""):
-    """Refused where it is none."""
+def read_table(path, country="", utc_offset=0):
+    """Refused where it is none. `utc_offset`: of the site's standard time [h], in which times are that say theirs."""
     lines, separator = lines_of(path)
     cells = cells_of(lines, separator)
     names_at, first = header_at(path, cells)
@@ -249,6 +249,8 @@ def read_table(path, country=""):
     check_widths(path, names, rows, separator)
     table = Table(os.fspath(path), names, rows, separator)
     set_time(table, country)
+    if table.has_offset:
+        table.times = [time + dt.timedelta(hours=utc_offset) for time in table.times]
     n_values = len(table.values)
     if n_values in DAY_COLUMNS and table.step == 86400:
         table.per_day = n_values

@@ -270,6 +270,16 @@ class New(unittest.TestCase):
         self.new(self.written("gas.csv", ["time,gas_kwh", *lines]))
         self.assertEqual(self.meter()["clock"], "eu")
 
+    def test_stamps_that_say_their_offset_are_of_the_sites_days(self):
+        """Eight hours behind UTC, whole years of the site: no day is lost at their ends."""
+        west = [self.folder / f"west_{year}.epw" for year in (2021, 2022)]
+        for path, year in zip(west, (2021, 2022)):
+            write_epw(path, year, offset=-8, longitude=-120)
+        lines = [f"{t + 8 * HOUR:%Y-%m-%dT%H:%MZ},{gas(t):.2f}" for t in hours(2021, 2022)]
+        self.new(self.written("gas.csv", ["time,gas_kwh", *lines]), weather=west)
+        periods = self.checked()["periods"]
+        self.assertEqual((periods["training"][0], periods["held_out"][1]), ("2021-01-01", "2022-12-31"))
+
     def test_units_and_quantities_by_name(self):
         for head, quantity, unit, factor in (("gas_m3", "gas", "m3", 1), ("Usage (therms)", "gas", "therm", 1),
                                              ("natural gas ccf", "gas", "100 ft3", 1),
