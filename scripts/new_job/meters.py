@@ -13,8 +13,8 @@ from dataclasses import dataclass, field
 from new_job import exports, tables, times, workbook
 from new_job.refused import NO_INPUT, USAGE, Refused
 from new_job.weather import keys_of
-from new_job.words import (OF_GAS, POWERS, QUANTITY_NAMES, TEMPERATURES, UNIT_NAMES, is_other, kwh_per_unit,
-                           quantity_of, says, unit_of)
+from new_job.words import (OF_GAS, POWERS, QUANTITY_NAMES, READ_DATE, TEMPERATURES, UNIT_NAMES, is_other,
+                           kwh_per_unit, quantity_of, says, spaced, unit_of)
 
 DAY, YEAR = 86400, 365.25 * 86400
 USUAL = {"gas": 150, "electricity": 100, "district": 120, "cooling": 80, "heating": 120}  # kWh/(m2 a), middling
@@ -29,6 +29,11 @@ RISES_OF_BILLS = 9             # without a fall: perhaps a register
 OFFSET, MOST_BELOW = 0.01, 0.01    # of what a meter reaches, and of its readings, that may be below 0 by faults
 SPIKE = 20                     # times what 98 % of the readings reach
 LEAST_FACTOR = 3               # a unit but kWh is guessed only where kWh is so far off
+DAYS_OF_BILLS = r"(?:avg|average|mean) (?:daily|per day)|per day|day average"    # not the whole bill
+PER_AREA = r"(?:kwh|mwh|mj|gj) (?:per )?(?:m2|sqm)|kbtu (?:per )?(?:ft2|sqft|sq ft|sf)"
+M2_PER_FT2 = 0.09290304
+IS_READ = {"1", "0", "true", "false", "yes", "no", "y", "n", "e", "est", "estimate", "estimated", "a", "act", "actual",
+           "r", "read", "m", "measured"}     # as the program takes them, but "act"
 NAMES = {"district": "heat", "air_temperature": "room"}  # of a meter, where the quantity's own says less
 
 
@@ -148,7 +153,7 @@ def chosen_columns(table, request):
             refuse_texts(table, name)
     columns = ", ".join(table.values[:20]) + (", ..." if len(table.values) > 20 else "")
     raise Refused(f"{table.path}: has no column whose name says what it is, such as gas_kwh, among {columns}; write "
-                  f"--meter {table.path}:COLUMN:QUANTITY:UNIT")
+                  f"--meter {table.path}:COLUMN:QUANTITY:UNIT, or {table.path}::QUANTITY:UNIT")
 
 
 def refuse_texts(table, column):
@@ -178,7 +183,7 @@ def interval_of(step):
 def bill_columns(table):
     """(from, to) of a table of bills, by the names of its columns of dates."""
     dates = [name for name in table.names if says("start|from|begin|end|to|until|von|bis|date|read", name) and
-             times.read_times(table.column(name))]
+             tables.times_like(table, name)]
     begin = next((name for name in dates if says("start|from|begin|von", name)), None)
     end = next((name for name in dates if name != begin and says("end|to|until|bis", name)), None)
     return (begin, end) if begin and end and table.step > DAY else None
@@ -210,6 +215,37 @@ def are_last_days(stamps):
 def begins_of_months(begins):
     """Of stamps that are the last days of months."""
     return [begin.replace(day=1) for begin in begins]
+
+
+def begins_of_reads(reads):
+    """Of bills, each until its read; the first is as long as a month, as the program takes it."""
+    month = (reads[0].replace(day=1) - dt.timedelta(days=1)).day
+    return [reads[0] - dt.timedelta(days=month), *reads[:-1]]
+
+
+def tell_reads(table, keys, told):
+    """Dates of reads and bills, which close what they stand beside."""
+    if "stamp" in keys or not says(READ_DATE, table.time[0]) or says("month|period", table.time[0]):
+        return
+    keys["stamp"] = "end"
+    told.check(f"{table.path}: {table.time[0]}: was taken for the end of what stands beside it; with the begin of each "
+               "bill there, name the column Start")
+
+
+def estimated_column(table):
+    """That says of each bill whether it was read."""
+    for name in table.names:
+        words = {cell.lower() for cell in table.column(name)}
+        if says("estimat|read(?:ing)? type|type", name) and words <= {*IS_READ, ""} - {"act"} and len(words) > 1:
+            return name
+    return None
+
+
+def scale_by_area(column, unit, area):
+    """Of kWh/m2, the building's."""
+    if not unit or not says(PER_AREA, column):
+        return unit
+    return unit[0], unit[1] * (area / M2_PER_FT2 if says("ft2|sqft|sq ft|sf", column, whole=True) else area)
 
 
 def guess_unit(meter, options, told):
@@ -306,8 +342,10 @@ def make_meter(table, column, quantity, unit, options, told):
     tables.check_order(table)
     begins, numbers = table.times, likely_numbers(table, column, quantity, unit, options.area)
     keys = keys_of_meter(table, numbers, told)
-    if table.step > DAY and keys.get("stamp") == "end" and are_last_days(begins):
-        begins = begins_of_months(begins)
+    is_read = table.step > DAY and keys.get("stamp") == "end" and not bill_columns(table)
+    ends = [] if not is_read or are_last_days(begins) else begins
+    if is_read:
+        begins = begins_of_reads(begins) if ends else begins_of_months(begins)
     if table.step < DAY and not table.per_day and is_of_ends(table, keys):
         step = dt.timedelta(seconds=table.step)
         begins = [time - step for time in begins]
@@ -323,6 +361,10 @@ def make_meter(table, column, quantity, unit, options, told):
                    f"{found[0]}")
     unit = unit or unit_of(column, quantity) or unit_of(os.path.basename(table.path), quantity) or \
         unit_of(tables.said_beside(table), quantity)
+    unit = scale_by_area(column, unit, options.area)
+    if table.step > DAY and says(DAYS_OF_BILLS, column):
+        told.check(f"{table.path}: {column}: says to be of a day, and was taken for that of the whole bill; expected "
+                   "the use of each bill")
     interval, _ = interval_of(table.step)
     meter = Meter(NAMES.get(quantity, quantity), quantity, table.path, column, *(unit or ("", 1)), interval, table.step,
                   sorted(zip(begins, numbers.values), key=lambda row: row[0]), keys=keys)
@@ -342,10 +384,13 @@ def make_meter(table, column, quantity, unit, options, told):
                    "of each bill")
     bills = bill_columns(table)
     if bills:
-        ends = ends_of_bills(begins, times.read_times(table.column(bills[1]))[1])
+        ends = ends_of_bills(begins, tables.times_like(table, bills[1]))
         meter.keys |= {"from": bills[0], "to": bills[1]}
         meter.keys.pop("time", None)
         meter.keys.pop("stamp", None)
+        if estimated := estimated_column(table):
+            meter.keys["estimated"] = estimated
+    if ends:
         meter.ends = [end for end, value in sorted(zip(ends, numbers.values)) if value is not None]
     if not meter.read():
         raise Refused(f"{table.path}: column {column}: has no readings")
@@ -383,6 +428,8 @@ def keys_of_meter(table, numbers, told):
         keys["gaps"] = "missing"
     elif "stamp" not in keys and are_last_days(table.times):
         keys["stamp"] = "end"                        # last days of months
+    elif not bill_columns(table):
+        tell_reads(table, keys, told)
     return keys
 
 
@@ -410,8 +457,19 @@ def meters_in(request, options, told):
         made = exports.of_portfolio_manager(table, options.converted)
         return [of_converted(each, options, told) for each in made]
     unit = (request.unit, 1) if request.unit else None
-    return [make_meter(table, column, quantity, unit, options, told)
-            for column, quantity in chosen_columns(table, request)]
+    chosen = chosen_columns(table, request)
+    if not request.column:
+        tell_left_out(table, chosen, told)
+    return [make_meter(table, column, quantity, unit, options, told) for column, quantity in chosen]
+
+
+def tell_left_out(table, chosen, told):
+    """Columns with a unit of energy that are no meter of the job."""
+    taken = {column for column, _ in chosen}
+    left = [name for name in table.values if name not in taken and not table.per_day and
+            (unit_of(name) or ("degC",))[0] not in (*TEMPERATURES, *POWERS)]
+    if left and len(taken) < len(table.values):
+        told.check(f"{table.path}: left out: {', '.join(left)}; --meter {table.path}:COLUMN:QUANTITY:UNIT takes one")
 
 
 def one_of_each(meters, told):

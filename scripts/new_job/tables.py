@@ -30,6 +30,7 @@ COUNTED = ((29221, 73051, "perhaps a workbook's days since 1900; give its cells 
                                    "meter by hand with time_format = \"%s\""))
 NO_YEAR = re.compile(r"\d\d?[/-]\d\d? +\d\d?:\d\d(:\d\d)?$")  # EnergyPlus writes them
 BLANK, BLANK_GROUP = re.compile(r"\s"), re.compile(r"\d\s\d{3}(\D|$)")
+APOSTROPHE_GROUP = re.compile(r"\d'\d{3}(\D|$)")   # of Switzerland
 CLOCKS_APART = ("%H:%M", "%H:%M:%S", "%I:%M %p", "%I:%M:%S %p")   # in a column beside that of dates
 HOURS = ("hour", "hr", "hh", "he", "hour ending", "hour beginning", "stunde", "heure", "hora", "ora")
 TIME_COLUMNS = 10              # a time is in one of the first ones: exports begin with names and numbers of meters
@@ -186,18 +187,37 @@ def set_time(table, country):
     if parts and (read := of_parts(table.rows, parts)):
         table.time, table.times = [table.names[k] for k in parts], read
         return
+    if len(table.rows) < 2:
+        raise Refused(f"{table.path}: has {len(table.rows)} row of readings; expected those of some months at least")
     for name in table.names[:TIME_COLUMNS]:
         cells = table.column(name)
         read = times.read_times(cells, country)
         if not read or len(read[1]) < len([cell for cell in cells if cell]):
             continue
-        table.time, (table.form, table.times, table.is_guess) = [name], read
-        table.has_offset = times.has_offset(cells[0]) or "%z" in table.form
+        table.time, (table.form, table.times, table.is_guess) = [name], as_other_dates(table, name, read)
+        table.has_offset = times.has_offset(cells[0]) or "%z" in table.form.lower()
         add_clock(table)
         return
     names = ", ".join(table.names[:TIME_COLUMNS])
     raise Refused(f"{table.path}: has no time column: in none of {names} is every cell a time; expected times like "
                   "2021-03-05 14:00; a note or a total between the rows is taken out by hand")
+
+
+def as_other_dates(table, name, read):
+    """Where day and month cannot be told apart, as in another column of dates where they can."""
+    form, found, is_guess = read
+    for other in table.names[:TIME_COLUMNS] if is_guess else ():
+        sure = times.read_times(table.column(other)) if other != name else None
+        if sure and not sure[2] and (again := times.all_read(times.read_form(sure[0] or form), table.column(name))):
+            return sure[0] or form, again, False
+    return form, found, is_guess
+
+
+def times_like(table, name):
+    """Times of another column than that of the time, day and month in its order; None where they are none."""
+    read = times.all_read(times.read_form(table.form), table.column(name)) if table.form else None
+    found = (table.form, read, table.is_guess) if read else times.read_times(table.column(name))
+    return found[1] if found else None
 
 
 def add_clock(table):
@@ -285,10 +305,12 @@ def check_order(table):
     back = times.HOUR if has_clock else dt.timedelta(0)
     for k, (one, other) in enumerate(zip(table.times, table.times[1:]), 1):
         if one - other > back or one == other and not has_clock:
+            clock = "; if the clock goes back here, write standard time, for its rule is neither the EU's nor that of " \
+                "the US" if one - other == times.HOUR and table.step <= 3600 else ""
             line = line_behind(table.path, table.rows[k - 1], table.rows[k], table.separator)
             raise Refused(f"{table.path}:{line}: {table.time[0]}: {other:%Y-%m-%d %H:%M} is not later than the row "
                           f"before ({one:%Y-%m-%d %H:%M}); sort the rows by time, each time once; meters below each "
-                          "other go into columns or files of their own")
+                          f"other go into columns or files of their own{clock}")
 
 
 def rows_begin_with_time(row):
@@ -327,6 +349,8 @@ def form_of(cells, separator):
     code such as -99 says nothing."""
     if any(BLANK_GROUP.search(cell) for cell in cells):
         return ("," if any("," in cell for cell in cells) else "."), " ", False
+    if any(APOSTROPHE_GROUP.search(cell) for cell in cells):
+        return ("," if any("," in cell for cell in cells) else "."), "'", False
     both = [cell for cell in cells if "," in cell and "." in cell]
     if both:
         return (",", ".", False) if both[0].rfind(",") > both[0].rfind(".") else (".", ",", False)
@@ -366,7 +390,7 @@ def numbers_in(table, name, form=None):
             values.append(None)
             continue
         plain = "".join(cell.split()) if thousands != " " else BLANK.sub("", cell)
-        plain = plain.replace(thousands, "") if thousands in (",", ".") else plain
+        plain = plain.replace(thousands, "") if thousands in (",", ".", "'") else plain
         try:
             values.append(float(plain.replace(decimal, ".")))
         except ValueError:

@@ -14,7 +14,8 @@ DATES = ("%d.%m.%Y", "%d/%m/%Y", "%m/%d/%Y", "%d-%m-%Y", "%m-%d-%Y", "%d-%b-%Y",
 CLOCKS = ("", " %H:%M", " %H:%M:%S", " %I:%M %p", " %I:%M:%S %p", "T%H:%M", ", %H:%M", " %H:%M %z", " %H:%M%z",
           " %H:%M:%S %z", " %H:%M:%S%z")
 MONTHS = ("%Y-%m", "%Y/%m", "%m/%Y", "%m.%Y", "%b %Y", "%B %Y", "%b-%Y", "%b-%y", "%b %y")
-OTHER_FORMS = (*(date + clock for date in DATES for clock in CLOCKS), *MONTHS)
+NAMED_ZONES = ("%Y-%m-%d %H:%M %Z", "%Y-%m-%d %H:%M:%S %Z")   # UTC and GMT, which Python knows anywhere
+OTHER_FORMS = (*(date + clock for date in DATES for clock in CLOCKS), *MONTHS, *NAMED_ZONES)
 MONTH_FIRST = ("US", "PH")
 HOUR = dt.timedelta(hours=1)
 SAMPLE = 60                    # cells that have to have a form before all are asked

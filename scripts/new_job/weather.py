@@ -5,6 +5,7 @@ hour, minute, flags, dry bulb; the place by the last five numbers of the first l
 """
 import datetime as dt
 import os
+import re
 from dataclasses import dataclass, field
 
 from cases.toml import number
@@ -15,21 +16,24 @@ from new_job.words import says, spaced, unit_of
 HEADER = 8                     # lines of an EPW file
 # What a column is, by the words of its name, the best first.
 COLUMNS = (
-    ("outdoor_temperature", r"t out|outdoor temp|outdoor air temp|dry ?bulb|air temp|temperature|temp|t air|"
-                            r"oat|tdry|t2m|ta|t"),
-    ("global_horizontal", r"ghi|global|swdown|solar|irradiance|radiation|g h"),
-    ("direct_normal", r"dni|direct normal|beam"),
-    ("diffuse_horizontal", r"dhi|diffuse"),
-    ("wind_speed", r"wind ?sp|wind ms|wind kmh|wind mph|wind|ws"),
-    ("relative_humidity", r"rh|relative hum|humidity"),
+    ("outdoor_temperature", r"t2m|t out|outdoor temp|outdoor air temp|dry ?bulb|air temp|temperature|temp|t air|"
+                            r"oat|tdry|ta|t"),
+    ("global_horizontal", r"ghi|global|allsky sfc sw dwn|swdown|solar|irradiance|radiation|g h"),
+    ("direct_normal", r"dni|direct normal|allsky sfc sw dni|gb n|beam"),
+    ("diffuse_horizontal", r"dhi|allsky sfc sw diff|gd h|diffuse"),
+    ("wind_speed", r"wind ?sp|wind ms|wind km ?h|wind mph|ws10m|wind|ws"),
+    ("relative_humidity", r"rh2m|rh|relative hum|humidity"),
     ("cloud_cover", r"cloud"),
 )
-NOT_THESE = r"dew|wet|dir|direction|gust|soil|ground|pressure"
+NOT_THESE = r"dew|t2mdew|wet|t2mwet|dir|direction|gust|soil|ground|pressure"
+# What an EPW file says of its source where its year was put together: a typical one, of whatever years.
+TYPICAL_SOURCE = re.compile(r"\b(TMYx?|TMY\d?|IWEC\d?|IGDG|CSWD|CWEC\d*|SWEC|SWERA|TRY|CTZ\d*|CZ\d+|ISHRAE|RMY|NIWE|"
+                            r"INETI|CityUHK|KISR|IMGW|CTYW|ETMY|MSI|DSY)\b")
 NEEDED = ("outdoor_temperature", "global_horizontal", "direct_normal")
 SUN = {"global_horizontal", "direct_normal", "cloud_cover"}
 POOR = 0.05                    # share of hours without a cloud cover
 CLOUDS = ((10, "%"), (8, "tenths"), (1, "oktas"), (-1, None))  # the largest value is above
-SPEEDS = {"kmh": "km/h", "mph": "mph", "knots": "knots", "kts": "knots"}
+SPEEDS = ((r"km ?h|kph", "km/h"), (r"mph|mi ?h", "mph"), (r"knots?|kts?|kn", "knots"))
 MOST_FILLED = 48               # h, of `fill_gaps`
 USUAL_FILL = 6                 # h
 MISSING_SUN = 9999             # in an EPW file
@@ -115,6 +119,13 @@ def read_epw(path):
     return location(path, head), rows
 
 
+def tell_typical(path, told):
+    """A file of measured years may have kept the first line of a typical one from which it was made."""
+    source = TYPICAL_SOURCE.search(",".join(epw_rows(path)[0].split(",")[1:]).replace("-", " "))
+    if source:
+        told.check(f"{path}:1: its source is {source.group()}, as that of typical years; expected measured days")
+
+
 def is_epw(path):
     return os.path.basename(path).lower().removesuffix(".gz").endswith(".epw")
 
@@ -170,6 +181,8 @@ def without_gaps(read, told):
 def of_epw(paths, told):
     read = sorted(((path, *read_epw(path)) for path in paths), key=lambda row: row[2][0][0])
     read = without_gaps(read, told)
+    for path, *_ in read:
+        tell_typical(path, told)
     rows = [row for _, _, part in read for row in part]
     latitude, longitude, offset = read[0][1]
     holes = [(a[0], b[0]) for a, b in zip(rows, rows[1:]) if b[0] - a[0] > times.HOUR * (1 + MOST_FILLED)]
@@ -185,7 +198,7 @@ def unit_of_column(key, name, values):
     """None where it is the one that is expected."""
     most = max((value for value in values if value is not None), default=0)
     if key == "wind_speed":
-        return next((SPEEDS[word] for word in spaced(name).split() if word in SPEEDS), None)
+        return next((unit for pattern, unit in SPEEDS if says(pattern, name, whole=True)), None)
     if key == "outdoor_temperature":
         found = unit_of(name, "air_temperature")
         if found:

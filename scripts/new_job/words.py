@@ -7,6 +7,7 @@ cooling: ENERGY STAR Portfolio Manager, Technical Reference: Thermal Energy Conv
 import re
 
 KWH_PER_KBTU = 0.293071
+OF_OIL = 138                   # kBtu of a US gallon
 # What the words say, the job's unit, factor on the readings. The first that is found holds.
 UNITS = (
     (r"kwh|kilowatt ?hours?|thousand watt hours?", "kWh", 1),
@@ -16,35 +17,44 @@ UNITS = (
     (r"mmbtu|million btu|mbtu", "kBtu", 1000),
     (r"kbtu|thousand btu", "kBtu", 1),
     (r"btu", "kBtu", 0.001),
-    (r"therms?|thms?", "therm", 1),
+    (r"therms?|thms?", "therm", 1), (r"dth|dekatherms?|decatherms?", "therm", 10),
+    (r"mcf|kcf|thousand cubic feet|1000 ?ft3|1000 cubic feet", "100 ft3", 10),
     (r"ccf|hcf|hundred cubic feet|100 ?ft3|100 cubic feet", "100 ft3", 1),
-    (r"mcf|kcf|thousand cubic feet", "100 ft3", 10),
     (r"cf|ft3|cubic feet", "ft3", 1),
     (r"m3|nm3|cubic met(?:er|re)s?|kubikmeter", "m3", 1),
     (r"gj|gigajoules?", "GJ", 1), (r"mj|megajoules?", "MJ", 1), (r"kj|kilojoules?", "kJ", 1), (r"j|joules?", "J", 1),
     (r"ton ?hours?|tonh|rth", "kBtu", 12),
-    (r"klbs?|thousand pounds", "kBtu", 1194),
-    (r"gallons?", "kBtu", 138),
+    (r"klbs?|mlbs?|thousand pounds", "kBtu", 1194),
+    (r"gallons?", "kBtu", OF_OIL),
     (r"kw|kilowatts?", "kW", 1), (r"mw|megawatts?", "MW", 1), (r"w|watts?", "W", 1),
     (r"degc|celsius|c", "degC", 1), (r"degf|fahrenheit|f", "degF", 1), (r"kelvin", "K", 1),
 )
 UNIT_NAMES = tuple(dict.fromkeys(unit for _, unit, _ in UNITS))
 TEMPERATURES, POWERS = ("degC", "degF", "K"), ("kW", "MW", "W")
 OF_GAS = ("m3", "ft3", "100 ft3", "therm")
+VOLUMES = ("m3", "ft3", "100 ft3")     # energies of gas alone
 
 # Readings that are no meter's.
 OTHERS = (r"outdoor|outside|ambient|oat|t out|dry ?bulb|dew|t dew|t ext|weather|humidity|rh|wind|cloud|irradiance|"
-          r"ghi|dni|dhi|solar|sun|pressure|precip|rain|snow|flow|return|volume|cum|cost|price|eur|usd|"
-          r"tariff|estimated|estimation|holiday|count|occupan|co2|water use|id|day|month|year|hour|demand|peak")
+          r"ghi|dni|dhi|solar|sun|pressure|precip|rain|snow|flow|return|cum|cost|price|eur|usd|"
+          r"tariff|estimated|estimation|holiday|occupan|co2|water use|"
+          r"export|feed in|fed in|einspeis|inject|generat|pv|photovolt|reactive|k?varh?|k?vah?")
+# The same, unless the name says an energy: "heat demand kWh", "gas volume m3".
+OTHERS_WITHOUT_ENERGY = r"volume|count|id|days?|month|year|hour|hourly|demand|peak|minutes?"
+WATER = r"water|wasser|eau|acqua|agua"
 QUANTITIES = (
     ("air_temperature", r"t in|t air|t room|indoor|room temp|room air|zone temp|inside temp|raumtemp|t zone"),
-    ("cooling", r"chilled|cool|cold|kaelte|kälte|klima|froid|freddo|frio|chw"),
+    ("cooling", r"chilled|chw"),
+    ("electricity", r"elec|strom|electri|elettr|lectri|kwh el"),     # also of what heats or cools
+    ("cooling", r"cool|cold|kaelte|kälte|klima|froid|freddo|frio"),
     ("gas", r"gas|natural ?gas|erdgas|gaz|metano|fuel|oil|propane|lpg|diesel"),
     ("district", r"district|fernw|steam|hot ?water|heat|waerme|wärme|chaleur|chauffage|calore|riscald|calor|dh"),
-    ("electricity", r"elec|power|strom|electri|elettr|lectri|main|kwh el"),
+    ("electricity", r"power|main"),
 )
 QUANTITY_NAMES = ("gas", "electricity", "district", "heating", "cooling", "air_temperature")
 END, START = r"end|ending|ends|to|until|bis|fin|ende|hour ending", r"start|begin|beginning|from|von|debut|anfang"
+# A date on which a meter was read, or a bill written: what was used until then.
+READ_DATE = r"read|reading|bill|billing|invoice|statement|ablesung|ablesedatum|rechnung|releve|facture|lettura|lectura"
 
 
 def spaced(name):
@@ -61,7 +71,12 @@ def says(pattern, name, whole=False):
 
 
 def is_other(name):
-    return says(OTHERS, name)
+    """Whether it is no energy and no room temperature, by its name."""
+    unit, factor = unit_of(name) or ("", 1)
+    if says(WATER, name) and (unit in VOLUMES or factor == OF_OIL):
+        return True                                   # litres and gallons of water
+    is_energy = unit and unit not in (*TEMPERATURES, *POWERS)
+    return says(OTHERS, name) or not is_energy and says(OTHERS_WITHOUT_ENERGY, name)
 
 
 def quantity_of(name):
@@ -74,6 +89,8 @@ def unit_of(name, quantity=None):
     for pattern, unit, factor in UNITS:
         is_temperature = unit in TEMPERATURES
         if quantity is not None and is_temperature != (quantity == "air_temperature"):
+            continue
+        if quantity not in (None, "gas") and unit in VOLUMES:
             continue
         if says(pattern, name, whole=True):
             return unit, factor

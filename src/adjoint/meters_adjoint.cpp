@@ -51,11 +51,15 @@ physics::MeterForm pull_meter_factor(const physics::Building& building,
         physics::true_meter_form(building, drive, quantity, step);
     pull_input(factor, drive, step,
                of_form.per_heating * form.per_heating +
-                   of_form.per_cooling * form.per_cooling + of_form.source * form.source,
+                   of_form.per_cooling * form.per_cooling + of_form.source * form.source +
+                   of_form.per_fan * form.per_fan +
+                   of_form.per_lost_heating * form.per_lost_heating +
+                   of_form.per_lost_cooling * form.per_lost_cooling,
                of_building.meter_factor[q]);
     const double shown = drive.at(factor, step);
-    return {of_form.per_heating * shown, of_form.per_cooling * shown,
-            of_form.source * shown};
+    return {of_form.per_heating * shown,      of_form.per_cooling * shown,
+            of_form.source * shown,           of_form.per_fan * shown,
+            of_form.per_lost_heating * shown, of_form.per_lost_cooling * shown};
 }
 
 void pull_meter_form(const physics::Building& building, const physics::Drive& drive,
@@ -66,10 +70,12 @@ void pull_meter_form(const physics::Building& building, const physics::Drive& dr
     const physics::Plant& plant = building.plant;
     physics::Plant& of_plant = of_building.plant;
     if (plant.heating_carrier == carrier)
-        pull_efficiency(plant.heating_efficiency, drive, step, of_form.per_heating,
+        pull_efficiency(plant.heating_efficiency, drive, step,
+                        of_form.per_heating + of_form.per_lost_heating,
                         of_plant.heating_efficiency);
     if (plant.cooling_carrier == carrier)
-        pull_efficiency(plant.cooling_cop, drive, step, of_form.per_cooling,
+        pull_efficiency(plant.cooling_cop, drive, step,
+                        of_form.per_cooling + of_form.per_lost_cooling,
                         of_plant.cooling_cop);
     if (carrier == physics::Carrier::electricity) {
         of_plant.heating_auxiliary += of_form.per_heating;

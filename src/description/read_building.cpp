@@ -481,6 +481,18 @@ class BuildingReader {
         building_.plant.cooling_carrier =
             section.choice_as<physics::Carrier>("cooling_carrier");
         numbers_.read(section, Part::plant, &building_.plant);
+        check_cycling(section, "heating", building_.plant.heating_least_load);
+        check_cycling(section, "cooling", building_.plant.cooling_least_load);
+    }
+
+    /// A loss that no load has was meant otherwise.
+    static void check_cycling(const schema::Section& plant, const std::string& of,
+                              double least_load) {
+        const std::string loss = of + "_cycling_loss", least = of + "_least_load";
+        if (plant.has(loss) && least_load <= 0)
+            plant.fail(loss, fmt::format("is of loads below {0}, which is 0; expected "
+                                         "{0}, too, in W/m2, such as {0} = 15",
+                                         least));
     }
 
     const Sources& sources_;

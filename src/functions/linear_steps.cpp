@@ -5,6 +5,7 @@
 #include "functions/linear_steps.hpp"
 
 #include "base/error.hpp"
+#include "physics/cycling.hpp"
 #include "physics/stepper.hpp"
 
 namespace bemcal::functions {
@@ -41,10 +42,18 @@ double shown(const Building& building, const Drive& drive, Quantity quantity, in
     }
     const physics::MeterForm form = physics::meter_form(building, drive, quantity, step);
     double heating = 0, cooling = 0, fan = 0;
-    for (const StepResult& zone : zones)
-        heating += zone.phi_heating, cooling += zone.phi_cooling, fan += zone.phi_fan;
+    physics::Losses lost;
+    for (std::size_t z = 0; z < zones.size(); ++z) {
+        heating += zones[z].phi_heating, cooling += zones[z].phi_cooling;
+        fan += zones[z].phi_fan;
+        const physics::Losses of_zone =
+            physics::losses_of(building.plant, building.zones[z].floor_area,
+                               zones[z].phi_heating, zones[z].phi_cooling);
+        lost.heating += of_zone.heating, lost.cooling += of_zone.cooling;
+    }
     return (form.per_heating * heating + form.per_cooling * cooling + form.per_fan * fan +
-            form.source) *
+            form.source + form.per_lost_heating * lost.heating +
+            form.per_lost_cooling * lost.cooling) *
            drive.axis.step_s / 3.6e6;
 }
 

@@ -254,6 +254,10 @@ heating_auxiliary = 0.01
 cooling_carrier = "electricity"
 cooling_cop = 3.5
 cooling_auxiliary = 0.01
+heating_least_load = 15               # [W/m2], below which the boiler goes on and off
+heating_cycling_loss = 0.1
+cooling_least_load = 20
+cooling_cycling_loss = 0.15
 
 [[meter]]
 name = "gas"

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "kernel/batch_plan.hpp"
+#include "kernel/input_profiles.hpp"
 #include "kernel/plain_answer.hpp"
 
 #include <stdexcept>
@@ -80,6 +81,15 @@ void run_plain(BatchGroup& group, std::vector<std::string>& failures) {
             rows.copy_lane(count - 1, lane);
 }
 
+/// Whether more than a form stands between zones and meters.
+bool is_supplied(const BatchPlan& plan) {
+    bool is = plan.nominal.has_air_systems();
+    at_range_ends(plan.nominal, plan.parameters, [&](const physics::Building& building) {
+        is |= building.plant.cycles();
+    });
+    return is;
+}
+
 }  // namespace
 
 bool runs_plain(const physics::Building& building) {
@@ -96,7 +106,7 @@ Batch::Batch(const physics::Building& nominal, std::vector<physics::Parameter> p
                      drive,
                      table_of(set),
                      runs_plain(nominal),
-                     nominal.has_air_systems(),
+                     false,
                      plan_months(drive),
                      {},
                      {},
@@ -105,6 +115,7 @@ Batch::Batch(const physics::Building& nominal, std::vector<physics::Parameter> p
     if (!is_supported(set))
         throw std::invalid_argument(std::string("this processor cannot run the kernel ") +
                                     name_of(set));
+    plan_->supplied = is_supplied(*plan_);
     plan_->chunks = cut_chunks(plan_->months);
     plan_all(*plan_);
     for (std::size_t k = 0; k < n_intervals; ++k)

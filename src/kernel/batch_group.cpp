@@ -166,7 +166,7 @@ void BatchGroup::make_room(Show show) {
     if (show == Show::sums || !of_zone_.heating.empty()) return;
     of_zone_ = make_rows(most_steps_, plan.table.lanes);
     if (zones.size() > 1) of_building_ = make_rows(most_steps_, plan.table.lanes);
-    if (plan.supplied) fan_ = LaneArray(most_steps_, plan.table.lanes);
+    if (plan.supplied) extras_ = Extras(most_steps_, plan.table.lanes);
 }
 
 PowerRows BatchGroup::run(int begin, int end, Show show) {
@@ -176,7 +176,7 @@ PowerRows BatchGroup::run(int begin, int end, Show show) {
     const bool supply = plan.supplied && show != Show::sums;
     if (supply) {
         show = Show::powers_and_air;
-        fan_.clear();
+        extras_.clear();
     }
     if (add)
         for (LaneArray* array :
@@ -187,7 +187,7 @@ PowerRows BatchGroup::run(int begin, int end, Show show) {
         plan.table.run(zones[z].time, zones[z].lanes(), segment, begin, end, show,
                        of_zone);
         if (supply)
-            supply_rows(supply_place(z, begin, end), of_zone, fan_.data(), is_broken_);
+            supply_rows(supply_place(z, begin, end), of_zone, extras_, is_broken_);
         if (add)
             plan.table.add_zone(of_zone, floor_share_.column(z), end - begin,
                                 of_building_.pointers());
@@ -250,14 +250,13 @@ const double* BatchGroup::show(physics::Quantity quantity, const PowerRows& rows
     if (const double* power = shown_as_it_is(quantity, plan, rows)) return power;
     if (shown_.empty()) shown_ = LaneArray(most_steps_, plan.table.lanes);
     plan.table.meter(meter(quantity), rows, begin, end, shown_.data());
-    show_fans(quantity, begin, end, shown_.data());
+    show_extras(quantity, begin, end, shown_.data());
     return shown_.data();
 }
 
-void BatchGroup::show_fans(physics::Quantity quantity, int begin, int end,
-                           double* shown) const {
-    if (plan.supplied)
-        add_fans(supply_place(0, begin, end), quantity, fan_.data(), shown);
+void BatchGroup::show_extras(physics::Quantity quantity, int begin, int end,
+                             double* shown) const {
+    if (plan.supplied) add_extras(supply_place(0, begin, end), quantity, extras_, shown);
 }
 
 }  // namespace bemcal::kernel

@@ -24,8 +24,8 @@ struct BatchPlan {
     std::vector<physics::Parameter> parameters;
     const physics::Drive& drive;
     const Table& table;
-    bool plain = false;                ///< runs_plain
-    bool supplied = false;             ///< some zone has an air system
+    bool plain = false;     ///< runs_plain
+    bool supplied = false;  ///< some zone has an air system, or the plant may cycle
     std::vector<Span> months, chunks;  ///< of the period, in steps of the drive
     std::vector<ZonePlan> zones;       ///< empty where plain
     std::array<MeterPlan, n_quantities> meters;
@@ -87,8 +87,8 @@ struct BatchGroup {
     /// quantity.
     const double* show(physics::Quantity quantity, const PowerRows& rows, int begin,
                        int end);
-    /// Adds to what a meter shows what the fans of the last run draw.
-    void show_fans(physics::Quantity quantity, int begin, int end, double* shown) const;
+    /// Adds to what a meter shows what fans and cycling of the last run take.
+    void show_extras(physics::Quantity quantity, int begin, int end, double* shown) const;
     SupplyPlace supply_place(std::size_t zone, int begin, int end) const {
         return {buildings, zone, plan.drive, begin, end};
     }
@@ -115,7 +115,7 @@ struct BatchGroup {
     std::size_t most_steps_ = 1;
     Rows of_zone_, of_building_;   ///< of a chunk
     LaneArray shown_;              ///< a quantity over a chunk
-    LaneArray fan_;                ///< of air systems, over a chunk [W]
+    Extras extras_;                ///< over a chunk
     std::vector<char> is_broken_;  ///< [lanes] what a system takes is not finite
     std::array<LaneArray, n_quantities> meters_;      ///< coefficients,
     std::array<bool, n_quantities> meter_is_made_{};  ///< written when first needed

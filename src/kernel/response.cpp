@@ -60,7 +60,7 @@ const double* shown(physics::Quantity quantity, const Span& stretch,
         return power;
     run.group->plan.table.meter(run.meter_lanes(quantity), rows, stretch.begin,
                                 stretch.end, run.shown.data());
-    run.group->show_fans(quantity, stretch.begin, stretch.end, run.shown.data());
+    run.group->show_extras(quantity, stretch.begin, stretch.end, run.shown.data());
     return run.shown.data();
 }
 

@@ -30,7 +30,7 @@ class StretchBack {
 
     void pull() {
         keep();
-        if (is_supplied()) run_.of_fan.clear();
+        if (is_supplied()) run_.of_extras.clear();
         if (in_period_)
             for (std::size_t k = 0; k < plan_.channels.size(); ++k) seed(k);
         for (std::size_t z = 0; z < run_.zones.size(); ++z) pull_zone(z);
@@ -42,7 +42,7 @@ class StretchBack {
         return in_period_ && plan_.shows_air && run_.zones.size() > 1;
     }
     int n_steps() const { return stretch_.end - stretch_.begin; }
-    /// Air systems stand between zones and meters.
+    /// Air systems, or a plant that cycles, stand between zones and meters.
     bool is_supplied() const { return plan_.shared.supplied && in_period_; }
     bool adds_up() const { return run_.zones.size() > 1 || is_supplied(); }
 
@@ -71,7 +71,7 @@ class StretchBack {
             for (LaneArray* rows :
                  {&run_.rows.heating, &run_.rows.cooling, &run_.rows.air})
                 rows->clear();
-        if (is_supplied()) run_.fan.clear();
+        if (is_supplied()) run_.extras.clear();
         for (std::size_t z = 0; z < run_.zones.size(); ++z) {
             ResponseRun::OfZone& zone = run_.zones[z];
             const std::size_t n = zone.state.columns();
@@ -96,8 +96,7 @@ class StretchBack {
         copy(zone.rows.heating, zone.of_asked.heating);
         copy(zone.rows.cooling, zone.of_asked.cooling);
         copy(zone.rows.air, zone.of_asked.air);
-        supply_rows(place(index), zone.of_asked.pointers(), run_.fan.data(),
-                    run_.is_broken);
+        supply_rows(place(index), zone.of_asked.pointers(), run_.extras, run_.is_broken);
         return zone.of_asked.pointers();
     }
 
@@ -119,11 +118,12 @@ class StretchBack {
                                    run_.meter_lanes(of_channel.quantity), powers(), begin,
                                    end, how, run_.of_rows.pointers(),
                                    run_.meter(of_channel.quantity).of_rows.data());
-        if (is_supplied() && of_channel.quantity == physics::Quantity::electricity)
-            seed_fans(of_channel, sensitivities);
+        if (is_supplied() &&
+            physics::carrier_of(of_channel.quantity) != physics::Carrier::none)
+            seed_extras(of_channel, sensitivities);
     }
 
-    void seed_fans(const ChannelPlan& channel, const double* sensitivities) {
+    void seed_extras(const ChannelPlan& channel, const double* sensitivities) {
         const auto lanes = static_cast<std::size_t>(plan_.lanes());
         double* to = run_.of_shown.data();
         for (int step = stretch_.begin; step < stretch_.end; ++step) {
@@ -132,8 +132,8 @@ class StretchBack {
             for (std::size_t k = 0; k < lanes; ++k)
                 *to++ = sensitivities[interval * lanes + k] * channel.factor[interval];
         }
-        pull_fans(place(0), run_.fan.data(), run_.of_shown.data(), run_.of_fan.data(),
-                  run_.of_lanes);
+        pull_extras(place(0), channel.quantity, run_.extras, run_.of_shown.data(),
+                    run_.of_extras, run_.of_lanes);
     }
 
     /// Adjoints of what a zone asks for, from those of what its system takes.
@@ -146,7 +146,7 @@ class StretchBack {
             std::copy_n(of_taken.air, zone.of_asked.air.size(), to.air);
         else
             zone.of_asked.air.clear();
-        pull_supply_rows(place(index), zone.rows.pointers(), to, run_.of_fan.data(),
+        pull_supply_rows(place(index), zone.rows.pointers(), to, run_.of_extras,
                          run_.of_lanes);
         return to;
     }

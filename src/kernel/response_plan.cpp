@@ -186,8 +186,8 @@ void make_way_back(const ResponsePlan& plan, std::size_t n_steps, ResponseRun& r
     run.of_rows = make_rows(n_steps, lanes);
     run.of_floor_share = LaneArray(run.zones.size(), lanes);
     if (!plan.shared.supplied) return;
-    for (LaneArray* array : {&run.fan, &run.of_fan, &run.of_shown})
-        *array = LaneArray(n_steps, lanes);
+    run.of_shown = LaneArray(n_steps, lanes);
+    for (Extras* extras : {&run.extras, &run.of_extras}) *extras = Extras(n_steps, lanes);
     run.is_broken.resize(static_cast<std::size_t>(lanes));
     run.of_lanes.assign(static_cast<std::size_t>(lanes), plan.zeros);
 }

@@ -85,7 +85,8 @@ struct ResponseRun {
     LaneArray zeros;                          ///< adjoints of the powers in the warm-up
     BatchGroup::Rows rows, of_rows;           ///< of the building over a stretch
     LaneArray floor_share, of_floor_share;    ///< [n_zones]
-    LaneArray fan, of_fan, of_shown;          ///< of a stretch, where there are systems
+    LaneArray of_shown;                       ///< of a stretch, where there are
+    Extras extras, of_extras;                 ///< systems, or a plant that cycles
     std::vector<char> is_broken;              ///< scratch
     std::vector<physics::Building> of_lanes;  ///< what systems give, of each lane
     NetworkPair networks;

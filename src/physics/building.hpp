@@ -265,6 +265,14 @@ struct Plant {
     Input cooling_cop{3, 0, -1};  ///< [-]
     /// Electricity of pumps and fans, per heat delivered or removed [-].
     double heating_auxiliary = 0, cooling_auxiliary = 0;
+    /// Below its least load per floor area [W/m2] it cycles; C_D of cycling.hpp [-].
+    double heating_least_load = 0, cooling_least_load = 0;
+    double heating_cycling_loss = 0, cooling_cycling_loss = 0;
+
+    bool cycles() const {
+        return (heating_least_load > 0 && heating_cycling_loss > 0) ||
+               (cooling_least_load > 0 && cooling_cycling_loss > 0);
+    }
 };
 
 /// Numbers that follow from others: a polynomial of them, or the row of a table that one

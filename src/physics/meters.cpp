@@ -1,10 +1,12 @@
 /// From zones' heat to meters: divided by the plant's efficiency or COP, with auxiliary
 /// power and the loads on the carrier; then summed over the calendar's intervals.
-/// Follows from the definitions of efficiency and COP. Left out: part load, distribution
-/// and storage losses, export of power; zones are summed, not metered apart.
+/// Follows from the definitions of efficiency and COP, and of a plant that cycles from
+/// cycling.hpp. Left out: distribution and storage losses, export of power; zones are
+/// summed, not metered apart.
 #include "physics/meters.hpp"
 
 #include "base/error.hpp"
+#include "physics/cycling.hpp"
 
 #include <cmath>
 #include <numeric>
@@ -84,15 +86,23 @@ double mean_air_temperature(const Building& building, const Trajectory& trajecto
 }
 
 /// Power on the meter at a step of the period [W].
-double power_on(const MeterForm& form, const Trajectory& trajectory, std::size_t step) {
+double power_on(const Building& building, const MeterForm& form,
+                const Trajectory& trajectory, std::size_t step) {
     double heating = 0, cooling = 0, fan = 0;
-    for (const ZoneTrajectory& zone : trajectory.zones) {
+    Losses sum;
+    for (std::size_t z = 0; z < trajectory.zones.size(); ++z) {
+        const ZoneTrajectory& zone = trajectory.zones[z];
         heating += zone.heating[step];
         cooling += zone.cooling[step];
         if (!zone.fan.empty()) fan += zone.fan[step];
+        const Losses losses = losses_of(building.plant, building.zones[z].floor_area,
+                                        zone.heating[step], zone.cooling[step]);
+        sum.heating += losses.heating;
+        sum.cooling += losses.cooling;
     }
     return form.per_heating * heating + form.per_cooling * cooling + form.source +
-           form.per_fan * fan;
+           form.per_fan * fan + form.per_lost_heating * sum.heating +
+           form.per_lost_cooling * sum.cooling;
 }
 
 }  // namespace
@@ -130,7 +140,7 @@ std::vector<double> predict(const Building& building, const Drive& drive,
         }
         const MeterForm form = meter_form(building, drive, quantity,
                                           drive.n_warm_up + static_cast<int>(step));
-        shown[step] = power_on(form, trajectory, step) * kWh_per_W;
+        shown[step] = power_on(building, form, trajectory, step) * kWh_per_W;
     }
     return shown;
 }
@@ -157,10 +167,11 @@ MeterForm true_meter_form(const Building& building, const Drive& drive, Quantity
     const Plant& plant = building.plant;
     MeterForm form;
     if (plant.heating_carrier == carrier)
-        form.per_heating = 1 / efficiency_at(drive, plant.heating_efficiency, step,
-                                             "heating_efficiency");
+        form.per_heating = form.per_lost_heating =
+            1 /
+            efficiency_at(drive, plant.heating_efficiency, step, "heating_efficiency");
     if (plant.cooling_carrier == carrier)
-        form.per_cooling =
+        form.per_cooling = form.per_lost_cooling =
             1 / efficiency_at(drive, plant.cooling_cop, step, "cooling_cop");
     if (carrier == Carrier::electricity) {
         form.per_heating += plant.heating_auxiliary;
@@ -176,8 +187,8 @@ MeterForm meter_form(const Building& building, const Drive& drive, Quantity quan
     const Input& factor = building.meter_factor[static_cast<std::size_t>(quantity)];
     MeterForm form = true_meter_form(building, drive, quantity, step);
     const double shown = factor_at(drive, factor, step);
-    for (double* part :
-         {&form.per_heating, &form.per_cooling, &form.source, &form.per_fan})
+    for (double* part : {&form.per_heating, &form.per_cooling, &form.source,
+                         &form.per_fan, &form.per_lost_heating, &form.per_lost_cooling})
         *part *= shown;
     return form;
 }

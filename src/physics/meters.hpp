@@ -42,12 +42,13 @@ std::vector<double> aggregate(const std::vector<double>& steps,
 
 /// Linear form of a meter for one step: W on the meter = per_heating phi_H + per_cooling
 /// phi_C
-/// + per_fan phi_fan + source; both `predict` and the fast kernel use it. Air temperature
-/// has no such form (zeros).
+/// + per_fan phi_fan + per_lost_heating lost_H + per_lost_cooling lost_C + source; both
+/// `predict` and the fast kernel use it. Air temperature has no such form (zeros).
 struct MeterForm {
-    double per_heating = 0, per_cooling = 0;  ///< [-]
-    double source = 0;                        ///< [W]
-    double per_fan = 0;                       ///< of air systems [-]
+    double per_heating = 0, per_cooling = 0;            ///< [-]
+    double source = 0;                                  ///< [W]
+    double per_fan = 0;                                 ///< of air systems [-]
+    double per_lost_heating = 0, per_lost_cooling = 0;  ///< by cycling [-]
 };
 /// Throws CannotSimulate where an efficiency or COP that is needed is not above 0, or
 /// the meter's factor is not a number >= 0.

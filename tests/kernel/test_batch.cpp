@@ -2,9 +2,9 @@
 /// description.
 #include "kernel/batch.hpp"
 #include "kernel/plain_answer.hpp"
+#include "kernel/random_cycling.hpp"
 #include "kernel/random_hooks.hpp"
 #include "kernel/random_season.hpp"
-#include "kernel/random_supply.hpp"
 #include "support/measured.hpp"
 
 #include <limits>
@@ -152,6 +152,7 @@ class FastAgainstPlain : public testing::TestWithParam<unsigned> {};
 class FastWithEffectsAgainstPlain : public testing::TestWithParam<unsigned> {};
 class FastWithAirSystemsAgainstPlain : public testing::TestWithParam<unsigned> {};
 class FastWithSeasonsAgainstPlain : public testing::TestWithParam<unsigned> {};
+class FastWithCyclingAgainstPlain : public testing::TestWithParam<unsigned> {};
 
 }  // namespace
 
@@ -169,6 +170,10 @@ TEST_P(FastWithAirSystemsAgainstPlain, TotalsMonthsAndErrorsAgree) {
 
 TEST_P(FastWithSeasonsAgainstPlain, TotalsMonthsAndErrorsAgree) {
     expect_answers(test::random_seasonal_case(GetParam()), GetParam() + 8000, 5);
+}
+
+TEST_P(FastWithCyclingAgainstPlain, TotalsMonthsAndErrorsAgree) {
+    expect_answers(test::random_cycling_case(GetParam()), GetParam() + 10000, 3);
 }
 
 /// What advance() writes for one lane, in predict()'s unit; the period in two parts.
@@ -226,6 +231,10 @@ TEST_P(FastWithSeasonsAgainstPlain, EveryStepAgrees) {
     expect_steps(test::random_seasonal_case(GetParam()), GetParam() + 9000);
 }
 
+TEST_P(FastWithCyclingAgainstPlain, EveryStepAgrees) {
+    expect_steps(test::random_cycling_case(GetParam()), GetParam() + 11000);
+}
+
 /// All rooms get what the warmest asks for: no room asks for more than it gets.
 TEST(FastAgainstPlainOfRooms, OneUnitCoolsAllRooms) {
     int n_seen = 0;
@@ -265,6 +274,8 @@ TEST(FastWithSeasons, RefusesLimitsBeyondTheRanges) {
 INSTANTIATE_TEST_SUITE_P(RandomBuildings, FastWithSeasonsAgainstPlain,
                          testing::Range(1U, 41U));
 INSTANTIATE_TEST_SUITE_P(RandomBuildings, FastWithAirSystemsAgainstPlain,
+                         testing::Range(1U, 41U));
+INSTANTIATE_TEST_SUITE_P(RandomBuildings, FastWithCyclingAgainstPlain,
                          testing::Range(1U, 41U));
 INSTANTIATE_TEST_SUITE_P(RandomBuildings, FastAgainstPlain, testing::Range(1U, 61U));
 INSTANTIATE_TEST_SUITE_P(RandomBuildings, FastWithEffectsAgainstPlain,

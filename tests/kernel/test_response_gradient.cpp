@@ -6,5 +6,6 @@ namespace bemcal::physics {
 INSTANTIATE_TEST_SUITE_P(RandomBuildings, ResponseOfEveryNumber, testing::Range(1U, 16U));
 INSTANTIATE_TEST_SUITE_P(RandomBuildings, ResponseOfAirSystems, testing::Range(1U, 16U));
 INSTANTIATE_TEST_SUITE_P(RandomBuildings, ResponseOfSeasons, testing::Range(1U, 16U));
+INSTANTIATE_TEST_SUITE_P(RandomBuildings, ResponseOfCycling, testing::Range(1U, 16U));
 
 }  // namespace bemcal::physics

@@ -7,5 +7,6 @@ INSTANTIATE_TEST_SUITE_P(RandomBuildings, ResponseOfEveryNumber,
                          testing::Range(16U, 61U));
 INSTANTIATE_TEST_SUITE_P(RandomBuildings, ResponseOfAirSystems, testing::Range(16U, 61U));
 INSTANTIATE_TEST_SUITE_P(RandomBuildings, ResponseOfSeasons, testing::Range(16U, 61U));
+INSTANTIATE_TEST_SUITE_P(RandomBuildings, ResponseOfCycling, testing::Range(16U, 61U));
 
 }  // namespace bemcal::physics
