@@ -192,8 +192,8 @@ def print_names(scored):
 
 
 def print_air_systems(scored):
-    """That are found in buildings which have none."""
-    without = [s for s in scored if not s.air_handler]
+    """That are found in buildings which have nothing of one."""
+    without = list(filter(loop_scores.has_none_of_an_air_system, scored))
     line("loop_air_system_where_none_is", sum(map(loop_scores.has_found_an_air_system, without)),
          f"of_{len(without)}", 0)
 

@@ -179,7 +179,7 @@ def score(file, case, kind):
                   coverage(found, planted, truth), value_coverage(found, planted, truth), calibrated(loop),
                   truth.get("details", {}),
                   truth.get("structure", {}).get("air_handler", {}).get("kind", ""),
-                  tuple(loop["structure_chosen"].asstr()[0].split(" + ")))
+                  tuple(loop["structure_chosen"].asstr()[()].split(" + ")))
 
 
 def scores(result, cases):
@@ -248,6 +248,11 @@ def false_effects(scored):
     return [effect for effect in scored.found if effect["name"] not in excused
             and not any(is_in_class(effect, name, scored.details.get(name))
                         for name in scored.planted)]
+
+
+def has_none_of_an_air_system(scored):
+    """Neither a handler, nor water on the coil alone."""
+    return not scored.air_handler and "latent_load" not in scored.planted
 
 
 def has_found_an_air_system(scored):

@@ -121,6 +121,8 @@ class Scores(unittest.TestCase):
         by_structure = dataclasses.replace(case, structure=("surfaces", "coil that dries"))
         self.assertTrue(loop_scores.has_found_an_air_system(by_effect))
         self.assertTrue(loop_scores.has_found_an_air_system(by_structure))
+        self.assertTrue(loop_scores.has_none_of_an_air_system(case))
+        self.assertFalse(loop_scores.has_none_of_an_air_system(scored({"latent_load": 0.8}, [])))
 
     def test_names_of_an_air_system_are_of_the_catalogue_or_the_refinements(self):
         texts = "".join(path.read_text() for path in (ROOT / "src/effects").glob("*.cpp"))
