@@ -450,11 +450,17 @@ std::string topic_text(const CLI::App& app, const CommandLine& line) {
 
 ExitCode describe_command(const CLI::App& app, const CommandLine& line) {
     const std::string text = topic_text(app, line);
-    if (text.empty() && !line.place.empty())
+    if (line.place.empty() && (line.topic == "man" || line.topic == "completion"))
         throw UserError(ExitCode::usage,
-                        fmt::format("'{}': expected nothing after {}; only holidays are "
-                                    "of a place",
-                                    line.place, line.topic));
+                        fmt::format("describe {0}: expected {0} {1}", line.topic,
+                                    line.topic == "man" ? "1 or 5" : "bash or zsh"));
+    if (text.empty() && !line.place.empty())
+        throw UserError(
+            ExitCode::usage,
+            fmt::format(
+                "describe {} {}: expected nothing after {}; what has more are man "
+                "1, man 5, completion bash, completion zsh, and holidays COUNTRY",
+                line.topic, line.place, line.topic));
     if (text.empty())
         throw UserError(ExitCode::usage,
                         fmt::format("describe {}: there is no such topic{}", line.topic,

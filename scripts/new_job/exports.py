@@ -3,7 +3,9 @@
 
 Source: Portfolio Manager's columns (Start Date, End Date, Usage/Quantity, Usage Units, Estimation, Meter Type, Meter
 Name); NAESB REQ.21 ESPI (ReadingType: uom, powerOfTenMultiplier, commodity, flowDirection; IntervalReading: start in
-seconds since 1970 UTC, duration). Leaves out demand, costs, and of Green Button what is fed in.
+seconds since 1970 UTC, duration). A block of
+readings is of the reading type to which the links of its MeterReading lead; where there are none, of the one before it.
+Leaves out demand, costs, and of Green Button what is fed in.
 """
 import csv
 import datetime as dt
@@ -28,6 +30,7 @@ COMMODITIES = {"0": "electricity", "1": "electricity", "2": "electricity", "7": 
 # uom of ESPI: the job's unit, factor.
 UOMS = {"72": ("Wh", 1), "38": ("W", 1), "169": ("therm", 1), "119": ("ft3", 1), "42": ("m3", 1), "132": ("kBtu", 1e-3),
         "31": ("J", 1)}
+MADE_HERE = "solar|wind"       # Electric - Solar: what panels give, in part to the grid
 FED_IN = "19"                  # flowDirection: reverse
 
 
@@ -123,9 +126,12 @@ def check_bills(path, bills):
 
 def of_portfolio_manager(table, place):
     """Its bills, one file for each meter; water, waste and wood are left out, and a meter of a single bill."""
-    groups, found = bills_in(table), []
+    groups, found, left = bills_in(table), [], set()
     for (kind, name, units), bills in groups.items():
         quantity = quantity_of(f"{kind} {name}" if kind or name else os.path.basename(table.path))
+        if says(MADE_HERE, kind):
+            left.add(kind)
+            continue
         if not quantity or len(bills) < 2:
             continue
         unit = unit_of(units)
@@ -141,6 +147,9 @@ def of_portfolio_manager(table, place):
         what = ", ".join(filter(None, (kind, name, units)))
         doubt = f"{table.path}: all bills of {what} are estimated; they were taken as read" if are_estimated else ""
         found.append(Converted(path, "usage", quantity, *unit, f"{len(bills)} bills of {table.path} ({what})", doubt))
+    if found and left:
+        found[0].doubt = " ".join(filter(None, (f"{table.path}: left out: {', '.join(sorted(left))}, which does not say "
+                                                "what the building used of it", found[0].doubt)))
     if not found:
         raise Refused(f"{table.path}: has no bills of gas, electricity or district energy")
     return found
@@ -167,12 +176,14 @@ def of_green_button(path, place):
     except ElementTree.ParseError as error:
         raise Refused(f"{path}: is no XML that can be read: {error}; expected Green Button (ESPI)") from None
     groups, kind = {}, None
-    for element in root.iter():
-        if local(element) == "ReadingType":
-            kind = (child(element, "commodity") or "1", child(element, "uom") or "72",
-                    number_of(path, child(element, "powerOfTenMultiplier"), 0), child(element, "flowDirection") or "1")
-        if local(element) == "IntervalBlock":
-            groups.setdefault(kind, []).extend(readings_of(path, element))
+    linked = linked_kinds(path, root)
+    for entry in entries_of(root):
+        for element in entry.iter():
+            if local(element) == "ReadingType":
+                kind = kind_of(path, element)
+            if local(element) == "IntervalBlock":
+                own = next((linked[up] for up in links_of(entry, "up") if up in linked), kind)
+                groups.setdefault(own, []).extend(readings_of(path, element))
     late = kind if len({key for key in groups if key}) <= 1 else None
     found = []
     for key, readings in groups.items():
@@ -183,6 +194,38 @@ def of_green_button(path, place):
     if not found:
         raise Refused(f"{path}: has no readings of energy in IntervalBlock; expected Green Button (ESPI)")
     return found
+
+
+def entries_of(root):
+    """Those of a feed; a file without is one entry."""
+    return [element for element in root.iter() if local(element) == "entry"] or [root]
+
+
+def links_of(entry, *rel):
+    return [each.get("href", "") for each in entry if local(each) == "link" and each.get("rel") in rel]
+
+
+def has(entry, tag):
+    return any(local(element) == tag for element in entry.iter())
+
+
+def kind_of(path, element):
+    """(commodity, unit, power of ten, direction) of a ReadingType."""
+    return (child(element, "commodity") or "1", child(element, "uom") or "72",
+            number_of(path, child(element, "powerOfTenMultiplier"), 0), child(element, "flowDirection") or "1")
+
+
+def linked_kinds(path, root):
+    """{address of a collection of blocks: kind}, by way of its MeterReading."""
+    types, readings = {}, []
+    for entry in entries_of(root):
+        for element in entry.iter():
+            if local(element) == "ReadingType":
+                types |= {href: kind_of(path, element) for href in links_of(entry, "self")}
+        if has(entry, "MeterReading"):
+            readings.append(links_of(entry, "related"))
+    return {href: types[of_type] for related in readings for of_type in related if of_type in types
+            for href in related if href not in types}
 
 
 def number_of(path, text, usual, kind=int):

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from cases.toml import number, numbers
 from new_job import building
-from new_job.places import STATES, WITH_HOLIDAYS, summer_time_of
+from new_job.places import STATES, are_holidays_known, summer_time_of
 from new_job.priors import priors_of
 from new_job.refused import printable
 
@@ -110,7 +110,8 @@ def site(first):
 
 def holidays(first):
     o = first.options
-    if o.country in WITH_HOLIDAYS:
+    years = [day.year for period in (first.periods.training, first.periods.held_out) for day in period]
+    if are_holidays_known(o.country, min(years), max(years)):
         yield section("[holidays]", ("country", o.country),
                       ("state", o.state if o.state and o.country in STATES else None))
 

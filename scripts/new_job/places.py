@@ -40,6 +40,9 @@ PLACES = {
     "TW": Place("Taiwan", "none", 8, is_hot=True),
 }
 WITH_HOLIDAYS = set(PLACES) - {"RS"}
+# Years of which the program knows the holidays (its message names them): usual ones, and others.
+HOLIDAYS_KNOWN = (2000, 2050)
+HOLIDAYS_KNOWN_OF = {"CN": (2010, 2050), "KR": (2010, 2050), "TW": (2011, 2050), "IN": (2010, 2030), "SG": (2001, 2030)}
 # As bemcal-batch describe holidays lists them; other countries have one calendar, and take any state.
 STATES = {
     "AU": "ACT NSW NT QLD SA TAS VIC WA", "CA": "AB BC MB NB NL NS NT NU ON PE QC SK YT",
@@ -63,6 +66,12 @@ def read_place(text):
         raise Refused(f"--place {text}: {state} is no state of {PLACES[code].name} that is known; expected one of "
                       f"{STATES[code]}", USAGE)
     return code, state, PLACES[code]
+
+
+def are_holidays_known(code, first, last):
+    """Of the years from first to last."""
+    least, most = HOLIDAYS_KNOWN_OF.get(code, HOLIDAYS_KNOWN)
+    return code in WITH_HOLIDAYS and least <= first and last <= most
 
 
 def summer_time_of(code, state):

@@ -23,7 +23,10 @@ def named(job, section):
 
 
 def check_same(loop, job):
-    """Some parameter of the job is one of that loop, which may have calibrated some alone."""
+    """The building's name, and some parameter of the job is one of that loop, which may have calibrated some alone."""
+    if str(job.get("name", loop.building)) != loop.building:
+        raise Mismatch(f"is of \"{job['name']}\", and the result of \"{loop.building}\"; expected the job that the "
+                       "result is of")
     if not any(name in loop.parameters for name in named(job, "parameter")):
         raise Mismatch(f"has none of the parameters of {loop.stage}; expected the job that the result is of, one "
                        "building with its parameters in this file")

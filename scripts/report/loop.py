@@ -105,7 +105,8 @@ def contents(loop):
     ranking = [(candidate.name, words.number(candidate.gain)) for candidate in loop.candidates[:10]]
     left = [(channel.name, words.percent(channel.unexplained, 1), channel.where)
             for channel in loop.of_channels]
-    more = {meter.name: [meters.signature(meter), meters.duration(meter)] for meter in meters.of_loop(loop)}
+    more = {meter.name: [draw(meter) for draw in (meters.bills, meters.signature, meters.duration)]
+            for meter in meters.of_loop(loop)}
     channels = [(channel, pictures.of_channel(loop, c) + [one for one in more.get(channel, []) if one])
                 for c, channel in enumerate(loop.channels)]
     return dict(

@@ -161,9 +161,28 @@ def of_loop(loop):
     """Channels as meters: before and after, in the period of judging."""
     for channel in loop.of_channels:
         series = loop.series[channel.name]
-        if series.is_drawn and series.simulated.ndim == 2 and series.simulated.shape[0] == 3:
-            yield Meter(channel.name, loop.judged, channel.unit, series.time, series.measured,
-                        {"before": series.simulated[1], "after": series.simulated[2]}, series.outdoor, series.band)
+        if series.simulated.ndim != 2 or series.simulated.shape[0] != 3:
+            continue
+        models = {"before": series.simulated[1], "after": series.simulated[2]}
+        if series.readings:
+            yield by_reading(channel, loop.judged, series, models)
+        elif series.is_drawn:
+            yield Meter(channel.name, loop.judged, channel.unit, series.time, series.measured, models, series.outdoor,
+                        series.band)
+
+
+def by_reading(channel, period, series, models):
+    """Of days, months or bills: what the models have in the hours of each."""
+    begins, ends, measured = series.readings
+    places = np.searchsorted(series.time, begins), np.searchsorted(series.time, ends)
+
+    def of_hours(values):
+        sums = np.concatenate([[0.0], np.cumsum(values)])
+        total = sums[places[1]] - sums[places[0]]
+        return total / np.maximum(places[1] - places[0], 1) if channel.unit == "degC" else total
+    outdoor = at_steps((series.time, series.outdoor), begins, (ends - begins)) if series.outdoor.size else np.array([])
+    return Meter(channel.name, period, channel.unit, begins, measured,
+                 {label: of_hours(values) for label, values in models.items()}, outdoor, np.array([]))
 
 
 def daily(meter, values):

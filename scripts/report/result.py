@@ -198,6 +198,8 @@ class Series:
     outdoor: np.ndarray     # outdoor temperature [degC], or nothing
     # ends of the 90 % intervals of after [2 x time], or nothing
     band: np.ndarray = field(default_factory=lambda: np.array([]))
+    # of a meter by the day, month or bill: (begins, ends [s since 1970], measured), or nothing
+    readings: tuple = ()
 
     def residual(self, model):
         return self.simulated[model] - self.measured
@@ -240,9 +242,11 @@ def series_in(period, channel):
     def values(name):
         return guard.sound(guard.inner(period, name))[()]
     outdoor, ends = "outdoor_temperature", [f"{channel}/predicted_{q}" for q in ("q05", "q95")]
+    readings = [f"{channel}/reading_{leaf}" for leaf in ("begin", "end", "measured")]
     return Series(values("time"), values(f"{channel}/measured"), values(f"{channel}/simulated"),
                   values(outdoor) if guard.has(period, outdoor) else np.array([]),
-                  np.array([values(end) for end in ends]) if guard.has(period, ends[0]) else np.array([]))
+                  np.array([values(end) for end in ends]) if guard.has(period, ends[0]) else np.array([]),
+                  tuple(map(values, readings)) if guard.has(period, readings[0]) else ())
 
 
 class Loop:

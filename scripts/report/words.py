@@ -153,6 +153,9 @@ def program_runs(loop):
 
 def found(loop):
     """What was found."""
+    if not loop.effects and not loop.candidates and not any(step.effect for step in loop.steps):
+        return settings(loop) + f"No effect that the description of {loop.building} lacks was looked for: " \
+               "most_effects is 0, or the readings are too few." + functions(loop)
     if not loop.effects:
         return settings(loop) + f"No effect was found that the description of {loop.building} lacks: no candidate " \
                "predicted better what was kept from it." + functions(loop)

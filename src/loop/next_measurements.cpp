@@ -321,6 +321,11 @@ std::vector<Answer> best_of_year(const Questions& questions, const Shown& shown,
     return best;
 }
 
+/// What these readings have told needs no other.
+bool is_told(const Answer& answer) {
+    return answer.kind == "name" && answer.now >= decisions::enough_chance;
+}
+
 bool is_worth_it(const Answer& answer) {
     const bool is_name = answer.kind == "name";
     const double now = is_name ? 1 - answer.now : answer.now,
@@ -370,6 +375,7 @@ std::vector<Answer> next_measurements(const LoopData& data, const Place& place,
     }
     std::vector<Answer> all;
     for (std::vector<Answer>& of_one : by_question) {
+        if (is_told(of_one.front())) continue;
         advise(of_one);
         all.insert(all.end(), of_one.begin(), of_one.end());
     }

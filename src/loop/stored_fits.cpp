@@ -43,6 +43,17 @@ void add_months(const std::vector<double>& predicted, const std::vector<Band>& b
     }
 }
 
+/// Days, months or bills, on an axis of hours.
+void add_readings(const kernel::Readings& meter, const physics::TimeAxis& axis,
+                  StoredPeriod::Channel& channel) {
+    const std::vector<int> bounds = physics::interval_bounds(axis, meter.interval);
+    for (std::size_t k = 0; k < meter.values.size(); ++k) {
+        channel.reading_begin.push_back(axis.begin_of(bounds[k]));
+        channel.reading_end.push_back(axis.begin_of(bounds[k + 1]));
+    }
+    channel.reading_measured = meter.values;
+}
+
 }  // namespace
 
 /// Mean outdoor temperature of each hour of the drive's period.
@@ -127,6 +138,7 @@ StoredPeriod FitsWriter::add(const study::Period& period, const ModelHours& hour
                                  months.measured));
         }
         stored.channels.push_back(channel_of(c, measured, hours));
+        if (!is_hourly) add_readings(meter, axis, stored.channels.back());
         const auto& after = hours.models.back()[c];
         const auto bands = bands_[c].hours(after, begins, level);
         stored_.coverage.set({p, StoredLoop::hourly, c}, share_within(bands, measured));
@@ -188,7 +200,11 @@ study::Summary summary_of(const std::string& stage, const LoopData& data,
     for (std::size_t p = 0; p < stored.periods.size(); ++p)
         for (std::size_t c = 0; c < data.meters.size(); ++c) {
             const auto error = [&](StoredLoop::Model model, StoredLoop::Metric metric) {
-                return stored.fit.at({model, p, StoredLoop::hourly, c, metric});
+                const double hourly =
+                    stored.fit.at({model, p, StoredLoop::hourly, c, metric});
+                return std::isnan(hourly)  // of bills only months are known
+                           ? stored.fit.at({model, p, StoredLoop::monthly, c, metric})
+                           : hourly;
             };
             summary.fits.push_back({p, data.meters[c],
                                     error(StoredLoop::plain, StoredLoop::cv_rmse),

@@ -250,6 +250,10 @@ void add_period(const StoredPeriod& period, study::DatasetBuilder& datasets) {
         datasets.vector(folder + "month_predicted", "month", channel.month);
         datasets.vector(folder + "month_q05", "month", channel.month_q05);
         datasets.vector(folder + "month_q95", "month", channel.month_q95);
+        if (channel.reading_begin.empty()) continue;
+        datasets.times(folder + "reading_begin", channel.reading_begin, "reading");
+        datasets.times(folder + "reading_end", channel.reading_end, "reading");
+        datasets.vector(folder + "reading_measured", "reading", channel.reading_measured);
     }
 }
 

@@ -151,6 +151,9 @@ struct StoredPeriod {
         std::vector<double> q05{}, q95{};  ///< [hours] after's interval; NaN = not known
         /// [months] of all hours, read or not: sums, or means of a temperature.
         std::vector<double> month{}, month_q05{}, month_q95{};
+        /// Of a meter that is not read by the hour, [readings].
+        std::vector<physics::Seconds> reading_begin{}, reading_end{};
+        std::vector<double> reading_measured{};
     };
     std::string name;
     std::vector<physics::Seconds> begins;     ///< [hours]

@@ -626,6 +626,10 @@ constexpr LayoutRow own_rows[] = {
      "of all hours of a month, read or not: their sum, of a temperature their mean"},
     {"month_q05", "month", number, "of the channel", "its 90 % interval"},
     {"month_q95", "month", number, "of the channel", "upper end"},
+    {"reading_begin", "reading", number, seconds,
+     "of meters by the day, month or bill: where each reading begins"},
+    {"reading_end", "reading", number, seconds, "where it ends"},
+    {"reading_measured", "reading", number, "of the meter", "as read; NaN = missing"},
     // retrofit: its outputs are energies [kWh] and hours too cold or too warm [h]
     {"scenario", "scenario", text, "", "names of the scenarios"},
     {"points_of", "", text, "", "the study whose points they are applied to"},

@@ -22,7 +22,7 @@ sys.path.insert(0, str(ROOT / "scripts"))
 from new_job import building, envelopes, meters, places, tables, times, uses, weather, words  # noqa: E402
 
 USAGE, DATA, NO_INPUT, EXISTS = 64, 65, 66, 73
-HOUR = dt.timedelta(hours=1)
+HOUR, DAY = dt.timedelta(hours=1), dt.timedelta(days=1)
 HEAD = ["LOCATION,{place},-,GBR,made,000000,{latitude},{longitude},{offset},40.0", "DESIGN CONDITIONS,0",
         "TYPICAL/EXTREME PERIODS,0", "GROUND TEMPERATURES,0", "HOLIDAYS/DAYLIGHT SAVINGS,Yes,0,0,0", "COMMENTS 1,made",
         "COMMENTS 2,made", "DATA PERIODS,1,1,Data,Sunday, 1/ 1,12/31"]
@@ -124,6 +124,11 @@ def write_workbook(path, stamps):
                                          '</cellXfs></styleSheet>')
         packed.writestr("xl/worksheets/sheet1.xml", f"<worksheet {space}/>")
         packed.writestr("xl/worksheets/sheet2.xml", f"<worksheet {space}><sheetData>{lines}</sheetData></worksheet>")
+
+
+def seconds(time):
+    """Since 1970."""
+    return int((time - dt.datetime(1970, 1, 1)).total_seconds())
 
 
 def green_button(times):
@@ -279,6 +284,108 @@ class New(unittest.TestCase):
         self.new(self.written("gas.csv", ["time,gas_kwh", *lines]), weather=west)
         periods = self.checked()["periods"]
         self.assertEqual((periods["training"][0], periods["held_out"][1]), ("2021-01-01", "2022-12-31"))
+
+    def test_dates_of_reads_close_what_stands_beside_them(self):
+        """Each bill is of the month before its read."""
+        lines = [f"{end:%Y-%m-%d},{total(gas, begin, end):.1f}" for begin, end in zip(months(), months()[1:])]
+        said = self.new(self.written("gas.csv", ["Reading date,Gas kWh", *lines])).stdout
+        self.assertIn("was taken for the end", said)
+        self.assertIn("2021-01-01 to 2022-12-31", said)
+        self.assertEqual(self.meter()["stamp"], "end")
+
+    def test_read_dates_within_months(self):
+        stamps = [month.replace(day=13) for month in months()]
+        lines = [f"{end:%Y-%m-%d},{total(gas, begin, end):.1f}" for begin, end in zip(stamps, stamps[1:])]
+        said = self.new(self.written("gas.csv", ["Bill end date,Gas kWh", *lines])).stdout
+        self.assertIn("2021-01-13 to 2023-01-12", said)
+
+    def test_units_of_energy_overrule_words_of_other_columns(self):
+        file = self.written("usage.csv", [
+            "time,Gas volume (m3),Electricity (kWh)",
+            *(f"{t:%Y-%m-%d %H:%M},{gas(t) / 11.2:.3f},{electricity(t):.2f}" for t in hours(2021, 2022))])
+        self.new(file)
+        self.assertEqual(self.meter()["unit"], "m3")
+        for name in ("Heat demand (kWh)", "Hourly usage (kWh)", "Electricity day kWh"):
+            self.assertFalse(words.is_other(name), name)
+        for name in ("Peak demand (kW)", "Cold water (m3)", "hot water m3", "Electricity export kWh", "reactive kVArh"):
+            self.assertTrue(words.is_other(name), name)
+
+    def test_electricity_of_what_heats_or_cools_is_electricity(self):
+        for name in ("Heat pump electricity (kWh)", "Water heater electricity (kWh)", "Cooling electricity (kWh)"):
+            self.assertEqual(words.quantity_of(name), "electricity", name)
+        self.assertEqual(words.quantity_of("District Chilled Water - Electric"), "cooling")
+
+    def test_a_column_of_energy_that_is_left_out_is_told(self):
+        file = self.written("two.csv", ["time,gas_kwh,sub 7 kWh", *(f"{row},7" for row in rows(gas))])
+        self.assertIn("left out: sub 7 kWh", self.new(file).stdout)
+
+    def test_day_and_month_are_those_of_the_other_dates(self):
+        """Begins of months alone tell nothing; their ends do."""
+        lines = [f"{a:%m/%d/%Y},{b - DAY:%m/%d/%Y},{total(gas, a, b):.1f}" for a, b in zip(months(), months()[1:])]
+        said = self.new(self.written("gas.csv", ["Start,End,Gas kWh", *lines])).stdout
+        self.assertIn("2021-01-01 to 2022-12-31", said)
+        self.assertNotIn("cannot be told apart", said)
+
+    def test_estimated_bills_of_a_table(self):
+        lines = [f"{a:%Y-%m-%d},{b:%Y-%m-%d},{'Estimated' if k % 5 == 3 else 'Actual'},{total(gas, a, b):.1f}"
+                 for k, (a, b) in enumerate(zip(months(), months()[1:]))]
+        self.new(self.written("gas.csv", ["From,To,Read type,Gas kWh", *lines]))
+        self.assertEqual(self.meter()["estimated"], "Read type")
+
+    def test_uses_per_area_are_the_buildings(self):
+        per_m2 = [f"{t:%Y-%m-%d %H:%M},{gas(t) / 1200:.6f}" for t in hours(2021, 2022)]
+        self.new(self.written("gas.csv", ["time,gas (kWh/m2)", *per_m2]))
+        self.assertEqual(self.meter()["factor"], 1200)
+
+    def test_swiss_thousands(self):
+        lines = [f"{a:%Y-%m-%d},{total(gas, a, b):,.1f}".replace(",", "'").replace("'", ",", 1)
+                 for a, b in zip(months(), months()[1:])]
+        self.new(self.written("gas.csv", ["month,Gas kWh", *lines]))
+        self.assertEqual(self.meter()["thousands"], "'")
+
+    def test_holidays_are_written_for_years_that_are_known(self):
+        """The table here is the program's."""
+        for code, (least, most) in places.HOLIDAYS_KNOWN_OF.items():
+            for year, code_of in ((least, 0), (most, 0), (least - 1, USAGE), (most + 1, USAGE)):
+                done = self.run_program("describe", "holidays", code, str(year))
+                self.assertEqual(done.returncode, code_of, f"{code} {year} {done.stderr}")
+        self.assertFalse(places.are_holidays_known("CN", 2009, 2011))
+        self.assertTrue(places.are_holidays_known("GB", 2009, 2011))
+
+    def test_the_source_of_a_typical_year_is_told(self):
+        text = (self.made / "2021.epw").read_text().split("\n", 1)
+        head = text[0].split(",")
+        head[4] = "TMY3--722950"
+        (self.folder / "2021.epw").write_text(",".join(head) + "\n" + text[1])
+        said = self.new(weather=[self.folder / "2021.epw", self.made / "2022.epw"]).stdout
+        self.assertIn("2021.epw:1: its source is TMY3", said)
+
+    def test_wind_in_km_h(self):
+        self.assertEqual(weather.unit_of_column("wind_speed", "wind_speed_10m (km/h)", [3]), "km/h")
+        self.assertIsNone(weather.unit_of_column("wind_speed", "wind_ms", [3]))
+
+    def test_green_button_follows_links(self):
+        """What is fed in has its type first in the feed, and its block first."""
+        def block(address, value):
+            own = "".join(f"<IntervalReading><timePeriod><duration>3600</duration><start>{seconds(t)}</start>"
+                          f"</timePeriod><value>{value(t)}</value></IntervalReading>" for t in hours(2021, 2022))
+            return f'<entry><link rel="up" href="{address}/block"/><content><IntervalBlock>{own}</IntervalBlock>' \
+                   "</content></entry>"
+
+        def type_of(address, direction):
+            return f'<entry><link rel="self" href="{address}/type"/><content><ReadingType><commodity>1</commodity>' \
+                   f"<flowDirection>{direction}</flowDirection><uom>72</uom></ReadingType></content></entry>"
+
+        def meter(address):
+            return f'<entry><link rel="self" href="{address}"/><link rel="related" href="{address}/block"/>' \
+                   f'<link rel="related" href="{address}/type"/><content><MeterReading/></content></entry>'
+        feed = "".join(["<feed>", type_of("in", 19), type_of("out", 1), meter("in"), meter("out"),
+                        block("in", lambda t: 9), block("out", lambda t: round(1000 * electricity(t))), "</feed>"])
+        self.new(self.written("usage.xml", [feed]))
+        with open(self.folder / self.meter("electricity")["file"], encoding="utf-8") as file:
+            values = [float(line.split(",")[1]) for line in file.readlines()[1:]]
+        self.assertEqual(values[:3], [round(1000 * electricity(t)) for t in hours(2021, 2021)][:3])
+        self.assertEqual(len(values), len(list(hours(2021, 2022))))
 
     def test_units_and_quantities_by_name(self):
         for head, quantity, unit, factor in (("gas_m3", "gas", "m3", 1), ("Usage (therms)", "gas", "therm", 1),

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import datetime
 import os
-from typing import Any, Mapping
+from typing import Any, List, Mapping, Optional, Sequence
 
 import numpy as np
 import tomlkit
@@ -19,19 +19,48 @@ from . import _job_text
 from .errors import Error, ExitCode
 
 
+MIDNIGHT = datetime.time()
+
+
+def of_numpy(value: Any) -> Any:
+    """As a value of Python. Times are so whatever their resolution is; NaT becomes None."""
+    if not isinstance(value, (np.generic, np.ndarray)):
+        return value
+    return (value.astype("datetime64[us]") if value.dtype.kind == "M" else value).tolist()
+
+
+def is_time_of_day(value: Any) -> bool:
+    """No midnight, or one with a time zone: the program refuses that."""
+    return isinstance(value, datetime.datetime) and (value.tzinfo is not None or value.time() != MIDNIGHT)
+
+
+def time_text(time: datetime.datetime, is_day: bool) -> Optional[str]:
+    """None of NaT, which TOML does not know."""
+    if time != time:
+        return None
+    return time.date().isoformat() if is_day else time.isoformat(sep=" ")
+
+
 def plain(value: Any) -> Any:
-    """As TOML knows it: numbers of numpy, dates (as texts, which the job's are) and paths."""
-    if isinstance(value, (np.generic, np.ndarray)):
-        return plain(value.tolist())
+    """As TOML knows it: numbers of numpy, days and times (as texts, which the job's are) and paths.
+
+    A midnight is a day, which a period that ends with it includes; beside times of day it is one of these."""
+    value = of_numpy(value)
     if isinstance(value, datetime.datetime):
-        return value.isoformat(sep=" ")
+        return time_text(value, is_day=not is_time_of_day(value))
     if isinstance(value, datetime.date):
         return value.isoformat()
     if isinstance(value, os.PathLike):
         return os.fspath(value)
     if isinstance(value, (list, tuple)):
-        return [plain(each) for each in value]
+        return plain_list([of_numpy(each) for each in value])
     return value
+
+
+def plain_list(values: Sequence[Any]) -> List[Any]:
+    are_times = any(map(is_time_of_day, values))
+    return [time_text(each, is_day=False) if are_times and isinstance(each, datetime.datetime) else plain(each)
+            for each in values]
 
 
 def is_list_of_tables(value: Any) -> bool:

@@ -36,9 +36,19 @@ def time_index(data: Table, what: str) -> pd.DatetimeIndex:
     if not isinstance(index, pd.DatetimeIndex):
         raise refused(what, f"its index is a {type(index).__name__}; expected a DatetimeIndex: "
                             "data.index = pd.to_datetime(data.index)")
-    if not len(index) or index.hasnans:
-        raise refused(what, "has no rows" if not len(index) else "its index has stamps that are missing (NaT)")
+    if not len(index):
+        raise refused(what, "has no rows; expected one for each step")
+    check_stamps(index, what)
     return index
+
+
+def check_stamps(index: pd.DatetimeIndex, what: str) -> None:
+    """Each row has one."""
+    missing = np.flatnonzero(np.asarray(index.isna()))
+    if missing.size:
+        raise refused(what, f"its index has stamps that are missing (NaT): {missing.size} of {len(index)}, the first "
+                            f"in row {missing[0]}, counted from 0; expected one in each row: mend the texts that "
+                            "pd.to_datetime could not read, or leave these rows out by data[data.index.notna()]")
 
 
 def check_order(index: pd.DatetimeIndex, what: str) -> None:
@@ -124,7 +134,17 @@ def column_of(data: Table, column: Optional[str], name: str, what: str) -> pd.Da
         column = data.columns[0]
     if column is None or column not in data.columns:
         raise refused(what, f"column={column!r}; expected one of {names_of(data.columns)}")
+    check_once(data, column, what)
     return data[[column]].set_axis([name], axis=1)
+
+
+def check_once(data: pd.DataFrame, column: Any, what: str) -> None:
+    """A name that several columns have says none of them."""
+    places = np.atleast_1d(np.arange(data.shape[1])[data.columns.get_loc(column)])
+    if places.size > 1:
+        raise refused(what, f"has {places.size} columns {column!r}, number {', '.join(map(str, places))} counted from "
+                            "0; expected one: choose by number, data.iloc[:, [...]], or leave out what comes twice, "
+                            "data.loc[:, ~data.columns.duplicated()]")
 
 
 def columns_of(data: pd.DataFrame, columns: Sequence[str], what: str) -> pd.DataFrame:
@@ -134,6 +154,8 @@ def columns_of(data: pd.DataFrame, columns: Sequence[str], what: str) -> pd.Data
     lacking = [column for column in columns if column not in data.columns]
     if lacking:
         raise refused(what, f"has no column {lacking[0]!r}; it has {names_of(data.columns)}")
+    for column in columns:
+        check_once(data, column, what)
     return data[list(columns)]
 
 

@@ -54,6 +54,13 @@ class Stored:
 
 
 @dataclass(frozen=True)
+class Group:
+    """The datasets and attributes of a group as they are read."""
+    parts: List[Stored]
+    attributes: Dict[str, str]
+
+
+@dataclass(frozen=True)
 class Head:
     """What a file says of itself."""
     groups: Tuple[str, ...]
@@ -128,13 +135,14 @@ def stored(dataset: h5py.Dataset) -> Stored:
     return Stored(dataset.name, dims, values_of(dataset), attributes_of(dataset))
 
 
-def read_group(file: h5py.File, path: str) -> List[Stored]:
-    """Its datasets, and the coordinates that lie in groups above."""
+def read_group(file: h5py.File, path: str) -> Group:
+    """With the coordinates that lie in groups above."""
     group = _guard.inner(file, path)
     own = [stored(group[name]) for name in group if _guard.has(group, name) and is_variable(group[name])]
     names = {each.name for each in own}
     scales = {dim for each in own for dim in each.dims} - names
-    return own + [stored(file[dim]) for dim in sorted(scales) if dim in file and is_variable(file[dim])]
+    above = [stored(file[dim]) for dim in sorted(scales) if dim in file and is_variable(file[dim])]
+    return Group(own + above, attributes_of(group))
 
 
 def leaf(path: str) -> str:
@@ -152,10 +160,10 @@ def variable_of(part: Stored) -> xarray.Variable:
     return xarray.Variable(dims, times.to_numpy().reshape(np.shape(part.values)), attributes)
 
 
-def dataset_of(parts: List[Stored]) -> xarray.Dataset:
-    variables = {leaf(part.name): variable_of(part) for part in parts}
+def dataset_of(group: Group) -> xarray.Dataset:
+    variables = {leaf(part.name): variable_of(part) for part in group.parts}
     coordinates = [name for name, variable in variables.items() if variable.dims == (name,)]
-    return xarray.Dataset(variables).set_coords(coordinates)
+    return xarray.Dataset(variables, attrs=group.attributes).set_coords(coordinates)
 
 
 def is_installed(module: str) -> bool:
@@ -223,7 +231,7 @@ class Result:
 
         result["office/loop"]                       the datasets of a study, an xarray.Dataset
         result["office/loop/held_out/gas"]          those of a group below it
-        result["loop"]                              the only study of that name or kind
+        result["loop"], result["loop/held_out/gas"] the only study of that name or kind, and a group below it
     """
 
     def __init__(self, path: Path) -> None:
@@ -268,14 +276,14 @@ class Result:
 
     def __getitem__(self, stage: str) -> xarray.Dataset:
         """The datasets of a study or another group, with coordinates (parameter, period, meter, time, ...), units and
-        meanings (attributes units and long_name)."""
-        path = stage if stage in self else self._stage(stage)
+        meanings (attributes units and long_name), and the group's own attributes (those of "run")."""
+        path = self._group(stage)
         if path not in self._read:
             if self._file_mark() != self._mark:
                 raise Error(f"{self.path}: was written anew since it was opened; open it again", ExitCode.DATA)
-            parts = read_apart(self.path, lambda file: read_group(file, path))
+            group = read_apart(self.path, lambda file: read_group(file, path))
             with refusing(self.path):
-                self._read[path] = dataset_of(parts)
+                self._read[path] = dataset_of(group)
         return self._read[path].copy()
 
     @property
@@ -289,7 +297,8 @@ class Result:
         return self.errors_of()
 
     def effects_of(self, stage: Optional[str] = None) -> pd.DataFrame:
-        """The effects that a loop found, a row each, by name.
+        """The effects that a loop found, a row each, by name. Several may have the same one ("other hours than
+        declared"): `follows` tells them apart, and reset_index() numbers them as `row` of `effect_values_of` does.
 
         coefficient, least, most   as calibrated, and its 90 % interval, in `unit`
         hook, follows, gate        where it enters, what it follows and how, when
@@ -313,18 +322,20 @@ class Result:
                 others[k].append(member)
         table.insert(list(table).index("separates"), "not_told_from", ["; ".join(each) for each in others])
         for (of, unit), rows in self.effect_values_of(stage).groupby(["of", "unit"], sort=False):
-            table[f"brings {of} [{unit}]"] = rows.set_index("effect")["value"].reindex(table.index).to_numpy()
+            table[f"brings {of} [{unit}]"] = rows.set_index("row")["value"].reindex(range(len(table))).to_numpy()
         return table
 
     def effect_values_of(self, stage: Optional[str] = None) -> pd.DataFrame:
-        """What each effect brings: effect, of (a meter, cost or CO2), unit, value, least, most (90 % interval). The
-        value is with the effect less without it, per year where training is about one."""
+        """What each effect brings: effect, of (a meter, cost or CO2), unit, value, least, most (90 % interval), and
+        what tells effects of the same name apart: follows, and row, the effect's place in `effects_of`, counted from 0.
+        The value is with the effect less without it, per year where training is about one."""
         loop = self._loop(stage)
-        effects = loop["effect"].to_numpy()
-        return pd.DataFrame({"effect": effects[loop["effect_value_effect"].to_numpy().astype(int)],
+        row = loop["effect_value_effect"].to_numpy().astype(int)
+        return pd.DataFrame({"effect": loop["effect"].to_numpy()[row],
                              "of": loop["effect_value_of"].to_numpy(), "unit": loop["effect_value_unit"].to_numpy(),
                              "value": loop["effect_value"].to_numpy(), "least": loop["effect_value_least"].to_numpy(),
-                             "most": loop["effect_value_most"].to_numpy()})
+                             "most": loop["effect_value_most"].to_numpy(),
+                             "follows": loop["effect_shape"].to_numpy()[row], "row": row})
 
     def measurements_of(self, stage: Optional[str] = None) -> pd.DataFrame:
         """What to measure next: question (two names, or a parameter), kind (name, parameter), measure, start (the first
@@ -400,16 +411,19 @@ class Result:
         program.run_script(program.script("result_report"), words)
         return file
 
-    def plot(self, folder: Path, stage: Optional[str] = None) -> List[pathlib.Path]:
-        """Writes the pictures of the page as SVG files into a folder, which is made, and returns these."""
-        place = pathlib.Path(folder)
-        if place.exists():
-            raise Error(f"{place}: is there already; expected the name of a new folder", ExitCode.CANNOT_CREATE)
-        script = program.script("result_report")
-        with tempfile.TemporaryDirectory() as page:
-            program.run_script(script, [os.fspath(self.path), os.path.join(page, "page.html"), "--figures",
-                                        os.fspath(place), *program.options(stage=stage)])
-        return sorted(place.iterdir())
+    def plot(self, folder: Path, stage: Optional[str] = None, force: bool = False) -> List[pathlib.Path]:
+        """Writes the pictures of the page as SVG files into a folder and returns these.
+
+        folder  is made; one that is there is an Error (CANNOT_CREATE) unless force, which writes over its pictures
+        """
+        place, script = new_folder(folder, force), program.script("result_report")
+        with tempfile.TemporaryDirectory() as made:
+            pictures = pathlib.Path(made, "pictures")
+            program.run_script(script, [os.fspath(self.path), os.path.join(made, "page.html"), "--figures",
+                                        os.fspath(pictures), *program.options(stage=stage)])
+            with writing_into(place):
+                shutil.copytree(pictures, place, dirs_exist_ok=True)
+            return sorted(place / picture.name for picture in pictures.iterdir())
 
     def tables(self) -> Tables:
         """Everything as tables: (path, DataFrame). A path names building, study, groups below it and the dimensions;
@@ -473,6 +487,19 @@ class Result:
         what = f"several studies {name!r}: {', '.join(found)}" if found else \
             f"no study or group {name!r}; its studies are {', '.join(self.stages) or 'none'}"
         raise Error(f"{self.path} has {what}", ExitCode.USAGE)
+
+    def _group(self, name: str) -> str:
+        """The path of a study or group; one below a study may begin with the study's name or kind alone."""
+        head, slash, rest = name.partition("/")
+        is_short = name not in self and slash and any(head in (kind, leaf(path)) for path, kind in self.stages.items())
+        if not is_short:
+            return name if name in self else self._stage(name)
+        stage = self._stage(head)
+        path = f"{stage}/{rest}"
+        if path not in self:
+            below = [group for group in self._head.groups if group.startswith(stage + "/")]
+            raise Error(f"{path} is not in {self.path}; expected one of: {', '.join(below) or 'none'}", ExitCode.USAGE)
+        return path
 
     def _loop(self, stage: Optional[str]) -> xarray.Dataset:
         """That loop, or the only one."""
