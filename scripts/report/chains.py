@@ -96,6 +96,16 @@ def densities(study):
                   + and_more(len(names), len(shown), "unknowns"))
 
 
+def strongest(correlation):
+    """Both of each pair, the strongest pairs first, in the order of the unknowns."""
+    shown = set()
+    for place in np.argsort(-np.triu(correlation, 1), axis=None, kind="stable"):
+        pair = {int(k) for k in np.unravel_index(place, correlation.shape)}
+        if len(shown | pair) <= MOST_PAIRS:
+            shown |= pair
+    return np.array(sorted(shown))
+
+
 def pairs(study):
     """Joint draws of the unknowns that are correlated most."""
     names = names_of(study)
@@ -107,8 +117,7 @@ def pairs(study):
     with np.errstate(invalid="ignore", divide="ignore"):
         correlation = np.nan_to_num(np.corrcoef(draws))
     np.fill_diagonal(correlation, 0)
-    order = np.argsort(-np.abs(correlation).max(axis=0), kind="stable")[:MOST_PAIRS]
-    shown = np.sort(order)
+    shown = strongest(np.abs(correlation))
     n = len(shown)
     figure, axes = theme.figure(0.3 + 0.85 * n, nrows=n, ncols=n, squeeze=False, sharex="col")
     for (row, column), axis in np.ndenumerate(axes):

@@ -79,8 +79,9 @@ void search_beside_functions(const LoopData& data, const Place& place, LoopResul
         };
         const double gained = score_of(result) - score_of(tried);
         tried.log.push_back({tried.last.model.effects.back().name,
-                             gained > 0 ? "stays: both foretell more than functions did"
-                                        : "left: functions foretell as much without it",
+                             gained > 0
+                                 ? "stays: both foretell more than functions did"
+                                 : "taken out: functions foretell as much without it",
                              0,
                              0,
                              gained,
@@ -126,7 +127,7 @@ void leave_what_functions_tell(const LoopData& data, const Place& place,
         result.last = std::move(*last);
         result.found.erase(result.found.begin() + static_cast<std::ptrdiff_t>(*effect));
         result.log.push_back(
-            {gone->name, "left: functions tell it as well", 0, 0, 0, {}});
+            {gone->name, "taken out: functions tell it as well", 0, 0, 0, {}});
         lay_rest_to_functions(data, place, result);
     }
 }

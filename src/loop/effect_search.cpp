@@ -34,9 +34,9 @@ void log_step(const Step& step, std::vector<LoggedStep>& log) {
     }
 }
 
-constexpr const char* nearly_nothing = "left: its coefficient may be nearly nothing";
+constexpr const char* nearly_nothing = "taken out: its coefficient may be nearly nothing";
 constexpr const char* too_little_beside =
-    "left: beside functions, its evidence is less than three times what noise shows";
+    "taken out: beside functions, its evidence is less than three times what noise shows";
 
 class Search {
   public:
@@ -130,9 +130,10 @@ class Search {
             result_.found.back().doubt = "the pattern that pointed to it is still there";
         if (is_split) note_split(newest);
         swap_earlier(place);
-        drop(prune(data_, place, result_.last, needed), "left again: no longer needed");
+        drop(prune(data_, place, result_.last, needed),
+             "taken out again: no longer needed");
         drop(prune_implausible(data_, place, result_.last),
-             "left again: coefficient no longer plausible");
+             "taken out again: coefficient no longer plausible");
         bar_if_gone(name);
         return true;
     }
@@ -191,7 +192,7 @@ class Search {
             result_.misfit = std::max(1.0, result_.candidates[0].second / threshold_);
         drop(prune(data_, place, result_.last,
                    decisions::least_misfit_ratio * result_.candidates[0].second),
-             "left: does not stand out from the model's misfit");
+             "taken out: does not stand out from the model's misfit");
     }
 
     /// An effect whose coefficient may nearly be nothing leaves, the least certain first.

@@ -45,8 +45,8 @@ SimulatorRun completed(SimulatorRun run, const std::vector<SimulatorRun>& runs) 
 }
 
 constexpr const char* no_help =
-    "left: the program's own runs are no nearer to the readings with it";
-constexpr const char* not_tried = "left: as many as are tried had more evidence";
+    "taken out: the program's own runs are no nearer to the readings with it";
+constexpr const char* not_tried = "taken out: as many as are tried had more evidence";
 
 class Concluder {
   public:

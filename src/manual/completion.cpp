@@ -1,6 +1,8 @@
 /// Writes what bash and zsh need to complete commands, options, topics and files.
 /// Source: bash's `complete` and `compgen`, zsh's `_arguments` and `_describe`.
-/// Values of options are completed as files where they are some; numbers are left alone.
+/// Values of options are completed as files where they are some, by their endings where
+/// these are known.
+/// Leaves out values that are words, such as uses: scripts/new knows them.
 #include "manual/completion.hpp"
 
 #include <algorithm>
@@ -12,11 +14,23 @@ namespace bemcal::manual {
 
 namespace {
 
-/// The endings of files, by what the command line calls them.
+/// The endings of files, by what the command line calls them: what stands there, or an
+/// option.
 struct FileKind {
-    const char *value, *endings;
+    const char *name, *endings;
 };
-constexpr FileKind file_kinds[] = {{"JOB", "toml csv"}, {"RESULT", "h5"}, {"FILE", "h5"}};
+constexpr FileKind file_kinds[] = {{"JOB", "toml csv"},
+                                   {"RESULT", "h5"},
+                                   {"FILE", "h5"},
+                                   {"--idf", "idf epJSON"},
+                                   {"--weather", "epw epw.gz csv csv.gz"},
+                                   {"--meter", "csv csv.gz xlsx xml"}};
+
+/// "" where they are not known.
+std::string endings_of(const std::string& name) {
+    const auto* kind = std::ranges::find(file_kinds, name, &FileKind::name);
+    return kind == std::end(file_kinds) ? "" : kind->endings;
+}
 
 std::string joined(const std::vector<std::string>& words) {
     return fmt::format("{}", fmt::join(words, " "));
@@ -33,9 +47,8 @@ std::vector<std::string> option_names(const Command& command) {
 std::string endings_of(const Command& command) {
     std::vector<std::string> endings;
     for (const Option& option : command.options)
-        for (const FileKind& kind : file_kinds)
-            if (option.names.empty() && option.value == kind.value)
-                endings.emplace_back(kind.endings);
+        if (option.names.empty() && !endings_of(option.value).empty())
+            endings.push_back(endings_of(option.value));
     return joined(endings);
 }
 
@@ -52,13 +65,24 @@ std::string function_of(const Program& program) {
     return name;
 }
 
+/// Of options behind which other files stand.
+std::string bash_option_endings(const Command& command) {
+    std::string text;
+    for (const std::string& name : option_names(command))
+        if (const std::string endings = endings_of(name); !endings.empty())
+            text += fmt::format(
+                "            [[ $option == {} ]] && endings=\"{}\"\n", name, endings);
+    return text;
+}
+
 std::string bash_case(const Program& program, const Command& command) {
     const bool takes_topic = command.name == "describe";
     return fmt::format(
         "        {})\n            options=\"{}\"\n            words=\"{}\"\n            "
-        "endings=\"{}\"\n            ;;\n",
+        "endings=\"{}\"\n{}            ;;\n",
         command.name, joined(option_names(command)),
-        takes_topic ? joined(program.topics) : "", endings_of(command));
+        takes_topic ? joined(program.topics) : "", endings_of(command),
+        bash_option_endings(command));
 }
 
 /// A text in single quotes, in which : and [ ] would mean something to zsh.
@@ -74,10 +98,23 @@ std::string zsh_text(const std::string& text) {
     return safe;
 }
 
-/// What zsh offers for an option's value: files, folders, or nothing.
-std::string zsh_action(const std::string& value) {
+/// A pattern of endings. A single one in parentheses would be flags of the pattern.
+std::string zsh_pattern(std::string endings) {
+    std::ranges::replace(endings, ' ', '|');
+    const bool are_several = endings.find('|') != std::string::npos;
+    return are_several ? fmt::format("*.({})", endings) : fmt::format("*.{}", endings);
+}
+
+/// "" of no endings: any file.
+std::string zsh_files(const std::string& endings) {
+    return endings.empty() ? "_files"
+                           : fmt::format("_files -g \"{}\"", zsh_pattern(endings));
+}
+
+/// What zsh offers for the value of an option of that name: files, folders, or nothing.
+std::string zsh_action(const std::string& name, const std::string& value) {
     if (value.empty()) return "";
-    const std::string action = value.starts_with("FILE")     ? "_files"
+    const std::string action = value.starts_with("FILE")     ? zsh_files(endings_of(name))
                                : value.starts_with("FOLDER") ? "_files -/"
                                                              : " ";
     return fmt::format(":{}:{}", value.substr(0, value.find('[')), action);
@@ -92,15 +129,8 @@ std::string zsh_option(const Option& option) {
     std::string text;
     for (const std::string& name : option.names)
         text += fmt::format(" \\\n                '{}{}[{}]{}'", before, name,
-                            zsh_text(option.sentence), zsh_action(option.value));
+                            zsh_text(option.sentence), zsh_action(name, option.value));
     return text;
-}
-
-/// A pattern of endings. A single one in parentheses would be flags of the pattern.
-std::string zsh_pattern(std::string endings) {
-    std::ranges::replace(endings, ' ', '|');
-    const bool are_several = endings.find('|') != std::string::npos;
-    return are_several ? fmt::format("*.({})", endings) : fmt::format("*.{}", endings);
 }
 
 std::string zsh_case(const Program& program, const Command& command) {
@@ -111,8 +141,7 @@ std::string zsh_case(const Program& program, const Command& command) {
         text +=
             fmt::format(" \\\n                '1:topic:({})'", joined(program.topics));
     else if (!endings.empty())
-        text += fmt::format(" \\\n                '*:file:_files -g \"{}\"'",
-                            zsh_pattern(endings));
+        text += fmt::format(" \\\n                '*:file:{}'", zsh_files(endings));
     return text + "\n            ;;\n";
 }
 
@@ -125,7 +154,10 @@ std::string bash_completion(const Program& program) {
         R"sh(# Completion of {name} by bash, made by `{name} describe completion bash`.
 {function}() {{
     local current=${{COMP_WORDS[COMP_CWORD]}} options="" words="" endings="" ending
+    local option=${{COMP_WORDS[COMP_CWORD - 1]}}
     COMPREPLY=()
+    [[ $current == = ]] && current=""
+    [[ $option == = ]] && option=${{COMP_WORDS[COMP_CWORD - 2]}}
     if ((COMP_CWORD == 1)); then
         words="{commands}"
         endings="toml csv"

@@ -238,7 +238,7 @@ TEST(LoopAroundSimulator, LeavesWhatTheSimulatorIsNoBetterWith) {
     ASSERT_FALSE(loop.steps.empty());
     EXPECT_EQ(loop.steps.back().effect, "wind infiltration");
     EXPECT_EQ(loop.steps.back().verdict,
-              "left: the program's own runs are no nearer to the readings with it");
+              "taken out: the program's own runs are no nearer to the readings with it");
     ASSERT_EQ(run.simulator().left_out.size(), 1U);
     EXPECT_EQ(run.simulator().left_out[0].why, "wind infiltration at infiltration");
     EXPECT_EQ(run.error(StoredLoop::after), run.error(StoredLoop::before));

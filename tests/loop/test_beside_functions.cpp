@@ -53,7 +53,7 @@ TEST(BesideFunctions, WhatFunctionsForetellAsWellLeavesAgain) {
     const auto& verdicts = test::find(datasets, "step_verdict").texts;
     ASSERT_GE(verdicts.size(), 2U);
     EXPECT_EQ(verdicts[verdicts.size() - 2], "accepted");
-    EXPECT_EQ(verdicts.back(), "left: functions foretell as much without it");
+    EXPECT_EQ(verdicts.back(), "taken out: functions foretell as much without it");
 }
 
 TEST(BesideFunctions, AnEffectOfWhichFunctionsLeaveNothingLeaves) {
@@ -65,7 +65,7 @@ TEST(BesideFunctions, AnEffectOfWhichFunctionsLeaveNothingLeaves) {
     const std::vector<std::string> none, early{"early start"}, fan{"exhaust fan"};
     EXPECT_EQ(found(-20, "early start", false).first, early);
     EXPECT_EQ(found(-20, "early start", true),
-              std::pair(none, std::string("left: functions tell it as well")));
+              std::pair(none, std::string("taken out: functions tell it as well")));
     EXPECT_EQ(found(-40, "early start", true).first, early) << "some of it is left";
     EXPECT_EQ(found(-20, "exhaust fan", true).first, fan);
 }

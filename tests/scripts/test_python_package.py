@@ -133,6 +133,25 @@ class Jobs(Folder):
         self.assertRefused(ExitCode.USAGE, "no list of tables", job.add, "site", latitude=1)
         self.assertRefused(ExitCode.NO_INPUT, "No such file", bemcal.Job.read, self.folder / "none.toml")
 
+    def test_midnights_are_days_which_a_period_includes(self):
+        def written(*times):
+            return bemcal.Job({"periods": {"training": list(times)}})["periods"]["training"]
+        first, last = pd.Timestamp("2021-01-01"), pd.Timestamp("2021-12-31")
+        days = ["2021-01-01", "2021-12-31"]
+        for kind in (pd.Timestamp, pd.Timestamp.date, pd.Timestamp.to_pydatetime, pd.Timestamp.to_datetime64,
+                     lambda day: np.datetime64(day, "D")):
+            self.assertEqual(written(kind(first), kind(last)), days)
+        job = bemcal.Job({"periods": {"training": np.array(days, "datetime64[ns]")}, "meter": [{"name": "gas"}]})
+        job.put("meter.gas", scale=[{"from": first, "to": last, "factor": 2}])
+        self.assertEqual(job["periods"]["training"], days)
+        self.assertEqual(job.at("meter.gas")["scale"], [{"from": days[0], "to": days[1], "factor": 2}])
+        self.assertEqual(written(first, last + pd.Timedelta("12h")), ["2021-01-01 00:00:00", "2021-12-31 12:00:00"])
+        for zone in ("UTC", "Europe/Berlin"):       # which the program refuses
+            self.assertRegex(written(last.tz_localize(zone))[0], r"2021-12-31 00:00:00\+0[01]:00")
+        for missing in (pd.NaT, np.datetime64("NaT")):
+            self.assertRefused(ExitCode.CONFIG, "NaT.*expected what TOML knows", written, first, missing)
+            self.assertRefused(ExitCode.CONFIG, "NaT.*expected what TOML knows", bemcal.Job, {"seed": missing})
+
     def test_a_list_of_tables_may_be_emptied_and_filled_again(self):
         job = bemcal.Job.from_toml("seed = 1\n\n[[meter]]\nname = \"gas\"\n\n[plant]\nheating_carrier = \"gas\"\n")
         job["meter"] = []
@@ -241,7 +260,8 @@ class Frames(Folder):
     def test_what_a_file_would_hide_is_refused(self):
         data = reals(HOURS)
         self.refuse("expected a DatetimeIndex", data.reset_index(drop=True))
-        self.refuse("NaT", data.set_axis([pd.NaT, *HOURS[1:]]))
+        self.refuse(r"NaT.*: 2 of 48, the first in row 3,.*data\[data.index.notna\(\)\]",
+                    data.set_axis([*HOURS[:3], pd.NaT, pd.NaT, *HOURS[5:]]))
         self.refuse("has no rows", data.iloc[:0])
         self.refuse("infinite value at 2021-01-01 03:00", data.where(HOURS != HOURS[3], np.inf))
         self.refuse("no numbers", data.astype(object).where(HOURS != HOURS[3], "off"))
@@ -251,6 +271,17 @@ class Frames(Folder):
         wall = pd.date_range("2021-10-31", periods=6, freq="h", tz="Europe/Berlin").tz_localize(None)
         self.refuse("tz_localize", pd.Series(range(6), wall))
         self.assertEqual(len(self.meter(pd.Series(range(6), wall), clock="eu")), 1 + 6)
+
+    def test_a_column_whose_name_comes_twice_is_refused(self):
+        data = reals(HOURS)
+        frame = pd.concat([data.rename("b"), data.rename("a"), data.rename("b")], axis=1)
+        self.refuse(r"has 2 columns 'b', number 0, 2 counted from 0; .*columns.duplicated\(\)", frame, column="b")
+        self.assertEqual(len(self.meter(frame, column="a")), 1 + 48)
+        self.assertEqual(len(self.meter(frame.loc[:, ~frame.columns.duplicated()], column="b")), 1 + 48)
+        self.refuse("has 3 columns 'hall'", pd.concat({"hall": frame}, axis=1), column="hall")
+        weather = frame.set_axis(["outdoor_temperature", "global_horizontal", "outdoor_temperature"], axis=1)
+        self.assertRefused(ExitCode.DATA, "^weather: has 2 columns 'outdoor_temperature'", bemcal.Job().weather,
+                           weather, 52.5, 13.4, 1)
 
     def test_the_site_of_weather_needs_an_offset_that_its_zone_tells(self):
         stamps = pd.date_range("2021-07-01", periods=24, freq="h")
@@ -375,6 +406,28 @@ class Runs(Folder):
         self.assertRefused(ExitCode.USAGE, "no study or group 'grid'; its studies are small/loop",
                            self.result.__getitem__, "grid")
 
+    def test_groups_keep_their_attributes(self):
+        run = self.result["run"].attrs
+        self.assertEqual(run, {name: str(value) for name, value in self.file["run"].attrs.items()})
+        self.assertEqual(run, self.result.run)
+        self.assertGreater(len(run), 10)
+        run.clear()
+        self.assertEqual(self.result["run"].attrs, self.result.run)
+
+    def test_a_group_is_found_below_the_only_study_of_a_name_or_kind(self):
+        for short, group in {"posterior/training": "training", "loop/held_out/electricity": "held_out/electricity",
+                             "posterior/posterior": "posterior"}.items():
+            stage = short.split("/")[0]
+            self.assertTrue(self.result[short].identical(self.result[f"small/{stage}/{group}"]))
+        self.assertRefused(ExitCode.USAGE, "small/loop/later is not in .*; expected one of: small/loop/held_out, ",
+                           self.result.__getitem__, "loop/later")
+        self.assertRefused(ExitCode.USAGE, "no study or group 'grid/training'; its studies are small/loop",
+                           self.result.__getitem__, "grid/training")
+        opened = bemcal.open(self.result.path)
+        opened._head.kinds["shop/posterior"] = "posterior"
+        self.assertRefused(ExitCode.USAGE, "several studies 'posterior': small/posterior, shop/posterior",
+                           opened.__getitem__, "posterior/training")
+
     def test_effects_are_those_of_the_file(self):
         effects = self.result.effects
         self.assertEqual(list(effects.index), list(self.stored("loop/effect")))
@@ -388,6 +441,30 @@ class Runs(Folder):
         self.assertEqual(set(self.result.effect_values_of()["of"]), set(brings))
         members = self.stored("loop/effect_class_member")
         self.assertEqual(effects["not_told_from"].iloc[0], "; ".join(members[members != effects.index[0]]))
+
+    def test_effects_of_the_same_name_are_told_apart(self):
+        values = self.result.effect_values_of()
+        self.assertEqual(list(values)[:6], ["effect", "of", "unit", "value", "least", "most"])
+        self.assertEqual(set(values["follows"]), set(self.result.effects["follows"]))
+        self.assertEqual(set(values["row"]), {0})
+        opened = bemcal.open(self.result.path)
+        opened._read["small/loop"] = self.with_its_effect_twice(opened["small/loop"])
+        effects, values = opened.effects, opened.effect_values_of()
+        self.assertEqual(effects.index[0], effects.index[1])
+        self.assertEqual(list(effects["follows"]), ["days", "nights"])
+        self.assertEqual(list(values["follows"]), ["days", "days", "days", "nights"])
+        self.assertEqual(list(effects["brings electricity [kWh]"]), list(values["value"][[0, 3]]))
+        self.assertTrue(np.isnan(effects["brings cost [currency]"].iloc[1]))        # which is left out
+        joined = values.join(effects.reset_index()[["hook", "follows"]], on="row", rsuffix="_2")
+        self.assertEqual(list(joined["follows"]), list(joined["follows_2"]))
+
+    @staticmethod
+    def with_its_effect_twice(loop):
+        """The second brings only what the first value is of: three times as much."""
+        loop = loop.isel(effect=[0, 0], effect_value=[0, 1, 2, 0])
+        return loop.assign(effect_shape=("effect", ["days", "nights"]),
+                           effect_value_effect=("effect_value", [0, 0, 0, 1]),
+                           effect_value=loop["effect_value"] * xarray.DataArray([1, 1, 1, 3], dims="effect_value"))
 
     def test_measurements_are_those_of_the_file(self):
         measurements = self.result.measurements_of()
@@ -506,6 +583,14 @@ class Runs(Folder):
         if (ROOT / "scripts" / "result_report").exists():
             pictures = self.result.plot(self.folder / "pictures", stage="small/loop")
             self.assertTrue(pictures and all(picture.suffix == ".svg" for picture in pictures))
+            self.assertRefused(ExitCode.CANNOT_CREATE, "is there already; force=True", self.result.plot,
+                               self.folder / "pictures")
+            whole = pictures[0].read_text()
+            pictures[0].write_text("old")
+            (self.folder / "pictures" / "mine.svg").write_text("kept")
+            self.assertEqual(self.result.plot(self.folder / "pictures", stage="small/loop", force=True), pictures)
+            self.assertEqual(len(pictures[0].read_text()), len(whole))
+            self.assertEqual((self.folder / "pictures" / "mine.svg").read_text(), "kept")
         else:
             self.assertRefused(ExitCode.NO_INPUT, "result_report was not found", self.result.plot, self.folder / "new")
 

@@ -29,14 +29,21 @@ def of_numpy(value: Any) -> Any:
     return (value.astype("datetime64[us]") if value.dtype.kind == "M" else value).tolist()
 
 
+def is_missing(time: datetime.datetime) -> bool:
+    """NaT, which alone is not itself."""
+    return time != time
+
+
 def is_time_of_day(value: Any) -> bool:
     """No midnight, or one with a time zone: the program refuses that."""
-    return isinstance(value, datetime.datetime) and (value.tzinfo is not None or value.time() != MIDNIGHT)
+    if not isinstance(value, datetime.datetime) or is_missing(value):
+        return False
+    return value.tzinfo is not None or value.time() != MIDNIGHT
 
 
 def time_text(time: datetime.datetime, is_day: bool) -> Optional[str]:
     """None of NaT, which TOML does not know."""
-    if time != time:
+    if is_missing(time):
         return None
     return time.date().isoformat() if is_day else time.isoformat(sep=" ")
 
