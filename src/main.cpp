@@ -450,10 +450,12 @@ std::string topic_text(const CLI::App& app, const CommandLine& line) {
 
 ExitCode describe_command(const CLI::App& app, const CommandLine& line) {
     const std::string text = topic_text(app, line);
-    if (line.place.empty() && (line.topic == "man" || line.topic == "completion"))
+    const bool is_man = line.topic == "man";
+    if (text.empty() && (is_man || line.topic == "completion"))
         throw UserError(ExitCode::usage,
-                        fmt::format("describe {0}: expected {0} {1}", line.topic,
-                                    line.topic == "man" ? "1 or 5" : "bash or zsh"));
+                        fmt::format("describe {0}{1}{2}: expected {0} {3}", line.topic,
+                                    line.place.empty() ? "" : " ", line.place,
+                                    is_man ? "1 or 5" : "bash or zsh"));
     if (text.empty() && !line.place.empty())
         throw UserError(
             ExitCode::usage,

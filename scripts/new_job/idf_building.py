@@ -3,12 +3,13 @@
 Zones with a thermostat are put together, or each is a room by itself; multipliers count. Leaves out air between rooms,
 and what LEFT_OUT names.
 """
-import os
 from dataclasses import dataclass, field
 
-from new_job import idf, idf_envelope, idf_fans, idf_geometry, idf_outside, idf_room, idf_use
-from new_job.building import Load, Plant
+from new_job import idf, idf_envelope, idf_fans, idf_geometry, idf_outside, idf_plant, idf_room, idf_use
+from new_job.building import Load
 from new_job.envelopes import Envelope
+
+plant_of = idf_plant.plant_of
 
 # Beginnings of classes that a job could have, and what to do.
 LEFT_OUT = (
@@ -56,11 +57,24 @@ class Described:
     file: str
     whole: Room
     rooms: list                # the whole, or one of each zone
-    heaters: list
-    coolers: list
+    heating_machines: object   # idf_plant.Machines
+    cooling_machines: object
     is_ideal: bool
     fans_say: str
     left_out: list = field(default_factory=list)
+
+    @property
+    def heaters(self):
+        """[(class, carrier, efficiency or COP)]"""
+        return self.heating_machines.known
+
+    @property
+    def coolers(self):
+        return self.cooling_machines.known
+
+    @property
+    def has_thermostat(self):
+        return self.whole.heating is not None or self.whole.cooling is not None
 
 
 def size_of(zones):
@@ -134,9 +148,8 @@ def read_building(path, has_rooms=False, hours=(), site=None, has_summer_time=Fa
     reader = Reader(model, left_out, hours, idf_outside.dark_share(site, has_summer_time))
     whole = reader.whole()
     rooms = reader.each(whole) if has_rooms else [whole]
-    found = Described(path, whole, rooms, idf_use.machines(model, idf_use.HEATERS),
-                      idf_use.machines(model, idf_use.COOLERS), bool(model.all(*IDEAL)),
-                      idf_fans.says(model))
+    found = Described(path, whole, rooms, idf_plant.machines(model, idf_plant.HEATING),
+                      idf_plant.machines(model, idf_plant.COOLING), bool(model.all(*IDEAL)), idf_fans.says(model))
     found.left_out = list(dict.fromkeys([*left_out, *left_out_of(model)]))
     return found
 
@@ -169,32 +182,3 @@ def loads_of(found, others):
              for name, profile in found.whole.loads.items()]
     return [*loads, *(load for load in others if load.name == idf_outside.HOT_WATER and
                       load.name not in found.whole.loads)]
-
-
-def plant_of(found, by_meters, meters, told):
-    """Carriers of the file's machines; of several kinds the one that a meter sees."""
-    seen = {meter.quantity for meter in meters}
-    plant = heating_of(found, by_meters, seen, told)
-    cooler = found.coolers[0] if found.coolers else None
-    if found.whole.cooling is None or not (cooler or found.is_ideal):
-        plant.cooling, plant.cooling_says = None, "no cooling in the file"
-        return plant
-    if "cooling" in seen and not (cooler and cooler[1] in seen):
-        plant.cooling, plant.cooling_says = "none", "its cold is metered"
-        return plant
-    plant.cooling, plant.cop = (cooler[1], cooler[2]) if cooler else ("electricity", plant.cop)
-    plant.cooling_says = f"{cooler[0]} of the file" if cooler else "ideal loads; taken as electric"
-    return plant
-
-
-def heating_of(found, by_meters, seen, told):
-    if not found.heaters or "heating" in seen and not any(carrier in seen for _, carrier, _ in found.heaters):
-        return by_meters
-    kinds = list(dict.fromkeys(kind for kind, _, _ in found.heaters))
-    kind, carrier, value = next((each for each in found.heaters if each[1] in seen), found.heaters[0])
-    if len({carrier for _, carrier, _ in found.heaters}) > 1:
-        told.check(f"[plant]: {os.path.basename(found.file)} heats by {', '.join(kinds)}; {carrier} was taken for all")
-    sd = 0 if carrier in ("none", "district") else max(0.08 * value, 0.05)
-    most = 0.99 if carrier == "gas" else 6
-    return Plant(carrier, value, sd, (max(0.3, value - 4 * sd), max(value, min(most, value + 4 * sd))),
-                 f"{kind} of the file")

@@ -24,6 +24,12 @@ _TERMINAL = "name availability_schedule_name air_inlet_node_name air_outlet_node
             "no_load_supply_air_flow_rate no_load_supply_air_flow_rate_control_set_to_low_speed " \
             "cooling_outdoor_air_flow_rate heating_outdoor_air_flow_rate no_load_outdoor_air_flow_rate " \
             "supply_air_fan_object_type supply_air_fan_name"
+_CRANKCASE = "crankcase_heater_capacity crankcase_heater_capacity_function_of_temperature_curve_name " \
+             "maximum_outdoor_dry_bulb_temperature_for_crankcase_heater_operation"
+_WATER_TO_AIR = "name availability_schedule_name water_inlet_node_name water_outlet_node_name air_inlet_node_name " \
+                "air_outlet_node_name rated_air_flow_rate rated_water_flow_rate"
+_BASEBOARD = "name availability_schedule_name heating_design_capacity_method heating_design_capacity " \
+             "heating_design_capacity_per_floor_area fraction_of_autosized_heating_design_capacity"
 _WEEK = "name sunday monday tuesday wednesday thursday friday saturday holiday"
 MONTHS = ("january", "february", "march", "april", "may", "june", "july", "august", "september", "october", "november",
           "december")
@@ -55,6 +61,10 @@ _TABLE = {
     "material": "name roughness thickness conductivity density specific_heat thermal_absorptance solar_absorptance",
     "material:nomass": "name roughness thermal_resistance thermal_absorptance solar_absorptance",
     "material:airgap": "name thermal_resistance",
+    "material:roofvegetation":
+        "name height_of_plants leaf_area_index leaf_reflectivity leaf_emissivity minimum_stomatal_resistance "
+        "soil_layer_name roughness thickness conductivity_of_dry_soil density_of_dry_soil specific_heat_of_dry_soil "
+        "thermal_absorptance solar_absorptance",
     "windowmaterial:simpleglazingsystem": "name u_factor solar_heat_gain_coefficient",
     "windowmaterial:glazing":
         "name optical_data_type window_glass_spectral_data_set_name thickness solar_transmittance_at_normal_incidence "
@@ -91,12 +101,17 @@ _TABLE = {
               "number_of_people_calculation_method number_of_people people_per_floor_area floor_area_per_person "
               "fraction_radiant sensible_heat_fraction activity_level_schedule_name",
     "lights": "name zone_or_zonelist_or_space_or_spacelist_name schedule_name design_level_calculation_method "
-              "lighting_level watts_per_floor_area watts_per_person",
+              "lighting_level watts_per_floor_area watts_per_person return_air_fraction",
     "electricequipment": _EQUIPMENT, "gasequipment": _EQUIPMENT.replace("watts_per", "power_per"),
     "zoneinfiltration:designflowrate": _FLOW + "flow_rate_per_exterior_surface_area air_changes_per_hour "
         "constant_term_coefficient temperature_term_coefficient velocity_term_coefficient "
         "velocity_squared_term_coefficient",
-    "zoneventilation:designflowrate": _FLOW + "flow_rate_per_person air_changes_per_hour",
+    "zoneventilation:designflowrate": _FLOW + "flow_rate_per_person air_changes_per_hour ventilation_type "
+        "fan_pressure_rise fan_total_efficiency constant_term_coefficient temperature_term_coefficient "
+        "velocity_term_coefficient velocity_squared_term_coefficient " + " ".join(
+            f"{limit} {limit}_schedule_name" for limit in (
+                "minimum_indoor_temperature", "maximum_indoor_temperature", "delta_temperature",
+                "minimum_outdoor_temperature", "maximum_outdoor_temperature")) + " maximum_wind_speed",
     "designspecification:outdoorair":
         "name outdoor_air_method outdoor_air_flow_per_person outdoor_air_flow_per_zone_floor_area "
         "outdoor_air_flow_per_zone outdoor_air_flow_air_changes_per_hour outdoor_air_schedule_name",
@@ -182,6 +197,70 @@ _TABLE = {
                                    "gross_rated_sensible_heat_ratio gross_rated_cooling_cop",
     "chiller:electric:eir": "name reference_capacity reference_cop",
     "chiller:electric:reformulatedeir": "name reference_capacity reference_cop",
+    "chiller:electric": "name condenser_type nominal_capacity nominal_cop",
+    "chiller:constantcop": "name nominal_capacity nominal_cop",
+    "coil:cooling:dx:twospeed": "name availability_schedule_name high_speed_gross_rated_total_cooling_capacity "
+                                "high_speed_rated_sensible_heat_ratio high_speed_gross_rated_cooling_cop",
+    "coil:cooling:dx:multispeed":
+        "name availability_schedule_name air_inlet_node_name air_outlet_node_name condenser_air_inlet_node_name "
+        "condenser_type minimum_outdoor_dry_bulb_temperature_for_compressor_operation supply_water_storage_tank_name "
+        "condensate_collection_water_storage_tank_name apply_part_load_fraction_to_speeds_greater_than_1 "
+        f"apply_latent_degradation_to_speeds_greater_than_1 {_CRANKCASE} basin_heater_capacity "
+        "basin_heater_setpoint_temperature basin_heater_operating_schedule_name fuel_type number_of_speeds "
+        "speed_1_gross_rated_total_cooling_capacity speed_1_gross_rated_sensible_heat_ratio "
+        "speed_1_gross_rated_cooling_cop",
+    "coil:heating:dx:multispeed":
+        "name availability_schedule_name air_inlet_node_name air_outlet_node_name "
+        "minimum_outdoor_dry_bulb_temperature_for_compressor_operation outdoor_dry_bulb_temperature_to_turn_on_compressor "
+        f"{_CRANKCASE} defrost_energy_input_ratio_function_of_temperature_curve_name "
+        "maximum_outdoor_dry_bulb_temperature_for_defrost_operation defrost_strategy defrost_control "
+        "defrost_time_period_fraction resistive_defrost_heater_capacity "
+        "apply_part_load_fraction_to_speeds_greater_than_1 fuel_type region_number_for_calculating_hspf "
+        "number_of_speeds speed_1_gross_rated_heating_capacity speed_1_gross_rated_heating_cop",
+    "coil:cooling:watertoairheatpump:equationfit":
+        f"{_WATER_TO_AIR} gross_rated_total_cooling_capacity gross_rated_sensible_cooling_capacity "
+        "gross_rated_cooling_cop",
+    "coil:heating:watertoairheatpump:equationfit":
+        f"{_WATER_TO_AIR} gross_rated_heating_capacity gross_rated_heating_cop",
+    **dict.fromkeys(("heatpump:plantloop:eir:cooling", "heatpump:plantloop:eir:heating"),
+                    "name load_side_inlet_node_name load_side_outlet_node_name condenser_type "
+                    "source_side_inlet_node_name source_side_outlet_node_name heat_recovery_inlet_node_name "
+                    "heat_recovery_outlet_node_name companion_heat_pump_name load_side_reference_flow_rate "
+                    "source_side_reference_flow_rate heat_recovery_reference_flow_rate reference_capacity "
+                    "reference_coefficient_of_performance"),
+    "airconditioner:variablerefrigerantflow":
+        "name availability_schedule_name gross_rated_total_cooling_capacity gross_rated_cooling_cop "
+        "minimum_condenser_inlet_node_temperature_in_cooling_mode "
+        "maximum_condenser_inlet_node_temperature_in_cooling_mode "
+        "cooling_capacity_ratio_modifier_function_of_low_temperature_curve_name "
+        "cooling_capacity_ratio_boundary_curve_name "
+        "cooling_capacity_ratio_modifier_function_of_high_temperature_curve_name "
+        "cooling_energy_input_ratio_modifier_function_of_low_temperature_curve_name "
+        "cooling_energy_input_ratio_boundary_curve_name "
+        "cooling_energy_input_ratio_modifier_function_of_high_temperature_curve_name "
+        "cooling_energy_input_ratio_modifier_function_of_low_part_load_ratio_curve_name "
+        "cooling_energy_input_ratio_modifier_function_of_high_part_load_ratio_curve_name "
+        "cooling_combination_ratio_correction_factor_curve_name cooling_part_load_fraction_correlation_curve_name "
+        "gross_rated_heating_capacity rated_heating_capacity_sizing_ratio gross_rated_heating_cop",
+    "coil:heating:gas:multistage":
+        "name availability_schedule_name air_inlet_node_name air_outlet_node_name temperature_setpoint_node_name "
+        "part_load_fraction_correlation_curve_name off_cycle_parasitic_gas_load number_of_stages "
+        "stage_1_gas_burner_efficiency",
+    "coil:heating:electric:multistage":
+        "name availability_schedule_name air_inlet_node_name air_outlet_node_name temperature_setpoint_node_name "
+        "number_of_stages stage_1_efficiency",
+    "boiler:steam": "name fuel_type maximum_operating_pressure theoretical_efficiency",
+    "zonehvac:baseboard:convective:electric": f"{_BASEBOARD} efficiency",
+    "zonehvac:baseboard:radiantconvective:electric": f"{_BASEBOARD} efficiency",
+    "zonehvac:hightemperatureradiant":
+        _BASEBOARD.replace("heating_design_capacity_method", "zone_name heating_design_capacity_method") +
+        " fuel_type combustion_efficiency",
+    "zonehvac:energyrecoveryventilator":
+        "name availability_schedule_name heat_exchanger_name supply_air_flow_rate exhaust_air_flow_rate "
+        "supply_air_fan_name exhaust_air_fan_name controller_name ventilation_rate_per_unit_floor_area "
+        "ventilation_rate_per_occupant",
+    "heatexchanger:airtoair:sensibleandlatent":
+        "name availability_schedule_name nominal_supply_air_flow_rate sensible_effectiveness_at_100_heating_air_flow",
     "schedule:constant": "name schedule_type_limits_name hourly_value",
     "schedule:compact": "name schedule_type_limits_name",
     "schedule:year": "name schedule_type_limits_name",
@@ -209,7 +288,13 @@ REST = {
 SINCE = {(kind, "space_name"): (9, 6) for kind, names in FIELDS.items() if "space_name" in names} | \
     {("internalmass", "space_or_spacelist_name"): (9, 6)} | \
     {(kind, "no_load_supply_air_flow_rate_control_set_to_low_speed"): (24, 1)
-     for kind in ("zonehvac:packagedterminalairconditioner", "zonehvac:packagedterminalheatpump")}
+     for kind in ("zonehvac:packagedterminalairconditioner", "zonehvac:packagedterminalheatpump")} | \
+    {(kind, "crankcase_heater_capacity_function_of_temperature_curve_name"): (23, 2)
+     for kind in ("coil:cooling:dx:multispeed", "coil:heating:dx:multispeed")} | \
+    {(kind, "availability_schedule_name"): (25, 2)
+     for kind in FIELDS if kind.endswith("watertoairheatpump:equationfit")} | \
+    {(kind, name): (24, 2) for kind in FIELDS if kind.startswith("heatpump:plantloop:eir:")
+     for name in FIELDS[kind] if name.startswith("heat_recovery_")}
 # Names in epJSON files before 9.6.
 FORMER = {"zone_or_zonelist_or_space_or_spacelist_name": ("zone_or_zonelist_name", "zone_name")}
 UNTIL = {("fenestrationsurface:detailed", "shading_control_name"): (8, 9)}

@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from new_job import idf_schedules, idf_use
+from new_job import idf_plant, idf_schedules
 from new_job.idf_schedules import DAYS, HOURS, KINDS, MONTH_DAYS
 from new_job.profile import Profile
 
@@ -19,7 +19,7 @@ WATER = 4.18e6                 # J/(m3 K)
 USUAL_MAINS = 10               # degC, EnergyPlus's where the file has none
 USUAL_EFFICIENCY = 0.8
 ROOM = 20                      # degC around a tank that stands in one
-CARRIERS = idf_use.FUELS | dict.fromkeys(("districtheating", "districtheatingwater"), "district")
+CARRIERS = idf_plant.FUELS | dict.fromkeys(("districtheating", "districtheatingwater"), "district")
 HEATER, DRAW = "WaterHeater:Mixed", "WaterUse:Equipment"
 
 

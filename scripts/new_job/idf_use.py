@@ -1,4 +1,4 @@
-"""Loads, air, set-points and plant of an EnergyPlus file, of all its conditioned zones together or of one.
+"""Loads, air and set-points of an EnergyPlus file, of all its conditioned zones together or of one.
 
 Each is a sum of power or flow times schedule, or a mean of set-points by floor area. Infiltration's coefficients are
 taken at usual differences of temperature and wind, wind at the zone's height by EnergyPlus's terrain. Sensible heat of
@@ -26,19 +26,6 @@ TARGET = "zone_or_zonelist_or_space_or_spacelist_name"
 LOADS = (("lights", "Lights", "lighting_level", "electricity"),
          ("equipment", "ElectricEquipment", "design_level", "electricity"),
          ("gas_equipment", "GasEquipment", "design_level", "gas"))
-HEATERS = (("Coil:Heating:DX:SingleSpeed", "gross_rated_heating_cop", 3, "electricity"),
-           ("Coil:Heating:Fuel", "burner_efficiency", 0.8, ""), ("Coil:Heating:Gas", "burner_efficiency", 0.8, "gas"),
-           ("Boiler:HotWater", "nominal_thermal_efficiency", 0.8, ""), ("DistrictHeating", "", 1, "district"),
-           ("DistrictHeating:Water", "", 1, "district"), ("Coil:Heating:Electric", "efficiency", 1, "electricity"),
-           ("ZoneHVAC:Baseboard:Convective:Electric", "efficiency", 1, "electricity"))
-COOLERS = (("Chiller:Electric:EIR", "reference_cop", 3, "electricity"),
-           ("Chiller:Electric:ReformulatedEIR", "reference_cop", 3, "electricity"),
-           ("Coil:Cooling:DX:SingleSpeed", "gross_rated_cooling_cop", 3, "electricity"),
-           ("Coil:Cooling:DX:TwoSpeed", "", 3, "electricity"),
-           ("Coil:Cooling:DX:TwoStageWithHumidityControlMode", "", 3, "electricity"),
-           ("Coil:Cooling:DX", "", 3, "electricity"), ("DistrictCooling", "", 1, "none"))
-FUELS = {"naturalgas": "gas", "gas": "gas", "propane": "gas", "fueloilno1": "gas", "fueloilno2": "gas",
-         "electricity": "electricity"}
 
 
 class Reader:
@@ -286,18 +273,6 @@ class Reader:
             if kind.endswith(("singlecooling", "singleheatingorcooling")):
                 cooling = self.schedules.of(thing, "setpoint_temperature_schedule_name")
         return heating, cooling
-
-
-def machines(model, rows):
-    """[(class, carrier, mean efficiency or COP)] of those in the file."""
-    found = []
-    for kind, key, usual, carrier in rows:
-        things = model.all(kind)
-        if things:
-            values = [thing.number(key, usual, 0.01, 20) if key else usual for thing in things]
-            fuel = carrier or FUELS.get(things[0].word("fuel_type"), "none")
-            found.append((things[0].kind, fuel, float(np.mean(values))))
-    return found
 
 
 def sensible(activity, room):

@@ -28,8 +28,9 @@ constexpr FileKind file_kinds[] = {{"JOB", "toml csv"},
 
 /// "" where they are not known.
 std::string endings_of(const std::string& name) {
-    const auto* kind = std::ranges::find(file_kinds, name, &FileKind::name);
-    return kind == std::end(file_kinds) ? "" : kind->endings;
+    for (const FileKind& kind : file_kinds)
+        if (name == kind.name) return kind.endings;
+    return "";
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -70,8 +71,8 @@ std::string bash_option_endings(const Command& command) {
     std::string text;
     for (const std::string& name : option_names(command))
         if (const std::string endings = endings_of(name); !endings.empty())
-            text += fmt::format(
-                "            [[ $option == {} ]] && endings=\"{}\"\n", name, endings);
+            text += fmt::format("            [[ $option == {} ]] && endings=\"{}\"\n",
+                                name, endings);
     return text;
 }
 

@@ -54,6 +54,8 @@ TEST(Completion, OfBashHasCommandsOptionsTopicsAndEndings) {
     for (const char* words :
          {"words=\"check describe\"", "options=\"-h --help --nodes -o --output --meter\"",
           "words=\"job meter\"", "endings=\"toml csv\"",
+          "endings=\"toml csv\"\n            [[ $option == --meter ]] && "
+          "endings=\"csv csv.gz xlsx xml\"\n            ;;\n",
           "complete -o filenames -F _some_tool some-tool\n"})
         EXPECT_NE(script.find(words), std::string::npos) << words << "\n" << script;
 }
@@ -69,11 +71,25 @@ TEST(Completion, OfZshKnowsFilesAndWhatIsRepeated) {
     const std::string script = zsh_completion(small_program());
     for (const char* words :
          {"'(-o --output)--output[result]:FILE:_files'",
-          "'*--meter[readings]:FILE:_files'", "'*:file:_files -g \"*.(toml|csv)\"'"})
+          "'*--meter[readings]:FILE:_files -g \"*.(csv|csv.gz|xlsx|xml)\"'",
+          "'*:file:_files -g \"*.(toml|csv)\"'"})
         EXPECT_NE(script.find(words), std::string::npos) << words << "\n" << script;
     Program of_results = small_program();
     of_results.commands[0].options[1].value = "RESULT";
     EXPECT_NE(zsh_completion(of_results).find("_files -g \"*.h5\"'"), std::string::npos);
+}
+
+TEST(Completion, KnowsTheFilesOfOptions) {
+    Program first = small_program();
+    first.commands[0].options.push_back({{"--idf"}, "FILE", "a model"});
+    first.commands[0].options.push_back({{"--weather"}, "FILE", "a year"});
+    EXPECT_NE(
+        bash_completion(first).find("[[ $option == --idf ]] && endings=\"idf epJSON\""),
+        std::string::npos);
+    for (const char* words : {"--idf[a model]:FILE:_files -g \"*.(idf|epJSON)\"'",
+                              "--weather[a year]:FILE:_files -g "
+                              "\"*.(epw|epw.gz|csv|csv.gz)\"'"})
+        EXPECT_NE(zsh_completion(first).find(words), std::string::npos) << words;
 }
 
 }  // namespace

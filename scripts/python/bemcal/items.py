@@ -18,7 +18,6 @@ from tomlkit.items import AoT, InlineTable, Item, Table
 from . import _job_text
 from .errors import Error, ExitCode
 
-
 MIDNIGHT = datetime.time()
 
 

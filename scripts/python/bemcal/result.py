@@ -231,7 +231,8 @@ class Result:
 
         result["office/loop"]                       the datasets of a study, an xarray.Dataset
         result["office/loop/held_out/gas"]          those of a group below it
-        result["loop"], result["loop/held_out/gas"] the only study of that name or kind, and a group below it
+        result["loop"]                              the only study of that name or kind
+        result["loop/held_out/gas"]                 a group below it
     """
 
     def __init__(self, path: Path) -> None:
