@@ -5,12 +5,14 @@ and what LEFT_OUT names.
 """
 from dataclasses import dataclass, field
 
-from new_job import idf, idf_envelope, idf_fans, idf_geometry, idf_outside, idf_plant, idf_room, idf_use
+from new_job import idf, idf_envelope, idf_fans, idf_geometry, idf_outside, idf_plant, idf_room, idf_text, \
+    idf_use, idf_ventilators
 from new_job.building import Load
 from new_job.envelopes import Envelope
 
 plant_of = idf_plant.plant_of
 
+EXCHANGERS = "heatexchanger:airtoair"
 # Beginnings of classes that a job could have, and what to do.
 LEFT_OUT = (
     ("shading:", "shading objects; write shading_factor where they matter"),
@@ -21,8 +23,7 @@ LEFT_OUT = (
     ("zoneinfiltration:effectiveleakagearea", "infiltration by leakage area"),
     ("zoneinfiltration:flowcoefficient", "infiltration by flow coefficient"),
     ("zoneventilation:windandstackopenarea", "air through openings; venting_air_change may stand for it"),
-    ("heatexchanger:airtoair", "heat recovery; write heat_recovery in the flow"),
-    ("zonehvac:energyrecoveryventilator", "heat recovery; write heat_recovery in the flow"),
+    (EXCHANGERS, "heat recovery; write heat_recovery in the flow"),
     ("waterheater:stratified", "hot water; a load may stand for it"),
     ("waterheater:heatpump", "hot water; a load may stand for it"), ("otherequipment", "other equipment"),
     ("hotwaterequipment", "equipment by hot water"), ("steamequipment", "equipment by steam"),
@@ -50,6 +51,7 @@ class Room:
     ventilation: object        # profile, 1/h
     heating: object            # profile, degC; None without
     cooling: object
+    heat_recovery: float = 0   # share of the ventilation's heat
 
 
 @dataclass
@@ -122,7 +124,7 @@ class Reader:
         shell = self.envelope.read(zones, known)
         heating, cooling = use.set_points()
         area, volume = size_of(zones)
-        air = use.ventilation()
+        air, recovered = use.ventilation()
         self.fans = self.fans or idf_fans.load_of(self.model, use.schedules, size_of(self.rooms)[0])
         if self.outside is None:
             self.outside = idf_outside.loads_of(self.model, use.schedules, self.zones, self.dark,
@@ -130,21 +132,21 @@ class Reader:
         if "people" in loads and len(self.hours) >= idf_room.LEAST_HOURS:
             gains = sum(profile.share * profile.values for profile in loads.values()) + \
                 self.fans.share * self.fans.values * area
-            balance = idf_room.Balance(shell, shell.capacity(area) * area, infiltration + air, gains,
-                                       (heating, cooling))
+            balance = idf_room.Balance(shell, shell.capacity(area) * area, infiltration + (1 - recovered) * air,
+                                       gains, (heating, cooling))
             loads["people"].values = use.people_heat(balance.temperatures(self.hours))
         for profile in loads.values():
             profile.values = profile.values / area
         if self.fans.values.any():
             loads["fans"] = self.fans
         loads |= self.outside
-        return Room(name, area, volume, shell, loads, infiltration / volume, air / volume, heating, cooling)
+        return Room(name, area, volume, shell, loads, infiltration / volume, air / volume, heating, cooling, recovered)
 
 
 def read_building(path, has_rooms=False, hours=(), site=None, has_summer_time=False):
     """`hours`: of the weather (weather.hours_of); without a year of them people are in rooms half-way between the
     set-points. `site`: (latitude, longitude, UTC offset), for its nights."""
-    model, left_out = idf.read_model(path), []
+    model, left_out = idf_text.read_model(path), []
     reader = Reader(model, left_out, hours, idf_outside.dark_share(site, has_summer_time))
     whole = reader.whole()
     rooms = reader.each(whole) if has_rooms else [whole]
@@ -155,8 +157,11 @@ def read_building(path, has_rooms=False, hours=(), site=None, has_summer_time=Fa
 
 
 def left_out_of(model):
+    of_units = idf_ventilators.exchangers_of_units(model)
     for beginning, says in LEFT_OUT:
-        kinds = [several for kind, several in model.objects.items() if kind.startswith(beginning)]
+        kinds = [[each for each in several if not (kind.startswith(EXCHANGERS) and each.name.lower() in of_units)]
+                 for kind, several in model.objects.items() if kind.startswith(beginning)]
+        kinds = [several for several in kinds if several]
         if kinds:
             yield f"{sum(map(len, kinds))} {kinds[0][0].kind}{' and the like' if len(kinds) > 1 else ''}: {says}"
     templates = [several[0].kind for kind, several in model.objects.items() if kind.startswith(HVAC_TEMPLATES)

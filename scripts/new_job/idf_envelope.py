@@ -37,7 +37,9 @@ GROUND_CLASSES = {GROUND: ("Site:GroundTemperature:BuildingSurface", 18),
 GROUNDS = ("ground", "foundation", "groundslabpreprocessoraverage", "groundslabpreprocessorcore",
            "groundslabpreprocessorperimeter", "groundbasementpreprocessoraveragewall",
            "groundbasementpreprocessoraveragefloor")
-LAYERS = ("Material", "Material:NoMass", "Material:AirGap")
+ROOF_VEGETATION = "Material:RoofVegetation"   # its soil is a layer; plants and water are left out
+USUAL_SOIL = {"thickness": 0.1, "conductivity_of_dry_soil": 0.35}   # m, W/(m K): EnergyPlus's where none is given
+LAYERS = ("Material", "Material:NoMass", "Material:AirGap", ROOF_VEGETATION)
 GLASS = ("WindowMaterial:SimpleGlazingSystem", "WindowMaterial:Glazing")
 GAPS = ("WindowMaterial:Gas", "WindowMaterial:GasMixture")
 
@@ -125,9 +127,24 @@ def layers_of(model, construction):
 
 def resistance(layer):
     """[m2 K/W]"""
-    if layer.kind.lower() != "material":
+    if not is_solid(layer):
         return need_number(layer, "thermal_resistance", 0, 1e3)
-    return need_number(layer, "thickness", 1e-9, 100) / need_number(layer, "conductivity", 1e-4, 1e4)
+    return layer_number(layer, "thickness", 1e-9, 100) / layer_number(layer, of_soil(layer, "conductivity"), 1e-4, 1e4)
+
+
+def is_solid(layer):
+    return layer.kind.lower() in ("material", ROOF_VEGETATION.lower())
+
+
+def of_soil(layer, key):
+    """Name of a field of a Material, or of the dry soil of a green roof."""
+    return f"{key}_of_dry_soil" if layer.kind.lower() == ROOF_VEGETATION.lower() else key
+
+
+def layer_number(layer, key, least, most):
+    """A green roof has EnergyPlus's own where its field is empty; of a Material it has to be there."""
+    usual = USUAL_SOIL.get(key) if layer.kind.lower() == ROOF_VEGETATION.lower() else None
+    return need_number(layer, key, least, most) if usual is None else layer.number(key, usual, least, most)
 
 
 def need_number(thing, key, least, most):
@@ -220,22 +237,22 @@ def glazing_of(model, opening):
     return Glazing(construction.name, *panes_value(layers), "of its panes and gaps: EN 673, EN 410")
 
 
-def mass_of(model, surface):
-    """[J/(m2 K)] of its inner face."""
+def mass_of(model, surface, is_mirrored=False):
+    """[J/(m2 K)] of its inner face, which is that of the first layer where it is mirrored."""
     construction = model.find(surface.text("construction_name"), "Construction")
     total, depth = 0, 0
     if construction is None:
         return 0
     layers = layers_of(model, construction)
-    thickness = sum(layer.number("thickness", 0) for layer in layers if layer.kind.lower() == "material")
-    limit = min(MASS_DEPTH, thickness / 2)
-    for layer in reversed(layers):
-        is_solid = layer.kind.lower() == "material"
-        if resistance(layer) > INSULATION_R and (not is_solid or layer.number("conductivity", 1) < INSULATION):
+    limit = min(MASS_DEPTH, sum(layer.number("thickness", 0) for layer in layers if is_solid(layer)) / 2)
+    for layer in layers if is_mirrored else reversed(layers):
+        if resistance(layer) > INSULATION_R and not (
+                is_solid(layer) and layer.number(of_soil(layer, "conductivity"), 1) >= INSULATION):
             break
-        if is_solid:
+        if is_solid(layer):
             taken = min(layer.number("thickness", 0), limit - depth)
-            total += taken * layer.number("density", 0, 0, 1e5) * layer.number("specific_heat", 0, 0, 1e5)
+            total += taken * layer.number(of_soil(layer, "density"), 0, 0, 1e5) * \
+                layer.number(of_soil(layer, "specific_heat"), 0, 0, 1e5)
             depth += taken
     return total
 
@@ -345,7 +362,7 @@ class Reader:
 
     def add(self, surface):
         model, zone, given = self.model, surface.zone, surface.given
-        self.shell.heat_capacity += mass_of(model, given) * surface.net * zone.multiplier
+        self.shell.heat_capacity += mass_of(model, given, surface.is_mirrored) * surface.net * zone.multiplier
         found = self.behind(surface)
         if found is None:
             return

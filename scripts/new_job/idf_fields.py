@@ -211,7 +211,8 @@ _TABLE = {
         "speed_1_gross_rated_cooling_cop",
     "coil:heating:dx:multispeed":
         "name availability_schedule_name air_inlet_node_name air_outlet_node_name "
-        "minimum_outdoor_dry_bulb_temperature_for_compressor_operation outdoor_dry_bulb_temperature_to_turn_on_compressor "
+        "minimum_outdoor_dry_bulb_temperature_for_compressor_operation "
+        "outdoor_dry_bulb_temperature_to_turn_on_compressor "
         f"{_CRANKCASE} defrost_energy_input_ratio_function_of_temperature_curve_name "
         "maximum_outdoor_dry_bulb_temperature_for_defrost_operation defrost_strategy defrost_control "
         "defrost_time_period_fraction resistive_defrost_heater_capacity "
@@ -272,6 +273,20 @@ _TABLE = {
     "schedule:day:list": "name schedule_type_limits_name interpolate_to_timestep minutes_per_item",
 }
 FIELDS = {kind: names.split() for kind, names in _TABLE.items()}
+
+# Fields that an object can have at most, of classes without a part that repeats which no version made shorter.
+MOST_FIELDS = {
+    "building": 8, "globalgeometryrules": 5, "zone": 13, "zonegroup": 3, "internalmass": 5, "material": 9,
+    "material:nomass": 6, "material:airgap": 2, "windowmaterial:simpleglazingsystem": 4, "windowmaterial:glazing": 21,
+    "windowmaterial:gas": 14, "windowmaterial:gasmixture": 11, "construction": 11, "people": 29, "lights": 17,
+    "electricequipment": 11, "gasequipment": 12, "zoneinfiltration:designflowrate": 13,
+    "zoneventilation:designflowrate": 27, "designspecification:outdoorair": 8, "exterior:lights": 5,
+    "wateruse:equipment": 10, "thermostatsetpoint:dualsetpoint": 3, "thermostatsetpoint:singleheating": 2,
+    "thermostatsetpoint:singlecooling": 2, "thermostatsetpoint:singleheatingorcooling": 2, "schedule:constant": 3,
+    "schedule:day:hourly": 26, **{kind: len(FIELDS[kind]) for kind in (
+        "fenestrationsurface:detailed", "window", "glazeddoor", "door", "window:interzone", "door:interzone",
+        "glazeddoor:interzone", "wall:exterior", "wall:adiabatic", "wall:underground", "roof", "ceiling:adiabatic",
+        "floor:groundcontact", "floor:adiabatic", "wall:interzone", "ceiling:interzone", "floor:interzone")}}
 
 _VERTICES = ("vertices", ("vertex_x_coordinate", "vertex_y_coordinate", "vertex_z_coordinate"))
 REST = {

@@ -2,15 +2,16 @@
 
 Area and normal of a polygon by Newell's sum; volume by the divergence theorem, or floor times height where the
 surfaces do not close. Surfaces by length and height (Wall:Exterior and its kin) are rectangles with a corner, an
-azimuth and a tilt, turned as vertices are. Source: EnergyPlus Input Output Reference, Group Thermal Zone Description.
-Leaves out the origin of zones, which turns nothing.
+azimuth and a tilt, turned as vertices are. A surface whose outside is another zone is one of that zone, too, seen from
+there. Source: EnergyPlus Input Output Reference, Group Thermal Zone Description. Leaves out the origin of zones, which
+turns nothing, but where a surface is seen from another.
 """
 import math
 from dataclasses import dataclass, field
 
 import numpy as np
 
-from new_job.idf import number_of
+from new_job.idf import Object, number_of
 
 DETAILED = ("BuildingSurface:Detailed", "Wall:Detailed", "RoofCeiling:Detailed", "Floor:Detailed")
 # By length and height: what lies outside.
@@ -24,6 +25,8 @@ F_FACTOR = "Construction:FfactorGroundFloor"
 C_FACTOR = "Construction:CfactorUndergroundWall"
 OPENINGS = ("FenestrationSurface:Detailed", "Window", "GlazedDoor", "Door", "Window:Interzone", "GlazedDoor:Interzone",
             "Door:Interzone")
+ACROSS = ("zone", "space", "surface")   # boundaries that may name another zone, which then has the surface, too
+OTHER_SIDE = {"floor": "ceiling", "ceiling": "floor", "roof": "floor"}   # what a surface is from there
 MOST_OPEN = 0.02               # of a zone's surface, by which its normals may fail to close
 
 
@@ -51,6 +54,7 @@ class Surface:
     vector: np.ndarray         # area times outward normal, m2, in the zone's axes
     outside: str               # its boundary condition, in small letters
     openings: list = field(default_factory=list)
+    is_mirrored: bool = False  # seen from behind: the first layer of its construction is inside
 
     @property
     def gross(self):
@@ -127,22 +131,32 @@ def read_zones(model):
     groups = list_of_zones(model)
     zones = {}
     for each in model.all("Zone"):
+        refuse_twice(each, zones)
         turn = north + (each.number("direction_of_relative_north", 0) if is_relative else 0)
         factor = each.number("multiplier", 1, 0, 1e4) * groups.get(each.name.lower(), 1)
         zones[each.name.lower()] = Zone(each.name, each, turn, factor,
                                         counts=each.word("part_of_total_floor_area", "yes") != "no")
-    add_surfaces(model, zones, -1 if is_clockwise else 1)
+    surfaces = add_surfaces(model, zones, -1 if is_clockwise else 1)
+    mirror(model, zones, surfaces, is_relative)
     for zone in zones.values():
         measure(zone)
     return zones
 
 
+def refuse_twice(each, known):
+    """A name that is there already: EnergyPlus would not run."""
+    if each.name.lower() in known:
+        each.refuse("name", "is defined twice; expected a name of its own for each")
+
+
 def add_surfaces(model, zones, sign):
+    """{name: Surface}, which are put into their zones, with openings."""
     surfaces = {}
     for each in model.all(*DETAILED, *BY_LENGTH):
         zone = zones.get(each.word("zone_name"))
         if zone is None:
             each.refuse("zone_name", f"{each.text('zone_name')!r} is no Zone of the file; expected one of its zones")
+        refuse_twice(each, surfaces)
         surfaces[each.name.lower()] = made = surface_of(model, each, zone, sign)
         zone.surfaces.append(made)
     for each in model.all(*OPENINGS):
@@ -151,6 +165,51 @@ def add_surfaces(model, zones, sign):
             each.refuse("building_surface_name", f"{each.text('building_surface_name')!r} is no surface of the file; "
                                                  "expected the name of a BuildingSurface:Detailed")
         owner.openings.append(opening_of(each))
+    return surfaces
+
+
+def zone_behind(model, zones, surfaces, surface):
+    """The other zone that a surface's boundary names, as a zone or a space; None of other boundaries."""
+    name = surface.given.word("outside_boundary_condition_object")
+    if surface.outside not in ACROSS or not name or name in surfaces:
+        return None
+    space = model.find(name, "Space")
+    found = zones.get(space.word("zone_name") if space else name)
+    return found if found is not surface.zone else None
+
+
+def mirror(model, zones, surfaces, is_relative):
+    """Puts a surface whose outside is another zone into that one, too, as EnergyPlus does."""
+    for surface in surfaces.values():
+        other = zone_behind(model, zones, surfaces, surface)
+        if other is not None:
+            other.surfaces.append(from_behind(surface, other, is_relative))
+
+
+def from_behind(surface, other, is_relative):
+    """A surface as the zone behind it has it; it shares its openings."""
+    given = surface.given
+    kind = OTHER_SIDE.get(surface.kind, surface.kind)
+    made = Object(given.file, given.kind, {
+        **given.fields, "name": f"{given.name} from {other.name}", "surface_type": kind, "zone_name": other.name,
+        "space_name": "", "outside_boundary_condition": "surface", "outside_boundary_condition_object": given.name})
+    points = surface.points
+    if is_relative:
+        points = (points @ rotation(surface.zone.turn) + origin(surface.zone) - origin(other)) @ rotation(-other.turn)
+    return Surface(made, other, points[::-1], -surface.vector @ rotation(surface.zone.turn - other.turn), "surface",
+                   surface.openings, True)
+
+
+def rotation(turn):
+    """(3, 3) matrix behind a row (x, y, z): clockwise by degrees, as north axes turn."""
+    c, s = math.cos(math.radians(turn)), math.sin(math.radians(turn))
+    return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+
+
+def origin(zone):
+    """Of a zone in the axes of the world; EnergyPlus turns it with the building, not with the zone."""
+    north = zone.turn - zone.given.number("direction_of_relative_north", 0)
+    return np.array([zone.given.number(f"{axis}_origin", 0) for axis in "xyz"]) @ rotation(north)
 
 
 def surface_of(model, given, zone, sign):

@@ -1,4 +1,5 @@
 """The text of a first job from an EnergyPlus file: its own schedules, constructions, zone and priors."""
+import math
 import os
 from dataclasses import dataclass
 from functools import partial
@@ -169,17 +170,26 @@ def ground(name, months):
     yield section("[[boundary]]", ("name", name), ("temperature", value, f"by month: {GROUND_CLASSES[name][0]}"))
 
 
-def is_cooled(first, room):
-    return first.plant.cooling is not None and room.cooling is not None
-
-
 def set_points(first, room, names):
     """(heating, cooling) values of the job."""
-    usual = building.set_points(first.use, first.options.country)
-    heating = usual[0] if room.heating is None else \
-        value_of("heating", room.heating, names.get((room.name, "heating")))
-    return heating, value_of("cooling", room.cooling, names.get((room.name, "cooling"))) \
-        if is_cooled(first, room) else NOT_COOLED
+    heating, _, cooling, _ = building.set_points(first.use, first.options.country)
+    if room.heating is not None:
+        heating = value_of("heating", room.heating, names.get((room.name, "heating")))
+    if room.cooling is not None:
+        cooling = value_of("cooling", room.cooling, names.get((room.name, "cooling")))
+    is_cooled = first.plant.cooling is not None and (room.cooling is not None or not first.model.has_thermostat)
+    tell_guessed(first, is_cooled)
+    return heating, cooling if is_cooled else NOT_COOLED
+
+
+def tell_guessed(first, is_cooled):
+    """Set-points of a table, where the file has none."""
+    guessed = [f"{mode}_set_point" for mode, is_used in (("heating", True), ("cooling", is_cooled))
+               if is_used and getattr(first.model.whole, mode) is None]
+    if guessed:
+        first.told.check(f"{' and '.join(guessed)}: {os.path.basename(first.model.file)} has no thermostat for it "
+                         "(ZoneControl:Thermostat, HVACTemplate:Thermostat); usual ones of the use were taken: correct "
+                         "them, or name the use by --use")
 
 
 def zones(first, hours):
@@ -201,7 +211,9 @@ def zone(first, room, names):
     yield from surfaces(room.shell)
     for name, profile in flows(room):
         yield section("[[zone.flow]]", ("name", name),
-                      ("air_change", value_of(name, profile, names.get((room.name, name))), "1/h, of the volume"))
+                      ("air_change", value_of(name, profile, names.get((room.name, name))), "1/h, of the volume"),
+                      ("heat_recovery", rounded(room.heat_recovery, 3) if name == "ventilation" and room.heat_recovery
+                       else None, "of its heat recovery units"))
     for load in loads_in(first, room):
         profile = room.loads.get(load.name)
         yield section("[[zone.load]]", ("name", load.name),
@@ -310,16 +322,23 @@ def is_seen(first, name):
     return not name.startswith("cooling") or any(map(first.has, ("electricity", "cooling", "air_temperature")))
 
 
-def as_factor(prior):
+def as_factor(first, prior):
     """Of numbers that each room has of its own: the same prior on all of them, relative to its mean."""
     return priors.factor(prior.name, prior.targets, max(prior.least / prior.mean, LEAST_SHARE),
-                         min(prior.most / prior.mean, MOST_FACTOR), prior.sd / prior.mean, "on each room's")
+                         min(prior.most / prior.mean, MOST_FACTOR, most_factor(first, prior.name)),
+                         prior.sd / prior.mean, "on each room's")
+
+
+def most_factor(first, name):
+    """Up to which no room's air change is more than a job takes; down to what a parameter's three digits hold."""
+    most = max((float(dict(flows(room)).get(name, np.zeros(1)).max()) for room in first.model.rooms), default=0)
+    return math.floor(100 * MOST_AIR / rounded(most)) / 100 if most else MOST_FACTOR
 
 
 def priors_of(first):
     several = len(first.model.rooms) > 1
     for prior in (*envelope_priors(first), *flow_priors(first), *load_priors(first), *plant_priors(first)):
-        yield as_factor(prior) if several and prior.name in OF_ROOMS and prior.mean > 0 else prior
+        yield as_factor(first, prior) if several and prior.name in OF_ROOMS and prior.mean > 0 else prior
 
 
 def idf_text(first):

@@ -184,8 +184,8 @@ def why_not_cooled(found, told):
     if found.whole.cooling is not None or not found.has_thermostat:
         return ""
     if found.cooling_machines:
-        told.check(f"[plant]: {file_of(found)} has {found.cooling_machines.classes[0]}, but no cooling set-point of its "
-                   "thermostats; the job does not cool: correct cooling_set_point if it does")
+        told.check(f"[plant]: {file_of(found)} has {found.cooling_machines.classes[0]}, but its thermostats no cooling "
+                   "set-point; the job does not cool: correct cooling_set_point if it does")
     return "no cooling set-point in the file"
 
 

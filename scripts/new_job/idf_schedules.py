@@ -8,6 +8,7 @@ import re
 import numpy as np
 
 from new_job.idf import number_of
+from new_job.idf_fields import MONTHS
 
 DAYS, KINDS, HOURS = 365, 8, 24
 MONTH_DAYS = (31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31)
@@ -27,6 +28,23 @@ def day_of_year(thing, key, month, day):
     if not 1 <= month <= 12 or not 1 <= day <= 31:
         thing.refuse(key, f"{month}/{day} is no date; expected month/day")
     return sum(MONTH_DAYS[:month - 1]) + min(day, MONTH_DAYS[month - 1]) - 1
+
+
+def date_of(thing, key, said):
+    """Day of the year from 0 of month/day, or of a day and a month's name in any order."""
+    numbers = re.match(r"\s*(\d+)\s*/\s*(\d+)", said)
+    if numbers:
+        return day_of_year(thing, key, int(numbers[1]), int(numbers[2]))
+    words = re.fullmatch(r"\s*(?:(\d+)\s*([a-z]{3,})|([a-z]{3,})\s*(\d+))\s*", said.lower())
+    month = next((k for k, name in enumerate(MONTHS, 1) if words and name.startswith(words[2] or words[3])), None)
+    if month is None:
+        thing.refuse(key, f"Through: {said!r} is no date; expected month/day, as 3/31, or 31 March")
+    return day_of_year(thing, key, month, int(words[1] or words[4]))
+
+
+def days_between(first, last):
+    """Days of the year from one to another, both included, over New Year where the last comes before."""
+    return np.arange(first, last + 1 if last >= first else last + 1 + DAYS) % DAYS
 
 
 def minute(thing, key, said):
@@ -72,13 +90,13 @@ class CompactReader:
 
     def __init__(self, thing):
         self.thing, self.profile = thing, constant(np.nan)
-        self.first = self.last = 0
+        self.days, self.next = np.arange(0), 0
         self.kinds, self.taken, self.steps, self.until = set(), set(), [], None
 
     def close_day(self):
         if self.steps and self.kinds:
             hours = hours_until(self.thing, "data", self.steps)
-            self.profile[self.first:self.last, sorted(self.kinds)] = hours
+            self.profile[np.ix_(self.days, sorted(self.kinds))] = hours
         self.steps = []
 
     def read(self, said):
@@ -102,11 +120,8 @@ class CompactReader:
 
     def through(self, said):
         self.close_day()
-        match = re.match(r"(\d+)\s*/\s*(\d+)", said)
-        if not match:
-            self.thing.refuse("data", f"Through: {said!r} is no date; expected month/day")
-        self.first = self.last
-        self.last = day_of_year(self.thing, "data", int(match[1]), int(match[2])) + 1
+        last = date_of(self.thing, "data", said)
+        self.days, self.next = days_between(self.next, last), (last + 1) % DAYS
         self.kinds, self.taken = set(), set()
 
 
@@ -142,7 +157,7 @@ def year(model, thing):
         if week is None:
             thing.refuse("schedule_weeks", f"names {week_name!r}, which is not in the file; expected the name of a "
                                            "Schedule:Week:Daily or Schedule:Week:Compact")
-        profile[first:last + 1] = week_of(model, week)
+        profile[days_between(first, last)] = week_of(model, week)
     return without_holes(thing, profile)
 
 

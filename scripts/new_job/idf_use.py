@@ -7,7 +7,7 @@ that outdoor air is denser than the room's (3 % more infiltration by mass in Chi
 """
 import numpy as np
 
-from new_job import idf, idf_fans, idf_schedules
+from new_job import idf, idf_fans, idf_schedules, idf_ventilators
 from new_job.profile import Profile
 from new_job.refused import Refused
 
@@ -26,6 +26,7 @@ TARGET = "zone_or_zonelist_or_space_or_spacelist_name"
 LOADS = (("lights", "Lights", "lighting_level", "electricity"),
          ("equipment", "ElectricEquipment", "design_level", "electricity"),
          ("gas_equipment", "GasEquipment", "design_level", "gas"))
+NOT_IN_ROOM = ("fraction_latent", "fraction_lost", "return_air_fraction")   # of a load's power
 
 
 class Reader:
@@ -112,7 +113,7 @@ class Reader:
     def read_load(self, kind, level, carrier):
         total, heat = idf_schedules.constant(0), 0.0
         for thing in self.model.all(kind):
-            share = 1 - thing.number("fraction_latent", 0, 0, 1) - thing.number("fraction_lost", 0, 0, 1)
+            share = max(0, 1 - sum(thing.number(key, 0, 0, 1) for key in NOT_IN_ROOM))
             for zone, area in self.conditioned_targets(thing):
                 power = zone.multiplier * self.power(thing, level, zone, area)
                 added = power * self.schedules.of(thing, "schedule_name")
@@ -179,7 +180,16 @@ class Reader:
         return 3600 * (parts[method] if method in parts else sum(parts.values()))
 
     def ventilation(self):
-        """[m3/h] by systems and by ZoneVentilation."""
+        """(profile [m3/h], share of its heat that is recovered) by systems, heat recovery units and ZoneVentilation."""
+        units = [each for each in idf_ventilators.flows_of_units(self.model, self.zones, self.schedules, self.people,
+                                                                 self.left_out) if each[0] in self.rooms]
+        by_units = sum(zone.multiplier * flow for zone, flow, _ in units)
+        recovered = sum(zone.multiplier * share * flow.mean() for zone, flow, share in units)
+        total = by_units + self.by_systems({zone for zone, flow, _ in units if flow.any()}) + self.by_zones()
+        return total, float(recovered / total.mean()) if recovered else 0
+
+    def by_systems(self, ventilated):
+        """[m3/h] of the rooms but those that a unit of their own ventilates."""
         total = idf_schedules.constant(0)
         key = "minimum_outdoor_air_schedule_name"
         openings = [self.schedules.of(each, key) for each in self.model.all("Controller:OutdoorAir") if each.text(key)]
@@ -194,12 +204,19 @@ class Reader:
                   for zone, _ in self.conditioned_targets(each, "zone_name")]
         for each, zone, share in ideal or by_systems:
             thing = self.fresh_air(each)
-            if thing is not None:
+            if thing is not None and zone not in ventilated:
                 total += zone.multiplier * self.outdoor_air(thing, zone) * share * \
                     self.schedules.of(thing, "outdoor_air_schedule_name")
+        return total
+
+    def by_zones(self):
+        """[m3/h] of ZoneVentilation."""
+        total = idf_schedules.constant(0)
         for thing in self.model.all("ZoneVentilation:DesignFlowRate"):
+            share = idf_ventilators.share_of_design(thing, self.schedules, self.left_out)
             for zone, area in self.conditioned_targets(thing):
-                total += zone.multiplier * self.own_flow(thing, zone, area) * self.schedules.of(thing, "schedule_name")
+                total += zone.multiplier * share * self.own_flow(thing, zone, area) * \
+                    self.schedules.of(thing, "schedule_name")
         return total
 
     def fresh_air(self, system):

@@ -14,6 +14,10 @@ MOST_U = 9.9                   # W/(m2 K), that a job takes
 SHARE_OF_LOADS = 0.5           # standard deviation of lights and equipment
 LEAST_POWER = 5                # W/m2, half of what a passive house needs (10: criteria of the Passive House Institute)
 HEAT_CAPACITIES = (80000, 600000, 165000, 1e5)  # J/(m2 K): least, most, ISO 13790 class medium, sd
+# Standard deviation of a heat capacity by layers, as a share: how deep a day reaches, and furniture, are conventions.
+# Twice of it is a little more than from a class of ISO 13790, Table 12 to the next, 1.5 times as heavy.
+SD_OF_LAYERS = 0.3
+LEAST_OF_LAYERS = 0.5          # share of it, below which layers would have to be missing
 
 
 @dataclass(frozen=True)
@@ -94,5 +98,14 @@ def plant_priors(first, targets):
         yield level("cooling_cop", ["plant.cooling_cop"], plant.cop, 0.8, "with pumps and fans of the plant", 1.2,
                     most=max(6, 1.3 * plant.cop))
     if first.is_hourly:
-        least, most, mean, sd = HEAT_CAPACITIES
+        least, most, mean, sd = heat_capacities(first)
         yield Prior("heat_capacity", tuple(targets("heat_capacity")), least, most, mean, sd, "[J/(m2 K)]")
+
+
+def heat_capacities(first):
+    """(least, most, mean, sd) [J/(m2 K)]: by the file's layers where there is one."""
+    least, most, *_ = HEAT_CAPACITIES
+    if first.model is None:
+        return HEAT_CAPACITIES
+    value = first.model.whole.shell.capacity(first.model.whole.area)
+    return min(least, LEAST_OF_LAYERS * value), max(most, (1 + 4 * SD_OF_LAYERS) * value), value, SD_OF_LAYERS * value

@@ -4,6 +4,7 @@ from report.picture import Picture, bare_unit
 from report.result import AFTER, BEFORE, OF_CLASS, OF_ENDS, PLAIN
 
 MOST_POWER_ROWS = 15
+TOLD = 0.95                    # chance of a name that needs no measurement: enough_chance of src/loop/decisions.hpp
 
 
 def error_rows(loop, regressions):
@@ -68,7 +69,8 @@ def measurement_rows(loop):
 
 def unanswered(loop):
     """Questions of which no measurement that was tried tells much more."""
-    answered = {row.question for row in loop.measurements if row.advised == 1}
+    answered = {row.question for row in loop.measurements
+                if row.advised == 1 or row.kind == "name" and row.now >= TOLD}
     return [question for question in dict.fromkeys(row.question for row in loop.measurements)
             if question not in answered]
 

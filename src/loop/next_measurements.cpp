@@ -336,6 +336,7 @@ bool is_worth_it(const Answer& answer) {
 }  // namespace
 
 void advise(std::vector<Answer>& of_one) {
+    if (!of_one.empty() && is_told(of_one.front())) return;
     auto chosen = std::ranges::find_if(of_one, is_enough);
     if (chosen == of_one.end()) chosen = std::ranges::min_element(of_one, is_better);
     if (chosen != of_one.end() && is_worth_it(*chosen)) chosen->is_advised = 1;
@@ -375,7 +376,6 @@ std::vector<Answer> next_measurements(const LoopData& data, const Place& place,
     }
     std::vector<Answer> all;
     for (std::vector<Answer>& of_one : by_question) {
-        if (is_told(of_one.front())) continue;
         advise(of_one);
         all.insert(all.end(), of_one.begin(), of_one.end());
     }

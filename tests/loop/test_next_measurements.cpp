@@ -70,6 +70,11 @@ TEST(NextMeasurements, TheCheapestThatIsEnoughIsAdvisedElseTheBest) {
     EXPECT_EQ(advised_of("parameter", 0.8, {0.7, 0.401, 0.3}), 2);
 }
 
+TEST(NextMeasurements, ANameThatIsToldAlreadyNeedsNoMeasurement) {
+    EXPECT_EQ(advised_of("name", 0.951, {0.99, 1}), -1);
+    EXPECT_EQ(advised_of("name", 0.949, {0.99, 1}), 0);
+}
+
 TEST(NextMeasurements, WhatTellsHardlyMoreIsNotAdvised) {
     EXPECT_EQ(advised_of("name", 0.6, {0.6, 0.639}), -1);  // a tenth of the doubt is 0.04
     EXPECT_EQ(advised_of("name", 0.6, {0.6, 0.641}), 1);
