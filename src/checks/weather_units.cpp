@@ -4,7 +4,7 @@
 /// midday, its 98th percentile: in nine files of EPW and of stations 0.7 to 0.9 of a
 /// year's global irradiance, 0.55 to 0.75 direct, 0.3 to 0.4 diffuse. Air by its daily
 /// swing and its mean beside the sun's. Left out: units within a quarter of each other,
-/// wind, humidity.
+/// and of wind within the span of places.
 #include "checks/weather_units.hpp"
 
 #include "base/nan.hpp"
@@ -80,6 +80,11 @@ constexpr double usual_swing = 9;    ///< [K]
 /// [degC], mean of the air under a daily mean sun of H outside the atmosphere: 12 +
 /// 0.09 H lies above the mildest coasts in winter and the hottest deserts in summer.
 constexpr double warmest_without_sun = 12, warmest_by_sun = 0.09;
+
+constexpr double driest = 1.5;  ///< [%], highest of two days: deserts reach 10
+/// [m/s], the middle of two weeks and more: the windiest towns (Wellington, Lerwick) have
+/// 7.5, mountains' tops more.
+constexpr double windiest = 9, usual_wind = 3.5;
 
 /// Days that have readings, counted from the first one.
 int n_days(const input::RegularSeries& series) {
@@ -216,6 +221,23 @@ std::vector<Candidate> units_for(const Air& air, double warmest) {
     return found;
 }
 
+std::vector<double> known_of(const input::RegularSeries& series) {
+    std::vector<double> known;
+    std::ranges::copy_if(series.values, std::back_inserter(known),
+                         [](double value) { return !std::isnan(value); });
+    return known;
+}
+
+std::vector<Candidate> speeds_for(double wind) {
+    std::vector<Candidate> found;
+    for (const WeatherUnit& unit : table)
+        if (unit.kind == Kind::speed && unit.factor != 1)
+            found.push_back({fmt::format("unit = \"{}\"", unit.name),
+                             std::abs(std::log(wind * unit.factor / usual_wind))});
+    std::ranges::stable_sort(found, {}, &Candidate::off);
+    return found;
+}
+
 }  // namespace
 
 std::span<const WeatherUnit> weather_units() {
@@ -260,6 +282,27 @@ std::optional<std::string> doubt_of_temperature(const input::RegularSeries& seri
         "from {:g} to {:g}, {:.3g} on average, {:.3g} between day and night: no air in "
         "degC. {}; unit = \"degC\" if it is so",
         air.low, air.high, air.mean, air.swing, advice_of(units));
+}
+
+std::optional<std::string> doubt_of_humidity(const input::RegularSeries& series) {
+    const std::vector<double> known = known_of(series);
+    if (n_days(series) < least_days) return std::nullopt;
+    const double most = *std::ranges::max_element(known);
+    if (!(most > 0) || most > driest) return std::nullopt;
+    return fmt::format(
+        "at most {:.3g}: no air in %. Write unit = \"0 to 1\"; unit = \"%\" if it is so",
+        most);
+}
+
+std::optional<std::string> doubt_of_wind(const input::RegularSeries& series) {
+    std::vector<double> known = known_of(series);
+    if (n_days(series) < fortnight) return std::nullopt;
+    const double middle = quantile_of(std::move(known), 0.5);
+    if (!(middle > windiest)) return std::nullopt;
+    return fmt::format(
+        "half of the time above {:.3g}: no wind in m/s but on mountains. {}; unit = \"m/s\" "
+        "if it is so",
+        middle, advice_of(speeds_for(middle)));
 }
 
 }  // namespace bemcal::checks

@@ -1,6 +1,6 @@
 /// Units that weather tables are published in, and whether a column can be in the unit
 /// that is expected: irradiance against the sun outside the atmosphere, temperature
-/// against what air does.
+/// against what air does, humidity and wind against what there is anywhere.
 #pragma once
 
 #include "input/series.hpp"
@@ -40,5 +40,10 @@ std::optional<std::string> doubt_of_irradiance(const input::RegularSeries& serie
 /// \param series  [degC]
 std::optional<std::string> doubt_of_temperature(const input::RegularSeries& series,
                                                 const physics::Site& site);
+
+/// \param series  [%]
+std::optional<std::string> doubt_of_humidity(const input::RegularSeries& series);
+/// \param series  [m/s], of two weeks or more
+std::optional<std::string> doubt_of_wind(const input::RegularSeries& series);
 
 }  // namespace bemcal::checks

@@ -222,6 +222,10 @@ class CsvWeather {
             doubt = checks::doubt_of_irradiance(stamped, weather_.site, *of.sun);
         else if (of.kind == WeatherKind::temperature)
             doubt = checks::doubt_of_temperature(stamped, weather_.site);
+        else if (of.kind == WeatherKind::humidity)
+            doubt = checks::doubt_of_humidity(stamped);
+        else if (of.kind == WeatherKind::speed)
+            doubt = checks::doubt_of_wind(stamped);
         if (doubt)
             throw UserError(
                 ExitCode::data,

@@ -139,5 +139,28 @@ TEST(WeatherUnits, AreExact) {
     EXPECT_NEAR(77 * find("degF").factor + find("degF").offset, 25, 1e-12);
 }
 
+/// The same value all the time, on so many days.
+input::RegularSeries steady(double value, int n_days) {
+    input::RegularSeries series = empty("2021-03-01", n_days, 3600);
+    series.values.assign(static_cast<std::size_t>(series.axis.n_steps), value);
+    return series;
+}
+
+TEST(WeatherUnits, HumidityThatNoDesertHasIsAShare) {
+    EXPECT_NE(doubt_of_humidity(steady(1, 3)).value_or("").find("unit = \"0 to 1\""),
+              std::string::npos);
+    EXPECT_FALSE(doubt_of_humidity(steady(1.51, 3)));
+    EXPECT_TRUE(doubt_of_humidity(steady(1.5, 3)));
+    EXPECT_FALSE(doubt_of_humidity(steady(1, 1)));
+}
+
+TEST(WeatherUnits, WindThatNoTownHasIsInAnotherUnit) {
+    const std::string said = doubt_of_wind(steady(12.6, 14)).value_or("");
+    EXPECT_NE(said.find("Write unit = \"km/h\""), std::string::npos) << said;
+    EXPECT_FALSE(doubt_of_wind(steady(9, 14)));
+    EXPECT_TRUE(doubt_of_wind(steady(9.01, 14)));
+    EXPECT_FALSE(doubt_of_wind(steady(12.6, 13)));
+}
+
 }  // namespace
 }  // namespace bemcal::checks
