@@ -274,19 +274,20 @@ _TABLE = {
 }
 FIELDS = {kind: names.split() for kind, names in _TABLE.items()}
 
-# Fields that an object can have at most, of classes without a part that repeats which no version made shorter.
+# Fields that an object can have at most, of classes without a part that repeats which no version made shorter; below,
+# classes whose fields are all laid out here.
 MOST_FIELDS = {
-    "building": 8, "globalgeometryrules": 5, "zone": 13, "zonegroup": 3, "internalmass": 5, "material": 9,
-    "material:nomass": 6, "material:airgap": 2, "windowmaterial:simpleglazingsystem": 4, "windowmaterial:glazing": 21,
-    "windowmaterial:gas": 14, "windowmaterial:gasmixture": 11, "construction": 11, "people": 29, "lights": 17,
-    "electricequipment": 11, "gasequipment": 12, "zoneinfiltration:designflowrate": 13,
-    "zoneventilation:designflowrate": 27, "designspecification:outdoorair": 8, "exterior:lights": 5,
-    "wateruse:equipment": 10, "thermostatsetpoint:dualsetpoint": 3, "thermostatsetpoint:singleheating": 2,
-    "thermostatsetpoint:singlecooling": 2, "thermostatsetpoint:singleheatingorcooling": 2, "schedule:constant": 3,
-    "schedule:day:hourly": 26, **{kind: len(FIELDS[kind]) for kind in (
-        "fenestrationsurface:detailed", "window", "glazeddoor", "door", "window:interzone", "door:interzone",
-        "glazeddoor:interzone", "wall:exterior", "wall:adiabatic", "wall:underground", "roof", "ceiling:adiabatic",
-        "floor:groundcontact", "floor:adiabatic", "wall:interzone", "ceiling:interzone", "floor:interzone")}}
+    "building": 8, "globalgeometryrules": 5, "material": 9, "material:nomass": 6,
+    "windowmaterial:simpleglazingsystem": 4, "windowmaterial:glazing": 21, "windowmaterial:gas": 14,
+    "windowmaterial:gasmixture": 11, "people": 29, "lights": 17, "electricequipment": 11, "gasequipment": 12,
+    "zoneinfiltration:designflowrate": 13, "zoneventilation:designflowrate": 27, "designspecification:outdoorair": 8,
+    "exterior:lights": 5, "wateruse:equipment": 10}
+WHOLE = ("zone", "zonegroup", "internalmass", "material:airgap", "construction", "thermostatsetpoint:dualsetpoint",
+         "thermostatsetpoint:singleheating", "thermostatsetpoint:singlecooling",
+         "thermostatsetpoint:singleheatingorcooling", "schedule:constant", "schedule:day:hourly",
+         "fenestrationsurface:detailed", "window", "glazeddoor", "door", "window:interzone", "door:interzone",
+         "glazeddoor:interzone", "wall:exterior", "wall:adiabatic", "wall:underground", "roof", "ceiling:adiabatic",
+         "floor:groundcontact", "floor:adiabatic", "wall:interzone", "ceiling:interzone", "floor:interzone")
 
 _VERTICES = ("vertices", ("vertex_x_coordinate", "vertex_y_coordinate", "vertex_z_coordinate"))
 REST = {

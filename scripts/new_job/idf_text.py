@@ -5,7 +5,7 @@ UTF-16 is read, which EnergyPlus does not. A decimal comma is found only where i
 import codecs
 
 from new_job import idf
-from new_job.idf_fields import MOST_FIELDS
+from new_job.idf_fields import MOST_FIELDS, WHOLE
 from new_job.refused import NO_INPUT, Refused
 
 BYTE_ORDER_MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
@@ -40,10 +40,8 @@ def refuse_more(path, row, version):
     kind, values = row[0].lower(), row[1:]
     while values and not values[-1]:
         values = values[:-1]
-    if kind not in MOST_FIELDS or version > COUNTED:
-        return
-    most = max(MOST_FIELDS[kind], len(idf.fields_in(kind, version)))
-    if len(values) > most:
+    most = len(idf.fields_in(kind, version)) if kind in WHOLE else MOST_FIELDS.get(kind, len(values))
+    if len(values) > most and version <= COUNTED:
         raise Refused(f'{path}: {row[0]} "{values[0]}": has {len(values)} fields; expected {most} at most. A number '
                       "has a point, no comma: 10.76")
 

@@ -122,10 +122,13 @@ void add(const std::vector<Position>& positions, const Matrix& values,
     }
 }
 
+/// A point that is there twice is one of the front.
 void keep_front(const Population& population, Search& search) {
     std::vector<Found> front;
     for (const Individual& each : population)
-        if (each.front == 0) front.push_back({each.position, each.objectives});
+        if (each.front == 0 &&
+            std::ranges::find(front, each.position, &Found::position) == front.end())
+            front.push_back({each.position, each.objectives});
     search.keep(std::move(front));
 }
 

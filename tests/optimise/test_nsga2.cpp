@@ -97,6 +97,25 @@ TEST(Nsga2, FindsAFrontOfDiscreteVariables) {
     }
 }
 
+/// Of one variable with few values, so that children are often their parents.
+TEST(Nsga2, APointIsInTheFrontOnce) {
+    Variable x;
+    for (int k = 0; k <= 4; ++k) x.values.push_back(0.5 * k);
+    Optimiser optimiser(Space({x}), 2, {}, make_nsga2({20, 10}));
+    for (Matrix points = optimiser.next_points(); points.rows > 0;
+         points = optimiser.next_points()) {
+        Matrix values(points.rows, 2);
+        for (std::size_t r = 0; r < points.rows; ++r) {
+            values(r, 0) = std::pow(points(r, 0), 2);
+            values(r, 1) = std::pow(points(r, 0) - 2, 2);
+        }
+        optimiser.tell(values);
+    }
+    std::vector<double> front = optimiser.found_points().values;
+    std::ranges::sort(front);
+    EXPECT_EQ(front, (std::vector<double>{0, 0.5, 1, 1.5, 2}));
+}
+
 TEST(Nsga2, RefusesAnOddPopulation) {
     EXPECT_THROW(make_nsga2({3, 10}), std::invalid_argument);
     EXPECT_THROW(make_nsga2({7, 10}), std::invalid_argument);

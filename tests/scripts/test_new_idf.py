@@ -22,9 +22,9 @@ import idf as energyplus  # noqa: E402  (found above)
 import numpy as np  # noqa: E402
 import test_new as usual  # noqa: E402
 from new_job import (  # noqa: E402
-    building, idf, idf_building, idf_envelope, idf_fields, idf_geometry, idf_outside, idf_room, idf_schedules,
-    idf_use)
-from new_job.refused import Refused  # noqa: E402
+    building, idf, idf_building, idf_envelope, idf_fields, idf_geometry, idf_outside, idf_plant, idf_room,
+    idf_schedules, idf_use)
+from new_job.refused import Refused, Told  # noqa: E402
 
 DATA, NO_INPUT, USAGE = 65, 66, 64
 LENGTH, DEPTH, HEIGHT, NORTH, ALIKE = 10, 8, 3, 30, 2
@@ -73,6 +73,11 @@ Coil:Heating:Fuel, Burner, , NaturalGas, 0.82;
 Coil:Cooling:DX:SingleSpeed, Cooler, , autosize, autosize, 3.4;
 Shading:Site:Detailed, Tree, , 4, 0,0,0, 0,1,0, 0,1,1;
 """
+
+
+def without(text, *beginnings):
+    """A file without the objects of some classes, each of which is a line."""
+    return "".join(line + "\n" for line in text.splitlines() if not line.startswith(beginnings))
 
 
 def faces(version_has_space=True):
@@ -260,6 +265,227 @@ class Box(unittest.TestCase):
         no_machine = "".join(line + "\n" for line in BOX.splitlines() if not line.startswith("Coil"))
         ideal = no_machine + "ZoneHVAC:IdealLoadsAirSystem, Ideal;\n"
         self.assertEqual(plant(ideal, "cooling", "electricity").cooling, "none")
+
+    def plant_in(self, text, *quantities):
+        """(Plant, lines to be checked) of a file, beside a boiler by the meters."""
+        there = [types.SimpleNamespace(quantity=quantity) for quantity in quantities or ("gas", "electricity")]
+        told = Told()
+        by_meters = building.Plant("gas", 0.85, 0.06, (0.6, 0.98), "a boiler, for there is a gas meter")
+        return idf_building.plant_of(self.read(text), by_meters, there, told), "\n".join(told.checks)
+
+    def test_machines_are_read_or_told_and_never_taken_as_absent(self):
+        no_cooler = without(BOX, "Coil:Cooling")
+        self.assertEqual(self.plant_in(no_cooler)[0].cooling_says, "no cooling in the file")
+        electric = [kind for kind, _, _, carrier in idf_plant.COOLERS if carrier != "none"]
+        strange = ["Coil:Cooling:DX:New", "Chiller:New", "CentralHeatPumpSystem", "EvaporativeCooler:Direct:CelDekPad",
+                   "HeatPump:AirToWater", "Coil:UserDefined", "Coil:Cooling:Water"]
+        for kind in (*electric, *strange):
+            with self.subTest(kind=kind):
+                plant, said = self.plant_in(f"{no_cooler}{kind}, Machine;\n")
+                self.assertEqual((plant.cooling, plant.cop), ("electricity", 3))
+                self.assertEqual(kind in said, kind in strange or idf_plant.is_guessed((kind,), idf_plant.COOLERS))
+        for kind in ("Chiller:Absorption", "Chiller:EngineDriven"):
+            plant, said = self.plant_in(f"{no_cooler}{kind}, Machine;\n")
+            self.assertEqual(plant.cooling, "none")
+            self.assertIn(f"cools by {kind}, whose heat or fuel", said)
+        _, said = self.plant_in(BOX + "Chiller:New, Machine;\n")
+        self.assertIn("cools by Chiller:New, too", said)
+        _, said = self.plant_in(no_cooler + "Coil:Cooling:DX:CurveFit:Speed, A; Coil:WaterHeating:New, B;\n")
+        self.assertEqual(said, "")
+
+    def test_what_heats_is_read_or_told(self):
+        no_heater = without(BOX, "Coil:Heating")
+        for kind, _, usual, carrier in idf_plant.HEATERS:
+            with self.subTest(kind=kind):
+                plant, said = self.plant_in(f"{no_heater}{kind}, Machine;\n")
+                self.assertEqual(plant.heating_says, f"{kind} of the file")
+                self.assertEqual(plant.efficiency, usual)
+                self.assertIn(plant.heating, (carrier, "gas", "electricity", "none"))
+        for kind in ("Coil:Heating:DX:New", "Coil:Heating:Water", "Boiler:New", "ZoneHVAC:Baseboard:New",
+                     "HeatPump:AirToWater", "ChillerHeater:Absorption:DirectFired"):
+            plant, said = self.plant_in(f"{no_heater}{kind}, Machine;\n")
+            self.assertEqual(plant.efficiency, 0.85)
+            self.assertIn(f"heats by {kind}", said)
+        self.assertEqual(self.plant_in(no_heater)[1], "")
+
+    def test_efficiencies_stand_at_their_place(self):
+        """Fields that versions brought push a COP back."""
+        no_coil = without(BOX, "Coil:")
+        gaps = ", " * 15
+        for text, version, cop in (
+                (f"Coil:Cooling:DX:MultiSpeed, C, {gaps}, Electricity, 2, 5000, 0.8, 3.7;\n", "25.2", 3.7),
+                (f"Coil:Cooling:DX:MultiSpeed, C, {gaps} Electricity, 2, 5000, 0.8, 3.7;\n", "23.1", 3.7),
+                ("Coil:Cooling:WaterToAirHeatPump:EquationFit, C, , , , , , 1, 1, 5000, 4000, 4.2;\n", "25.2", 4.2),
+                ("Coil:Cooling:WaterToAirHeatPump:EquationFit, C, , , , , 1, 1, 5000, 4000, 4.2;\n", "25.1", 4.2),
+                ("Coil:Cooling:DX:TwoSpeed, C, , 5000, 0.8, 3.2;\n", "25.2", 3.2),
+                ("AirConditioner:VariableRefrigerantFlow, C, , 5000, 3.3;\n", "25.2", 3.3),
+                (f"HeatPump:PlantLoop:EIR:Cooling, C{', ' * 12} 5000, 3.9;\n", "25.2", 3.9),
+                (f"HeatPump:PlantLoop:EIR:Cooling, C{', ' * 9} 5000, 3.9;\n", "24.1", 3.9),
+                ("Chiller:Electric, C, AirCooled, 5000, 2.8;\n", "25.2", 2.8)):
+            with self.subTest(text=text, version=version):
+                self.assertEqual(self.plant_in((no_coil + text).replace("25.2", version))[0].cop, cop)
+
+    def test_classes_of_energyplus_that_heat_or_cool_are_known(self):
+        program = energyplus.program()
+        if program is None:
+            self.skipTest(energyplus.HOW)
+        rows = {row[0] for row in (*idf_plant.HEATERS, *idf_plant.COOLERS)}
+        there = set(energyplus.Schema(program).classes)
+        self.assertEqual(rows - there, {"Coil:Heating:Gas", "DistrictHeating"})
+        self.assertEqual([kind for kind in rows if not idf_plant.modes_of(kind.lower())], [])
+        unread = {kind for kind in there - rows if kind.startswith(("Coil:", "Chiller", "Boiler", "HeatPump"))
+                  and not idf_plant.modes_of(kind.lower())}
+        self.assertEqual({kind for kind in unread if not idf_plant.is_of(kind.lower(), idf_plant.PARTS)}, set())
+
+    def test_ventilation_that_a_limit_keeps_off_is_told(self):
+        """Its constant coefficient counts; what temperature or wind alone drive is no flow of all hours."""
+        before = self.read(BOX).whole.ventilation.mean()
+        text = "ZoneVentilation:DesignFlowRate, Fan, Room, , AirChanges/Hour, , , , 2, Exhaust, 30, 0.5, {};\n"
+        limits = "minimum_indoor_temperature", "delta_temperature", "maximum_outdoor_temperature"
+        for fields, added, says in (
+                ("", 2, ""), ("0.5, 0, 0, 0", 1, ""), ("1, 0, 0, 0, 15, , 100, , -100", 2, ""),
+                ("1, 0, 0, 0, 29.4", 0, limits[0]), ("1, 0, 0, 0, -100, Frost", 0, limits[0]),
+                ("1, 0, 0, 0, , , , , 12", 0, limits[1]), (f"1, 0, 0, 0{', ' * 9} 15", 0, limits[2]),
+                (f"1, 0, 0, 0{', ' * 11} 2", 0, "maximum_wind_speed"),
+                ("0, 0, 0.224", 0, "velocity_term_coefficient, without a constant part"),
+                ("0.6, 0.04", 1.2, "temperature_term_coefficient of")):
+            with self.subTest(fields=fields):
+                found = self.read(BOX + "Schedule:Constant, Frost, , 25;\n" + text.format(fields))
+                self.assertAlmostEqual(found.whole.ventilation.mean() - before, added)
+                said = [line for line in found.left_out if 'ZoneVentilation:DesignFlowRate "Fan"' in line]
+                self.assertEqual(len(said), bool(says), said)
+                self.assertTrue(all(says in line for line in said), said)
+
+    def test_a_heat_recovery_unit_ventilates_its_zone(self):
+        """In place of the zone's own outdoor air; by area and people where EnergyPlus finds its flow."""
+        text = "ZoneHVAC:EquipmentConnections, Room, List;\nZoneHVAC:EquipmentList, List, SequentialLoad, " \
+               "ZoneHVAC:EnergyRecoveryVentilator, Unit, 1, 1;\nSchedule:Constant, Half, , 0.5;\n" \
+               "HeatExchanger:AirToAir:{}, Wheel, , 0.02, 0.7;\n" \
+               "ZoneHVAC:EnergyRecoveryVentilator, Unit, Half, Wheel, {};\n"
+        volume, of_area = LENGTH * DEPTH * HEIGHT, 0.000508 * LENGTH * DEPTH + 0.00236 * LENGTH * DEPTH / 10
+        for flow, expected in (("0.02", 0.02), ("autosize", of_area)):
+            found = self.read(BOX + text.format("SensibleAndLatent", flow))
+            self.assertAlmostEqual(found.whole.ventilation.mean(), 0.5 * 3600 * expected / volume)
+            self.assertAlmostEqual(found.whole.heat_recovery, 0.7)
+            self.assertNotIn("recovery", "".join(found.left_out))
+        plates = self.read(BOX + text.format("FlatPlate", "0.02"))
+        self.assertEqual(plates.whole.heat_recovery, 0)
+        self.assertIn('heat recovery of ZoneHVAC:EnergyRecoveryVentilator "Unit"', "".join(plates.left_out))
+        fan = "ZoneVentilation:DesignFlowRate, Fan, Room, , Flow/Zone, 0.01;\n"
+        both = self.read(BOX + fan + text.format("SensibleAndLatent", "0.02"))
+        self.assertAlmostEqual(both.whole.heat_recovery, 0.7 / 2)
+        lost = self.read(BOX + text.format("SensibleAndLatent", "0.02").replace("List, Seq", "Other, Seq"))
+        self.assertIn("stands in no zone's", "".join(lost.left_out))
+        loose = self.read(BOX + "HeatExchanger:AirToAir:SensibleAndLatent, Wheel, , 0.02, 0.7;\n")
+        self.assertIn("write heat_recovery in the flow", "".join(loose.left_out))
+
+    def test_a_surface_before_a_zone_is_one_of_that_zone_too(self):
+        """The store without its wall and floor of its own to the room and a cellar: area, volume and what passes are
+        those of a file that has both sides, wherever the zones have their origins."""
+        both = TWO.replace("Zone, Store, 0, 5, 5,", "Zone, Store, 90, 5, 5,")
+        lines = both.splitlines(keepends=True)
+        turned = "".join(line if ", Store, ," not in line or "Surface" in line.split(",")[0] else line
+                         for line in lines)
+        one_sided = without(TWO, "BuildingSurface:Detailed, store east").replace(
+            "Room, , Surface, store east,", "Room, , Zone, Store,")
+        path = self.folder / "sides.idf"
+        for text in (one_sided, one_sided.replace("Room, , Zone, Store,", "Room, , Space, Corner,") +
+                     "Space, Corner, Store;\n"):
+            path.write_text(text)
+            found = idf_building.read_building(str(path), has_rooms=True)
+            (self.folder / "both.idf").write_text(TWO)
+            known = idf_building.read_building(str(self.folder / "both.idf"), has_rooms=True)
+            for one, other in zip(found.rooms, known.rooms):
+                self.assertAlmostEqual(one.volume, other.volume)
+                self.assertAlmostEqual(one.area, other.area)
+                self.assertAlmostEqual(one.shell.heat_capacity, other.shell.heat_capacity)
+                self.assertEqual(one.shell.between.keys(), other.shell.between.keys())
+        self.assertTrue(turned)
+
+    def test_a_floor_seen_from_below_and_from_elsewhere(self):
+        """The floor of a room is the ceiling of the cellar that it names, and a ceiling the floor of what is above; in
+        the axes of that zone."""
+        ceiling = BOX.replace("roof, Roof, Roof, Room, , Outdoors, ,", "roof, Ceiling, Roof, Room, , Zone, Loft,")
+        loft = "Zone, Loft, 40, 7, -3, 2;\nBuildingSurface:Detailed, loft roof, Roof, Roof, Loft, , Outdoors, , " \
+               ", , , 3, 0,0,4, 1,0,4, 0,1,4;\n"
+        (self.folder / "box.idf").write_text(ceiling + loft)
+        zones = idf_geometry.read_zones(idf.read_model(str(self.folder / "box.idf")))
+        (roof,) = (s for s in zones["room"].surfaces if s.given.name == "roof")
+        _, floor = zones["loft"].surfaces
+        self.assertEqual((floor.kind, floor.tilt, zones["loft"].area), ("floor", 180, LENGTH * DEPTH))
+        for s, north, corner in ((roof, (0, NORTH), (5, 5, 0)), (floor, (40, NORTH), (7, -3, 2))):
+            inner, outer = (idf_geometry.rotation(turn) for turn in north)
+            points = (s.points @ inner + np.array(corner)) @ outer
+            self.assertTrue(np.allclose(points[[0, 2]], points[[0, 2]]))
+            s.points = points
+        self.assertTrue(np.allclose(floor.points[::-1], roof.points), (floor.points, roof.points))
+
+    def test_a_mirrored_surface_has_its_first_layer_inside(self):
+        model = idf.Model("x", [idf.Object("x", "Material", {
+            "name": name, "thickness": "0.1", "conductivity": conductivity, "density": density,
+            "specific_heat": "1000"}) for name, conductivity, density in (("Heavy", "2", "2000"), ("Foam", "0.03", "20"))]
+            + [idf.Object("x", "Construction", {"name": "Wall", "outside_layer": "Heavy", "layer_2": "Foam"})])
+        wall = idf.Object("x", "Wall", {"construction_name": "Wall"})
+        self.assertEqual(idf_envelope.mass_of(model, wall), 0)
+        self.assertAlmostEqual(idf_envelope.mass_of(model, wall, is_mirrored=True), 0.1 * 2000 * 1000)
+
+    def test_heat_of_lights_in_the_return_air_does_not_reach_the_room(self):
+        lights = self.read(BOX.replace("Watts/Area, , 8;", "Watts/Area, , 8, , 0.4, 0.2;")).whole.loads["lights"]
+        self.assertAlmostEqual(lights.share, 0.6)
+
+    def test_encodings(self):
+        for encoding in ("utf-8-sig", "utf-16"):
+            path = self.folder / "box.idf"
+            path.write_bytes(BOX.encode(encoding))
+            self.assertAlmostEqual(idf_building.read_building(str(path)).whole.area, ALIKE * LENGTH * DEPTH)
+        for name, given, word in (("box.idf", BOX.encode("utf-16-le"), "UTF-16"), ("box.epJSON", b"\xef\xbb\xbf{}",
+                                                                                 "byte order mark")):
+            path = self.folder / name
+            path.write_bytes(given)
+            with self.assertRaisesRegex(Refused, word):
+                idf_building.read_building(str(path))
+        with self.assertRaisesRegex(Refused, "'##include wall.inc' is a line of EP-Macro; run"):
+            self.read("! comment\n  ##include wall.inc\n" + BOX)
+
+    def test_soil_of_a_green_roof_is_a_layer(self):
+        soil = "Material:RoofVegetation, Soil, , , , , , , , 0.2, 0.4, 1000, 1500, 0.9, 0.6;\n"
+        shell = self.read(BOX.replace("Construction, Roof, Wool,", "Construction, Roof, Soil,") + soil).whole.shell
+        self.assertAlmostEqual(shell.opaque["Roof"].u_value, 1 / (OUTSIDE + 0.2 / 0.4 + 0.1 + UP), 5)
+        self.assertAlmostEqual(shell.opaque["Roof"].absorptance, 0.6)
+        bare = "Construction, Roof, Soil;\n"
+        text = BOX.replace("Construction, Roof, Wool, Concrete;\n", bare)
+        model = idf.read_model(str(self.box_of(text + soil)))
+        roof = idf.Object("x", "Roof", {"construction_name": "Roof"})
+        self.assertAlmostEqual(idf_envelope.mass_of(model, roof), 0.1 * 1000 * 1500)
+        of_energyplus = self.read(text + "Material:RoofVegetation, Soil;\n").whole.shell.opaque["Roof"]
+        self.assertAlmostEqual(of_energyplus.u_value, 1 / (OUTSIDE + 0.1 / 0.35 + UP), 5)
+
+    def box_of(self, text):
+        path = self.folder / "box.idf"
+        path.write_text(text)
+        return path
+
+    def test_dates_with_names_of_months_and_years_that_begin_in_autumn(self):
+        known = self.read(BOX).whole
+        for date in ("30 Jun", "June 30", "30 june", "06/30"):
+            lights = self.read(BOX.replace("Through: 6/30", f"Through: {date}")).whole.loads["lights"].values
+            self.assertTrue((lights == known.loads["lights"].values).all(), date)
+        with self.assertRaisesRegex(Refused, "'30 Juin' is no date"):
+            self.read(BOX.replace("Through: 6/30", "Through: 30 Juin"))
+        warm = BOX.replace("Schedule:Year, Heat, , Week, 1, 1, 12, 31;",
+                           "Schedule:Week:Daily, Summer, Off, Off, Off, Off, Off, Off, Off, Off, Off, Off, Off, Off;\n"
+                           "Schedule:Year, Heat, , Week, 10, 1, 4, 30, Summer, 5, 1, 9, 30;")
+        heating = self.read(warm).whole.heating[:, 0, 12]
+        self.assertEqual([list(heating).count(value) for value in (21, 16)], [212, 153])
+        self.assertEqual(list(heating[[0, 119, 120, 272, 273, 364]]), [21, 21, 16, 16, 21, 21])
+        self.assertEqual(list(idf_schedules.days_between(363, 1)), [363, 364, 0, 1])
+
+    def test_fields_that_cannot_be_and_names_that_are_there_twice(self):
+        self.refused("0.24, 0.8, 1800", "0,24, 0,8, 1800", 'Material "Brick": has 11 fields', "9 at most", "10.76")
+        self.refused("Cool, , 26;", "Cool, , 26,5;", 'Schedule:Constant "Cool": has 4 fields')
+        self.assertEqual(self.read(BOX.replace("Cool, , 26;", "Cool, , 26, , ;")).whole.cooling.mean(), 26)
+        self.refused("Zone, Room,", "Zone, room;\nZone, Room,", 'Zone "Room": name', "defined twice")
+        self.refused(", north, Wall", ", south, Wall", 'BuildingSurface:Detailed "south": name', "defined twice")
 
     def test_people_in_rooms_between_the_set_points(self):
         """Half-way, and where cooling is set far up 3 K above heating; sensible of 120 W are 71.9 W at 23.5 degC."""
@@ -553,6 +779,8 @@ class Box(unittest.TestCase):
                 known = by_kind[kind]["fields"]
                 ours = idf.fields_in(kind, (25, 2))
                 self.assertEqual(ours, known[:len(ours)], kind)
+                self.assertEqual(idf_fields.MOST_FIELDS.get(kind, len(known)), len(known), kind)
+                self.assertTrue(kind not in idf_fields.WHOLE or len(ours) == len(known), kind)
 
 
 class Job(usual.New):
@@ -644,6 +872,49 @@ class Job(usual.New):
         text = "".join(line + "\n" for line in BOX.splitlines() if not line.startswith(gone))
         self.from_file(self.box(text))
         self.checked()
+
+    def test_rooms_that_much_air_enters_are_in_the_range_of_a_flow(self):
+        """The largest air change times the most of the factor, written with three digits, is what a job takes."""
+        for air, most in (("6.95", 2.87), ("25", 1)):
+            windy = f"ZoneInfiltration:DesignFlowRate, Gate, Store, , AirChanges/Hour, , , , {air};\n"
+            self.from_file(self.box(TWO + windy), rooms=True, force=True)
+            (prior,) = (p for p in self.checked()["parameter"] if p["name"] == "infiltration")
+            self.assertEqual((prior["mode"], prior["max"]), ("factor", most))
+
+    def test_the_heat_capacity_is_expected_to_be_the_file_s(self):
+        self.from_file(self.box())
+        job = self.checked()
+        (prior,) = (p for p in job["parameter"] if p["name"] == "heat_capacity")
+        self.assertEqual(prior["prior"]["mean"], job["zone"][0]["heat_capacity"])
+        self.assertAlmostEqual(prior["prior"]["sd"], 0.3 * prior["prior"]["mean"], delta=500)
+        self.new(force=True)
+        (prior,) = (p for p in self.checked()["parameter"] if p["name"] == "heat_capacity")
+        self.assertEqual((prior["prior"]["mean"], prior["prior"]["sd"]), (165000, 100000))
+
+    def test_recovered_heat_is_in_the_flow(self):
+        text = "ZoneHVAC:EquipmentConnections, Room, List;\nZoneHVAC:EquipmentList, List, SequentialLoad, " \
+               "ZoneHVAC:EnergyRecoveryVentilator, Unit, 1, 1;\nZoneHVAC:EnergyRecoveryVentilator, Unit, , Wheel, " \
+               "0.02;\nHeatExchanger:AirToAir:SensibleAndLatent, Wheel, , 0.02, 0.7;\n"
+        self.from_file(self.box(BOX + text))
+        flows = {flow["name"]: flow for flow in self.checked()["zone"][0]["flow"]}
+        self.assertEqual((flows["ventilation"]["air_change"], flows["ventilation"]["heat_recovery"]), (0.3, 0.7))
+        self.assertNotIn("heat_recovery", flows["infiltration"])
+
+    def test_set_points_without_a_thermostat_are_told(self):
+        said = self.from_file(self.box(without(BOX, "ZoneControl"))).stdout
+        self.assertIn("check this: heating_set_point and cooling_set_point: box.idf has no thermostat", said)
+        job = self.checked()
+        self.assertLess(job["zone"][0]["cooling_set_point"], 30)
+        self.assertEqual(job["plant"]["cooling_carrier"], "electricity")
+        said = self.from_file(self.box(without(BOX, "ZoneControl", "Coil:Cooling")), force=True).stdout
+        self.assertIn("check this: heating_set_point: box.idf has no thermostat", said)
+        self.assertEqual(self.checked()["zone"][0]["cooling_set_point"], 60)
+        only = BOX.replace("ThermostatSetpoint:DualSetpoint, Both", "ThermostatSetpoint:SingleHeating, Both").replace(
+            "SingleHeating, Both, Heat, Cool;", "SingleHeating, Both, Heat;")
+        said = self.from_file(self.box(only), force=True).stdout
+        self.assertIn("has Coil:Cooling:DX:SingleSpeed, but its thermostats no cooling set-point", said)
+        self.assertIn("# no cooling set-point in the file", self.job.read_text())
+        self.assertNotIn("has no thermostat", self.from_file(self.box(), force=True).stdout)
 
     def test_options(self):
         self.assertIn("leave it out beside --idf", self.from_file(self.box(), USAGE, area=100).stderr)
