@@ -12,8 +12,8 @@ import subprocess
 from energyplus.failed import Failed, read_text
 from energyplus.model import read_epjson, version_of
 
-HELP = ('write "energyplus": "/usr/local/EnergyPlus-25-2-0" in run.json.in, set ENERGYPLUS_DIR to that folder, or put '
-        "it on PATH")
+WITHOUT_A_JOB = "set ENERGYPLUS_DIR to its folder, such as /usr/local/EnergyPlus-25-2-0, or put it on PATH"
+HELP = f'write "energyplus": "/usr/local/EnergyPlus-25-2-0" in run.json.in, {WITHOUT_A_JOB}'
 MOST_WORDS = 300               # letters of a message of EnergyPlus that are passed on
 MOST_MESSAGES = 3              # of eplusout.err
 CONTINUED = "**   ~~~   **"    # a line that goes on with the one above

@@ -86,7 +86,7 @@ BY_OTHERS = ("coil:cooling:water", "coil:heating:water", "coil:heating:steam", "
              "zonehvac:lowtemperatureradiant:variableflow", "zonehvac:lowtemperatureradiant:constantflow",
              "zonehvac:coolingpanel")
 PARTS = ("coil:heating:desuperheater", "coil:waterheating", "coil:cooling:dx:curvefit", "coil:dx:ashrae205",
-         "zonehvac:lowtemperatureradiant:surfacegroup")
+         "chillerheaterperformance", "zonehvac:lowtemperatureradiant:surfacegroup")
 
 
 @dataclass

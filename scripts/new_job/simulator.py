@@ -89,10 +89,11 @@ def read_model(options, told):
         with tempfile.TemporaryDirectory() as folder:
             return program.read_model(found, options.idf, folder), found
     except Failed as error:
-        if not options.idf.lower().endswith(".idf") and "was not found" in str(error):
-            told.check(f"--simulator: {error}; its version was not compared")
+        said = str(error).replace(program.HELP, program.WITHOUT_A_JOB)    # run.json.in is not there yet
+        if not options.idf.lower().endswith(".idf") and "was not found" in said:
+            told.check(f"--simulator: {said}; its version was not compared")
             return program.read_epjson(options.idf), ""
-        raise Refused(f"--simulator: {error}", NO_INPUT if "not found" in str(error) else DATA) from None
+        raise Refused(f"--simulator: {said}", NO_INPUT if "not found" in said else DATA) from None
 
 
 def files_of_schedules(model, source):
