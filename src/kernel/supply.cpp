@@ -92,7 +92,7 @@ void add_losses(const SupplyPlace& place, std::size_t k, const PowerRows& rows,
 physics::AirLoads taken(const SupplyPlace& place, const std::optional<Lane>& lane,
                         const PowerRows& asked, int step, std::size_t at) {
     const double heating = asked.heating[at], cooling = asked.cooling[at];
-    if (!place.has_system() || lane->is_passive(step, cooling)) return {heating, cooling};
+    if (!lane || lane->is_passive(step, cooling)) return {heating, cooling};
     return physics::supply(lane->kind, lane->hour(step, heating, cooling, asked.air[at]));
 }
 
