@@ -89,8 +89,8 @@ void add_losses(const SupplyPlace& place, std::size_t k, const PowerRows& rows,
 }
 
 /// What coils take for what the zone asks for.
-physics::AirLoads taken(const SupplyPlace& place, const std::optional<Lane>& lane,
-                        const PowerRows& asked, int step, std::size_t at) {
+physics::AirLoads taken(const std::optional<Lane>& lane, const PowerRows& asked, int step,
+                        std::size_t at) {
     const double heating = asked.heating[at], cooling = asked.cooling[at];
     if (!lane || lane->is_passive(step, cooling)) return {heating, cooling};
     return physics::supply(lane->kind, lane->hour(step, heating, cooling, asked.air[at]));
@@ -104,7 +104,7 @@ void pull_losses(const SupplyPlace& place, std::size_t k, const PowerRows& asked
     std::optional<Lane> lane;
     if (place.has_system()) lane.emplace(place, k);
     each_step(place, k, [&](int step, std::size_t at) {
-        const physics::AirLoads loads = taken(place, lane, asked, step, at);
+        const physics::AirLoads loads = taken(lane, asked, step, at);
         const physics::Losses of_loads = physics::pull_losses(
             building.plant, building.zones[place.zone].floor_area,
             {loads.heating, loads.cooling},
