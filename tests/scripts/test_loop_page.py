@@ -17,12 +17,14 @@ sys.path[:0] = [str(ROOT / "scripts"), str(pathlib.Path(__file__).parent)]
 
 import fake_loop_result  # noqa: E402
 import fake_simulator  # noqa: E402
-from report import beside, loop as loop_page, page, pictures, regression, result, stored, studies, words  # noqa: E402
+from report import beside, meters, page, pictures, regression, result, stored, studies, words  # noqa: E402
+from report import loop as loop_page  # noqa: E402
 
 THREE = {"air": "degC", "electricity": "kWh", "gas": "kWh"}
 ONE = {"gas": "kWh"}
 VOID = {"meta", "img", "br", "link"}
 MAY_STAY_OPEN = {"td", "th", "dt", "dd"}
+FOUR_WEEKS = 28 * 24           # h
 
 
 def html_of(file):
@@ -169,16 +171,37 @@ class LoopReport(unittest.TestCase):
         self.assertIn("No effect was found that the description of office lacks", text)
         self.assertIn("None that passes.", text)
 
-    def test_a_channel_that_is_read_by_the_month_has_errors_and_no_pictures(self):
-        file = fake_loop_result.write(self.folder / "monthly.h5", channels=ONE)
+    def by_month(self, name, readings=True):
+        """Read by four weeks, of which the result has the readings, or has not."""
+        file = fake_loop_result.write(self.folder / name, channels=ONE)
         with h5py.File(file, "a") as stored:
             for period in fake_loop_result.BEGIN:
-                stored[f"office/loop/{period}/gas/measured"][:] = np.nan
+                gas, times = stored[f"office/loop/{period}/gas"], stored[f"office/loop/{period}/time"][()]
+                gas["measured"][:] = np.nan
+                if not readings:
+                    continue
+                edges = times[::FOUR_WEEKS]
+                gas["reading_begin"], gas["reading_end"] = edges[:-1], edges[1:]
+                gas["reading_measured"] = np.full(edges.size - 1, 1234.0)
             stored["office/loop/fit"][:, :, 0] = np.nan
+        return file
+
+    def test_bills_are_drawn_beside_the_hours_that_they_sum(self):
+        loop = result.read(self.by_month("bills.h5"))
+        meter, = meters.of_loop(loop)
+        series = loop.series["gas"]
+        self.assertAlmostEqual(meter.models["after"][1], series.simulated[2][FOUR_WEEKS:2 * FOUR_WEEKS].sum(), 6)
+        self.assertEqual(meter.measured[0], 1234)
+        text = html_of(self.by_month("bills_again.h5"))
+        self.assertIn("Bills: gas", text)
+        self.assertNotIn("Hardly read in this period", text)
+
+    def test_a_channel_that_is_read_by_the_month_has_errors_and_no_pictures(self):
+        file = self.by_month("monthly.h5", readings=False)
         loop = result.read(file)
         self.assertEqual([row.resolution for row in loop.judged_errors()], ["monthly"])
         self.assertEqual(pictures.of_channel(loop, 0), [])
-        self.assertIn("Not read by the hour in this period", html_of(file))
+        self.assertIn("Hardly read in this period", html_of(file))
 
     def test_what_parameters_do_nearly_as_well_stands_together(self):
         self.assertIn("do nearly the same as (told apart only where large): effect 38.", self.page.text)
