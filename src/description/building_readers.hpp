@@ -43,8 +43,8 @@ struct Sources {
 /// been read.
 study::Case read_case(const Sources& sources, input::InputFiles& files);
 
-/// Site, sky and weather, cut to the periods and their warm-up, which must be known
-/// already.
+/// Site, sky and weather, cut to the periods and their warm-up. Without periods, because
+/// of a mistake in them, what its files say is looked at, and it Follows.
 void read_weather(const Sources& sources, input::InputFiles& files,
                   study::Case& building);
 
@@ -65,7 +65,10 @@ void read_schedules(const Sources& sources,
                     input::InputFiles& files, std::vector<physics::Profile>& profiles);
 /// Series, by the clock of the case's site, behind its schedules, and what they are to
 /// columns.
-void read_series(const Sources& sources, input::InputFiles& files, study::Case& building);
+/// \param is_placed  site and periods are known; else keys, files and names of columns
+/// are looked at, and all of them Follow
+void read_series(const Sources& sources, input::InputFiles& files, bool is_placed,
+                 study::Case& building);
 
 /// Schedules with hours = "learn", into the case, which has profiles and building; a note
 /// for each goes to case.decisions. Throws UserError where nothing follows one.
@@ -99,6 +102,8 @@ void read_effects(const Sources& sources, study::Case& building);
 void read_parameters(const Sources& sources, study::Case& building);
 
 /// Readings, corrected as the job says; findings and what was done go to case.decisions.
-void read_meters(const Sources& sources, input::InputFiles& files, study::Case& building);
+/// \param is_placed  as for read_series
+void read_meters(const Sources& sources, input::InputFiles& files, bool is_placed,
+                 study::Case& building);
 
 }  // namespace bemcal::description

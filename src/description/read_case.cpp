@@ -45,31 +45,23 @@ bool read_time_and_place(const Sources& sources, input::InputFiles& files,
     const bool has_periods =
         sources.attempt([&] { building.periods = read_periods(sources); }, {"periods"});
     sources.attempt([&] { read_run(sources, building); }, {"run"});
-    if (!has_periods) {
-        sources.skip({"site", "weather"});
-        return false;
-    }
-    return sources.attempt([&] { read_weather(sources, files, building); },
-                           {"site", "weather"});
+    const bool has_weather = sources.attempt(
+        [&] { read_weather(sources, files, building); }, {"site", "weather"});
+    return has_periods && has_weather;
 }
 
 /// Schedules, series, and the building that follows them.
 void read_what_is_there(const Sources& sources, input::InputFiles& files, bool is_placed,
                         study::Case& building) {
     DaysOff days_off;
-    if (building.periods.empty())
-        sources.skip({"holidays"});
-    else
-        sources.attempt([&] { days_off = read_days_off(sources, building.periods); },
-                        {"holidays"});
+    sources.attempt([&] { days_off = read_days_off(sources, building.periods); },
+                    {"holidays"});
     building.school_holidays = days_off.school;
     sources.attempt(
         [&] { read_schedules(sources, days_off.holidays, files, building.profiles); },
         {"schedule"});
-    if (is_placed)
-        sources.attempt([&] { read_series(sources, files, building); }, {"series"});
-    else
-        sources.skip({"series"});
+    sources.attempt([&] { read_series(sources, files, is_placed, building); },
+                    {"series"});
     building.building = read_building(sources, building.profiles);
 }
 
@@ -106,10 +98,7 @@ study::Case read_case(const Sources& sources, input::InputFiles& files) {
     else
         sources.skip({"parameter"});
     if (is_whole()) add_parameters_of_structure(building);
-    if (is_placed)
-        sources.attempt([&] { read_meters(sources, files, building); }, {"meter"});
-    else
-        sources.skip({"meter"});
+    sources.attempt([&] { read_meters(sources, files, is_placed, building); }, {"meter"});
     if (is_whole()) sources.attempt([&] { check_meter_steps(sources, building); });
     return building;
 }

@@ -48,6 +48,7 @@ void add_country(const schema::Section& section,
     const std::string code = section.choice("country");
     const holidays::Country& country = *holidays::find_country(code);
     check_state(section, country);
+    if (periods.empty()) throw schema::Follows();  // their years are not known
     const study::YearSpan years = study::years_of(periods);
     check_years(section, country, years);
     const int first = std::max(years.first - 1, country.first_year);
@@ -63,9 +64,10 @@ void add_country(const schema::Section& section,
 std::vector<physics::DateRange> read_dates(const schema::Section& section,
                                            const char* key) {
     std::vector<physics::DateRange> ranges;
-    for (const std::string& text : section.texts(key))
+    section.attempt_each(section.texts(key), [&](const std::string& text) {
         ranges.push_back(
             at_key(section, key, [&] { return physics::parse_date_range(text); }));
+    });
     return ranges;
 }
 
@@ -74,11 +76,16 @@ DaysOff read_days_off(const Sources& sources, const std::vector<study::Period>& 
     if (!root.has("holidays") || root.node("holidays").kind != schema::Node::Kind::table)
         return {read_dates(root, "holidays"), {}};
     const schema::Section section = root.table("holidays", "holidays");
-    DaysOff days{read_dates(section, "days"), read_dates(section, "school")};
-    if (section.has("country"))
-        add_country(section, periods, days.holidays);
-    else if (section.has("state"))
-        section.fail("state", "has no effect without country; add country");
+    DaysOff days;
+    section.attempt_all(
+        [&] { days.holidays = read_dates(section, "days"); },
+        [&] { days.school = read_dates(section, "school"); },
+        [&] {
+            if (section.has("country"))
+                add_country(section, periods, days.holidays);
+            else
+                section.refuse({"state"}, "has no effect without country; add country");
+        });
     return days;
 }
 

@@ -50,23 +50,34 @@ const input::Unit& unit_of(const schema::Section& section, Quantity quantity) {
                                    input::suggestion(name, names)));
 }
 
+/// A change of the readings in a range of time, as the job writes it.
+struct Correction {
+    std::string text;
+    study::Period range;
+    double factor = 1;
+};
+
 /// One meter on its way from its file to study::Meter.
 class MeterReader {
   public:
     MeterReader(const schema::Section& section, input::InputFiles& files,
                 study::Case& building)
-        : section_(section),
-          files_(files),
-          building_(building),
-          column_(section.has("column") ? section.text("column") : "") {
-        meter_.name = section.text("name");
-        meter_.quantity = section.choice_as<Quantity>("quantity");
-        meter_.interval = section.choice_as<Interval>("interval");
+        : section_(section), files_(files), building_(building) {}
+
+    /// What stands in its section, whatever is known of the site and the periods.
+    void read_keys() {
+        section_.attempt_all(
+            [&] { read_name(); },
+            [&] {
+                meter_.quantity = section_.choice_as<Quantity>("quantity");
+                unit_of(section_, meter_.quantity);
+            },
+            [&] { meter_.interval = section_.choice_as<Interval>("interval"); },
+            [&] { read_corrections(); }, [&] { read_column(); });
     }
 
     Meter read() {
         if (!section_.has("file")) return without_readings();
-        section_.node("column");
         const std::vector<TimedCsv> sources = open_files();
         input::RegularSeries series = sources[0].stamps.step_s <= physics::day_s
                                           ? even_rows(sources)
@@ -78,6 +89,26 @@ class MeterReader {
     }
 
   private:
+    void read_name() {
+        meter_.name = section_.text("name");
+        if (std::ranges::find(building_.meters, meter_.name, &Meter::name) !=
+            building_.meters.end())
+            section_.fail_value("name", "another meter has this name");
+        check_name(section_, "name", Named::meter, meter_.name);
+    }
+
+    /// The column, and that the files have it.
+    void read_column() {
+        if (!section_.has("file")) return;
+        std::vector<std::string> names;
+        section_.attempt_all(
+            [&] {
+                section_.node("column");
+                names.push_back(column_ = section_.text("column"));
+            },
+            [&] { check_files(section_, "file", names, files_); });
+    }
+
     /// A meter that is predicted only.
     Meter without_readings() {
         Seconds from = building_.periods.front().from, to = from;
@@ -327,21 +358,46 @@ class MeterReader {
         }
     }
 
-    /// [[meter.scale]] in the order of the file, then the mask.
+    /// What [[meter.scale]] and the mask say of the readings of a file.
+    void read_corrections() {
+        if (!section_.has("file")) return;
+        section_.attempt_all(
+            [&] {
+                const auto read = [&](const auto& scale) { read_scale(scale); };
+                if (!section_.each("scale", "meter.scale", read)) throw schema::Follows();
+            },
+            [&] {
+                section_.attempt_each(
+                    section_.texts("mask"), [&](const std::string& text) {
+                        masks_.push_back(
+                            {text, read_slashed_range(section_, "mask", text)});
+                    });
+            });
+    }
+
+    void read_scale(const schema::Section& section) {
+        Correction scale;
+        section.attempt_all(
+            [&] {
+                scale.text = section.text("from");
+                scale.range =
+                    read_range(section, "from", scale.text,
+                               section.has("to") ? section.text("to") : "2500-01-01");
+            },
+            [&] { scale.factor = section.number("factor"); });
+        scales_.push_back(std::move(scale));
+    }
+
+    /// Scales in the order of the file, then the mask.
     void correct(input::RegularSeries& series) {
-        for (const schema::Section& scale : section_.tables("scale", "meter.scale")) {
-            const std::string from = scale.text("from");
-            const std::string to = scale.has("to") ? scale.text("to") : "2500-01-01";
-            const double factor = scale.number("factor");
-            for_steps(series, read_range(scale, "from", from, to),
-                      [&](double& value) { value *= factor; });
-            decide(fmt::format("the job's scale from {}", from),
-                   fmt::format("scaled by {:g}", factor));
+        for (const Correction& scale : scales_) {
+            for_steps(series, scale.range, [&](double& value) { value *= scale.factor; });
+            decide(fmt::format("the job's scale from {}", scale.text),
+                   fmt::format("scaled by {:g}", scale.factor));
         }
-        for (const std::string& text : section_.texts("mask")) {
-            for_steps(series, read_slashed_range(section_, "mask", text),
-                      [](double& value) { value = missing; });
-            decide(fmt::format("the job's mask {}", text), "masked");
+        for (const Correction& mask : masks_) {
+            for_steps(series, mask.range, [](double& value) { value = missing; });
+            decide(fmt::format("the job's mask {}", mask.text), "masked");
         }
     }
 
@@ -455,20 +511,19 @@ class MeterReader {
     input::InputFiles& files_;
     study::Case& building_;
     std::string column_;
+    std::vector<Correction> scales_, masks_;
     Meter meter_;
 };
 
 }  // namespace
 
-void read_meters(const Sources& sources, input::InputFiles& files,
+void read_meters(const Sources& sources, input::InputFiles& files, bool is_placed,
                  study::Case& building) {
     const bool is_whole = sources.each("meter", [&](const schema::Section& section) {
-        Meter meter = MeterReader(section, files, building).read();
-        for (const Meter& other : building.meters)
-            if (other.name == meter.name)
-                section.fail_value("name", "another meter has this name");
-        check_name(section, "name", Named::meter, meter.name);
-        building.meters.push_back(std::move(meter));
+        MeterReader reader(section, files, building);
+        reader.read_keys();
+        if (!is_placed) throw schema::Follows();
+        building.meters.push_back(reader.read());
     });
     if (is_whole) checks::check_clocks(building);
 }

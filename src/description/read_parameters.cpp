@@ -24,10 +24,10 @@ void read_targets(const schema::Section& section, const Building& building,
                   Parameter& parameter) {
     const std::vector<std::string> paths = section.texts("target");
     if (paths.empty()) section.fail("target", "is empty; expected the path of a number");
-    for (const std::string& path : paths) {
+    section.attempt_each(paths, [&](const std::string& path) {
         const std::vector<Target> found = resolved_at(section, "target", building, path);
         parameter.targets.insert(parameter.targets.end(), found.begin(), found.end());
-    }
+    });
     for (const Target& target : parameter.targets)
         if (physics::is_derived(building, target))
             section.fail("target",
@@ -58,9 +58,12 @@ void read_range(const schema::Section& section, Parameter& parameter) {
         parameter.most = values.back();
         return;
     }
-    for (const char* key : {"min", "max"}) section.node(key);
-    parameter.least = section.number("min");
-    parameter.most = section.number("max");
+    const auto needed = [&](const char* key) {
+        section.node(key);
+        return section.number(key);
+    };
+    section.attempt_all([&] { parameter.least = needed("min"); },
+                        [&] { parameter.most = needed("max"); });
     if (parameter.least >= parameter.most)
         section.fail("min", fmt::format("is {:g}, but max = {:g}; expected min < max",
                                         parameter.least, parameter.most));
@@ -114,12 +117,18 @@ double nominal_of(const Building& building, const Parameter& parameter) {
     return physics::number_at(building, parameter.targets[0]);
 }
 
+std::string read_name(const schema::Section& section,
+                      const std::vector<Parameter>& before) {
+    std::string name = section.text("name");
+    if (std::ranges::find(before, name, &Parameter::name) != before.end())
+        section.fail_value("name", "another parameter has this name");
+    return name;
+}
+
 /// Two parameters that write to the same place: the later one would undo the earlier.
 void check_overlap(const schema::Section& section, const Building& building,
                    const std::vector<Parameter>& before, const Parameter& parameter) {
-    for (const Parameter& other : before) {
-        if (other.name == parameter.name)
-            section.fail_value("name", "another parameter has this name");
+    for (const Parameter& other : before)
         for (const Target& a : other.targets)
             for (const Target& b : parameter.targets)
                 if (physics::is_same_number(a, b))
@@ -127,15 +136,18 @@ void check_overlap(const schema::Section& section, const Building& building,
                         "target",
                         fmt::format("sets the same {} as the parameter {}",
                                     physics::info_of(building, b).name, other.name));
-    }
 }
 
-Parameter read_parameter(const schema::Section& section, const Building& building) {
+Parameter read_parameter(const schema::Section& section, const Building& building,
+                         const std::vector<Parameter>& before) {
     Parameter parameter;
-    parameter.name = section.text("name");
-    parameter.effect = section.choice_as<Effect>("mode");
-    read_range(section, parameter);
-    read_targets(section, building, parameter);
+    section.attempt_all([&] { parameter.name = read_name(section, before); },
+                        [&] { parameter.effect = section.choice_as<Effect>("mode"); },
+                        [&] { read_range(section, parameter); },
+                        [&] {
+                            read_targets(section, building, parameter);
+                            check_overlap(section, building, before, parameter);
+                        });
     check_range(section, building, parameter);
     check_links(section, building, parameter);
     parameter.unit = unit_of(building, parameter);
@@ -161,10 +173,17 @@ void read_value(const schema::Section& section, Parameter& parameter,
 
 void read_parameters(const Sources& sources, study::Case& building) {
     sources.each("parameter", [&](const schema::Section& section) {
-        Parameter parameter = read_parameter(section, building.building);
-        check_overlap(section, building.building, building.parameters, parameter);
-        read_value(section, parameter, building.building);
-        building.priors.push_back(read_prior(section, parameter));
+        Parameter parameter;
+        study::ParameterPrior prior;
+        section.attempt_all(
+            [&] {
+                parameter =
+                    read_parameter(section, building.building, building.parameters);
+                read_value(section, parameter, building.building);
+            },
+            [&] { prior = read_prior(section); });
+        place_prior(section, parameter, prior);
+        building.priors.push_back(std::move(prior));
         building.parameters.push_back(std::move(parameter));
     });
 }

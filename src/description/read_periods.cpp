@@ -37,19 +37,16 @@ std::vector<study::Period> read_periods(const Sources& sources) {
     const schema::Section section = sources.with("periods").table("periods", "periods");
     section.node("training");
     std::vector<study::Period> periods;
-    bool is_whole = true;
-    for (const schema::Entry& entry : section.root().entries)
-        is_whole &= section.attempt([&] {
-            const std::vector<std::string> days = section.texts(entry.key);
-            if (days.size() != 2)
-                section.fail(entry.key,
-                             fmt::format("has {} entries; expected [first day, last day]",
-                                         days.size()));
-            periods.push_back(read_range(section, entry.key, days[0], days[1]));
-            periods.back().name = entry.key;
-            check_name(section, entry.key, Named::period, entry.key);
-        });
-    if (!is_whole) throw schema::Follows();
+    section.attempt_each(section.root().entries, [&](const schema::Entry& entry) {
+        const std::vector<std::string> days = section.texts(entry.key);
+        if (days.size() != 2)
+            section.fail(entry.key,
+                         fmt::format("has {} entries; expected [first day, last day]",
+                                     days.size()));
+        periods.push_back(read_range(section, entry.key, days[0], days[1]));
+        periods.back().name = entry.key;
+        check_name(section, entry.key, Named::period, entry.key);
+    });
     std::stable_partition(periods.begin(), periods.end(),
                           [](const auto& period) { return period.name == "training"; });
     return periods;

@@ -48,33 +48,35 @@ bool may_be_normalised(PriorKind kind) {
            kind == PriorKind::gamma;
 }
 
-}  // namespace
-
-Prior read_distribution(const schema::Section& section,
-                        const physics::Parameter& parameter) {
+/// Its numbers, of any range.
+Prior read_numbers(const schema::Section& section) {
     const Numbers& keys = *std::ranges::find(
         numbers_of, section.choice_as<PriorKind>("kind"), &Numbers::kind);
     Prior prior;
     prior.kind = keys.kind;
+    section.attempt_all([&] { prior.a = first_number(section, keys); },
+                        [&] {
+                            if (keys.b != nullptr)
+                                prior.b = needed_number(section, keys.b);
+                        },
+                        [&] {
+                            prior.is_normalised = may_be_normalised(prior.kind) &&
+                                                  section.flag("normalised");
+                        });
+    return prior;
+}
+
+void cut_to_range(const physics::Parameter& parameter, Prior& prior) {
     prior.least = parameter.least;
     prior.most = parameter.most;
-    prior.a = first_number(section, keys);
-    if (keys.b != nullptr) prior.b = needed_number(section, keys.b);
-    prior.is_normalised = may_be_normalised(prior.kind) && section.flag("normalised");
+}
+
+void check_mass(const schema::Section& section, const physics::Parameter& parameter,
+                const Prior& prior) {
     const std::string complaint = stats::complaint_about(prior);
     if (!complaint.empty())
         section.fail("kind",
                      fmt::format("{} (min and max of {})", complaint, parameter.name));
-    return prior;
-}
-
-namespace {
-
-Prior uniform_on(const physics::Parameter& parameter) {
-    Prior prior;
-    prior.least = parameter.least;
-    prior.most = parameter.most;
-    return prior;
 }
 
 /// Who says what is believed of a number has not meant it to exclude the description.
@@ -99,21 +101,33 @@ std::vector<double> read_values(const schema::Section& section) {
     return values;
 }
 
-study::ParameterPrior read_prior(const schema::Section& section,
-                                 const physics::Parameter& parameter) {
-    study::ParameterPrior result{uniform_on(parameter), {}};
+Prior read_distribution(const schema::Section& section,
+                        const physics::Parameter& parameter) {
+    Prior prior = read_numbers(section);
+    cut_to_range(parameter, prior);
+    check_mass(section, parameter, prior);
+    return prior;
+}
+
+study::ParameterPrior read_prior(const schema::Section& section) {
+    study::ParameterPrior result;
     if (section.has("values")) {
         result.values = read_values(section);
-        if (section.has("prior"))
-            section.fail("prior",
-                         "has no effect beside values, which are all alike; remove it");
-        check_nominal(section, "values", parameter);
+        section.refuse({"prior"},
+                       "has no effect beside values, which are all alike; remove it");
     }
-    if (section.has("prior")) {
-        result.prior = read_distribution(section.table("prior", "prior"), parameter);
-        check_nominal(section, "prior", parameter);
-    }
+    if (section.has("prior"))
+        result.prior = read_numbers(section.table("prior", "prior"));
     return result;
+}
+
+void place_prior(const schema::Section& section, const physics::Parameter& parameter,
+                 study::ParameterPrior& prior) {
+    cut_to_range(parameter, prior.prior);
+    if (section.has("prior"))
+        check_mass(section.table("prior", "prior"), parameter, prior.prior);
+    for (const char* key : {"values", "prior"})
+        if (section.has(key)) check_nominal(section, key, parameter);
 }
 
 }  // namespace bemcal::description

@@ -8,9 +8,11 @@
 
 namespace bemcal::description {
 
-/// What is believed of a parameter: uniform in its range where its section does not say.
-study::ParameterPrior read_prior(const schema::Section& section,
-                                 const physics::Parameter& parameter);
+/// What a parameter's section says is believed of it, its range aside.
+study::ParameterPrior read_prior(const schema::Section& section);
+/// The same within the parameter's range, all of it where the section does not say.
+void place_prior(const schema::Section& section, const physics::Parameter& parameter,
+                 study::ParameterPrior& prior);
 /// A prior on the parameter's range, from the keys of a prior's section.
 stats::Prior read_distribution(const schema::Section& section,
                                const physics::Parameter& parameter);

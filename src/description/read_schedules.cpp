@@ -54,14 +54,14 @@ std::array<Day, 7> read_week(const schema::Section& section) {
                                      "friday", "saturday", "sunday"};
     std::array<Day, 7> week{};
     std::array<bool, 7> known{};
-    for (const DayKey& key : day_keys) {
-        if (!section.has(key.key)) continue;
+    section.attempt_each(day_keys, [&](const DayKey& key) {
+        if (!section.has(key.key)) return;
         const Day day = read_day(section, key.key);
         for (int d = key.first; d <= key.last; ++d) {
             week[static_cast<std::size_t>(d)] = day;
             known[static_cast<std::size_t>(d)] = true;
         }
-    }
+    });
     for (std::size_t d = 0; d < week.size(); ++d)
         if (!known[d])
             section.fail(
@@ -113,45 +113,75 @@ physics::WeekHours usual_hours_of(const schema::Section& section) {
 void read_usual_hours(const schema::Section& section, physics::Schedule& schedule) {
     std::vector<const char*> keys = {"holiday", "register", "register_column", "period"};
     for (const DayKey& key : day_keys) keys.push_back(key.key);
-    for (const char* key : keys)
-        if (section.has(key))
-            section.fail(key,
-                         "has no place beside hours = \"learn\", which says that nobody "
-                         "knows the hours; remove one of the two");
+    section.refuse(keys,
+                   "has no place beside hours = \"learn\", which says that nobody knows "
+                   "the hours; remove one of the two");
     physics::set_hours(usual_hours_of(section), schedule);
 }
 
 void read_hours(const schema::Section& section, physics::Schedule& schedule) {
     if (has_unknown_hours(section)) return read_usual_hours(section, schedule);
-    if (section.has("use"))
-        section.fail("use",
-                     "has no effect on hours that are given; remove it, or write hours = "
-                     "\"learn\" in their place");
-    schedule.week = read_week(section);
-    schedule.holiday =
-        section.has("holiday") ? read_day(section, "holiday") : schedule.week[6];
+    section.attempt_all(
+        [&] {
+            section.refuse({"use"},
+                           "has no effect on hours that are given; remove it, or write "
+                           "hours = \"learn\" in their place");
+        },
+        [&] { schedule.week = read_week(section); },
+        [&] {
+            if (section.has("holiday")) schedule.holiday = read_day(section, "holiday");
+        });
+    if (!section.has("holiday")) schedule.holiday = schedule.week[6];
 }
 
-physics::Profile read_schedule(const schema::Section& section,
-                               const std::vector<physics::DateRange>& holidays,
-                               input::InputFiles& files) {
-    physics::Profile profile;
-    physics::Schedule& schedule = profile.schedule;
-    profile.name = schedule.name = section.text("name");
-    schedule.holidays =
-        section.has("holidays") ? read_dates(section, "holidays") : holidays;
-    schedule.summer_time = section.choice("summer_time");
-    read_hours(section, schedule);
+/// A name that no other schedule or series has.
+std::string new_name(const schema::Section& section,
+                     const std::vector<physics::Profile>& others) {
+    std::string name = section.text("name");
+    if (std::ranges::find(others, name, &physics::Profile::name) != others.end())
+        section.fail_value("name", "another schedule or series has this name");
+    return name;
+}
+
+void read_season(const schema::Section& section, physics::Schedule& schedule) {
+    physics::Schedule::Period season;
+    section.attempt_all(
+        [&] {
+            season.dates = at_key(section, "dates", [&] {
+                return physics::parse_date_range(section.text("dates"));
+            });
+        },
+        [&] { season.week = read_week(section); });
+    schedule.periods.push_back(season);
+}
+
+void read_days(const schema::Section& section, input::InputFiles& files,
+               physics::Schedule& schedule) {
     if (section.has("register"))
         schedule.days = read_register(section, files);
-    else if (section.has("register_column"))
-        section.fail("register_column", "has no effect without register");
-    for (const schema::Section& part : section.tables("period", "schedule.period"))
-        schedule.periods.push_back(
-            {at_key(part, "dates",
-                    [&] { return physics::parse_date_range(part.text("dates")); }),
-             read_week(part)});
-    return profile;
+    else
+        section.refuse({"register_column"}, "has no effect without register");
+}
+
+void read_schedule(const schema::Section& section,
+                   const std::vector<physics::DateRange>& holidays,
+                   input::InputFiles& files, std::vector<physics::Profile>& profiles) {
+    physics::Profile profile;
+    physics::Schedule& schedule = profile.schedule;
+    section.attempt_all(
+        [&] { profile.name = schedule.name = new_name(section, profiles); },
+        [&] {
+            schedule.holidays =
+                section.has("holidays") ? read_dates(section, "holidays") : holidays;
+        },
+        [&] { schedule.summer_time = section.choice("summer_time"); },
+        [&] { read_hours(section, schedule); },
+        [&] { read_days(section, files, schedule); },
+        [&] {
+            const auto read = [&](const auto& part) { read_season(part, schedule); };
+            if (!section.each("period", "schedule.period", read)) throw schema::Follows();
+        });
+    profiles.push_back(std::move(profile));
 }
 
 physics::Profile profile_of(const schema::Section& section, input::InputFiles& files,
@@ -173,30 +203,25 @@ physics::Profile profile_of(const schema::Section& section, input::InputFiles& f
     return profile;
 }
 
-void add(std::vector<physics::Profile>& profiles, physics::Profile profile,
-         const schema::Section& section) {
-    for (const physics::Profile& other : profiles)
-        if (other.name == profile.name)
-            section.fail_value("name", "another schedule or series has this name");
-    profiles.push_back(std::move(profile));
-}
-
 }  // namespace
 
 void read_schedules(const Sources& sources,
                     const std::vector<physics::DateRange>& holidays,
                     input::InputFiles& files, std::vector<physics::Profile>& profiles) {
     sources.each("schedule", [&](const schema::Section& section) {
-        add(profiles, read_schedule(section, holidays, files), section);
+        read_schedule(section, holidays, files, profiles);
     });
 }
 
-void read_series(const Sources& sources, input::InputFiles& files,
+void read_series(const Sources& sources, input::InputFiles& files, bool is_placed,
                  study::Case& building) {
     sources.each("series", [&](const schema::Section& section) {
-        add(building.profiles,
-            profile_of(section, files, building.weather.site, building.decisions),
-            section);
+        section.attempt_all(
+            [&] { new_name(section, building.profiles); },
+            [&] { check_files(section, "file", {section.text("column")}, files); });
+        if (!is_placed) throw schema::Follows();
+        building.profiles.push_back(
+            profile_of(section, files, building.weather.site, building.decisions));
         building.columns.push_back({section.text("name"), section.has("unit")
                                                               ? section.text("unit")
                                                               : std::string()});

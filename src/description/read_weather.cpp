@@ -143,7 +143,6 @@ class CsvWeather {
           files_(files),
           decisions_(decisions) {
         weather_.site = site;
-        names_.node("outdoor_temperature");
     }
 
     Weather read() {
@@ -324,10 +323,10 @@ Weather read_epw_weather(const schema::Section& section, input::InputFiles& file
             section.choice_as<input::TemperatureConvention>("temperature");
     section.number_if("year", options.year);
     std::vector<input::EpwText> texts;
-    for (const std::string& file : section.texts("files")) {
+    section.attempt_each(section.texts("files"), [&](const std::string& file) {
         const std::filesystem::path path = section.path(file);
         texts.push_back({path.string(), files.data(path, section.where("files"))});
-    }
+    });
     input::EpwFile epw = input::parse_epw_chain(texts, options);
     for (const std::string& sentence : epw.decisions)
         decisions.push_back({"weather", sentence, "as said"});
@@ -432,20 +431,41 @@ void check_hours(const schema::Section& section, study::Case& building) {
     }
 }
 
+/// Where a CSV weather is.
+physics::Site place_of(const schema::Section& weather, const schema::Section* site) {
+    if (site == nullptr)
+        weather.fail("format",
+                     "a CSV file does not say where it is; add [site] with latitude, "
+                     "longitude and utc_offset");
+    constexpr const char* keys[] = {"latitude", "longitude", "utc_offset"};
+    site->attempt_each(keys, [&](const char* key) { site->node(key); });
+    physics::Site place;
+    read_site(*site, place);
+    check_zone(*site, place);
+    return place;
+}
+
+/// Names and files, before what is in them is read.
+void check_columns(const schema::Section& section, input::InputFiles& files) {
+    const schema::Section names = section.table("columns", "weather.columns");
+    names.node("outdoor_temperature");
+    std::vector<std::string> there;
+    names.attempt_each(columns, [&](const Column& column) {
+        if (names.has(column.key))
+            there.push_back(column_source(names, column, {}).column);
+    });
+    check_files(section, "files", there, files);
+}
+
 void read_any_weather(const schema::Section& section, const schema::Section* site,
                       input::InputFiles& files, study::Case& building) {
     if (section.choice("format") == "epw") {
         building.weather = read_epw_weather(section, files, site, building.decisions);
         return;
     }
-    if (site == nullptr)
-        section.fail("format",
-                     "a CSV file does not say where it is; add [site] with latitude, "
-                     "longitude and utc_offset");
     physics::Site place;
-    for (const char* key : {"latitude", "longitude", "utc_offset"}) site->node(key);
-    read_site(*site, place);
-    check_zone(*site, place);
+    section.attempt_all([&] { place = place_of(section, site); },
+                        [&] { check_columns(section, files); });
     CsvWeather csv(section, files, place, building.decisions);
     building.weather = csv.read();
     if (section.choice("temperature") == "hour_mean")
@@ -461,6 +481,7 @@ void read_weather_now(const schema::Section& section,
                       input::InputFiles& files, study::Case& building) {
     building.sky = section.choice_as<physics::SkyModel>("sky");
     read_any_weather(section, site ? &*site : nullptr, files, building);
+    if (building.periods.empty()) throw schema::Follows();
     check_periods(section, building);
     cut(building.weather, building);
     fill(building.weather, static_cast<int>(section.integer("fill_gaps")),

@@ -27,6 +27,17 @@ input::Clock clock_of(const schema::Section& section) {
 
 }  // namespace
 
+namespace {
+
+std::string time_format_of(const schema::Section& section) {
+    const std::string format = section.text("time_format");
+    if (!format.empty())
+        at_key(section, "time_format", [&] { input::check_time_format(format); });
+    return format;
+}
+
+}  // namespace
+
 input::StampRules stamp_rules(const schema::Section& section, const physics::Site& site) {
     input::StampRules rules;
     rules.at_end = section.choice("stamp") == "end";
@@ -35,10 +46,22 @@ input::StampRules stamp_rules(const schema::Section& section, const physics::Sit
     rules.site_offset_h = site.utc_offset_h;
     rules.file_offset_h = site.utc_offset_h;
     section.number_if("utc_offset", rules.file_offset_h);
-    rules.format = section.text("time_format");
-    if (!rules.format.empty())
-        at_key(section, "time_format", [&] { input::check_time_format(rules.format); });
+    rules.format = time_format_of(section);
     return rules;
+}
+
+void check_files(const schema::Section& section, const char* key,
+                 const std::vector<std::string>& columns, input::InputFiles& files) {
+    section.attempt_all(
+        [&] { time_format_of(section); }, [&] { number_form(section); },
+        [&] {
+            section.attempt_each(section.texts(key), [&](const std::string& file) {
+                const input::Csv& csv =
+                    files.csv(section.path(file), section.where(key), csv_form(section));
+                section.attempt_each(
+                    columns, [&](const std::string& column) { csv.column(column); });
+            });
+        });
 }
 
 namespace {

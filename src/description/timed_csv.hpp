@@ -36,6 +36,11 @@ struct OpenOptions {
     std::string from, to;        ///< columns of begins and ends; "" = the key time
 };
 
+/// What can be seen of the files at `key` without the site's clock: that they are there
+/// and have the columns, and that the section says how to read them.
+void check_files(const schema::Section& section, const char* key,
+                 const std::vector<std::string>& columns, input::InputFiles& files);
+
 /// Opens the file that stands at `key` and reads its stamps. Throws UserError as csv.hpp
 /// and stamps.hpp say.
 TimedCsv open_csv(const schema::Section& section, const char* key,

@@ -21,11 +21,27 @@ void check_word(const schema::Section& section, std::string_view key,
                                   input::suggestion(word, names)));
 }
 
+namespace {
+
+/// Whether there is any of the kind that the path begins with: without, the paths of that
+/// kind are not known.
+bool has_kind_of(const physics::Building& building, const std::string& path) {
+    const std::string kind = path.substr(0, path.find('.'));
+    if (kind == "construction") return !building.constructions.empty();
+    if (kind == "glazing") return !building.glazings.empty();
+    if (kind == "boundary") return !building.boundaries.empty();
+    if (kind == "air_system") return !building.air_systems.empty();
+    return kind != "zone" || !building.zones.empty();
+}
+
+}  // namespace
+
 std::vector<physics::Target> resolved_at(const schema::Section& section,
                                          std::string_view key,
                                          const physics::Building& building,
                                          const std::string& path) {
-    if (section.is_lost(path)) throw schema::Follows();
+    const bool is_known = section.n_failures() == 0 || has_kind_of(building, path);
+    if (section.is_lost(path) || !is_known) throw schema::Follows();
     return at_key(section, key, [&] { return physics::resolve(building, path); });
 }
 

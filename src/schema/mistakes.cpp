@@ -60,10 +60,10 @@ void Mistakes::lose(const Node& node) {
     }
 }
 
-bool Mistakes::is_lost(const std::string& name) const {
-    if (has_nameless_ || (!lost_.empty() && has_word(name, "*"))) return true;
+bool Mistakes::is_lost(const std::string& path) const {
+    if (!lost_.empty() && has_word(path, "*")) return true;
     return std::ranges::any_of(
-        lost_, [&](const std::string& lost) { return has_word(name, lost); });
+        lost_, [&](const std::string& lost) { return has_word(path, lost); });
 }
 
 void Mistakes::throw_all(const std::string& file) const {

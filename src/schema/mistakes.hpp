@@ -1,8 +1,10 @@
 /// Mistakes in a job, kept as they are found, so that one reading tells them all.
 ///
-/// A mistake ends the reading of its section alone. What refers to a section that was not
-/// read is no mistake of its own (`Follows`), and what needs all of a building is not
-/// asked of a part of one.
+/// A mistake ends one step of the reading of its section; steps that do not need each
+/// other are all taken (`Section::attempt_all`), and what needs a value that could not be
+/// read is no mistake of its own (`Follows`). A section with a mistake is not read; what
+/// refers to it follows from that, and what needs all of a building is not asked of a
+/// part of one.
 #pragma once
 
 #include "base/error.hpp"
@@ -40,13 +42,13 @@ class Mistakes {
 
     /// It is not read: its keys are not without effect, and its names stand for nothing.
     void lose(const Node& node);
+    /// A name; or a kind, such as "zone", of which any may be meant.
     void lose(const std::string& name) {
         if (!name.empty()) lost_.insert(name);
     }
-    /// The same of something whose name is not known.
-    void lose_nameless() { has_nameless_ = true; }
-    /// Whether a name, or a path with it, may stand for what was not read.
-    bool is_lost(const std::string& name) const;
+    /// Whether a name, or a path such as "zone.office.flow", may stand for what was not
+    /// read: any of its words is lost, be it a name or a kind.
+    bool is_lost(const std::string& path) const;
 
     /// Rises with whatever could not be read.
     std::size_t n_failures() const { return n_failures_; }
@@ -57,7 +59,6 @@ class Mistakes {
   private:
     std::vector<UserError> errors_;
     std::set<std::string> lost_;
-    bool has_nameless_ = false;  ///< any name may be that of something lost
     std::size_t n_failures_ = 0;
 };
 

@@ -60,6 +60,10 @@ Section::Section(const Node& node, const char* schema, const std::string& file,
                                 node.line, schema, written(node)));
     node.section = schema;
     node.used = true;
+    if (table.find(schema) == nullptr)
+        throw std::logic_error(fmt::format("no section {}", schema));
+    is_known_ = std::ranges::none_of(
+        node.entries, [&](const Entry& entry) { return is_unknown(entry); });
     check_known();
     check_values();
 }
@@ -73,17 +77,8 @@ bool Section::is_unknown(const Entry& entry) const {
            table_->find(schema_, entry.key) == nullptr;
 }
 
-bool Section::is_known() const {
-    return std::ranges::none_of(node_->entries,
-                                [&](const Entry& entry) { return is_unknown(entry); });
-}
-
-/// A section with an unknown key is not read, for that may be any of its keys; but at the
-/// top it is a section, and the others are read without it.
 void Section::check_known() const {
-    if (table_->find(schema_) == nullptr)
-        throw std::logic_error(fmt::format("no section {}", schema_));
-    if (is_known()) return;
+    if (is_known_) return;
     std::vector<std::string> known;
     for (const Key& key : table_->keys_of(schema_)) known.emplace_back(key.key);
     for (const Entry& entry : node_->entries) {
@@ -93,10 +88,22 @@ void Section::check_known() const {
                                     path_of(entry.key),
                                     input::suggestion(entry.key, known)));
         });
-        mistakes_->lose(entry.node);
-        mistakes_->lose(input::nearest(entry.key, known));
+        lose_unknown(entry, input::nearest(entry.key, known));
     }
-    if (!is_top(schema_)) throw Follows();
+}
+
+/// At the top it may be all of a kind; else its text may be the name of a section that
+/// has none beside it.
+void Section::lose_unknown(const Entry& entry, const std::string& meant) const {
+    mistakes_->lose(entry.node);
+    if (is_top(schema_)) mistakes_->lose(meant);
+    if (find("name") == nullptr) mistakes_->lose(entry.node.text);
+}
+
+/// An unknown key may be any of those that are missing; but at the top it is a section,
+/// and the others are read without it.
+void Section::check_is_missing() const {
+    if (!is_top(schema_) && !is_known_) throw Follows();
 }
 
 /// Reads a value as its row wants it, for its mistake alone.
@@ -124,17 +131,20 @@ void Section::look_at(const Key& row) const {
 }
 
 /// Where mistakes are kept, those in the values of one section are told together.
-void Section::check_values() const {
+void Section::check_values() {
     if (mistakes_ == nullptr) return;
-    bool is_right = true;
     for (const Entry& entry : node_->entries) {
         const Key* row = table_->find(schema_, entry.key);
         if (row == nullptr) continue;
         const bool was_used = entry.node.used;
-        is_right &= attempt([&] { look_at(*row); });
-        entry.node.used = was_used;
+        const bool is_right = attempt([&] { look_at(*row); });
+        entry.node.used = was_used || !is_right;
+        if (!is_right) wrong_.push_back(&entry);
     }
-    if (!is_right && !is_top(schema_)) throw Follows();
+}
+
+void Section::check_is_right(const Entry& entry) const {
+    if (std::ranges::find(wrong_, &entry) != wrong_.end()) throw Follows();
 }
 
 const Entry* Section::find(std::string_view key) const {
@@ -144,7 +154,9 @@ const Entry* Section::find(std::string_view key) const {
 }
 
 bool Section::has(std::string_view key) const {
-    return find(key) != nullptr;
+    if (find(key) != nullptr) return true;
+    check_is_missing();
+    return false;
 }
 
 const Key& Section::row(std::string_view key) const {
@@ -163,9 +175,11 @@ std::filesystem::path Section::path(const std::string& name) const {
     return std::filesystem::path(*file_).parent_path() / name;
 }
 
-/// Whose name is wrong may be meant wherever a name stands for nothing.
+/// What has no right name may be meant by any name of its kind.
 void Section::note_name(std::string_view key) const {
-    if (mistakes_ != nullptr && key == "name") mistakes_->lose_nameless();
+    if (mistakes_ == nullptr || key != "name") return;
+    const std::string_view schema = schema_;
+    mistakes_->lose(std::string(schema.substr(schema.rfind('.') + 1)));
 }
 
 void Section::fail(std::string_view key, const std::string& message) const {
@@ -185,9 +199,11 @@ const Node& Section::node(std::string_view key) const {
     const Entry* entry = find(key);
     if (entry == nullptr && is_top(schema_) && is_lost(std::string(key)))
         throw Follows();  // it stands there by an unknown name
+    if (entry == nullptr) check_is_missing();
     if (entry == nullptr)
         fail(key, fmt::format("is missing; expected {}{}", expectation(row(key)),
                               more_on(row(key))));
+    check_is_right(*entry);
     entry->node.used = true;
     return entry->node;
 }

@@ -1,9 +1,11 @@
 /// A section of a job file, read through the schema: typed values, defaults, and errors
 /// that name file, line and key.
 ///
-/// An unknown key is an error when its section is opened. Every look-up marks the key as
-/// used; `check_all_used` then finds those that nobody asked for (pbrt's rule: a key
-/// without effect is an error, not a silence).
+/// Unknown keys and values out of range are mistakes when the section is opened. Where
+/// mistakes are kept, a value that is wrong, or a key that an unknown one may stand for,
+/// ends only the step that asks for it. Every look-up marks the key as used;
+/// `check_all_used` then finds those that nobody asked for (pbrt's rule: a key without
+/// effect is an error, not a silence).
 #pragma once
 
 #include "schema/document.hpp"
@@ -29,6 +31,7 @@ class Section {
             std::string shown = "", const Table& table = job_table(),
             Mistakes* mistakes = nullptr);
 
+    /// Follows where it is not there and an unknown key may stand for it.
     bool has(std::string_view key) const;
     double number(std::string_view key) const;
     long long integer(std::string_view key) const;
@@ -78,6 +81,21 @@ class Section {
         for (const char* key : keys) skip(key);
         return false;
     }
+    /// Steps that do not need each other: a mistake in one does not keep the others from
+    /// being done. What comes next needs all: it Follows where one did not go well.
+    template <class... Works>
+    void attempt_all(Works... works) const {
+        bool is_whole = true;
+        ((is_whole &= attempt(works)), ...);
+        if (!is_whole) throw Follows();
+    }
+    /// The same with one step for each of a list.
+    template <class List, class Work>
+    void attempt_each(const List& list, Work work) const {
+        bool is_whole = true;
+        for (const auto& item : list) is_whole &= attempt([&] { work(item); });
+        if (!is_whole) throw Follows();
+    }
     /// The same for a section of a list.
     template <class Work>
     bool attempt_on(const Node& node, Work work) const {
@@ -87,10 +105,10 @@ class Section {
     }
     /// What stands at the key is not read, because of another mistake.
     void skip(std::string_view key) const;
-    /// Whether a name may be that of something that could not be read. What fails
-    /// because of it then `Follows`.
-    bool is_lost(const std::string& name) const {
-        return mistakes_ != nullptr && mistakes_->is_lost(name);
+    /// Whether a name, or a path such as "zone.office", may be that of something that
+    /// could not be read. What fails because of it then `Follows`.
+    bool is_lost(const std::string& path) const {
+        return mistakes_ != nullptr && mistakes_->is_lost(path);
     }
     /// Failures so far, of the whole job.
     std::size_t n_failures() const {
@@ -98,12 +116,19 @@ class Section {
     }
     Mistakes* mistakes() const { return mistakes_; }
     /// Whether the schema has each of its keys.
-    bool is_known() const;
+    bool is_known() const { return is_known_; }
 
     /// Throws UserError (config): "file:line: section.key: message".
     [[noreturn]] void fail(std::string_view key, const std::string& message) const;
     /// The same with the value: "file:line: section.key = value: message".
     [[noreturn]] void fail_value(std::string_view key, const std::string& message) const;
+    /// Fails with the message at the first of the keys that is there; they are one
+    /// mistake.
+    template <class Keys = std::initializer_list<const char*>>
+    void refuse(const Keys& keys, const std::string& message) const {
+        for (const char* key : keys)
+            if (has(key)) fail(key, message);
+    }
     /// "file:line: section.key".
     std::string where(std::string_view key) const {
         return place(key) + ": " + path_of(key);
@@ -124,7 +149,10 @@ class Section {
     const Key& row(std::string_view key) const;
     int choice_index(std::string_view key) const;
     void check_known() const;
-    void check_values() const;
+    void check_values();
+    void lose_unknown(const Entry& entry, const std::string& meant) const;
+    void check_is_missing() const;
+    void check_is_right(const Entry& entry) const;
     void look_at(const Key& row) const;
     bool is_unknown(const Entry& entry) const;
     void note_name(std::string_view key) const;
@@ -138,6 +166,8 @@ class Section {
     std::string shown_;
     const Table* table_;
     Mistakes* mistakes_;
+    bool is_known_ = true;
+    std::vector<const Entry*> wrong_;  ///< whose values were told as mistakes
 };
 
 /// A number as the schema's row wants it; throws UserError that begins with `where`.
