@@ -3,6 +3,7 @@
 
 #include <cctype>
 #include <set>
+#include <span>
 
 #include <gtest/gtest.h>
 
@@ -120,6 +121,97 @@ TEST(ManyMistakes, InTheValuesOfOneSectionAreAllTold) {
                                         }),
                   1)
             << key;
+}
+
+/// A mistake that somebody makes in the sample job.
+struct Slip {
+    const char *from, *to;
+};
+
+/// What is told of the sample with these mistakes, in order of the words.
+std::vector<std::string> told_of(std::span<const Slip> slips) {
+    BadJob bad;
+    std::string& job = bad.files["office.toml"];
+    for (const Slip& slip : slips) job = replaced(job, slip.from, slip.to);
+    std::vector<std::string> told;
+    for (const std::string& message : mistakes_in(ending_of(bad)))
+        told.push_back(without_numbers(message));
+    std::ranges::sort(told);
+    return told;
+}
+
+/// Together they give what each gives alone: all of it, and nothing that follows. Those
+/// that are left when any one is repaired are told, too; when all are, none is.
+void expect_all_told(std::span<const Slip> slips) {
+    std::vector<std::string> expected;
+    for (std::size_t k = 0; k < slips.size(); ++k) {
+        const std::vector<std::string> alone = told_of(slips.subspan(k, 1));
+        ASSERT_EQ(alone.size(), 1U) << slips[k].to;
+        expected.push_back(alone[0]);
+    }
+    for (std::size_t repaired = 0; repaired < slips.size(); ++repaired) {
+        std::vector<Slip> left(slips.begin(), slips.end());
+        left.erase(left.begin() + static_cast<std::ptrdiff_t>(repaired));
+        std::vector<std::string> rest = expected;
+        rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(repaired));
+        std::ranges::sort(rest);
+        EXPECT_EQ(told_of(left), rest) << "without " << slips[repaired].to;
+    }
+    std::ranges::sort(expected);
+    EXPECT_EQ(told_of(slips), expected);
+    EXPECT_TRUE(told_of({}).empty());
+}
+
+TEST(ManyMistakes, InPartsOfAZoneAreToldBesideAMissingNumberOfIt) {
+    const Slip slips[] = {
+        {"files = [\"weather.csv\"]", "files = [\"wether.csv\"]"},
+        {"volume = 4500", ""},
+        {"low = 28, schedule = \"plant\"", "low = 28, schedule = \"plnat\""},
+        {"azimuth = 180", "azimuth = 400"},
+        {"carrier = \"electricity\"", "carier = \"electricity\""},
+        {"column = \"elec_kWh\"", "column = \"gas\""},
+        {"construction.wall.u_value", "construction.walls.u_value"},
+        {"kind = \"screening\"", "kind = \"screning\""}};
+    expect_all_told(slips);
+}
+
+TEST(ManyMistakes, AreToldWhereverTwentyOfThemAre) {
+    const Slip slips[] = {
+        {"seed = 7", "sed = 7"},
+        {"files = [\"weather.csv\"]", "files = [\"wether.csv\"]"},
+        {"training = [\"2021-01-01\"", "training = [\"2021-13-01\""},
+        {"1, 1, 1, 0.6, 0.2, 0,", "1, 1, 1, 0.6, 0.2,"},
+        {"solar_absorptance = 0.7", "solar_absorptance = 7"},
+        {"u_value = 0.9", "u_value = \"0.9\""},
+        {"frame_fraction = 0.25", "frame_fraction = 2.5"},
+        {"floor_area = 1500", "floor_area = -1500"},
+        {"class = \"heavy\"", "class = \"hevy\""},
+        {"low = 28, schedule = \"plant\"", "low = 28, schedule = \"plnat\""},
+        {"construction = \"wall\"", "construction = \"wal\""},
+        {"area = 120\nazimuth = 180", "area = 120\nazimuth = 400"},
+        {"area = 500\ntilt", "area = 0\ntilt"},
+        {"glazing = \"double\"\narea = 80", "glazing = \"single\"\narea = 80"},
+        {"azimuth = 180\nshading_factor", "shading_factor"},
+        {"name = \"ventilation\"", "name = \"infiltration\""},
+        {"low = 3, schedule", "low = \"3\", schedule"},
+        {"carrier = \"electricity\"", "carier = \"electricity\""},
+        {"heating_carrier = \"gas\"", "heating_carrier = \"oil\""},
+        {"cooling_cop = 3.5", "cooling_cop = 350"},
+        {"file = \"measured.csv\"", "file = \"measurd.csv\""},
+        {"unit = \"kWh\"", "unit = \"kwh\""},
+        {"mask = [\"2021-01-20", "mask = [\"2021-01-40"},
+        {"column = \"T_air_C\"", "column = \"T_C\""},
+        {"max = 0.52", "max = 0.2"},
+        {"mode = \"factor\"", "mode = \"factr\""},
+        {"kind = \"sensitivity\"", "kind = \"sensitivty\""},
+        {"n_points = 256", "n_points = 0"}};
+    expect_all_told(slips);
+}
+
+TEST(ManyMistakes, OfMetersAreToldBesideAWrongDateOfAPeriod) {
+    const Slip slips[] = {{"held_out = [\"2021-02-01\"", "held_out = [\"2021-02-31\""},
+                          {"file = \"measured.csv\"", "file = \"measurd.csv\""}};
+    expect_all_told(slips);
 }
 
 /// What a description changes: the texts that it replaces.
