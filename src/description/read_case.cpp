@@ -73,6 +73,12 @@ void read_what_changes_it(const Sources& sources, study::Case& building) {
     read_effects(sources, building);
 }
 
+/// The same where there is none: their keys and values alone.
+void look_at_what_changes_it(const Sources& sources) {
+    sources.attempt([&] { sources.each("effect", [](const auto&) {}); });
+    sources.skip({"structure", "effect"});
+}
+
 }  // namespace
 
 study::Case read_case(const Sources& sources, input::InputFiles& files) {
@@ -92,7 +98,7 @@ study::Case read_case(const Sources& sources, input::InputFiles& files) {
         can_be = sources.attempt([&] { read_what_changes_it(sources, building); },
                                  {"structure", "effect"});
     else
-        sources.skip({"structure", "effect"});
+        look_at_what_changes_it(sources);
     if (can_be)
         sources.attempt([&] { read_parameters(sources, building); }, {"parameter"});
     else

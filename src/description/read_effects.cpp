@@ -402,7 +402,9 @@ void read_effects(const Sources& sources, study::Case& building) {
     for (const study::Period& period : building.periods)
         drives.push_back(at_key(first, key, [&] { return drive_of(building, period); }));
     auto periods = surroundings_in(declared, building, drives);
-    for (const Section& section : sections) declare(section, building, periods, declared);
+    sources.own.attempt_each(sections, [&](const Section& section) {
+        declare(section, building, periods, declared);
+    });
     enter(sections.empty() ? first : sections.back(), key, std::move(declared), drives,
           building);
     for (std::size_t k = 0; k < sections.size(); ++k)

@@ -92,23 +92,34 @@ std::vector<Link::Row> read_rows(const schema::Section& section, std::size_t n_s
     return rows;
 }
 
-Link read_link(const schema::Section& section, const Building& building) {
-    Link link;
-    std::vector<std::size_t> n_each;
-    for (const std::string& path : section.texts("target")) {
+/// \param n_each  gets how many numbers each path in `target` has matched
+void read_targets(const schema::Section& section, const Building& building, Link& link,
+                  std::vector<std::size_t>& n_each) {
+    section.attempt_each(section.texts("target"), [&](const std::string& path) {
         const std::vector<Target> found = resolved_at(section, "target", building, path);
         for (const Target& target : found) check_target(section, building, target);
         link.targets.insert(link.targets.end(), found.begin(), found.end());
         n_each.push_back(found.size());
-    }
-    for (const std::string& path : section.texts("of")) {
+    });
+}
+
+void read_sources(const schema::Section& section, const Building& building, Link& link) {
+    section.attempt_each(section.texts("of"), [&](const std::string& path) {
         const std::vector<Target> found = resolved_at(section, "of", building, path);
         if (found.size() != 1)
             section.fail("of", fmt::format("{} is {} numbers; expected the path of one",
                                            path, found.size()));
-        check_source(section, building, link, found[0]);
         link.sources.push_back(found[0]);
-    }
+    });
+}
+
+Link read_link(const schema::Section& section, const Building& building) {
+    Link link;
+    std::vector<std::size_t> n_each;
+    section.attempt_all([&] { read_targets(section, building, link, n_each); },
+                        [&] { read_sources(section, building, link); });
+    for (const Target& source : link.sources)
+        check_source(section, building, link, source);
     if (link.targets.empty() || link.sources.empty())
         section.fail(link.targets.empty() ? "target" : "of",
                      "is empty; expected the path of a number");

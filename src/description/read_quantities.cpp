@@ -16,11 +16,11 @@ std::vector<Quantity> read_quantities(const schema::Section& section,
     const std::vector<std::string> names(physics::quantity_names.begin(),
                                          physics::quantity_names.end());
     std::vector<Quantity> chosen;
-    for (const std::string& word : section.texts(key)) {
+    section.attempt_each(section.texts(key), [&](const std::string& word) {
         check_word(section, key, word, names, "quantity");
         chosen.push_back(
             static_cast<Quantity>(std::ranges::find(names, word) - names.begin()));
-    }
+    });
     return chosen;
 }
 

@@ -41,24 +41,34 @@ void add_name(const schema::Section& section, const std::string& name,
         section.fail_value("name", "stands twice; expected another name");
 }
 
+/// One that can stand in a template.
+std::string plain_name(const schema::Section& section, std::set<std::string>& names) {
+    std::string name = section.text("name");
+    add_name(section, name, names);
+    if (!is_plain_name(name))
+        section.fail_value("name",
+                           "expected a letter, then letters, digits and underscores, so "
+                           "that it can stand in a template");
+    check_name(section, "name", Named::meter, name);
+    return name;
+}
+
+void read_limits(const schema::Section& section, physics::Parameter& parameter) {
+    section.attempt_all([&] { parameter.least = section.number("min"); },
+                        [&] { parameter.most = section.number("max"); });
+    if (parameter.least >= parameter.most)
+        section.fail("min", fmt::format("is {:g}, but max = {:g}; expected min < max",
+                                        parameter.least, parameter.most));
+}
+
 std::vector<physics::Parameter> read_parameters(const schema::Section& simulator) {
     std::vector<physics::Parameter> parameters;
     std::set<std::string> names;
     const auto read_one = [&](const schema::Section& section) {
         physics::Parameter made;
-        made.name = section.text("name");
-        add_name(section, made.name, names);
-        if (!is_plain_name(made.name))
-            section.fail_value("name",
-                               "expected a letter, then letters, digits and underscores, "
-                               "so that it can stand in a template");
-        check_name(section, "name", Named::meter, made.name);
-        made.unit = section.text("unit");
-        made.least = section.number("min");
-        made.most = section.number("max");
-        if (made.least >= made.most)
-            section.fail("min", fmt::format("is {:g}, but max = {:g}; expected min < max",
-                                            made.least, made.most));
+        section.attempt_all([&] { made.name = plain_name(section, names); },
+                            [&] { made.unit = section.text("unit"); },
+                            [&] { read_limits(section, made); });
         made.nominal = (made.least + made.most) / 2;
         section.number_if("nominal", made.nominal);
         parameters.push_back(std::move(made));
@@ -258,19 +268,20 @@ void check_folder(const schema::Section& simulator, const fs::path& folder) {
 CommandOptions read_simulator(const schema::Section& simulator, input::InputFiles& files,
                               const std::string& job) {
     CommandOptions options;
-    bool is_whole =
-        simulator.attempt([&] { options.parameters = read_parameters(simulator); });
-    is_whole &= simulator.attempt([&] { options.outputs = read_outputs(simulator); });
-    is_whole &= simulator.attempt([&] { options.hours = read_hours(simulator); });
-    if (!is_whole) throw schema::Follows();
+    simulator.attempt_all([&] { options.parameters = read_parameters(simulator); },
+                          [&] { options.outputs = read_outputs(simulator); },
+                          [&] { options.hours = read_hours(simulator); });
     if (options.outputs.empty() && options.hours.empty())
         simulator.fail(
             "output",
             "is missing; expected sections [[simulator.output]], for a loop or "
             "a posterior [[simulator.hourly]]");
-    read_inputs(simulator, files, options);
-    read_periods_file(simulator, options);
-    read_command(simulator, options);
+    simulator.attempt_all(
+        [&] {
+            read_inputs(simulator, files, options);
+            read_periods_file(simulator, options);
+        },
+        [&] { read_command(simulator, options); });
     check_use(simulator, options);
     options.time_limit_s = simulator.number("time_limit");
     options.output_limit = 1e6 * simulator.number("output_limit");

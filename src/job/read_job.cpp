@@ -110,10 +110,13 @@ void read_job_simulator(const schema::Section& root, input::InputFiles& files, J
 void read_output(const schema::Section& root, Job& job) {
     if (!root.has("output")) return;
     const schema::Section section = root.table("output", "output");
-    job.output = section.text("file");
-    for (const physics::Quantity quantity :
-         description::read_quantities(section, "hourly"))
-        job.hourly_outputs.emplace_back(physics::name_of(quantity));
+    section.attempt_all(
+        [&] { job.output = section.text("file"); },
+        [&] {
+            for (const physics::Quantity quantity :
+                 description::read_quantities(section, "hourly"))
+                job.hourly_outputs.emplace_back(physics::name_of(quantity));
+        });
     job.max_failed_share = section.number("max_failed_share");
 }
 

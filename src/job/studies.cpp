@@ -19,9 +19,13 @@ StudySpec read_study(const Kind& kind, const StudySource& source) {
     const schema::Section& section = source.section;
     StudySpec study;
     study.kind = &kind;
-    study.name = section.has("name") ? section.text("name") : kind.word;
-    description::check_name(section, "name", description::Named::study, study.name);
-    kind.read(source, study);
+    section.attempt_all(
+        [&] {
+            study.name = section.has("name") ? section.text("name") : kind.word;
+            description::check_name(section, "name", description::Named::study,
+                                    study.name);
+        },
+        [&] { kind.read(source, study); });
     return study;
 }
 
