@@ -120,13 +120,13 @@ class NumberReader {
         return input;
     }
 
-    /// -1 of one that could not be read: nobody asks for its hours then, and the section
-    /// has what others refer to.
+    /// -1 of one that could not be read, a schedule or a series: nobody asks for its
+    /// hours then, and the section has what others refer to.
     int profile_of(const schema::Section& parts, const char* key, bool is_series) const {
         const std::string name = parts.text(key);
         const bool is_there =
             std::ranges::find(profiles_, name, &Profile::name) != profiles_.end();
-        if (!is_there && parts.is_lost(fmt::format("{}.{}", key, name))) return -1;
+        if (!is_there && parts.is_lost("schedule.series." + name)) return -1;
         const int profile = index_of(parts, key, profiles_, key);
         if (profiles_[static_cast<std::size_t>(profile)].is_series != is_series)
             parts.fail_value(key, is_series

@@ -1,12 +1,14 @@
 /// Refuses a word that is none of some names, with the nearest of them, and a path to
 /// numbers that are not there. Neither is refused where it may mean what could not be
-/// read. Follows from `suggestion` and `resolve`.
+/// read; of a path, kinds and numbers are looked at even then. Follows from `suggestion`
+/// and `resolve`.
 /// What the names are of is said by the caller.
 #include "description/words.hpp"
 
 #include "input/suggest.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -34,6 +36,33 @@ bool has_kind_of(const physics::Building& building, const std::string& path) {
     return kind != "zone" || !building.zones.empty();
 }
 
+/// A building with all the names of the path, "zone.NAME.flow.NAME.air_change": whether
+/// its kinds and its number are right, it tells whatever the names are of.
+physics::Building with_names_of(const std::string& path) {
+    std::vector<std::string> words;
+    std::istringstream parts(path);
+    for (std::string word; std::getline(parts, word, '.');) words.push_back(word);
+    words.resize(std::max<std::size_t>(words.size(), 4));
+    const std::string &outer = words[1], &inner = words[3];
+    physics::Building building;
+    building.constructions.emplace_back().name = outer;
+    building.constructions[0].layers.emplace_back().name = inner;
+    building.glazings.emplace_back().name = outer;
+    building.boundaries.emplace_back().name = outer;
+    building.air_systems.emplace_back().name = outer;
+    building.zones.resize(2);
+    building.zones[1].name = inner;
+    physics::Zone& zone = building.zones[0];
+    zone.name = outer;
+    zone.surfaces.emplace_back().name = inner;
+    zone.windows.emplace_back().name = inner;
+    zone.flows.emplace_back().name = inner;
+    zone.loads.emplace_back().name = inner;
+    zone.couplings.emplace_back().zone = 1;
+    zone.radiator.emplace();
+    return building;
+}
+
 }  // namespace
 
 std::vector<physics::Target> resolved_at(const schema::Section& section,
@@ -41,7 +70,11 @@ std::vector<physics::Target> resolved_at(const schema::Section& section,
                                          const physics::Building& building,
                                          const std::string& path) {
     const bool is_known = section.n_failures() == 0 || has_kind_of(building, path);
-    if (section.is_lost(path) || !is_known) throw schema::Follows();
+    if (section.is_lost(path) || !is_known) {
+        if (!path.starts_with("effect."))
+            at_key(section, key, [&] { physics::resolve(with_names_of(path), path); });
+        throw schema::Follows();
+    }
     return at_key(section, key, [&] { return physics::resolve(building, path); });
 }
 

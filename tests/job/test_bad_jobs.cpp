@@ -171,6 +171,7 @@ TEST(ManyMistakes, InPartsOfAZoneAreToldBesideAMissingNumberOfIt) {
         {"carrier = \"electricity\"", "carier = \"electricity\""},
         {"column = \"elec_kWh\"", "column = \"gas\""},
         {"construction.wall.u_value", "construction.walls.u_value"},
+        {"office.cooling_set_point", "office.coolingsetpoint"},
         {"kind = \"screening\"", "kind = \"screning\""}};
     expect_all_told(slips);
 }
@@ -201,6 +202,7 @@ TEST(ManyMistakes, AreToldWhereverTwentyOfThemAre) {
         {"unit = \"kWh\"", "unit = \"kwh\""},
         {"mask = [\"2021-01-20", "mask = [\"2021-01-40"},
         {"column = \"T_air_C\"", "column = \"T_C\""},
+        {"infiltration.air_change", "infiltration.airchange"},
         {"max = 0.52", "max = 0.2"},
         {"mode = \"factor\"", "mode = \"factr\""},
         {"kind = \"sensitivity\"", "kind = \"sensitivty\""},
