@@ -77,6 +77,7 @@ bool Section::is_unknown(const Entry& entry) const {
            table_->find(schema_, entry.key) == nullptr;
 }
 
+/// At the top, all of the kind that an unknown key may stand for is lost.
 void Section::check_known() const {
     if (is_known_) return;
     std::vector<std::string> known;
@@ -88,16 +89,9 @@ void Section::check_known() const {
                                     path_of(entry.key),
                                     input::suggestion(entry.key, known)));
         });
-        lose_unknown(entry, input::nearest(entry.key, known));
+        mistakes_->lose(entry.node);
+        if (is_top(schema_)) mistakes_->lose(input::nearest(entry.key, known));
     }
-}
-
-/// At the top it may be all of a kind; else its text may be the name of a section that
-/// has none beside it.
-void Section::lose_unknown(const Entry& entry, const std::string& meant) const {
-    mistakes_->lose(entry.node);
-    if (is_top(schema_)) mistakes_->lose(meant);
-    if (find("name") == nullptr) mistakes_->lose(entry.node.text);
 }
 
 /// An unknown key may be any of those that are missing; but at the top it is a section,
@@ -199,10 +193,12 @@ const Node& Section::node(std::string_view key) const {
     const Entry* entry = find(key);
     if (entry == nullptr && is_top(schema_) && is_lost(std::string(key)))
         throw Follows();  // it stands there by an unknown name
-    if (entry == nullptr) check_is_missing();
-    if (entry == nullptr)
+    if (entry == nullptr) {
+        note_name(key);
+        check_is_missing();
         fail(key, fmt::format("is missing; expected {}{}", expectation(row(key)),
                               more_on(row(key))));
+    }
     check_is_right(*entry);
     entry->node.used = true;
     return entry->node;
@@ -210,7 +206,7 @@ const Node& Section::node(std::string_view key) const {
 
 double Section::number(std::string_view key) const {
     const Key& wanted = row(key);
-    if (!has(key) && wanted.fallback != nullptr) return parsed_default(wanted);
+    if (wanted.fallback != nullptr && !has(key)) return parsed_default(wanted);
     return checked_number(node(key), wanted, where(key));
 }
 
@@ -227,7 +223,7 @@ bool Section::flag(std::string_view key) const {
 
 std::string Section::text(std::string_view key) const {
     const Key& wanted = row(key);
-    if (!has(key) && wanted.fallback != nullptr) return wanted.fallback;
+    if (wanted.fallback != nullptr && !has(key)) return wanted.fallback;
     const Node& value = node(key);
     const bool is_date = wanted.type == Type::date && value.kind == Node::Kind::date;
     if (value.kind != Node::Kind::text && !is_date)
@@ -255,7 +251,7 @@ int Section::choice_index(std::string_view key) const {
 
 std::vector<double> Section::numbers(std::string_view key) const {
     std::vector<double> values;
-    if (!has(key) && row(key).fallback != nullptr) return values;
+    if (row(key).fallback != nullptr && !has(key)) return values;
     const Node& list = node(key);
     if (list.kind != Node::Kind::array)
         fail_value(key, fmt::format("expected {}", expectation(row(key))));
@@ -268,7 +264,7 @@ std::vector<std::string> Section::texts(std::string_view key) const {
     std::vector<std::string> values;
     const Key* wanted =
         table_->find(schema_, key);  // none for a period of the user's own name
-    if (!has(key) && wanted != nullptr && wanted->fallback != nullptr) return values;
+    if (wanted != nullptr && wanted->fallback != nullptr && !has(key)) return values;
     const Node& list = node(key);
     const auto take = [&](const Node& item) {
         if (item.kind != Node::Kind::text && item.kind != Node::Kind::date)
@@ -312,7 +308,7 @@ Section Section::table(std::string_view key, const char* schema) const {
 
 std::vector<const Node*> Section::list_of_tables(std::string_view key) const {
     std::vector<const Node*> list;
-    if (!has(key) && row(key).fallback != nullptr) return list;
+    if (row(key).fallback != nullptr && !has(key)) return list;
     const Node& value = node(key);
     if (value.kind == Node::Kind::table)
         fail(key,

@@ -150,7 +150,6 @@ class Section {
     int choice_index(std::string_view key) const;
     void check_known() const;
     void check_values();
-    void lose_unknown(const Entry& entry, const std::string& meant) const;
     void check_is_missing() const;
     void check_is_right(const Entry& entry) const;
     void look_at(const Key& row) const;
