@@ -216,6 +216,44 @@ TEST(ManyMistakes, OfMetersAreToldBesideAWrongDateOfAPeriod) {
     expect_all_told(slips);
 }
 
+/// The sample with the keys of some of its lines misspelt.
+std::vector<std::string> told_of_misspelt(const std::set<std::size_t>& chosen) {
+    BadJob bad;
+    std::string& job = bad.files["office.toml"];
+    const std::vector<std::string> lines = lines_of(job);
+    job.clear();
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        const std::size_t end = chosen.contains(k) ? lines[k].find(" = ") : 0;
+        job +=
+            lines[k].substr(0, end) + (end > 0 ? "x" : "") + lines[k].substr(end) + "\n";
+    }
+    return mistakes_in(ending_of(bad));
+}
+
+/// Each key misspelt is one mistake, and many of them give no other.
+TEST(ManyMistakes, InTheNamesOfKeysAreToldAndNothingThatFollows) {
+    const std::vector<std::string> lines = lines_of(small_office_text());
+    std::set<std::string> alone;
+    std::vector<std::size_t> keys;
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        if (lines[k].find(" = ") == std::string::npos) continue;
+        const std::vector<std::string> told = told_of_misspelt({k});
+        EXPECT_LE(told.size(), 1U) << lines[k];
+        if (!told.empty()) keys.push_back(k);
+        alone.insert(told.begin(), told.end());
+    }
+    EXPECT_GE(keys.size(), 100U);
+    constexpr std::size_t n_parts = 12;
+    for (std::size_t part = 0; part < n_parts; ++part) {
+        std::set<std::size_t> chosen;
+        for (std::size_t k = part; k < keys.size(); k += n_parts) chosen.insert(keys[k]);
+        const std::vector<std::string> told = told_of_misspelt(chosen);
+        EXPECT_EQ(told.size(), chosen.size());
+        for (const std::string& message : told)
+            EXPECT_TRUE(alone.contains(message)) << message;
+    }
+}
+
 /// What a description changes: the texts that it replaces.
 std::set<std::string> places_of(const std::filesystem::path& description) {
     std::set<std::string> places;
