@@ -145,7 +145,7 @@ TEST(Resolve, SaysWhatWouldHaveMatched) {
               std::string::npos);
     EXPECT_NE(refusal("zones.room.volume").find("boundary, construction"),
               std::string::npos);
-    EXPECT_NE(refusal("plant.cop").find("cooling_cop, heating_auxiliary"),
+    EXPECT_NE(refusal("plant.cop").find("cooling_cop, cooling_cycling_loss"),
               std::string::npos);
     EXPECT_NE(refusal("zone.room.load.equipment").find("not complete"),
               std::string::npos);
