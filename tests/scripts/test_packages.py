@@ -15,7 +15,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 CONTAINER = ROOT / "scripts" / "container"
 INSTALL_PACKAGES = ROOT / "scripts" / "install-packages"
 LISTED = ["bin/bemcal-batch", "share/bemcal/jobs/quickstart/quickstart.toml", "share/bemcal/jobs/slurm/one_node.sbatch",
-          "share/bemcal/scripts/result_report", "share/bemcal/scripts/new_job/u_values.csv",
+          "share/bemcal/scripts/result_report", "share/bemcal/scripts/result_tables",
+          "share/bemcal/scripts/new_job/u_values.csv",
           "share/bemcal/scripts/python/bemcal/__init__.py", "share/man/man1/bemcal-batch.1",
           "share/man/man5/bemcal-job.5",
           "share/bash-completion/completions/bemcal-batch", "share/zsh/site-functions/_bemcal-batch",
