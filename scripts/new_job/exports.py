@@ -148,8 +148,8 @@ def of_portfolio_manager(table, place):
         doubt = f"{table.path}: all bills of {what} are estimated; they were taken as read" if are_estimated else ""
         found.append(Converted(path, "usage", quantity, *unit, f"{len(bills)} bills of {table.path} ({what})", doubt))
     if found and left:
-        found[0].doubt = " ".join(filter(None, (f"{table.path}: left out: {', '.join(sorted(left))}, which does not say "
-                                                "what the building used of it", found[0].doubt)))
+        found[0].doubt = " ".join(filter(None, (f"{table.path}: left out: {', '.join(sorted(left))}, which does not "
+                                                "say what the building used of it", found[0].doubt)))
     if not found:
         raise Refused(f"{table.path}: has no bills of gas, electricity or district energy")
     return found

@@ -348,8 +348,8 @@ def make_meter(table, column, quantity, unit, options, told):
         begins = begins_of_reads(begins) if ends else begins_of_months(begins)
     if table.step < DAY and not table.per_day and is_of_ends(table, keys):
         if "stamp" not in keys:
-            told.say(f"{table.path}: {table.time[0]}: stamps are taken for the ends of their steps, for they close whole "
-                     "days; stamp = \"start\" overrules it")
+            told.say(f"{table.path}: {table.time[0]}: stamps are taken for the ends of their steps, for they close "
+                     "whole days; stamp = \"start\" overrules it")
         step = dt.timedelta(seconds=table.step)
         begins = [time - step for time in begins]
     if table.per_day:

@@ -305,8 +305,8 @@ def check_order(table):
     back = times.HOUR if has_clock else dt.timedelta(0)
     for k, (one, other) in enumerate(zip(table.times, table.times[1:]), 1):
         if one - other > back or one == other and not has_clock:
-            clock = "; if the clock goes back here, write standard time, for its rule is neither the EU's nor that of " \
-                "the US" if one - other == times.HOUR and table.step <= 3600 else ""
+            clock = "; if the clock goes back here, write standard time, for its rule is neither the EU's nor that " \
+                "of the US" if one - other == times.HOUR and table.step <= 3600 else ""
             line = line_behind(table.path, table.rows[k - 1], table.rows[k], table.separator)
             raise Refused(f"{table.path}:{line}: {table.time[0]}: {other:%Y-%m-%d %H:%M} is not later than the row "
                           f"before ({one:%Y-%m-%d %H:%M}); sort the rows by time, each time once; meters below each "
