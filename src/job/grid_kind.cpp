@@ -6,6 +6,7 @@
 
 #include "description/words.hpp"
 #include "job/kind.hpp"
+#include "job/names.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -203,6 +204,26 @@ void check_grids(const schema::Section& section, const std::vector<NamedGrid>& g
         check_values(stage, grids[next++], owner);
 }
 
+void check_names_in(const schema::Section& section, const BuildingNames& names) {
+    section.attempt_each(section.root().entries, [&](const schema::Entry& entry) {
+        check_parameters(section, entry.key.c_str(), {entry.key}, names);
+    });
+}
+
+void check_names(const NamePlace& place) {
+    const schema::Section& section = place.section;
+    section.attempt_all(
+        [&] {
+            if (section.has("grid"))
+                check_names_in(section.table("grid", "study.grid"), place.names);
+        },
+        [&] {
+            for (const schema::Section& stage : section.tables("stage", "study.stage"))
+                check_names_in(stage, place.names);
+        },
+        [&] { check_target_meters(section, place.names); });
+}
+
 void check(const StudyPlace& place, StudySpec& study) {
     const auto& [options, targets] = study.as<GridStudy>();
     if (const auto& simulator = place.job.simulator) {
@@ -279,6 +300,7 @@ extern const Kind grid_kind{.word = "grid",
                             .keys = {keys, target_keys},
                             .takes_simulator = true,
                             .read = read,
+                            .check_names = check_names,
                             .check = check,
                             .stages = stages,
                             .sentence = sentence,

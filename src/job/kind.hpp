@@ -23,6 +23,8 @@
 
 namespace bemcal::job {
 
+struct NamePlace;
+
 using study::Stages;
 
 /// Rows of a kind's own and those that it shares with other kinds.
@@ -42,7 +44,6 @@ struct StudyPlace {
     const schema::Section& root;     ///< the job's
     const schema::Section& section;  ///< the study's
     const Job& job;
-    std::size_t number = 0;  ///< of the study in it
 };
 
 /// A stage of a study.
@@ -86,7 +87,11 @@ struct Kind {
 
     /// Reads its keys: options, period. Throws UserError.
     void (*read)(const StudySource& source, StudySpec& study);
-    /// Throws UserError where the study does not fit the job's buildings or simulator;
+    /// Throws UserError where it names, in keys of its kind alone, what a building or the
+    /// job does not have; not where there is a [simulator].
+    void (*check_names)(const NamePlace& place) = nullptr;
+    /// The names are right. Throws UserError where the study does not fit the job's
+    /// buildings or simulator;
     /// completes what depends on them.
     void (*check)(const StudyPlace& place, StudySpec& study) = nullptr;
     /// What it does, over all buildings. Throws std::invalid_argument where the study

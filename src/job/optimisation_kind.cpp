@@ -7,6 +7,7 @@
 #include "job/fit_keys.hpp"
 #include "job/kind.hpp"
 #include "job/learning.hpp"
+#include "job/names.hpp"
 
 #include <algorithm>
 
@@ -103,6 +104,10 @@ void check_weights(const schema::Section& section, const OptimisationOptions& op
         if (!(weight >= 0)) section.fail("meter_weights", "expected no negative number");
 }
 
+void check_names(const NamePlace& place) {
+    check_target_meters(place.section, place.names);
+}
+
 void check(const StudyPlace& place, StudySpec& study) {
     const auto& [options, targets] = study.as<OptimisationStudy>();
     const schema::Section& section = place.section;
@@ -169,6 +174,7 @@ extern const Kind optimisation_kind{.word = "optimisation",
                                     .keys = {learning_keys, keys, fit_keys, target_keys},
                                     .takes_simulator = true,
                                     .read = read,
+                                    .check_names = check_names,
                                     .check = check,
                                     .stages = stages,
                                     .cost = cost,

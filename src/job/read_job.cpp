@@ -24,35 +24,40 @@ namespace bemcal::job {
 
 namespace {
 
-void add_case(Job& job, study::Case building, const schema::Section& own) {
+/// \param names  of the buildings
+void add_case(Job& job, std::vector<BuildingNames>& names, input::InputFiles& files,
+              const description::Sources& sources) {
+    const schema::Section& own = sources.own;
+    study::Case building = description::read_case(sources, files);
     description::check_name(own, "name", description::Named::building, building.name);
     for (const study::Case& other : job.buildings)
         if (other.name == building.name)
             own.fail("name",
                      fmt::format("another building is called \"{}\"", building.name));
+    names.push_back(names_of(building, sources));
     job.buildings.push_back(std::move(building));
 }
 
 /// Files with a building each; their trees are kept until all keys are checked.
-void read_building_files(const schema::Section& root, input::InputFiles& files,
-                         Job& job) {
+void read_building_files(const schema::Section& root, input::InputFiles& files, Job& job,
+                         std::vector<BuildingNames>& names) {
     struct File {
         std::string name;
         schema::Node tree;
     };
     std::list<File> trees;
-    const std::vector<std::string> names = root.texts("buildings");
-    if (names.empty())
+    const std::vector<std::string> paths = root.texts("buildings");
+    if (paths.empty())
         root.fail("buildings", "is empty; expected files with a building each");
-    for (const std::string& name : names)
+    for (const std::string& file : paths)
         root.attempt([&] {
-            const std::filesystem::path path = root.path(name);
+            const std::filesystem::path path = root.path(file);
             trees.push_back({path.string(), {}});
             trees.back().tree = schema::parse_document(
                 files.text(path, root.where("buildings")), trees.back().name);
             const schema::Section own(trees.back().tree, "building", trees.back().name,
                                       "", schema::job_table(), root.mistakes());
-            add_case(job, description::read_case({own, root}, files), own);
+            add_case(job, names, files, {own, root});
             schema::check_all_used(own);
         });
 }
@@ -72,12 +77,13 @@ bool has_twin(const Job& job) {
 
 /// Building or buildings; where there is a simulator, sections of one have an effect as
 /// its twin only.
-void read_buildings(const schema::Section& root, input::InputFiles& files, Job& job) {
+void read_buildings(const schema::Section& root, input::InputFiles& files, Job& job,
+                    std::vector<BuildingNames>& names) {
     if (root.has("simulator") && !has_twin(job)) return;
     if (root.has("buildings"))
-        read_building_files(root, files, job);
+        read_building_files(root, files, job, names);
     else if (needs_building(job, root.n_failures() > 0) || root.has("zone"))
-        add_case(job, description::read_case({root, std::nullopt}, files), root);
+        add_case(job, names, files, {root, std::nullopt});
 }
 
 /// Sections that only a building reads, where there is none because of a mistake.
@@ -86,16 +92,17 @@ void skip_sections_of_buildings(const schema::Section& root) {
         root.skip(key.key);
 }
 
-/// The studies against what is simulated; nothing of a job that could not be read whole.
-void check_as_a_whole(const schema::Section& root, Job& job) {
-    if (root.n_failures() > 0) {
-        root.skip("study");
-        root.skip("scenario");
-        if (job.buildings.empty()) skip_sections_of_buildings(root);
-        return;
-    }
-    checks::check_shared_meters(job.buildings);
-    check_studies_of(root, job);
+/// The studies against what is simulated; of a job that could not be read whole their
+/// names alone. Scenarios are read by studies.
+void check_as_a_whole(const schema::Section& root,
+                      const std::vector<BuildingNames>& names, Job& job) {
+    const bool is_whole = root.n_failures() == 0;
+    if (is_whole) checks::check_shared_meters(job.buildings);
+    root.attempt([&] { check_studies_of(root, names, is_whole, job); });
+    if (root.n_failures() > 0) root.skip("scenario");
+    if (is_whole) return;
+    root.skip("study");
+    if (job.buildings.empty()) skip_sections_of_buildings(root);
 }
 
 void read_job_simulator(const schema::Section& root, input::InputFiles& files, Job& job) {
@@ -162,8 +169,9 @@ Job read_job(const std::filesystem::path& file, input::InputFiles& files) {
     if (root.has("stock")) {
         root.attempt([&] { read_stock_job(root, files, job); });
     } else {
-        root.attempt([&] { read_buildings(root, files, job); });
-        check_as_a_whole(root, job);
+        std::vector<BuildingNames> names;
+        root.attempt([&] { read_buildings(root, files, job, names); });
+        check_as_a_whole(root, names, job);
         schema::check_all_used(root);
     }
     mistakes.throw_all(name);

@@ -265,7 +265,7 @@ Job read_stock_building(const Job& stock_job, const StockLine& line,
     if (adopted != nullptr) lay_adopted(*adopted, root, own.file, tree);
     const schema::Section section(tree, "building", own.file);
     add_building(section, root, line, files, job);
-    check_studies_of(root, job);
+    check_studies_of(root, {names_of(job.buildings[0])}, true, job);
     schema::check_all_used(section);
     auto& decisions = job.buildings[0].decisions;
     decisions.insert(decisions.begin(), own.decisions.begin(), own.decisions.end());

@@ -6,6 +6,7 @@
 #include "description/words.hpp"
 #include "job/kind.hpp"
 #include "job/kinds.hpp"
+#include "job/names.hpp"
 #include "physics/derived.hpp"
 #include "retrofit/retrofit.hpp"
 
@@ -138,19 +139,28 @@ std::string kinds_with_points() {
     return words_of_kinds([](const Kind& kind) { return kind.points_of != nullptr; });
 }
 
-/// The stage whose points are taken: of an earlier study.
-std::string stage_of(const StudyPlace& place, const study::Case& building) {
+/// The study whose points are taken is one above.
+void check_names(const NamePlace& place) {
     const schema::Section& section = place.section;
-    const std::string of = section.text("of");
-    for (std::size_t k = 0; k < place.number; ++k) {
-        const StudySpec& study = place.job.studies[k];
-        if (study.name != of) continue;
-        if (study.kind->points_of == nullptr)
+    const auto found =
+        std::ranges::find(place.above, section.text("of"), &NamedStudy::name);
+    if (found != place.above.end()) {
+        if (found->kind != nullptr && found->kind->points_of == nullptr)
             section.fail_value("of", "is no " + kinds_with_points());
-        return study.kind->points_of(study, building);
+        return;
     }
+    if (section.is_lost("study") ||
+        std::ranges::count(place.above, "", &NamedStudy::name))
+        throw schema::Follows();
     section.fail_value(
         "of", "no study above has this name; expected that of a " + kinds_with_points());
+}
+
+/// The stage whose points are taken.
+std::string stage_of(const StudyPlace& place, const study::Case& building) {
+    const StudySpec& study =
+        *std::ranges::find(place.job.studies, place.section.text("of"), &StudySpec::name);
+    return study.kind->points_of(study, building);
 }
 
 /// The row of a schedule or series among the case's profiles.
@@ -201,6 +211,7 @@ extern const Kind retrofit_kind{.word = "retrofit",
                                 .sections = {sections},
                                 .keys = {keys},
                                 .read = read,
+                                .check_names = check_names,
                                 .check = check,
                                 .stages = stages};
 

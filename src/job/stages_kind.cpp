@@ -8,6 +8,7 @@
 #include "description/words.hpp"
 #include "job/fit_keys.hpp"
 #include "job/kind.hpp"
+#include "job/names.hpp"
 
 #include <algorithm>
 
@@ -196,24 +197,31 @@ void check_set(const schema::Section& stage, const calibration::CalibrationStage
     }
 }
 
-void check_words(const schema::Section& section, const char* key,
-                 const std::vector<std::string>& words,
-                 const std::vector<std::string>& names, const std::string& what) {
-    for (const std::string& word : words)
-        description::check_word(section, key, word, names, what);
+void check_names_of_stage(const schema::Section& stage, const BuildingNames& names) {
+    const auto words = [&](const char* key) { return words_at(stage.root(), key); };
+    stage.attempt_all(
+        [&] { check_periods(stage, "periods", words("periods"), names); },
+        [&] { check_parameters(stage, "parameters", words("parameters"), names); },
+        [&] { check_meters(stage, "meters", words("meters"), names); });
 }
 
-void check_stage(const schema::Section& stage, const calibration::CalibrationStage& read,
-                 const study::Case& building) {
-    check_words(stage, "periods", read.periods, description::names_of(building.periods),
-                "period of " + building.name);
-    check_words(stage, "parameters", read.parameters,
-                description::names_of(building.parameters),
-                "parameter of " + building.name);
-    check_words(stage, "meters", read.fit.meters, description::names_of(building.meters),
-                "meter of " + building.name);
-    check_ranges(stage, read, building);
-    check_set(stage, read, building);
+void check_names(const NamePlace& place) {
+    const schema::Section& section = place.section;
+    section.attempt_all(
+        [&] {
+            section.attempt_each(section.tables("stage", "study.stage"),
+                                 [&](const schema::Section& stage) {
+                                     check_names_of_stage(stage, place.names);
+                                 });
+        },
+        [&] {
+            section.attempt_each(section.tables("validation", "study.validation"),
+                                 [&](const schema::Section& validation) {
+                                     check_periods(validation, "period",
+                                                   words_at(validation.root(), "period"),
+                                                   place.names);
+                                 });
+        });
 }
 
 std::vector<calibration::CalibrationStage> read_stages(const schema::Section& section,
@@ -260,13 +268,10 @@ void read(const StudySource& source, StudySpec& study) {
 void check_building(const schema::Section& section, const StagedOptions& options,
                     const study::Case& building) {
     std::size_t next = 0;
-    for (const schema::Section& stage : section.tables("stage", "study.stage"))
-        check_stage(stage, options.stages[next++], building);
-    for (const schema::Section& validation :
-         section.tables("validation", "study.validation"))
-        check_words(validation, "period", {validation.text("period")},
-                    description::names_of(building.periods),
-                    "period of " + building.name);
+    for (const schema::Section& stage : section.tables("stage", "study.stage")) {
+        check_ranges(stage, options.stages[next], building);
+        check_set(stage, options.stages[next++], building);
+    }
     description::at_key(section, "kind", [&] {
         return calibration::make_staged("checked", building, options);
     });
@@ -303,6 +308,7 @@ extern const Kind stages_kind{.word = "stages",
                               .sections = {sections},
                               .keys = {keys, fit_keys},
                               .read = read,
+                              .check_names = check_names,
                               .check = check,
                               .stages = stages,
                               .cost = cost,

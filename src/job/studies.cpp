@@ -79,6 +79,11 @@ void check_simulator(const schema::Section& section, const StudySpec& study,
                          "is of a building; a [simulator] is studied in its own outputs");
 }
 
+/// Whether its names are those of buildings, and not of a [simulator].
+bool names_buildings(const schema::Section& root, const Kind& kind) {
+    return kind.is_of_buildings && !root.has("simulator") && !root.is_lost("simulator");
+}
+
 void check_study(const StudyPlace& place, StudySpec& study) {
     const Kind& kind = *study.kind;
     if (place.job.simulator && !kind.takes_twin)
@@ -104,13 +109,19 @@ std::vector<StudySpec> read_studies(const schema::Section& root, input::InputFil
     return studies;
 }
 
-void check_studies_of(const schema::Section& root, Job& job) {
-    std::size_t number = 0;
-    for (const auto& [kind, section] : open_studies(root)) {
-        root.attempt_on(section.root(), [&] {
-            check_study({root, section, job, number}, job.studies[number]);
+void check_studies_of(const schema::Section& root,
+                      const std::vector<BuildingNames>& names, bool is_whole, Job& job) {
+    std::vector<NamedStudy> above;
+    for (const schema::Node* node : root.list_of_tables("study")) {
+        root.attempt_on(*node, [&] {
+            const OpenStudy study = open_study(*node, root.file(), root.mistakes());
+            if (names_buildings(root, *study.kind))
+                for (const BuildingNames& building : names)
+                    check_names(*study.kind, {study.section, building, above});
+            if (is_whole)
+                check_study({root, study.section, job}, job.studies[above.size()]);
         });
-        ++number;
+        above.push_back(named_study(*node));
     }
 }
 

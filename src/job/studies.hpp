@@ -3,6 +3,7 @@
 
 #include "input/input_files.hpp"
 #include "job/job.hpp"
+#include "job/names.hpp"
 #include "schema/section.hpp"
 
 #include <vector>
@@ -16,7 +17,10 @@ std::vector<StudySpec> read_studies(const schema::Section& root, input::InputFil
                                     const SimulatorPointer& simulator);
 
 /// What the studies need of a job's buildings or simulator; throws UserError. Completes
-/// what depends on them. All studies must have been read.
-void check_studies_of(const schema::Section& root, Job& job);
+/// what depends on them.
+/// \param names  of each building
+/// \param is_whole  all has been read; else the names in studies alone are checked
+void check_studies_of(const schema::Section& root,
+                      const std::vector<BuildingNames>& names, bool is_whole, Job& job);
 
 }  // namespace bemcal::job

@@ -84,6 +84,10 @@ TargetSpecs or_usual(const TargetSpecs& specs) {
     return usual;
 }
 
+std::string no_meter(const std::string& name, const std::string& building) {
+    return fmt::format("\"{}\" is no meter of {}", name, building);
+}
+
 std::size_t meter_of(const TargetSpec& target, const study::Case& building) {
     for (std::size_t m = 0; m < building.meters.size(); ++m) {
         const study::Meter& meter = building.meters[m];
@@ -94,8 +98,7 @@ std::size_t meter_of(const TargetSpec& target, const study::Case& building) {
     }
     const char* quantity = physics::name_of(target.output.quantity);
     if (!target.meter.empty())
-        throw std::invalid_argument(
-            fmt::format("\"{}\" is no meter of {}", target.meter, building.name));
+        throw std::invalid_argument(no_meter(target.meter, building.name));
     throw std::invalid_argument(
         fmt::format("the target {0} is missing: {1} has no meter of {0} with readings; "
                     "expected one, or a [[study.target]] with measured",
@@ -194,6 +197,18 @@ std::shared_ptr<const study::Simulator> target_simulator(const TargetSpecs& spec
                                                          const study::Case& building,
                                                          const study::Period& period) {
     return calibration::make_target_simulator(building, period, outputs_of(specs));
+}
+
+void check_target_meters(const schema::Section& study, const BuildingNames& names) {
+    const auto check = [&](const schema::Section& target, const std::string& meter) {
+        if (names.meters.empty() || std::ranges::count(names.meters, meter) > 0) return;
+        if (target.is_lost(meter) || target.is_lost("meter")) throw schema::Follows();
+        study.fail("target", no_meter(meter, names.building));
+    };
+    study.attempt_each(study.tables("target", target_section), [&](const auto& target) {
+        for (const std::string& meter : words_at(target.root(), "meter"))
+            check(target, meter);
+    });
 }
 
 void check_targets(const schema::Section& study, const TargetSpecs& specs,

@@ -5,6 +5,7 @@
 #include "calibration/grid.hpp"
 #include "calibration/target_simulator.hpp"
 #include "job/kind.hpp"
+#include "job/names.hpp"
 #include "schema/section.hpp"
 #include "schema/words.hpp"
 #include "study/case.hpp"
@@ -74,6 +75,9 @@ std::shared_ptr<const study::Simulator> target_simulator(const TargetSpecs& spec
 /// The meters that targets are taken from; none where the job gives all numbers.
 std::vector<Fitted> fitted_by(const TargetSpecs& specs, const std::string& period,
                               const study::Case& building);
+
+/// Throws UserError where a target names a meter that is none.
+void check_target_meters(const schema::Section& study, const BuildingNames& names);
 
 /// Throw UserError where a target has no measured value.
 void check_targets(const schema::Section& study, const TargetSpecs& specs,

@@ -216,6 +216,107 @@ TEST(ManyMistakes, OfMetersAreToldBesideAWrongDateOfAPeriod) {
     expect_all_told(slips);
 }
 
+/// A number of the zone, the weather's file, and names of all kinds in studies.
+TEST(ManyMistakes, OfNamesInStudiesAreToldBesideThoseInTheSectionsOfTheNames) {
+    const Slip slips[] = {
+        {"files = [\"weather.csv\"]", "files = [\"wether.csv\"]"},
+        {"floor_area = 1500", "floor_area = -1500"},
+        {"n_base = 64", "n_base = 64\nperiod = \"heldout\""},
+        {"kind = \"screening\"\nn_points = 256\npoints_per_item = 64",
+         "kind = \"posterior\"\nmeters = [\"electricty\"]"},
+        {"[output]",
+         "[[study]]\nkind = \"optimisation\"\nparameters = [\"wals\"]\n"
+         "\n[output]"},
+        {"[[study]]\nkind = \"sensitivity\"",
+         "[[study]]\nkind = \"grid\"\nk = 3\n[[study.target]]\n"
+         "quantity = \"electricity\"\nmeasured = 100\n[study.grid]\n"
+         "infiltraton = [0.3, 0.4, 0.5]\n\n[[study]]\nkind = \"sensitivity\""}};
+    expect_all_told(slips);
+}
+
+/// The sample with its studies and others behind them.
+std::vector<std::string> told_of_studies(const std::string& studies,
+                                         std::span<const Slip> slips) {
+    BadJob bad;
+    std::string& job = bad.files["office.toml"];
+    job = replaced(job, "[output]", studies + "\n[output]");
+    for (const Slip& slip : slips) job = replaced(job, slip.from, slip.to);
+    return mistakes_in(ending_of(bad));
+}
+
+TEST(ManyMistakes, OfNamesInOneStudyAreAllToldWithWhatIsMeant) {
+    const std::string studies =
+        "[[study]]\nkind = \"posterior\"\nperiod = \"heldout\"\n"
+        "parameters = [\"wals\", \"walls\", \"set_piont\"]\n"
+        "meters = [\"electricty\", \"air\"]\n\n"
+        "[[study]]\nkind = \"retrofit\"\nof = \"screning\"\n";
+    const char* messages[] = {
+        "study.period = \"heldout\": small_office has no such period",
+        "\"wals\" is no parameter of small_office; did you mean \"walls\"?",
+        "\"set_piont\" is no parameter of small_office; did you mean \"set_point\"?",
+        "\"electricty\" is no meter of small_office; did you mean \"electricity\"?",
+        "study.of = \"screning\": no study above has this name"};
+    const Slip slip{"files = [\"weather.csv\"]", "files = [\"wether.csv\"]"};
+    const std::vector<std::string> alone = told_of_studies(studies, {});
+    ASSERT_EQ(alone.size(), std::size(messages)) << alone[0];
+    for (std::size_t k = 0; k < alone.size(); ++k)
+        EXPECT_NE(alone[k].find(messages[k]), std::string::npos) << alone[k];
+    const std::vector<std::string> told = told_of_studies(studies, {&slip, 1});
+    EXPECT_EQ(told.size(), alone.size() + 1);
+    for (const std::string& message : alone)
+        EXPECT_EQ(std::ranges::count(told, message), 1) << message;
+}
+
+/// Of a lost section the name may be the one that is meant.
+TEST(ManyMistakes, LetNamesWaitThatMayBeThoseOfASectionThatWasLost) {
+    const std::string studies =
+        "[[study]]\nkind = \"posterior\"\nperiod = \"second\"\n"
+        "parameters = [\"second\"]\nmeters = [\"second\"]\n\n"
+        "[[study]]\nkind = \"grid\"\nk = 3\n[study.grid]\nsecond = [1, 2, 3]\n"
+        "[[study.target]]\nquantity = \"electricity\"\nmeter = \"second\"\n\n"
+        "[[study]]\nkind = \"retrofit\"\nof = \"second\"\n";
+    const Slip slips[] = {
+        {"[periods]", "[period]"},
+        {"name = \"air\"", "nmae = \"second\""},
+        {"[[parameter]]\nname = \"walls\"", "[[paramter]]\nname = \"second\""},
+        {"kind = \"screening\"", "kind = \"screening\"\nnmae = \"second\""}};
+    const std::vector<std::string> told = told_of_studies(studies, slips);
+    EXPECT_EQ(told.size(), std::size(slips)) << told.back();
+    for (const std::string& message : told)
+        EXPECT_NE(message.find("unknown key") != std::string::npos ||
+                      message.find("is no key of kind") != std::string::npos,
+                  false)
+            << message;
+}
+
+TEST(ManyMistakes, LetNamesOfParametersWaitThatAStructureMayBring) {
+    const std::string studies =
+        "[[study]]\nkind = \"posterior\"\nparameters = [\"surface_area_ratio\"]\n";
+    const Slip slips[] = {{"[site]", "structure = [\"surfaces\"]\n\n[site]"},
+                          {"files = [\"weather.csv\"]", "files = [\"wether.csv\"]"}};
+    EXPECT_TRUE(told_of_studies(studies, {slips, 1}).empty());
+    EXPECT_EQ(told_of_studies(studies, slips).size(), 1U);
+}
+
+/// Each building in a file of its own, whose sections the job's stand in for.
+TEST(ManyMistakes, OfNamesInStudiesAreToldOfBuildingsInFiles) {
+    BadJob bad;
+    std::string building = small_office_text();
+    building = building.substr(building.find("[site]"));
+    building = building.substr(0, building.find("[[study]]"));
+    bad.files["a.toml"] = replaced(building, "name = \"walls\"", "name = \"fabric\"");
+    bad.files["b.toml"] = replaced(building, "floor_area = 1500", "floor_area = -1500");
+    bad.files["office.toml"] =
+        "buildings = [\"a.toml\", \"b.toml\"]\n[[study]]\nkind = \"posterior\"\n"
+        "parameters = [\"set_point\", \"walls\"]\nmeters = [\"air\"]\n";
+    const std::vector<std::string> told = mistakes_in(ending_of(bad));
+    ASSERT_EQ(told.size(), 2U) << told.back();
+    EXPECT_TRUE(told[0].starts_with(
+        "office.toml:4: study.parameters: \"walls\" is no parameter of a; "))
+        << told[0];
+    EXPECT_TRUE(told[1].starts_with("b.toml:")) << told[1];
+}
+
 /// The sample with the keys of some of its lines misspelt.
 std::vector<std::string> told_of_misspelt(const std::set<std::size_t>& chosen) {
     BadJob bad;
@@ -262,6 +363,15 @@ std::set<std::string> places_of(const std::filesystem::path& description) {
     return places;
 }
 
+/// Whether one makes another study of the screening that the other names.
+bool takes_named_study(const std::filesystem::path& one,
+                       const std::filesystem::path& other) {
+    const auto has = [](const std::filesystem::path& file, const char* part) {
+        return text_of(file).find(part) != std::string::npos;
+    };
+    return has(one, "replace: kind = \"screening\"") && has(other, "of = \"screening\"");
+}
+
 /// At one place, or in numbers that one has from the other, they may make a third; so
 /// does a key of the job behind a section, for it is that section's, and a name that is
 /// not there twice where the other construction of it could not be read.
@@ -273,6 +383,7 @@ bool are_apart(const std::filesystem::path& one, const std::filesystem::path& ot
     return std::ranges::none_of(
                places_of(one),
                [&](const std::string& place) { return places.contains(place); }) &&
+           !takes_named_study(one, other) && !takes_named_study(other, one) &&
            !(is_of(one, "grid_") && is_of(other, "values_")) &&
            !(is_of(one, "layer_") && is_of(other, "same_name_")) &&
            !(is_of(one, "holidays_") && is_of(other, "structure_")) &&

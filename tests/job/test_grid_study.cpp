@@ -27,7 +27,7 @@ struct GridText {
     /// Read, then checked against the job's building or simulator.
     GridStudy grid_for(const Job& job) const {
         StudySpec study = read();
-        study.kind->check({section, section, job, 0}, study);
+        study.kind->check({section, section, job}, study);
         return study.as<GridStudy>();
     }
 
