@@ -57,7 +57,7 @@ struct CommandLine {
     std::string topic, place, years, stage;
     bool force = false, simulator = false, rooms = false, resume = false,
          rerun_failed = false, no_report = false;
-    bool keep_priors = false;
+    bool keep_priors = false, runs = false;
     std::map<std::string, std::vector<std::string>> words_of;  ///< of `new`, by option
     int n_threads = 0;
     double item_seconds = 0;  ///< 0 = no limit
@@ -211,7 +211,8 @@ void add_new(CLI::App& app, CommandLine& line) {
     first->add_flag("--simulator", line.simulator,
                     "with --idf: the job runs that EnergyPlus model, too; files for that "
                     "are written beside it");
-    first->add_flag("--force", line.force, "write over the job");
+    first->add_flag("--force", line.force, "write over the job, and over a result");
+    first->add_flag("--run", line.runs, "run the job, too");
 }
 
 void add_status(CLI::App& app, CommandLine& line) {
@@ -578,7 +579,7 @@ ExitCode adopt_command(const CommandLine& line) {
 }
 
 /// Values go behind `=`, for one may begin with a minus.
-ExitCode new_command(const CommandLine& line) {
+ExitCode write_first_job(const CommandLine& line) {
     std::vector<std::string> words{line.job.string()};
     for (const auto& [option, values] : line.words_of)
         for (const std::string& value : values)
@@ -589,6 +590,16 @@ ExitCode new_command(const CommandLine& line) {
     return script_command("new", std::move(words), "Python 3.11 or newer");
 }
 
+/// Rank 0 writes the job; all ranks run it.
+ExitCode new_command(run::Comm& comm, const CommandLine& line) {
+    run::Bytes code(1);
+    run::together(comm, [&] {
+        if (comm.rank() == 0) code[0] = static_cast<std::byte>(write_first_job(line));
+    });
+    const auto written = static_cast<ExitCode>(comm.all_gather(code)[0][0]);
+    return written == ExitCode::ok && line.runs ? run_command(comm, line) : written;
+}
+
 /// Commands that one rank is enough for; the others have nothing to do.
 ExitCode alone(run::Comm& comm, const CLI::App& app, const CommandLine& line) {
     if (comm.rank() != 0) return ExitCode::ok;
@@ -596,7 +607,6 @@ ExitCode alone(run::Comm& comm, const CLI::App& app, const CommandLine& line) {
     if (app.got_subcommand("describe")) return describe_command(app, line);
     if (app.got_subcommand("status")) return status_command(line);
     if (app.got_subcommand("adopt")) return adopt_command(line);
-    if (app.got_subcommand("new")) return new_command(line);
     return report_command(line);
 }
 
@@ -627,8 +637,9 @@ int run_program(run::Comm& comm, int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return parse_failed(app, error, comm.rank());
     }
-    return static_cast<int>(app.got_subcommand("run") ? run_command(comm, line)
-                                                      : alone(comm, app, line));
+    return static_cast<int>(app.got_subcommand("run")   ? run_command(comm, line)
+                            : app.got_subcommand("new") ? new_command(comm, line)
+                                                        : alone(comm, app, line));
 }
 
 int reported_code(run::Comm& comm, int argc, char** argv) {

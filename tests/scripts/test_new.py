@@ -21,7 +21,7 @@ sys.path.insert(0, str(ROOT / "scripts"))
 
 from new_job import building, envelopes, meters, places, tables, times, uses, weather, words  # noqa: E402
 
-USAGE, DATA, NO_INPUT, EXISTS = 64, 65, 66, 73
+MISSED, USAGE, DATA, NO_INPUT, EXISTS = 1, 64, 65, 66, 73
 HOUR, DAY = dt.timedelta(hours=1), dt.timedelta(days=1)
 HEAD = ["LOCATION,{place},-,GBR,made,000000,{latitude},{longitude},{offset},40.0", "DESIGN CONDITIONS,0",
         "TYPICAL/EXTREME PERIODS,0", "GROUND TEMPERATURES,0", "HOLIDAYS/DAYLIGHT SAVINGS,Yes,0,0,0", "COMMENTS 1,made",
@@ -164,14 +164,14 @@ class New(unittest.TestCase):
 
     def run_program(self, *arguments):
         return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=False,
-                              env={**os.environ, "OMP_NUM_THREADS": "1"})
+                              cwd=self.folder, env={**os.environ, "OMP_NUM_THREADS": "1"})
 
     def new(self, *meter_files, code=0, **options):
         """Options by name; the weather's files, and others, may be lists."""
         options = {"weather": [self.made / "2021.epw", self.made / "2022.epw"], "area": 1200, "use": "office",
                    "built": 1975, "place": "GB", **options}
         options["meter"] = list(meter_files) or [self.made / "gas.csv", self.made / "electricity.csv"]
-        flags = [f"--{name}" for name in ("force", "rooms", "simulator") if options.pop(name, False)]
+        flags = [f"--{name}" for name in ("force", "rooms", "simulator", "run") if options.pop(name, False)]
         arguments = ["new", options.pop("job", self.job), *flags]
         for name, values in options.items():
             for value in values if isinstance(values, list) else [values]:
@@ -274,6 +274,14 @@ class New(unittest.TestCase):
         lines = [f"{wall:%Y-%m-%d %H:%M},{gas(t):.2f}" for wall, t in zip(zone, hours(2021, 2022))]
         self.new(self.written("gas.csv", ["time,gas_kwh", *lines]))
         self.assertEqual(self.meter()["clock"], "eu")
+
+    def test_one_command_writes_the_job_and_runs_it(self):
+        lines = [f"{a:%Y-%m-%d},{b:%Y-%m-%d},{total(gas, a, b):.1f}" for a, b in zip(months(), months()[1:])]
+        said = self.new(self.written("gas.csv", ["From,To,Gas kWh", *lines]), code=MISSED, run=True)   # a bias of 9 %
+        self.assertIn("held_out  gas", said.stdout)
+        for name in ("office.h5", "office.html"):
+            self.assertTrue(self.job.with_name(name).exists(), name)
+        self.refused("is there already", EXISTS, run=True)
 
     def test_stamps_that_say_their_offset_are_of_the_sites_days(self):
         """Eight hours behind UTC, whole years of the site: no day is lost at their ends."""
