@@ -3,9 +3,8 @@
 
 Source: Portfolio Manager's columns (Start Date, End Date, Usage/Quantity, Usage Units, Estimation, Meter Type, Meter
 Name); NAESB REQ.21 ESPI (ReadingType: uom, powerOfTenMultiplier, commodity, flowDirection; IntervalReading: start in
-seconds since 1970 UTC, duration). A block of
-readings is of the reading type to which the links of its MeterReading lead; where there are none, of the one before it.
-Leaves out demand, costs, and of Green Button what is fed in.
+seconds since 1970 UTC, duration). A block of readings is of the reading type to which the links of its MeterReading
+lead; where there are none, of the one before it. Leaves out demand, costs, and of Green Button what is fed in.
 """
 import csv
 import datetime as dt
@@ -201,12 +200,8 @@ def entries_of(root):
     return [element for element in root.iter() if local(element) == "entry"] or [root]
 
 
-def links_of(entry, *rel):
-    return [each.get("href", "") for each in entry if local(each) == "link" and each.get("rel") in rel]
-
-
-def has(entry, tag):
-    return any(local(element) == tag for element in entry.iter())
+def links_of(entry, rel):
+    return [each.get("href", "") for each in entry if local(each) == "link" and each.get("rel") == rel]
 
 
 def kind_of(path, element):
@@ -222,8 +217,8 @@ def linked_kinds(path, root):
         for element in entry.iter():
             if local(element) == "ReadingType":
                 types |= {href: kind_of(path, element) for href in links_of(entry, "self")}
-        if has(entry, "MeterReading"):
-            readings.append(links_of(entry, "related"))
+            if local(element) == "MeterReading":
+                readings.append(links_of(entry, "related"))
     return {href: types[of_type] for related in readings for of_type in related if of_type in types
             for href in related if href not in types}
 

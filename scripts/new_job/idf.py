@@ -2,16 +2,19 @@
 
 Source: EnergyPlus Input Output Reference. Names of fields are those of epJSON; `idf_fields.py` lays them out for IDF.
 Classes and names of objects are held in small letters, as EnergyPlus compares them. Leaves out ranges and defaults of
-the schema, macros (##include) and HVACTemplate's expansion.
+the schema, macros (##include) and HVACTemplate's expansion. A decimal comma is found only where it makes an object
+longer than its class.
 """
 import json
 import re
 from dataclasses import dataclass, field
 
-from new_job.idf_fields import FIELDS, FORMER, REST, SINCE, UNTIL
-from new_job.refused import DATA, NO_INPUT, Refused
+from new_job import idf_text
+from new_job.idf_fields import FIELDS, FORMER, MOST_FIELDS, REST, SINCE, UNTIL, WHOLE
+from new_job.refused import DATA, Refused
 
 OLDEST, NEWEST = (8, 9), (26, 9)   # versions whose fields are known here
+COUNTED = (25, 2)              # the version whose numbers of fields are known: later classes may have more
 ADVICE = f"EnergyPlus {OLDEST[0]}.{OLDEST[1]} to {NEWEST[0]}.x"
 AUTO = ("", "autocalculate", "autosize")
 
@@ -83,14 +86,6 @@ class Model:
         return found
 
 
-def read_text(path):
-    try:
-        with open(path, encoding="utf-8", errors="replace") as file:
-            return file.read()
-    except OSError as error:
-        raise Refused(f"{path}: {error.strerror}; expected an EnergyPlus file, .idf or .epJSON", NO_INPUT) from None
-
-
 def split_objects(path, text):
     """Lists of texts, the class first."""
     bare = "\n".join(line.partition("!")[0] for line in text.splitlines())
@@ -125,12 +120,25 @@ def of_row(path, row, version):
     return Object(path, row[0], fields, [tail[k:k + width] for k in range(0, len(tail), width)])
 
 
+def refuse_more(path, row, version):
+    """An object with more fields than its class has: a comma within a number would shift all behind it."""
+    kind, values = row[0].lower(), row[1:]
+    while values and not values[-1]:
+        values = values[:-1]
+    most = len(fields_in(kind, version)) if kind in WHOLE else MOST_FIELDS.get(kind, len(values))
+    if len(values) > most and version <= COUNTED:
+        raise Refused(f'{path}: {row[0]} "{values[0]}": has {len(values)} fields; expected {most} at most. A number '
+                      "has a point, no comma: 10.76")
+
+
 def objects_of_idf(path):
-    rows = split_objects(path, read_text(path))
+    rows = split_objects(path, idf_text.of_idf(path))
     said = next((row[1] for row in rows if row[0].lower() == "version" and len(row) > 1), None)
     if said is None:
         raise Refused(f"{path}: has no object Version; expected an input file of {ADVICE}")
     version = version_of(path, said)
+    for row in rows:
+        refuse_more(path, row, version)
     return [of_row(path, row, version) for row in rows]
 
 
@@ -150,7 +158,7 @@ def of_json(path, kind, name, given):
 
 def objects_of_json(path):
     try:
-        given = json.loads(read_text(path))
+        given = json.loads(idf_text.of_json(path))
         said = next(iter(given["Version"].values()))["version_identifier"]
     except (ValueError, LookupError, AttributeError, TypeError, StopIteration, RecursionError) as error:
         raise Refused(f"{path}: is no epJSON file ({type(error).__name__}: {error}); expected JSON with "

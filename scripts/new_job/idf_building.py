@@ -5,12 +5,10 @@ and what LEFT_OUT names.
 """
 from dataclasses import dataclass, field
 
-from new_job import idf, idf_envelope, idf_fans, idf_geometry, idf_outside, idf_plant, idf_room, idf_text, \
-    idf_use, idf_ventilators
+from new_job import idf, idf_envelope, idf_fans, idf_geometry, idf_outside, idf_plant, idf_room, idf_use, \
+    idf_ventilators
 from new_job.building import Load
 from new_job.envelopes import Envelope
-
-plant_of = idf_plant.plant_of
 
 EXCHANGERS = "heatexchanger:airtoair"
 # Beginnings of classes that a job could have, and what to do.
@@ -146,7 +144,7 @@ class Reader:
 def read_building(path, has_rooms=False, hours=(), site=None, has_summer_time=False):
     """`hours`: of the weather (weather.hours_of); without a year of them people are in rooms half-way between the
     set-points. `site`: (latitude, longitude, UTC offset), for its nights."""
-    model, left_out = idf_text.read_model(path), []
+    model, left_out = idf.read_model(path), []
     reader = Reader(model, left_out, hours, idf_outside.dark_share(site, has_summer_time))
     whole = reader.whole()
     rooms = reader.each(whole) if has_rooms else [whole]

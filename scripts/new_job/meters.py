@@ -14,7 +14,7 @@ from new_job import exports, tables, times, workbook
 from new_job.refused import NO_INPUT, USAGE, Refused
 from new_job.weather import keys_of
 from new_job.words import (OF_GAS, POWERS, QUANTITY_NAMES, READ_DATE, TEMPERATURES, UNIT_NAMES, is_other,
-                           kwh_per_unit, quantity_of, says, spaced, unit_of)
+                           kwh_per_unit, quantity_of, says, unit_of)
 
 DAY, YEAR = 86400, 365.25 * 86400
 USUAL = {"gas": 150, "electricity": 100, "district": 120, "cooling": 80, "heating": 120}  # kWh/(m2 a), middling
@@ -32,8 +32,8 @@ LEAST_FACTOR = 3               # a unit but kWh is guessed only where kWh is so 
 DAYS_OF_BILLS = r"(?:avg|average|mean) (?:daily|per day)|per day|day average"    # not the whole bill
 PER_AREA = r"(?:kwh|mwh|mj|gj) (?:per )?(?:m2|sqm)|kbtu (?:per )?(?:ft2|sqft|sq ft|sf)"
 M2_PER_FT2 = 0.09290304
-IS_READ = {"1", "0", "true", "false", "yes", "no", "y", "n", "e", "est", "estimate", "estimated", "a", "act", "actual",
-           "r", "read", "m", "measured"}     # as the program takes them, but "act"
+IS_READ = {"1", "0", "true", "false", "yes", "no", "y", "n", "e", "est", "estimate", "estimated", "a", "actual", "r",
+           "read", "m", "measured", ""}      # as the program takes them
 NAMES = {"district": "heat", "air_temperature": "room"}  # of a meter, where the quantity's own says less
 
 
@@ -181,12 +181,14 @@ def interval_of(step):
 
 
 def bill_columns(table):
-    """(from, to) of a table of bills, by the names of its columns of dates."""
+    """(from, to) of a table of bills, by the names of its columns of dates; None of others."""
+    if table.step <= DAY:
+        return None
     dates = [name for name in table.names if says("start|from|begin|end|to|until|von|bis|date|read", name) and
              tables.times_like(table, name)]
     begin = next((name for name in dates if says("start|from|begin|von", name)), None)
     end = next((name for name in dates if name != begin and says("end|to|until|bis", name)), None)
-    return (begin, end) if begin and end and table.step > DAY else None
+    return (begin, end) if begin and end else None
 
 
 def year_use(meter, area):
@@ -236,7 +238,7 @@ def estimated_column(table):
     """That says of each bill whether it was read."""
     for name in table.names:
         words = {cell.lower() for cell in table.column(name)}
-        if says("estimat|read(?:ing)? type|type", name) and words <= {*IS_READ, ""} - {"act"} and len(words) > 1:
+        if says("estimat|read(?:ing)? type|type", name) and words <= IS_READ and len(words) > 1:
             return name
     return None
 
@@ -337,34 +339,44 @@ def likely_numbers(table, column, quantity, unit, area):
     return min(numbers, tables.numbers_in(table, column, tables.other_form(numbers)), key=distance)
 
 
-def make_meter(table, column, quantity, unit, options, told):
-    """`unit`: (unit, factor), or None where the names say it."""
-    tables.check_order(table)
-    begins, numbers = table.times, likely_numbers(table, column, quantity, unit, options.area)
-    keys = keys_of_meter(table, numbers, told)
-    is_read = table.step > DAY and keys.get("stamp") == "end" and not bill_columns(table)
-    ends = [] if not is_read or are_last_days(begins) else begins
-    if is_read:
-        begins = begins_of_reads(begins) if ends else begins_of_months(begins)
-    if table.step < DAY and not table.per_day and is_of_ends(table, keys):
+def steps_of(table, keys, bills, told):
+    """(begins of what the rows show, ends of bills that have their reads alone), by the file's clock."""
+    stamps, step = table.times, dt.timedelta(seconds=table.step)
+    if table.per_day:
+        return [day + k * step for k in range(table.per_day) for day in stamps], []
+    if table.step > DAY and keys.get("stamp") == "end" and not bills:
+        return (begins_of_months(stamps), []) if are_last_days(stamps) else (begins_of_reads(stamps), stamps)
+    if table.step < DAY and is_of_ends(table, keys):
         if "stamp" not in keys:
             told.say(f"{table.path}: {table.time[0]}: stamps are taken for the ends of their steps, for they close "
                      "whole days; stamp = \"start\" overrules it")
-        step = dt.timedelta(seconds=table.step)
-        begins = [time - step for time in begins]
-    if table.per_day:
-        part = dt.timedelta(seconds=table.step)
-        begins = [day + k * part for k in range(table.per_day) for day in table.times]
-    if quantity is None:
-        if not (found := unit_of(column)) or found[0] in TEMPERATURES:
-            raise Refused(f"{table.path}: column {column}: neither it nor the file's name says what it measures; write "
-                          f"--meter {table.path}:{column}:QUANTITY (one of {', '.join(QUANTITY_NAMES)})")
-        quantity = "electricity"
-        told.check(f"{table.path}: {column}: nothing says what it measures; electricity was taken for its unit "
-                   f"{found[0]}")
-    unit = unit or unit_of(column, quantity) or unit_of(os.path.basename(table.path), quantity) or \
-        unit_of(tables.said_beside(table), quantity)
-    unit = scale_by_area(column, unit, options.area)
+        return [time - step for time in stamps], []
+    return stamps, []
+
+
+def quantity_by_unit(table, column, told):
+    """Of a column of which nothing else says what it measures."""
+    if not (found := unit_of(column)) or found[0] in TEMPERATURES:
+        raise Refused(f"{table.path}: column {column}: neither it nor the file's name says what it measures; write "
+                      f"--meter {table.path}:{column}:QUANTITY (one of {', '.join(QUANTITY_NAMES)})")
+    told.check(f"{table.path}: {column}: nothing says what it measures; electricity was taken for its unit {found[0]}")
+    return "electricity"
+
+
+def unit_said(table, column, quantity):
+    """(unit, factor) by the names of column, file and what stands beside; None where they do not say it."""
+    said = (column, os.path.basename(table.path), tables.said_beside(table))
+    return next(filter(None, (unit_of(text, quantity) for text in said)), None)
+
+
+def make_meter(table, column, quantity, unit, options, told):
+    """`unit`: (unit, factor), or None where the names say it."""
+    tables.check_order(table)
+    numbers, bills = likely_numbers(table, column, quantity, unit, options.area), bill_columns(table)
+    keys = keys_of_meter(table, numbers, bills, told)
+    begins, ends = steps_of(table, keys, bills, told)
+    quantity = quantity or quantity_by_unit(table, column, told)
+    unit = scale_by_area(column, unit or unit_said(table, column, quantity), options.area)
     if table.step > DAY and says(DAYS_OF_BILLS, column):
         told.check(f"{table.path}: {column}: says to be of a day, and was taken for that of the whole bill; expected "
                    "the use of each bill")
@@ -385,7 +397,6 @@ def make_meter(table, column, quantity, unit, options, told):
     if meter.is_energy and table.step > DAY and is_register_of_bills(meter):
         told.check(f"{table.path}: {column}: rises from bill to bill: perhaps what a register shows; expected the use "
                    "of each bill")
-    bills = bill_columns(table)
     if bills:
         ends = ends_of_bills(begins, tables.times_like(table, bills[1]))
         meter.keys |= {"from": bills[0], "to": bills[1]}
@@ -416,7 +427,7 @@ def finish_unit(meter, options, told):
     check_use(meter, options.area, told)
 
 
-def keys_of_meter(table, numbers, told):
+def keys_of_meter(table, numbers, bills, told):
     keys = keys_of(table)
     if numbers.decimal != ".":
         keys["decimal"] = numbers.decimal
@@ -431,7 +442,7 @@ def keys_of_meter(table, numbers, told):
         keys["gaps"] = "missing"
     elif "stamp" not in keys and are_last_days(table.times):
         keys["stamp"] = "end"                        # last days of months
-    elif not bill_columns(table):
+    elif not bills:
         tell_reads(table, keys, told)
     return keys
 

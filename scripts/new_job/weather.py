@@ -4,6 +4,7 @@ An EPW file of a typical year is refused: its days are none on which a meter was
 hour, minute, flags, dry bulb; the place by the last five numbers of the first line, for a name may hold a comma.
 """
 import datetime as dt
+import functools
 import os
 import re
 from dataclasses import dataclass, field
@@ -11,7 +12,7 @@ from dataclasses import dataclass, field
 from cases.toml import number
 from new_job import places, tables, times
 from new_job.refused import USAGE, Refused
-from new_job.words import says, spaced, unit_of
+from new_job.words import says, unit_of
 
 HEADER = 8                     # lines of an EPW file
 # What a column is, by the words of its name, the best first.
@@ -76,7 +77,9 @@ class Weather:
             told.check(f"[site] utc_offset: {self.offset:+d} h was taken by the longitude {number(self.longitude)}")
 
 
+@functools.cache
 def epw_rows(path):
+    """(first line, lines of hours); read once, for several ask."""
     lines = tables.text_of(path).replace("\r\n", "\n").replace("\r", "\n").split("\n")
     lines = [line for line in lines if line.strip(" ,")]
     if not lines or not lines[0].upper().startswith("LOCATION"):

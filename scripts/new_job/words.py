@@ -31,8 +31,8 @@ UNITS = (
 )
 UNIT_NAMES = tuple(dict.fromkeys(unit for _, unit, _ in UNITS))
 TEMPERATURES, POWERS = ("degC", "degF", "K"), ("kW", "MW", "W")
-OF_GAS = ("m3", "ft3", "100 ft3", "therm")
 VOLUMES = ("m3", "ft3", "100 ft3")     # energies of gas alone
+OF_GAS = (*VOLUMES, "therm")
 
 # Readings that are no meter's.
 OTHERS = (r"outdoor|outside|ambient|oat|t out|dry ?bulb|dew|t dew|t ext|weather|humidity|rh|wind|cloud|irradiance|"

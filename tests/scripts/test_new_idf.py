@@ -256,7 +256,7 @@ class Box(unittest.TestCase):
         def plant(text, *quantities):
             there = [types.SimpleNamespace(quantity=quantity) for quantity in quantities]
             by_meters = building.Plant("none", 1, 0, (1, 1), "its heat is metered")
-            return idf_building.plant_of(self.read(text), by_meters, there, None)
+            return idf_plant.plant_of(self.read(text), by_meters, there, None)
         found = plant(BOX, "heating", "cooling", "gas", "electricity")
         self.assertEqual((found.heating, found.efficiency), ("gas", 0.82))
         self.assertEqual((found.cooling, found.cop), ("electricity", 3.4))
@@ -271,7 +271,7 @@ class Box(unittest.TestCase):
         there = [types.SimpleNamespace(quantity=quantity) for quantity in quantities or ("gas", "electricity")]
         told = Told()
         by_meters = building.Plant("gas", 0.85, 0.06, (0.6, 0.98), "a boiler, for there is a gas meter")
-        return idf_building.plant_of(self.read(text), by_meters, there, told), "\n".join(told.checks)
+        return idf_plant.plant_of(self.read(text), by_meters, there, told), "\n".join(told.checks)
 
     def test_machines_are_read_or_told_and_never_taken_as_absent(self):
         no_cooler = without(BOX, "Coil:Cooling")
