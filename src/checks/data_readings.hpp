@@ -31,6 +31,9 @@ struct Run {
     double value = 0;
 };
 
+/// Those that are not missing, in their order.
+std::vector<double> known_of(std::span<const double> values);
+
 /// Type 7 quantile of a sample in any order; NaN of none.
 double quantile_of(std::vector<double> sample, double p);
 

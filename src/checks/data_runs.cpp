@@ -7,6 +7,7 @@
 #include "stats/quantile.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <unordered_map>
 
 namespace bemcal::checks {
@@ -131,6 +132,13 @@ bool is_outage_of_people(const DataSeries& series, const Run& run, const Side& b
 }
 
 }  // namespace
+
+std::vector<double> known_of(std::span<const double> values) {
+    std::vector<double> known;
+    std::ranges::copy_if(values, std::back_inserter(known),
+                         [](double value) { return !std::isnan(value); });
+    return known;
+}
 
 double quantile_of(std::vector<double> sample, double p) {
     std::sort(sample.begin(), sample.end());

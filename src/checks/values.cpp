@@ -148,9 +148,7 @@ std::vector<Finding> state_bills(const input::RegularSeries& series, Quantity qu
 
 std::optional<Question> doubt_of_room(const input::RegularSeries& series,
                                       bool is_as_read) {
-    std::vector<double> known;
-    std::ranges::copy_if(series.values, std::back_inserter(known),
-                         [](double value) { return !std::isnan(value); });
+    std::vector<double> known = known_of(series.values);
     if (known.empty()) return std::nullopt;
     const double middle = quantile_of(std::move(known), 0.5);
     const auto is_odd = [](double value) {

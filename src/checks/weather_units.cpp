@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -179,13 +180,8 @@ double daily_swing(const input::RegularSeries& series) {
 }
 
 Air air_of(const input::RegularSeries& series) {
-    std::vector<double> known;
-    double sum = 0;
-    for (const double value : series.values)
-        if (!std::isnan(value)) {
-            known.push_back(value);
-            sum += value;
-        }
+    const std::vector<double> known = known_of(series.values);
+    const double sum = std::accumulate(known.begin(), known.end(), 0.0);
     const double mean = sum / static_cast<double>(known.size());
     return {quantile_of(known, air_quantile), quantile_of(known, 1 - air_quantile), mean,
             daily_swing(series)};
@@ -219,13 +215,6 @@ std::vector<Candidate> units_for(const Air& air, double warmest) {
     }
     std::ranges::stable_sort(found, {}, &Candidate::off);
     return found;
-}
-
-std::vector<double> known_of(const input::RegularSeries& series) {
-    std::vector<double> known;
-    std::ranges::copy_if(series.values, std::back_inserter(known),
-                         [](double value) { return !std::isnan(value); });
-    return known;
 }
 
 std::vector<Candidate> speeds_for(double wind) {
@@ -285,9 +274,8 @@ std::optional<std::string> doubt_of_temperature(const input::RegularSeries& seri
 }
 
 std::optional<std::string> doubt_of_humidity(const input::RegularSeries& series) {
-    const std::vector<double> known = known_of(series);
     if (n_days(series) < least_days) return std::nullopt;
-    const double most = *std::ranges::max_element(known);
+    const double most = std::ranges::max(known_of(series.values));
     if (!(most > 0) || most > driest) return std::nullopt;
     return fmt::format(
         "at most {:.3g}: no air in %. Write unit = \"0 to 1\"; unit = \"%\" if it is so",
@@ -295,9 +283,8 @@ std::optional<std::string> doubt_of_humidity(const input::RegularSeries& series)
 }
 
 std::optional<std::string> doubt_of_wind(const input::RegularSeries& series) {
-    std::vector<double> known = known_of(series);
     if (n_days(series) < fortnight) return std::nullopt;
-    const double middle = quantile_of(std::move(known), 0.5);
+    const double middle = quantile_of(known_of(series.values), 0.5);
     if (!(middle > windiest)) return std::nullopt;
     return fmt::format(
         "half of the time above {:.3g}: no wind in m/s but on mountains. {}; unit = \"m/s\" "

@@ -25,10 +25,6 @@ input::Clock clock_of(const schema::Section& section) {
                : input::Clock::unstated;
 }
 
-}  // namespace
-
-namespace {
-
 std::string time_format_of(const schema::Section& section) {
     const std::string format = section.text("time_format");
     if (!format.empty())

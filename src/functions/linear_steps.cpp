@@ -41,19 +41,14 @@ double shown(const Building& building, const Drive& drive, Quantity quantity, in
         return sum / building.floor_area();
     }
     const physics::MeterForm form = physics::meter_form(building, drive, quantity, step);
-    double heating = 0, cooling = 0, fan = 0;
-    physics::Losses lost;
-    for (std::size_t z = 0; z < zones.size(); ++z) {
-        heating += zones[z].phi_heating, cooling += zones[z].phi_cooling;
-        fan += zones[z].phi_fan;
-        const physics::Losses of_zone =
-            physics::losses_of(building.plant, building.zones[z].floor_area,
-                               zones[z].phi_heating, zones[z].phi_cooling);
-        lost.heating += of_zone.heating, lost.cooling += of_zone.cooling;
-    }
-    return (form.per_heating * heating + form.per_cooling * cooling + form.per_fan * fan +
-            form.source + form.per_lost_heating * lost.heating +
-            form.per_lost_cooling * lost.cooling) *
+    physics::PlantPowers sum;
+    for (std::size_t z = 0; z < zones.size(); ++z)
+        sum.add(building.plant, building.zones[z].floor_area, zones[z].phi_heating,
+                zones[z].phi_cooling, zones[z].phi_fan);
+    return (form.per_heating * sum.heating + form.per_cooling * sum.cooling +
+            form.per_fan * sum.fan + form.source +
+            form.per_lost_heating * sum.lost.heating +
+            form.per_lost_cooling * sum.lost.cooling) *
            drive.axis.step_s / 3.6e6;
 }
 

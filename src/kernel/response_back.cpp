@@ -118,8 +118,7 @@ class StretchBack {
                                    run_.meter_lanes(of_channel.quantity), powers(), begin,
                                    end, how, run_.of_rows.pointers(),
                                    run_.meter(of_channel.quantity).of_rows.data());
-        if (is_supplied() &&
-            physics::carrier_of(of_channel.quantity) != physics::Carrier::none)
+        if (is_supplied() && shows_extras(place(0), of_channel.quantity))
             seed_extras(of_channel, sensitivities);
     }
 

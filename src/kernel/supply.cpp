@@ -12,6 +12,7 @@
 #include "physics/cycling.hpp"
 #include "physics/meters.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -212,6 +213,13 @@ void pull_supply_rows(const SupplyPlace& place, const PowerRows& asked,
         if (place.has_system())
             pull_supply_lane(place, k, asked, adjoints, of_extras.fan, of_buildings[k]);
     }
+}
+
+bool shows_extras(const SupplyPlace& place, physics::Quantity quantity) {
+    return quantity == physics::Quantity::electricity ||
+           std::ranges::any_of(place.buildings, [&](const physics::Building& building) {
+               return shows_losses(building.plant, quantity);
+           });
 }
 
 void add_extras(const SupplyPlace& place, physics::Quantity quantity,

@@ -49,6 +49,9 @@ void pull_supply_rows(const SupplyPlace& place, const PowerRows& asked,
                       const PowerRows& adjoints, const Extras& of_extras,
                       std::span<physics::Building> of_buildings);
 
+/// Whether a meter shows anything of them.
+bool shows_extras(const SupplyPlace& place, physics::Quantity quantity);
+
 /// shown += what the meter shows of them.
 void add_extras(const SupplyPlace& place, physics::Quantity quantity,
                 const Extras& extras, double* shown);

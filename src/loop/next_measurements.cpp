@@ -321,11 +321,6 @@ std::vector<Answer> best_of_year(const Questions& questions, const Shown& shown,
     return best;
 }
 
-/// What these readings have told needs no other.
-bool is_told(const Answer& answer) {
-    return answer.kind == "name" && answer.now >= decisions::enough_chance;
-}
-
 bool is_worth_it(const Answer& answer) {
     const bool is_name = answer.kind == "name";
     const double now = is_name ? 1 - answer.now : answer.now,
@@ -335,11 +330,15 @@ bool is_worth_it(const Answer& answer) {
 
 }  // namespace
 
+bool is_told(const std::string& kind, double now) {
+    return kind == "name" && now >= decisions::enough_chance;
+}
+
 void advise(std::vector<Answer>& of_one) {
-    if (!of_one.empty() && is_told(of_one.front())) return;
+    if (of_one.empty() || is_told(of_one.front().kind, of_one.front().now)) return;
     auto chosen = std::ranges::find_if(of_one, is_enough);
     if (chosen == of_one.end()) chosen = std::ranges::min_element(of_one, is_better);
-    if (chosen != of_one.end() && is_worth_it(*chosen)) chosen->is_advised = 1;
+    if (is_worth_it(*chosen)) chosen->is_advised = 1;
 }
 
 double chance_to_tell(double so_far, double apart) {

@@ -34,6 +34,9 @@ std::vector<Answer> next_measurements(const LoopData& data, const Place& place,
                                       const Standing& last,
                                       const std::vector<Found>& found, double misfit);
 
+/// Whether today's readings tell a question of that kind, so that it needs no others.
+bool is_told(const std::string& kind, double now);
+
 /// Marks one of a question's answers, which stand in the order of their cost: the first
 /// that is enough, else the best, if it is worth the work.
 void advise(std::vector<Answer>& of_one);

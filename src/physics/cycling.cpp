@@ -42,6 +42,16 @@ Losses losses_of(const Plant& plant, double floor_area, double heating, double c
             lost(cooling_of(plant, floor_area, cooling))};
 }
 
+void PlantPowers::add(const Plant& plant, double floor_area, double zone_heating,
+                      double zone_cooling, double zone_fan) {
+    const Losses losses = losses_of(plant, floor_area, zone_heating, zone_cooling);
+    heating += zone_heating;
+    cooling += zone_cooling;
+    fan += zone_fan;
+    lost.heating += losses.heating;
+    lost.cooling += losses.cooling;
+}
+
 Losses pull_losses(const Plant& plant, double floor_area, const Losses& loads,
                    const Losses& of_losses, Plant& of_plant, double& of_floor_area) {
     const Cycling of_heating =

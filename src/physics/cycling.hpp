@@ -27,6 +27,13 @@ struct Losses {
     double heating = 0, cooling = 0;
 };
 Losses losses_of(const Plant& plant, double floor_area, double heating, double cooling);
+/// What all zones take at a step [W].
+struct PlantPowers {
+    double heating = 0, cooling = 0, fan = 0;
+    Losses lost;
+    void add(const Plant& plant, double floor_area, double zone_heating,
+             double zone_cooling, double zone_fan);
+};
 /// Adds to the plant's and the area's adjoints; returns those of the loads.
 Losses pull_losses(const Plant& plant, double floor_area, const Losses& loads,
                    const Losses& of_losses, Plant& of_plant, double& of_floor_area);

@@ -88,21 +88,15 @@ double mean_air_temperature(const Building& building, const Trajectory& trajecto
 /// Power on the meter at a step of the period [W].
 double power_on(const Building& building, const MeterForm& form,
                 const Trajectory& trajectory, std::size_t step) {
-    double heating = 0, cooling = 0, fan = 0;
-    Losses sum;
+    PlantPowers sum;
     for (std::size_t z = 0; z < trajectory.zones.size(); ++z) {
         const ZoneTrajectory& zone = trajectory.zones[z];
-        heating += zone.heating[step];
-        cooling += zone.cooling[step];
-        if (!zone.fan.empty()) fan += zone.fan[step];
-        const Losses losses = losses_of(building.plant, building.zones[z].floor_area,
-                                        zone.heating[step], zone.cooling[step]);
-        sum.heating += losses.heating;
-        sum.cooling += losses.cooling;
+        sum.add(building.plant, building.zones[z].floor_area, zone.heating[step],
+                zone.cooling[step], zone.fan.empty() ? 0 : zone.fan[step]);
     }
-    return form.per_heating * heating + form.per_cooling * cooling + form.source +
-           form.per_fan * fan + form.per_lost_heating * sum.heating +
-           form.per_lost_cooling * sum.cooling;
+    return form.per_heating * sum.heating + form.per_cooling * sum.cooling + form.source +
+           form.per_fan * sum.fan + form.per_lost_heating * sum.lost.heating +
+           form.per_lost_cooling * sum.lost.cooling;
 }
 
 }  // namespace

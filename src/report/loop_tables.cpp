@@ -3,7 +3,7 @@
 /// Made from stored datasets alone; other tables of a loop are in loop_fit_tables and
 /// loop_data_tables, pictures in scripts/result_report.
 #include "base/nan.hpp"
-#include "loop/decisions.hpp"
+#include "loop/next_measurements.hpp"
 #include "report/loop_parts.hpp"
 #include "report/sections.hpp"
 #include "report/simulator_tables.hpp"
@@ -123,9 +123,9 @@ std::string measurement_table(const StoredLoop& loop, const std::string& kind,
 std::string unanswered_line(const StoredLoop& loop) {
     std::vector<std::string> asked, answered;
     for (const StoredLoop::Measurement& measurement : loop.measurements) {
-        const bool is_told = measurement.kind == "name" &&
-                             measurement.now >= loop::decisions::enough_chance;
-        auto& list = measurement.is_advised == 1 || is_told ? answered : asked;
+        const bool is_answered = measurement.is_advised == 1 ||
+                                 loop::is_told(measurement.kind, measurement.now);
+        auto& list = is_answered ? answered : asked;
         if (std::ranges::find(list, measurement.question) == list.end())
             list.push_back(measurement.question);
     }

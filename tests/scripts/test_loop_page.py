@@ -186,6 +186,10 @@ class LoopReport(unittest.TestCase):
             stored["office/loop/fit"][:, :, 0] = np.nan
         return file
 
+    def test_a_name_is_told_from_the_programs_chance_on(self):
+        header = (pathlib.Path(__file__).resolve().parents[2] / "src" / "loop" / "decisions.hpp").read_text()
+        self.assertIn(f"enough_chance = {loop_page.TOLD};", header)
+
     def test_bills_are_drawn_beside_the_hours_that_they_sum(self):
         loop = result.read(self.by_month("bills.h5"))
         meter, = meters.of_loop(loop)
