@@ -174,7 +174,7 @@ OF_AIR_HANDLER = {
                                  "reheat"}}
 
 # By which the loop says that a building has an air system of which nobody told: a structure, or an effect of one.
-AIR_SYSTEM = {"coil that dries"}.union(*OF_AIR_HANDLER.values())
+AIR_SYSTEM = {"coil that dries", "terminals with reheat"}.union(*OF_AIR_HANDLER.values())
 
 
 def names_of(planted, details=None):

@@ -79,8 +79,8 @@ void check_air_systems(const Sources& sources, const Case& building) {
     const std::vector<schema::Section> sections =
         sources.with("air_system").tables("air_system", "air_system");
     for (const physics::Zone& zone : building.building.zones) {
-        if (zone.air_system < 0) continue;
         const auto row = static_cast<std::size_t>(zone.air_system);
+        if (zone.air_system < 0 || row >= sections.size()) continue;  // of a structure
         const physics::AirSystem& system = building.building.air_systems[row];
         const schema::Section& section = sections[row];
         const int supply = physics::supply_boundary(zone);

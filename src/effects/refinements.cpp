@@ -6,6 +6,7 @@
 
 #include "effects/decisions.hpp"
 #include "effects/sites.hpp"
+#include "physics/numbers.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -79,13 +80,13 @@ bool sky_of_hay_and_davies(physics::Building& building) {
 }
 
 /// Air systems that nobody declared, in zones that are cooled and have none.
-template <class Set>
-bool add_air_systems(physics::Building& building, Set set) {
+template <class Fits, class Set>
+bool add_air_systems(physics::Building& building, Fits fits, Set set) {
     bool changed = false;
     for (physics::Zone& zone : building.zones) {
         const physics::Thermostat& control = zone.thermostat;
         if (zone.air_system >= 0 || control.imposed ||
-            !(control.cooling_capacity.value > 0))
+            !(control.cooling_capacity.value > 0) || !fits(zone))
             continue;
         physics::AirSystem system;
         system.name = "of " + zone.name;
@@ -105,16 +106,77 @@ int flow_of_fan(const physics::Zone& zone) {
     return place == zone.flows.end() ? -1 : static_cast<int>(place - zone.flows.begin());
 }
 
+/// By the hours in which they are there [g/(h m2)]; its number sets the size.
+physics::Input moisture_of_people(const physics::Zone& zone) {
+    physics::Input moisture;
+    for (const physics::Load& load : zone.loads)
+        if (load.carrier == physics::Carrier::none && load.density.profile >= 0)
+            moisture = {1, 0, load.density.profile};
+    return moisture;
+}
+
 /// Cooled air leaves its water on the coil. The fan's power and hours stay what they are
 /// described as.
 bool coil_that_dries(physics::Building& building) {
-    return add_air_systems(building, [](physics::Zone& zone, physics::AirSystem& system) {
-        system.variable = false;
-        zone.system_flow = flow_of_fan(zone);
-        for (const physics::Load& load : zone.loads)
-            if (load.carrier == physics::Carrier::none && load.density.profile >= 0)
-                system.people_moisture = {1, 0, load.density.profile};
-    });
+    return add_air_systems(
+        building, [](const physics::Zone&) { return true; },
+        [](physics::Zone& zone, physics::AirSystem& system) {
+            system.variable = false;
+            zone.system_flow = flow_of_fan(zone);
+            system.people_moisture = moisture_of_people(zone);
+        });
+}
+
+/// The boundary that has the temperature of what their units supply.
+constexpr const char* terminals_air = "supply air of terminals";
+constexpr double usual_supply_temperature = 13;  ///< [degC]
+
+/// The least supply air of a zone's terminals: a flow of its own beside the fan's, whose
+/// outdoor air its unit mixes now.
+void add_terminals(std::size_t z, int system, int boundary, physics::Building& building) {
+    using physics::Part;
+    physics::Zone& zone = building.zones[z];
+    const int fan = flow_of_fan(zone), terminals = static_cast<int>(zone.flows.size());
+    physics::AirFlow least;
+    least.name = "terminals";
+    least.air_change = {0, 0, zone.flows[physics::row_of(fan)].air_change.profile};
+    least.supply = boundary;
+    zone.flows.push_back(least);
+    zone.system_flow = terminals;
+    const auto of_flow = [&](int flow, physics::Input physics::AirFlow::* input) {
+        return target_of(building, {Part::flow, static_cast<int>(z), flow},
+                         zone.flows[physics::row_of(flow)].*input);
+    };
+    const auto air =
+        target_of(building, {Part::air_system, system},
+                  building.air_systems[physics::row_of(system)].outdoor_air_change);
+    physics::move_input(building, of_flow(fan, &physics::AirFlow::air_change), air);
+    physics::move_input(building, of_flow(fan, &physics::AirFlow::heat_recovery),
+                        of_flow(terminals, &physics::AirFlow::heat_recovery));
+}
+
+/// Terminals heat again what one unit has cooled for all. The fan that the description
+/// has brings the unit's outdoor air; its hours are the unit's.
+bool terminals_with_reheat(physics::Building& building) {
+    const auto n_before = static_cast<int>(building.air_systems.size());
+    const int boundary = static_cast<int>(building.boundaries.size());
+    const bool changed = add_air_systems(
+        building,
+        [](const physics::Zone& zone) {
+            return flow_of_fan(zone) >= 0 && !zone.thermostat.heating_capacity.is_off();
+        },
+        [](physics::Zone& zone, physics::AirSystem& system) {
+            const int fan = flow_of_fan(zone);
+            system.available = {1, 0,
+                                zone.flows[physics::row_of(fan)].air_change.profile};
+            system.people_moisture = moisture_of_people(zone);
+        });
+    if (!changed) return false;
+    building.boundaries.push_back({terminals_air, {usual_supply_temperature}});
+    for (std::size_t z = 0; z < building.zones.size(); ++z)
+        if (building.zones[z].air_system >= n_before)
+            add_terminals(z, building.zones[z].air_system, boundary, building);
+    return true;
 }
 
 /// An air system that is off by its hours runs for the one room that asks, and supplies
@@ -158,6 +220,14 @@ Effect following(const char* name, Hook hook, Driver driver, double typical) {
     effect.most = 20 * typical;
     effect.least = -effect.most;
     return effect;
+}
+
+/// The colder it is outdoors the warmer a unit supplies.
+Refinement::Always supply_reset() {
+    Effect reset = following("supply temperature per outdoor temperature below 20 degC",
+                             Hook::supply_temperature, Driver::theta_e, 0.1);
+    reset.shape = {Form::below, 20};
+    return {reset, 0.15, 0.15, 0, 0.6};
 }
 
 /// Rooms differ by the sun that some of them have.
@@ -268,7 +338,20 @@ const std::vector<Refinement>& refinements() {
           {"coil_bypass", "air_system.*.bypass_factor", 0.1, 0.05, 0, 0.4},
           {"moisture_of_people", "air_system.*.people_moisture", 3, 2, 0, 20}},
          {},
-         coil_that_dries},
+         coil_that_dries,
+         "air system"},
+        {"terminals with reheat",
+         "a unit that cools air for all rooms, and terminals that heat it again",
+         {{"supply_flow", "air_system.*.design_flow", 15, 5, 5, 40},
+          {"least_supply", "zone.*.flow.terminals.air_change", 1.5, 0.6, 0.1, 5},
+          {"supply_temperature", "boundary.supply air of terminals.temperature",
+           usual_supply_temperature, 1.5, 8, 18},
+          {"unit_fan", "air_system.*.fan_power", 1, 0.6, 0, 4},
+          {"coil_bypass", "air_system.*.bypass_factor", 0.1, 0.05, 0, 0.4},
+          {"moisture_of_people", "air_system.*.people_moisture", 3, 2, 0, 20}},
+         {supply_reset()},
+         terminals_with_reheat,
+         "air system"},
         {"heating season",
          "heating that stops while the running mean outdoors is above a limit",
          {{"heating_limit", "zone.*.heating_limit", 15, 2, 5, 25}},

@@ -1,8 +1,8 @@
 /// Calibrates the plain building, then adds refinements of its structure, the best first,
 /// as long as unseen blocks are foretold better. Fits and scores of the loop are here.
 /// Source: Minoux 1978 for the lazy greedy search.
-/// A chosen refinement stays; two that help only together are not found. They are listed
-/// in `effects::refinements`.
+/// A chosen refinement stays, unless another of its kind takes its place; two that help
+/// only together are not found. They are listed in `effects::refinements`.
 #include "loop/baseline.hpp"
 
 #include "base/error.hpp"
@@ -80,35 +80,62 @@ struct Better {
     Place place;
 };
 
-/// By how much each refinement lowered the score when it was last tried. [refinements]
-using Promises = std::vector<double>;
+/// Refinements that may join.
+struct Candidates {
+    /// By how much each lowered the score when it was last tried. [refinements]
+    std::vector<double> promises = std::vector<double>(
+        effects::refinements().size(), std::numeric_limits<double>::infinity());
+    /// Gave way to another of their kind: they do not come back, for scores of two
+    /// rounds, each by its own noise, could go in a circle.
+    std::vector<std::size_t> left{};
 
-/// The most promising first.
-std::vector<std::size_t> in_order_of(const Promises& promises) {
-    std::vector<std::size_t> order(promises.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(
-        order, [&](std::size_t a, std::size_t b) { return promises[a] > promises[b]; });
-    return order;
+    bool has_left(std::size_t k) const {
+        return std::ranges::find(left, k) != left.end();
+    }
+
+    /// The most promising first.
+    std::vector<std::size_t> in_order() const {
+        std::vector<std::size_t> order(promises.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+            return promises[a] > promises[b];
+        });
+        std::erase_if(order, [&](std::size_t k) { return has_left(k); });
+        return order;
+    }
+};
+
+/// A structure that a refinement joins, in place of one of its kind; nothing where it is
+/// there, or where the description has its kind.
+std::optional<std::vector<std::size_t>> joined_by(const LoopData& data,
+                                                  std::vector<std::size_t> structure,
+                                                  std::size_t refinement) {
+    const auto is_rival = [&](std::size_t there) {
+        return effects::are_of_one_kind(there, refinement);
+    };
+    if (std::ranges::find(structure, refinement) != structure.end() ||
+        std::ranges::any_of(data.building.structure, is_rival))
+        return std::nullopt;
+    std::erase_if(structure, is_rival);
+    structure.push_back(refinement);
+    return structure;
 }
 
 /// What one has brought, another seldom brings again: those that promised far less than
 /// the best now does are not tried unless nothing else helps (the lazy form of a greedy
 /// search: Minoux 1978).
 std::optional<Better> best_refinement(const LoopData& data, const Baseline& baseline,
-                                      Promises& promises,
+                                      Candidates& candidates,
                                       std::vector<TriedStructure>& tried) {
     std::optional<Better> best;
     double most = decisions::least_evidence_of_refinement;
-    const auto now = whole_structure(data, baseline.chosen.model.structure);
-    for (const std::size_t k : in_order_of(promises)) {
+    std::vector<double>& promises = candidates.promises;
+    for (const std::size_t k : candidates.in_order()) {
         if (best && most > decisions::promise_ratio * promises[k]) break;
-        if (std::ranges::any_of(now, [&](std::size_t there) {
-                return effects::are_of_one_kind(there, k);
-            }))
-            continue;
+        const auto structure = joined_by(data, baseline.chosen.model.structure, k);
+        if (!structure) continue;
         LoopModel model = baseline.chosen.model;
-        model.structure.push_back(k);
+        model.structure = *structure;
         try {
             Place place = make_place(data, model.structure, data.drive);
             Standing standing =
@@ -249,13 +276,16 @@ Baseline make_baseline(const LoopData& data) {
         calibrate(data, baseline.place, {}, first_start(data, baseline.place));
     baseline.chosen = baseline.plain;
     baseline.tried = {{effects::name_of(data.building.structure), 0}};
-    Promises promises(effects::refinements().size(),
-                      std::numeric_limits<double>::infinity());
+    Candidates candidates;
     while (data.options.try_structures && !baseline.chosen.fit.failed) {
-        auto better = best_refinement(data, baseline, promises, baseline.tried);
+        auto better = best_refinement(data, baseline, candidates, baseline.tried);
         if (!better) break;
         baseline.gained += better->standing.score - baseline.chosen.score;
         baseline.place = std::move(better->place);
+        for (const std::size_t k : baseline.chosen.model.structure)
+            if (std::ranges::find(better->standing.model.structure, k) ==
+                better->standing.model.structure.end())
+                candidates.left.push_back(k);
         baseline.chosen = calibrated(data, std::move(better->standing));
     }
     return baseline;

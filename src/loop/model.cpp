@@ -12,6 +12,7 @@
 #include "loop/decisions.hpp"
 #include "physics/calendar.hpp"
 #include "physics/interval_hours.hpp"
+#include "physics/numbers.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -83,7 +84,9 @@ void add_parameters(const LoopData& data, Place& place) {
     const auto& given = data.building.parameters;
     for (std::size_t k = 0; k < given.size(); ++k) {
         if (!is_chosen(data.options.parameters, given[k].name)) continue;
-        place.parameters.push_back(given[k]);
+        physics::Parameter& added = place.parameters.emplace_back(given[k]);
+        for (physics::Target& target : added.targets)
+            target = physics::where_now(place.building, target);
         const stats::Prior prior =
             data.building.priors.empty() ? stats::Prior{} : data.building.priors[k].prior;
         place.unknowns.push_back(study::unknown_of(given[k], prior));

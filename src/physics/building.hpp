@@ -300,6 +300,12 @@ struct Coefficient {
     std::vector<Target> targets;
 };
 
+/// A number that the building's structure has elsewhere: what leads to the one place leads
+/// to the other.
+struct Moved {
+    Target from, to;
+};
+
 struct Building {
     std::string name;
     std::vector<Construction> constructions;
@@ -311,6 +317,7 @@ struct Building {
     Plant plant;
     std::vector<Link> links;           ///< in the order in which they are followed
     std::vector<Coefficient> effects;  ///< that the description declares
+    std::vector<Moved> moved;          ///< by its structure
     /// What a meter shows per what flows through it, by Quantity; of the air temperature
     /// it must stay 1.
     std::array<Input, n_quantities> meter_factor = [] {

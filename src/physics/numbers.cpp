@@ -4,6 +4,8 @@
 /// paths.
 #include "physics/numbers.hpp"
 
+#include <utility>
+
 namespace bemcal::physics {
 
 namespace {
@@ -77,6 +79,31 @@ NumberInfo info_of(const Building& building, const Target& target) {
                 "coefficient of the effect"};
     const Field& field = field_of(target);
     return {field.key, field.unit, field.least, field.most, field.sentence};
+}
+
+Target where_now(const Building& building, Target target) {
+    for (const auto& [from, to] : building.moved) {
+        if (!is_of_same_field(from, target)) continue;
+        target.part = to.part;
+        target.index = to.index;
+        target.inner = to.inner;
+        target.field = to.field;
+        return target;
+    }
+    return target;
+}
+
+void move_input(Building& building, const Target& from, const Target& to) {
+    *input_at(building, to) = std::exchange(*input_at(building, from), Input{});
+    building.moved.push_back({from, to});
+    const auto follow = [&](std::vector<Target>& targets) {
+        for (Target& target : targets) target = where_now(building, target);
+    };
+    for (Coefficient& effect : building.effects) follow(effect.targets);
+    for (Link& link : building.links) {
+        follow(link.targets);
+        follow(link.sources);
+    }
 }
 
 Input* input_at(Building& building, const Target& target) {

@@ -29,7 +29,8 @@ struct Parameter {
 /// Places named by a path: "zone.office.flow.infiltration.air_change",
 /// "construction.*.u_value", "plant.cooling_cop", "zone.*.heating_set_point.low". A
 /// star stands for every name, never for a part or a number. Thermostat and structure
-/// fields belong to their zone. Throws std::invalid_argument that lists what would have
+/// fields belong to their zone. A number that the structure has elsewhere is found there
+/// (Building::moved). Throws std::invalid_argument that lists what would have
 /// matched.
 std::vector<Target> resolve(const Building& building, const std::string& path);
 

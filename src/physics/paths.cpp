@@ -199,7 +199,7 @@ std::vector<Target> resolve(const Building& building, const std::string& path) {
     for (const Entry& entry : entries) {
         if (!matches(pattern, entry.words)) continue;
         if (low) check_low(path, entry);
-        targets.push_back(entry.target);
+        targets.push_back(where_now(building, entry.target));
         if (low) targets.back().slot = Slot::low;
     }
     if (targets.empty()) reject_path(path, pattern, entries);

@@ -46,10 +46,15 @@ inline std::size_t row_of(int index) {
     return static_cast<std::size_t>(index);
 }
 
+/// Whether both are of one input, or the same constant.
+inline bool is_of_same_field(const Target& a, const Target& b) {
+    return a.part == b.part && a.index == b.index && a.inner == b.inner &&
+           a.field == b.field;
+}
+
 /// Whether both are the same number.
 inline bool is_same_number(const Target& a, const Target& b) {
-    return a.part == b.part && a.index == b.index && a.inner == b.inner &&
-           a.field == b.field && a.slot == b.slot && a.change == b.change;
+    return is_of_same_field(a, b) && a.slot == b.slot && a.change == b.change;
 }
 
 }  // namespace bemcal::physics

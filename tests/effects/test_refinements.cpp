@@ -34,6 +34,8 @@ TEST(Refinements, OfOneKindAreNotTogether) {
     EXPECT_TRUE(are_of_one_kind(index("sky"), index("sky by weather")));
     EXPECT_TRUE(are_of_one_kind(index("surfaces"), index("surfaces")));
     EXPECT_TRUE(are_of_one_kind(index("rooms that differ"), index("one unit for all")));
+    EXPECT_TRUE(
+        are_of_one_kind(index("coil that dries"), index("terminals with reheat")));
     EXPECT_FALSE(are_of_one_kind(index("surfaces"), index("sky")));
 }
 
@@ -53,6 +55,97 @@ TEST(Refinements, OneUnitForAllIsOfAnAirSystemWithHours) {
     EXPECT_EQ(zone.thermostat.cooled_together.profile, hours);
     zone.air_system = -1;
     EXPECT_FALSE(unit.change(building));
+}
+
+/// The office without its air system, with a parameter, a link and an effect that lead to
+/// its fans.
+physics::Building office_with_fans() {
+    physics::Building building = Office().building;
+    building.zones[0].air_system = building.zones[0].system_flow = -1;
+    building.air_systems.clear();
+    return building;
+}
+
+TEST(Refinements, TerminalsAreOfWhatIsHeatedAndCooledByAFan) {
+    const Refinement& terminals = named("terminals with reheat");
+    const auto finds = [&](auto lacks) {
+        physics::Building building = office_with_fans();
+        lacks(building.zones[0]);
+        return terminals.change(building);
+    };
+    EXPECT_TRUE(finds([](physics::Zone&) {}));
+    EXPECT_FALSE(finds([](auto& zone) { zone.thermostat.cooling_capacity = {0}; }));
+    EXPECT_FALSE(finds([](auto& zone) { zone.thermostat.heating_capacity = {0}; }));
+    EXPECT_FALSE(finds([](auto& zone) { zone.flows[1].air_change.profile = -1; }));
+    physics::Building declared = Office().building;
+    EXPECT_FALSE(terminals.change(declared)) << "it has an air system";
+}
+
+TEST(Refinements, WhatLedToAFanLeadsToOutdoorAirBehindTerminals) {
+    physics::Building building = office_with_fans();
+    const char* path = "zone.office.flow.fans.air_change";
+    const physics::Target fan = physics::resolve(building, path)[0];
+    physics::Target change = fan;
+    change.slot = physics::Slot::change;
+    building.effects.push_back({"dust", "-", 0, 1, {change}});
+    building.zones[0].flows[1].air_change.changes[0] = {0.3, test::night_row};
+    building.links.push_back({{fan}, {fan}, {}, {}});
+    ASSERT_TRUE(named("terminals with reheat").change(building));
+
+    const physics::Target air =
+        physics::resolve(building, "air_system.of office.outdoor_air_change")[0];
+    EXPECT_TRUE(physics::is_same_number(physics::resolve(building, path)[0], air));
+    EXPECT_TRUE(physics::is_same_number(building.links[0].targets[0], air));
+    EXPECT_TRUE(physics::is_same_number(building.links[0].sources[0], air));
+    change = air;
+    change.slot = physics::Slot::change;
+    EXPECT_TRUE(physics::is_same_number(building.effects[0].targets[0], change));
+    const physics::Input& outdoor_air = building.air_systems[0].outdoor_air_change;
+    EXPECT_EQ(outdoor_air.value, 1);
+    EXPECT_EQ(outdoor_air.profile, test::office_hours_row);
+    EXPECT_EQ(outdoor_air.changes[0].amount, 0.3);
+    EXPECT_FALSE(building.zones[0].flows[1].air_change.is_anything());
+    const physics::AirFlow& least = building.zones[0].flows.back();
+    EXPECT_EQ(least.heat_recovery.value, 0.2);
+    EXPECT_EQ(least.air_change.profile, test::office_hours_row);
+}
+
+/// The same as if somebody had declared it.
+TEST(Refinements, TerminalsAreAnAirSystemOfVaryingFlow) {
+    const Office office;
+    physics::Building found = office_with_fans(), declared = office_with_fans();
+    const Refinement& terminals = named("terminals with reheat");
+    ASSERT_TRUE(terminals.change(found));
+    for (const Refinement::Number& number : terminals.numbers)
+        ASSERT_TRUE(add_number(number, {}, found)) << number.name;
+
+    physics::Zone& zone = declared.zones[0];
+    declared.boundaries.push_back({"supply", {13}});
+    physics::AirSystem unit;
+    unit.name = "unit";
+    unit.available = {1, 0, test::office_hours_row};
+    unit.outdoor_air_change = {1, 0, test::office_hours_row};
+    unit.design_flow = {15};
+    unit.fan_power = {1};
+    unit.bypass_factor = 0.1;
+    unit.people_moisture = {3, 0, test::office_hours_row};
+    declared.air_systems.push_back(unit);
+    zone.flows[1].air_change = {1.5, 0, test::office_hours_row};
+    zone.flows[1].supply = 1;
+    zone.air_system = 0;
+    zone.system_flow = 1;
+    const auto heat = [&](const physics::Building& building) {
+        return physics::predict(building, office.drive,
+                                physics::simulate(building, office.drive),
+                                physics::Quantity::heating);
+    };
+    const std::vector<double> as_found = heat(found), as_declared = heat(declared);
+    double reheat = 0;
+    for (std::size_t k = 0; k < as_found.size(); ++k) {
+        EXPECT_NEAR(as_found[k], as_declared[k], 1e-9 * (1 + as_declared[k])) << k;
+        reheat += as_found[k];
+    }
+    EXPECT_GT(reheat, test::total(heat(office_with_fans())));
 }
 
 TEST(Refinements, ANumberStandsAtItsMeanAndIsAParameter) {

@@ -197,6 +197,20 @@ TEST(DeclaredStructure, HasItsNumbersAsParameters) {
     EXPECT_EQ(office.priors.back().prior.a, 0.3);
 }
 
+TEST(DeclaredStructure, BringsAirSystemsThatNoSectionHas) {
+    EXPECT_EQ(office_of("structure = [\"coil that dries\"]").building.air_systems.size(),
+              1U);
+    const study::Case office = office_of(
+        "structure = [\"terminals with reheat\"]",
+        "[[parameter]]\nname = \"fans\"\nmode = \"factor\"\n"
+        "target = \"zone.*.flow.ventilation.air_change\"\nmin = 0.5\nmax = 2\n");
+    ASSERT_EQ(office.building.air_systems.size(), 1U);
+    EXPECT_EQ(office.building.air_systems[0].outdoor_air_change.value, 1);
+    const physics::Parameter& fans = parameter_named(office, "fans");
+    EXPECT_EQ(physics::number_at(office.building, fans.targets.at(0)), 1);
+    EXPECT_EQ(fans.targets[0].part, physics::Part::air_system);
+}
+
 TEST(DeclaredStructure, LeavesTheJobsOwnParametersAlone) {
     const study::Case office = office_of(
         "structure = [\"surfaces\", \"wind in leaks\"]",

@@ -38,6 +38,30 @@ LoopData windy_data() {
 
 }  // namespace
 
+TEST(LoopModel, AParameterFollowsItsNumberIntoAStructure) {
+    LoopData data = windy_data();
+    physics::Zone& zone = data.building.building.zones[0];
+    zone.thermostat.cooling_capacity = {60};
+    zone.flows.push_back({"fans", {0.8, 0, 0}, {}});
+    physics::Parameter fans;
+    fans.name = "fans";
+    fans.effect = physics::Effect::factor;
+    fans.nominal = 1;
+    fans.targets = physics::resolve(data.building.building,
+                                    "zone." + zone.name + ".flow.fans.air_change");
+    data.building.parameters.push_back(fans);
+    data.building.priors.emplace_back();
+    const BuiltModel built =
+        build(make_place(data, {refinement("terminals with reheat")}, data.drive), {});
+    const auto own =
+        std::ranges::find(built.parameters, "fans", &physics::Parameter::name);
+    ASSERT_NE(own, built.parameters.end());
+    const double half = 0.5;
+    physics::Building changed = built.placed->building;
+    physics::apply(built.placed->building, {&*own, 1}, {&half, 1}, changed);
+    EXPECT_EQ(changed.air_systems[0].outdoor_air_change.value, 0.4);
+}
+
 TEST(LoopModel, RefinementsOfGlassAndWallsKeepToTheirOwn) {
     const LoopData data = windy_data();
     const Place both =
