@@ -129,7 +129,6 @@ bool coil_that_dries(physics::Building& building) {
 
 /// The boundary that has the temperature of what their units supply.
 constexpr const char* terminals_air = "supply air of terminals";
-constexpr double usual_supply_temperature = 13;  ///< [degC]
 
 /// The least supply air of a zone's terminals: a flow of its own beside the fan's, whose
 /// outdoor air its unit mixes now.
@@ -172,7 +171,8 @@ bool terminals_with_reheat(physics::Building& building) {
             system.people_moisture = moisture_of_people(zone);
         });
     if (!changed) return false;
-    building.boundaries.push_back({terminals_air, {usual_supply_temperature}});
+    building.boundaries.push_back(
+        {terminals_air, physics::AirSystem{}.supply_temperature});
     for (std::size_t z = 0; z < building.zones.size(); ++z)
         if (building.zones[z].air_system >= n_before)
             add_terminals(z, building.zones[z].air_system, boundary, building);
@@ -344,8 +344,8 @@ const std::vector<Refinement>& refinements() {
          "a unit that cools air for all rooms, and terminals that heat it again",
          {{"supply_flow", "air_system.*.design_flow", 15, 5, 5, 40},
           {"least_supply", "zone.*.flow.terminals.air_change", 1.5, 0.6, 0.1, 5},
-          {"supply_temperature", "boundary.supply air of terminals.temperature",
-           usual_supply_temperature, 1.5, 8, 18},
+          {"supply_temperature", "boundary.supply air of terminals.temperature", 13, 1.5,
+           8, 18},
           {"unit_fan", "air_system.*.fan_power", 1, 0.6, 0, 4},
           {"coil_bypass", "air_system.*.bypass_factor", 0.1, 0.05, 0, 0.4},
           {"moisture_of_people", "air_system.*.people_moisture", 3, 2, 0, 20}},
