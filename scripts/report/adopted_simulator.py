@@ -1,9 +1,10 @@
 """A folder in which the user's own program runs with what the loop around it found.
 
-The files of a point as the last best run had them: templates with its parameters' values, the files that they name,
-effects.toml and effects.csv. Of an EnergyPlus model also what EnergyPlus receives, and how that differs from the model.
+The files of a point as the last best run had them: templates with its parameters' values and its effects' hours, the
+files that they name, effects.toml and effects.csv where templates have no place for effects. Of an EnergyPlus model also what EnergyPlus receives, and how that differs from the model.
 Nothing of the job is changed.
 """
+import datetime
 import math
 import pathlib
 import re
@@ -15,6 +16,7 @@ from .refused import CONFIG, FAILED, NO_INPUT, Refused
 RUNNER = "energyplus_hours"           # scripts/energyplus_hours, which can write the changed model alone
 ENDINGS = (".in", ".template")        # of templates, which a point's files lack
 SECTION_KEYS = ("hook", "unit", "enters", "facade", "meter")
+PLACE_KEYS = ("hook", "facade", "meter")
 
 
 def name_of_filled(path):
@@ -23,8 +25,8 @@ def name_of_filled(path):
 
 
 def filled(text, values):
-    return re.sub(r"@([A-Za-z][A-Za-z0-9_]*)@", lambda place: f"{values[place[1]]:.17g}"
-                  if place[1] in values else place[0], text)
+    """`values`: {place: its text}"""
+    return re.sub(r"@([A-Za-z][A-Za-z0-9_]*)@", lambda place: values.get(place[1], place[0]), text)
 
 
 def quoted(text):
@@ -40,6 +42,29 @@ def effects_text(simulator):
         above = f"opens_above = {one.opens_above:g}\n" if math.isfinite(one.opens_above) else ""
         sections.append("[[effect]]\n" + "".join(f"{key} = {quoted(value)}\n" for key, value in lines if value) + above)
     return "\n".join(sections)
+
+
+def lines_of(hours):
+    return "\n".join(f"{value:.9g}" for value in hours)
+
+
+def texts_of_places(simulator, section, n_hours):
+    """{name: hours} of [[simulator.effect]]."""
+    texts = {}
+    for place in section.get("effect", []):
+        where = tuple(str(place.get(key, "")) for key in PLACE_KEYS)
+        hours = [0.0] * n_hours
+        for one, values in zip(simulator.series, simulator.series_values):
+            if tuple(getattr(one, key) for key in PLACE_KEYS) == where:
+                hours = [there + more for there, more in zip(hours, values)]
+        texts[str(place["name"])] = lines_of(hours)
+    return texts
+
+
+def hours_of(job):
+    """Of all its periods."""
+    days = [[datetime.date.fromisoformat(str(day)[:10]) for day in period] for period in job.get("periods", {}).values()]
+    return sum(24 * ((last - first).days + 1) for first, last in days)
 
 
 def write_effects(simulator, folder):
@@ -104,11 +129,14 @@ def adopt(loop, job, job_file, folder):
     job_folder = pathlib.Path(job_file).resolve().parent
     values = {row.name: row.after for row in loop.simulator.parameters}
     folder = pathlib.Path(folder)
-    inputs = inputs_of(section, values, job_folder)
+    texts = {name: f"{value:.17g}" for name, value in values.items()}
+    texts |= texts_of_places(loop.simulator, section, hours_of(job))
+    inputs = inputs_of(section, texts, job_folder)
     folder.mkdir()
     for name, content in inputs.items():
         (folder / name).write_bytes(content)
-    write_effects(loop.simulator, folder)
+    if "effect" not in section:
+        write_effects(loop.simulator, folder)
     lines = [f"parameter {name}: {value:.4g}" for name, value in values.items()]
     lines += [f"effect {row.name}: at {row.hooks}, {row.scale:.3g} times what was found"
               for row in loop.simulator.given if row.scale]

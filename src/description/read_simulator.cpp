@@ -7,6 +7,7 @@
 
 #include "description/result_names.hpp"
 #include "description/words.hpp"
+#include "effects/hook_series.hpp"
 #include "external/process.hpp"
 #include "input/suggest.hpp"
 
@@ -148,6 +149,44 @@ std::vector<OutputRule> read_hours(const schema::Section& simulator) {
     return hours;
 }
 
+/// Beside parameters in templates.
+std::vector<external::EffectPlace> read_places(const schema::Section& simulator,
+                                               const CommandOptions& options) {
+    std::vector<external::EffectPlace> places;
+    std::set<std::string> names;
+    for (const physics::Parameter& parameter : options.parameters)
+        names.insert(parameter.name);
+    std::vector<std::string> hooks = effects::hooks_of_series();
+    std::erase(hooks, "venting");  // it needs a temperature beside its hours
+    const auto read_one = [&](const schema::Section& section) {
+        external::EffectPlace place{plain_name(section, names), section.text("hook"),
+                                    section.has("facade") ? section.text("facade") : "",
+                                    section.has("meter") ? section.text("meter") : ""};
+        check_word(section, "hook", place.hook, hooks, "hook of a series");
+        for (const external::EffectPlace& before : places)
+            if (before.hook == place.hook && before.facade == place.facade &&
+                before.meter == place.meter)
+                section.fail_value("hook",
+                                   fmt::format("what is there, \"{}\" takes; expected "
+                                               "another hook, facade or meter",
+                                               before.name));
+        places.push_back(std::move(place));
+    };
+    if (!simulator.each("effect", "simulator.effect", read_one)) throw schema::Follows();
+    if (!places.empty() && options.hours.empty())
+        simulator.fail("effect",
+                       "has hours, but there is no [[simulator.hourly]], which a loop "
+                       "needs; expected both or none");
+    return places;
+}
+
+/// Names that may stand in a template: of parameters, then of effects.
+std::vector<std::string> names_in_templates(const CommandOptions& options) {
+    std::vector<std::string> names = names_of(options.parameters);
+    for (const external::EffectPlace& place : options.places) names.push_back(place.name);
+    return names;
+}
+
 /// "house.idf.in" and "house.template.idf" are templates of "house.idf".
 std::string name_of_filled(const fs::path& file) {
     std::string name = file.filename().string();
@@ -178,7 +217,7 @@ class Folder {
 
 void read_inputs(const schema::Section& simulator, input::InputFiles& files,
                  CommandOptions& options) {
-    const std::vector<std::string> names = names_of(options.parameters);
+    const std::vector<std::string> names = names_in_templates(options);
     Folder folder;
     for (const schema::Section& section :
          simulator.tables("template", "simulator.template")) {
@@ -237,12 +276,23 @@ void read_command(const schema::Section& simulator, CommandOptions& options) {
                                        names_of(options.parameters));
 }
 
+/// Whether a template has the place, by its row in names_in_templates.
+bool is_in_input(const CommandOptions& options, std::size_t row) {
+    return std::ranges::any_of(options.inputs,
+                               [&](const auto& input) { return input.text.uses(row); });
+}
+
 /// What no template asks for cannot have an effect.
 void check_use(const schema::Section& simulator, const CommandOptions& options) {
+    const auto places = simulator.tables("effect", "simulator.effect");
+    for (std::size_t k = 0; k < places.size(); ++k)
+        if (!is_in_input(options, options.parameters.size() + k))
+            places[k].fail_value("name",
+                                 fmt::format("no template uses it; expected @{}@ in one",
+                                             options.places[k].name));
     const auto sections = simulator.tables("parameter", "simulator.parameter");
     for (std::size_t k = 0; k < sections.size(); ++k) {
-        const bool in_input = std::ranges::any_of(
-            options.inputs, [&](const auto& input) { return input.text.uses(k); });
+        const bool in_input = is_in_input(options, k);
         const bool in_command = std::ranges::any_of(
             options.arguments, [&](const auto& word) { return word.uses(k); });
         if (!in_input && !in_command)
@@ -276,6 +326,7 @@ CommandOptions read_simulator(const schema::Section& simulator, input::InputFile
             "output",
             "is missing; expected sections [[simulator.output]], for a loop or "
             "a posterior [[simulator.hourly]]");
+    options.places = read_places(simulator, options);
     simulator.attempt_all(
         [&] {
             read_inputs(simulator, files, options);

@@ -222,6 +222,15 @@ bool is_of_other_zone(const Target& target) {
 
 }  // namespace
 
+std::vector<std::string> hooks_of_series() {
+    std::vector<std::string> hooks = {"ventilation", "meter addition",
+                                      "lights and equipment"};  // by their parts
+    for (const InputRow& row : input_rows)
+        if (std::ranges::find(hooks, row.hook) == hooks.end())
+            hooks.emplace_back(row.hook);
+    return hooks;
+}
+
 std::vector<HookSeries> changes_between(const Version& without, const Version& with) {
     std::vector<HookSeries> all;
     Building before = without.building, after = with.building;  // input_at() may write

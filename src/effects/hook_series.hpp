@@ -21,6 +21,9 @@ struct HookSeries {
     double opens_above = nan;      ///< [degC] of the room, from which venting opens
 };
 
+/// Hooks that a series may be called by.
+std::vector<std::string> hooks_of_series();
+
 /// A building over a period.
 struct Version {
     const physics::Building& building;

@@ -1,6 +1,7 @@
 /// What is known of a command before it runs: inputs, arguments, outputs, limits.
 #pragma once
 
+#include "external/effect_places.hpp"
 #include "external/output_rule.hpp"
 #include "external/text_template.hpp"
 #include "physics/parameters.hpp"
@@ -27,6 +28,9 @@ struct CommandOptions {
     std::vector<physics::Parameter> parameters;
     std::vector<OutputRule> outputs;
     std::vector<OutputRule> hours;  ///< columns, called by their meters
+    /// In templates, behind the parameters; none: effects are handed over as
+    /// effect_files.
+    std::vector<EffectPlace> places{};
     std::vector<InputFile> inputs;
     std::vector<std::filesystem::path> links;  ///< absolute paths
     std::string program;                       ///< absolute path

@@ -6,6 +6,7 @@
 
 #include "base/nan.hpp"
 #include "external/effect_files.hpp"
+#include "external/effect_places.hpp"
 #include "external/periods_file.hpp"
 #include "external/point_runner.hpp"
 #include "external/regular_file.hpp"
@@ -38,10 +39,12 @@ class CommandSimulator : public study::Simulator {
                   std::vector<std::string>& failures) const override {
         answers = Matrix(points.rows, outputs_.size(), nan);
         failures.assign(points.rows, {});
+        const Handed nothing{{}, placed(runner_.options().places, {}, 1).texts};
         for (std::size_t r = 0; r < points.rows; ++r)
-            failures[r] = runner_.run(points.row(r), {}, [&](const fs::path& folder) {
-                return read_outputs(folder, answers.row(r));
-            });
+            failures[r] =
+                runner_.run(points.row(r), nothing, [&](const fs::path& folder) {
+                    return read_outputs(folder, answers.row(r));
+                });
     }
 
   private:
@@ -86,10 +89,11 @@ class HourlyCommand : public study::HourlySimulator {
         std::size_t n_hours = 0;
         for (const study::Period& period : periods)
             n_hours += static_cast<std::size_t>(study::hours_of(period));
-        std::vector<HandedFile> files = files_of(effects);
+        Handed handed = handed_of(effects, n_hours, simulated);
         if (takes_periods())
-            files.push_back({runner_.options().periods_file, text_of_periods(periods)});
-        simulated.failure = runner_.run(point, files, [&](const fs::path& folder) {
+            handed.files.push_back(
+                {runner_.options().periods_file, text_of_periods(periods)});
+        simulated.failure = runner_.run(point, handed, [&](const fs::path& folder) {
             return read(folder, n_hours, simulated);
         });
         if (!simulated.failure.empty()) simulated.meters.clear();
@@ -97,6 +101,16 @@ class HourlyCommand : public study::HourlySimulator {
     }
 
   private:
+    /// Effects in places of templates, or as files.
+    Handed handed_of(std::span<const study::GivenEffect> effects, std::size_t n_hours,
+                     study::SimulatedHours& simulated) const {
+        const auto& places = runner_.options().places;
+        if (places.empty()) return {files_of(effects)};
+        PlacedEffects there = placed(places, effects, n_hours);
+        simulated.left_out = std::move(there.left_out);
+        return {{}, std::move(there.texts)};
+    }
+
     std::string read(const fs::path& folder, std::size_t n_hours,
                      study::SimulatedHours& simulated) const {
         WrittenFiles files(folder, runner_.options().output_limit);
@@ -111,7 +125,8 @@ class HourlyCommand : public study::HourlySimulator {
                     rule.name, rule.file, rule.column, found.values.size(), n_hours);
             simulated.meters.push_back(std::move(found.values));
         }
-        simulated.left_out = lines_left_out(folder);
+        for (std::string& line : lines_left_out(folder))
+            simulated.left_out.push_back(std::move(line));
         return {};
     }
 

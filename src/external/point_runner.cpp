@@ -29,11 +29,11 @@ struct PointFailure : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-std::string name_of_point(std::span<const double> point,
-                          const std::vector<HandedFile>& files) {
+std::string name_of_point(std::span<const double> point, const Handed& handed) {
     Hasher hasher;
     hasher.add(point);
-    for (const HandedFile& file : files) hasher.add(file.text);
+    for (const HandedFile& file : handed.files) hasher.add(file.text);
+    for (const std::string& text : handed.texts) hasher.add(text);
     return "point-" + hasher.hex().substr(0, 16);
 }
 
@@ -117,13 +117,12 @@ PointRunner::~PointRunner() {
     fs::remove(options_.folder, ignored);
 }
 
-std::string PointRunner::run(std::span<const double> point,
-                             const std::vector<HandedFile>& files,
+std::string PointRunner::run(std::span<const double> point, const Handed& handed,
                              const Read& read) const {
-    const std::string name = name_of_point(point, files);
+    const std::string name = name_of_point(point, handed);
     try {
         const fs::path folder = make_folder(options_.folder, name);
-        const std::string failure = run_in(folder, point, files, read);
+        const std::string failure = run_in(folder, point, handed, read);
         const bool keeps = options_.keep == Keep::all ||
                            (options_.keep == Keep::failed && !failure.empty());
         std::error_code ignored;
@@ -136,10 +135,9 @@ std::string PointRunner::run(std::span<const double> point,
 }
 
 std::string PointRunner::run_in(const fs::path& folder, std::span<const double> point,
-                                const std::vector<HandedFile>& files,
-                                const Read& read) const {
+                                const Handed& handed, const Read& read) const {
     try {
-        prepare(folder, point, files);
+        prepare(folder, point, handed);
     } catch (const PointFailure& failure) {
         return failure.what();
     }
@@ -152,11 +150,11 @@ std::string PointRunner::run_in(const fs::path& folder, std::span<const double> 
 }
 
 void PointRunner::prepare(const fs::path& folder, std::span<const double> point,
-                          const std::vector<HandedFile>& files) const {
+                          const Handed& handed) const {
     for (const InputFile& input : options_.inputs)
-        write_text(folder / input.name, input.text.filled(point));
+        write_text(folder / input.name, input.text.filled(point, handed.texts));
     for (const fs::path& file : options_.links) link_file(file, folder);
-    for (const HandedFile& file : files) write_text(folder / file.name, file.text);
+    for (const HandedFile& file : handed.files) write_text(folder / file.name, file.text);
 }
 
 Command PointRunner::command_of(const fs::path& folder,

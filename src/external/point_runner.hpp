@@ -27,14 +27,14 @@ class PointRunner {
     using Read = std::function<std::string(const std::filesystem::path& folder)>;
 
     /// \return why it failed, or ""
-    std::string run(std::span<const double> point, const std::vector<HandedFile>& files,
+    std::string run(std::span<const double> point, const Handed& handed,
                     const Read& read) const;
 
   private:
     std::string run_in(const std::filesystem::path& folder, std::span<const double> point,
-                       const std::vector<HandedFile>& files, const Read& read) const;
+                       const Handed& handed, const Read& read) const;
     void prepare(const std::filesystem::path& folder, std::span<const double> point,
-                 const std::vector<HandedFile>& files) const;
+                 const Handed& handed) const;
     Command command_of(const std::filesystem::path& folder,
                        std::span<const double> point) const;
 

@@ -1,7 +1,7 @@
 /// A text with places like @infiltration@, filled with numbers in the fewest digits that
 /// give them back.
 /// Plain text without a source. Left out: formats, expressions, a way to write a place as
-/// it is; a name between two @ that is no parameter is an error.
+/// it is; a name between two @ that nobody knows is an error.
 #include "external/text_template.hpp"
 
 #include "base/error.hpp"
@@ -35,10 +35,11 @@ std::size_t index_of(std::string_view name, const std::vector<std::string>& name
                      const std::string& where, std::string_view text_before) {
     const auto found = std::ranges::find(names, name);
     if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-    throw UserError(ExitCode::config,
-                    fmt::format("{}:{}: @{}@ is no parameter; expected one of {}", where,
-                                1 + std::ranges::count(text_before, '\n'), name,
-                                fmt::join(names, ", ")));
+    throw UserError(
+        ExitCode::config,
+        fmt::format("{}:{}: @{}@ is no parameter; expected one of {}",
+                    where, 1 + std::ranges::count(text_before, '\n'), name,
+                    fmt::join(names, ", ")));
 }
 
 }  // namespace
@@ -64,10 +65,16 @@ bool TextTemplate::uses(std::size_t name) const {
     return std::ranges::find(places_, name, &Place::name) != places_.end();
 }
 
-std::string TextTemplate::filled(std::span<const double> values) const {
+std::string TextTemplate::filled(std::span<const double> values,
+                                 std::span<const std::string> texts) const {
     std::string text;
-    for (const Place& place : places_)
-        text += place.before + fmt::format("{}", values[place.name]);
+    for (const Place& place : places_) {
+        text += place.before;
+        if (place.name < values.size())
+            text += fmt::format("{}", values[place.name]);
+        else
+            text += texts[place.name - values.size()];
+    }
     return text + rest_;
 }
 

@@ -1,4 +1,4 @@
-/// A text with places for numbers: `@infiltration@`.
+/// A text with places for numbers and texts: `@infiltration@`.
 ///
 /// A name begins with a letter and goes on with letters, digits and underscores; any
 /// other @ is itself. Not a template library: their braces mean something in other
@@ -15,14 +15,16 @@ namespace bemcal::external {
 class TextTemplate {
   public:
     /// \param where  the file, for messages
-    /// \param names  of the numbers
+    /// \param names  of the numbers, and of texts behind them
     /// Throws UserError "FILE:LINE: ..." where a place names none of them.
     TextTemplate(std::string_view text, const std::string& where,
                  const std::vector<std::string>& names);
 
     bool uses(std::size_t name) const;
     /// With each number in the fewest digits that give it back: 0.1, 20, 1e-07.
-    std::string filled(std::span<const double> values) const;
+    /// \param texts  of the names behind those of the numbers
+    std::string filled(std::span<const double> values,
+                       std::span<const std::string> texts = {}) const;
 
   private:
     struct Place {

@@ -974,6 +974,23 @@ skip = 1                              # a line of units
 factor = 0.001                        # Wh to kWh
 offset = 0
 
+[[simulator.template]]                # of a program that reads no effects.toml:
+file = "hours.dat.in"                 # with @more_air@, @gas_more@ and @shade@ in it
+
+[[simulator.effect]]
+name = "more_air"                     # a number for each hour, a line each
+hook = "infiltration"                 # added [1/h]
+
+[[simulator.effect]]
+name = "gas_more"
+hook = "meter factor"                 # the meter's times 1 + number
+meter = "gas"
+
+[[simulator.effect]]
+name = "shade"
+hook = "aperture"
+facade = "south facade"
+
 [[study]]
 kind = "loop"
 runs = 60

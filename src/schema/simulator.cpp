@@ -31,6 +31,9 @@ constexpr Key simulator_table[] = {
     {"simulator", "hourly", Type::tables, "", "", 0, 0,
      "[[simulator.hourly]]: hours of a building's meters, which a loop and a posterior "
      "need."},
+    {"simulator", "effect", Type::tables, "", "", 0, 0,
+     "[[simulator.effect]]: places of templates that take what a loop finds, for a program "
+     "that reads no effects.toml."},
     {"simulator", "keep", Type::choice, "failed|all|none", "failed", 0, 0,
      "The folders of which points stay."},
     {"simulator", "folder", Type::text, "", "", 0, 0,
@@ -68,6 +71,15 @@ constexpr Key simulator_table[] = {
     {"simulator.output", "factor", Type::number, "-", "1", -1e300, 1e300,
      "value x factor + offset."},
     {"simulator.output", "offset", Type::number, "", "0", -1e300, 1e300, ""},
+    {"simulator.effect", "name", Type::text, "", required, 0, 0,
+     "In a template @name@ becomes a number for each hour of the periods, a line each; 0 "
+     "where there is nothing."},
+    {"simulator.effect", "hook", Type::text, "", required, 0, 0,
+     "What it changes: \"gains\", \"infiltration\", ... (describe effects)."},
+    {"simulator.effect", "facade", Type::text, "", "", 0, 0,
+     "Of an effect at one facade alone: \"south facade\"."},
+    {"simulator.effect", "meter", Type::text, "", "", 0, 0,
+     "Of an effect at a meter: \"gas\"."},
     {"simulator.hourly", "meter", Type::text, "", required, 0, 0,
      "Name of the building's [[meter]] that it stands beside."},
     {"simulator.hourly", "file", Type::text, "", "hours.csv", 0, 0,

@@ -105,6 +105,9 @@ constexpr SectionInfo section_table[] = {
      "same job as its twin: for a loop. Effects that were found are handed to the program "
      "as effects.toml and effects.csv in the point's folder; what it cannot take it says "
      "in effects_left_out.txt."},
+    {"simulator.effect", "[[simulator.effect]]", "",
+     "A place of a template that takes effects, in place of effects.toml: those at one "
+     "hook, as hours."},
     {"input", "{value, low, schedule}", "",
      "A number that changes with time: low + (value - low) x schedule, or value x "
      "series."},

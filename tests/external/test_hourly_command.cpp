@@ -125,6 +125,28 @@ TEST(HourlyCommand, EffectsAreHandedOverAsFiles) {
               "effect_1,effect_2,effect_3\n0.25,-0.1,2\n0.5,0,2\n");
 }
 
+TEST(HourlyCommand, EffectsStandInPlacesOfTemplates) {
+    const Folder folder;
+    CommandOptions options = hourly(
+        folder,
+        "printf 'gas\\n1\\n2\\n' > hours.csv; cp air.dat ../..; ! test -e effects.toml");
+    options.places = {{"air", "infiltration", "", ""},
+                      {"shade", "aperture", "", ""},
+                      {"south_shade", "aperture", "south facade", ""}};
+    options.inputs.push_back(
+        {"air.dat", TextTemplate("@air@;@shade@;@south_shade@", "air.dat.in",
+                                 {"a", "air", "shade", "south_shade"})});
+    std::vector<GivenEffect> effects = some_effect();
+    effects.push_back({"another", {{"infiltration", "1/h", false, "", "", {1, -0.125}}}});
+    const auto simulated = hours_of(options, effects);
+    EXPECT_EQ(simulated.failure, "");
+    EXPECT_EQ(folder.text("air.dat"), "1.25\n0.375;0\n0;-0.1\n0") << "they add up";
+    EXPECT_EQ(simulated.left_out,
+              std::vector<std::string>{"venting: no [[simulator.effect]] takes it"});
+    hours_of(options);
+    EXPECT_EQ(folder.text("air.dat"), "0\n0;0\n0;0\n0") << "without effects";
+}
+
 // A point whose files cannot be laid out leaves no more behind than one that fails later.
 TEST(HourlyCommand, AFolderThatCannotBeFilledGoesAsOthersDo) {
     const Folder folder;

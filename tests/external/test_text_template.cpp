@@ -19,6 +19,12 @@ TEST(TextTemplate, NumbersHaveTheDigitsThatGiveThemBack) {
     EXPECT_EQ(filled("@u@ @air_change@", {0.1 + 0.2, 1e-7}), "0.30000000000000004 1e-07");
 }
 
+TEST(TextTemplate, NamesBehindNumbersAreTexts) {
+    const TextTemplate text("u @u@\n@air@\nend @u@", "house.in", {"u", "air"});
+    EXPECT_EQ(text.filled(std::vector{0.5}, std::vector<std::string>{"1\n2"}),
+              "u 0.5\n1\n2\nend 0.5");
+}
+
 TEST(TextTemplate, AnotherAtIsItself) {
     for (const char* text :
          {"me@example.org", "@", "@@", "@ u@", "a@u", "@u b@", "@5@", "x@@", ""})

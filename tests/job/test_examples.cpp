@@ -131,6 +131,7 @@ void write_examples(const Folder& folder) {
         {"house.py", "# a program\n"},
         {"days.csv", "period,first,last\n"},
         {"house.json.in", "{\"u_value\": @u_value@}\n"},
+        {"hours.dat.in", "@more_air@\n@gas_more@\n@shade@\n"},
         {"bills_by_month.csv", "outdoor,gas\n1.2,2773.8\n2.1,2631.0\n9,1000\n"},
         {"field.csv", "y,x\n1,0\n2,0.5\n3,1\n"},
         {"runs.csv", "eta,x,t\n1,0,0\n2,0.5,0\n3,1,0\n2,0,1\n3,0.5,1\n5,1,1\n"},

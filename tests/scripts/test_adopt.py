@@ -253,6 +253,18 @@ class OfAProgram(unittest.TestCase):
         self.assertEqual(self.text("effects.csv"), "effect_1\n0.1\n0.2\n0.3\n")
         self.assertEqual(tomllib.loads(self.text("effects.toml"))["effect"][0]["hook"], "infiltration")
 
+    def test_effects_stand_in_templates_where_these_have_places(self):
+        self.write("air.dat.in", "@more_air@\n")
+        self.write("sun.dat.in", "@shade@\n")
+        places = "".join(f'[[simulator.template]]\nfile = "{file}"\n[[simulator.effect]]\nname = "{name}"\n'
+                         f'hook = "{hook}"\n' for file, name, hook in (
+                             ("air.dat.in", "more_air", "infiltration"), ("sun.dat.in", "shade", "aperture")))
+        done = self.adopt(job=SIMULATOR + places + '[periods]\ntraining = ["2021-01-01", 2021-01-01]\n')
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.text("air.dat"), "0.1\n0.2\n0.3\n")
+        self.assertEqual(self.text("sun.dat"), 24 * "0\n")
+        self.assertFalse((self.folder / "found" / "effects.toml").exists())
+
     def test_openings_say_from_what_they_open(self):
         with h5py.File(self.folder / "result.h5", "a") as file:
             file["office/loop/simulator_series_opens_above"] = np.array([22.5])

@@ -40,5 +40,27 @@ functions = false
         self.check_same_bits(stop_after=0.03)
 
 
+class LoopAroundAProgramWithTemplates(SmallHouse):
+    """A program that reads no effects.toml: its air by the hour stands in a file of its own."""
+    STUDY = LoopAroundAProgram.STUDY
+    BY_WIND = LoopAroundAProgram.BY_WIND
+    TEMPLATES = {**SmallHouse.TEMPLATES, "air.dat.in": "@more_air@\n"}
+    SIMULATOR = """[[simulator.template]]
+file = "air.dat.in"
+
+[[simulator.effect]]
+name = "more_air"
+hook = "infiltration"
+
+"""
+
+    def test_the_effect_is_given_by_the_hour(self):
+        self.assertEqual(self.texts("effect"), ["wind infiltration"])
+        self.assertEqual(self.texts("simulator_given_hooks"), ["infiltration"])
+        before, after = self.stored()["fit"][1:3, :, 0, 0, list(self.texts("metric")).index("cv_rmse")]
+        self.assertLess(after[0], 0.75 * before[0])
+        self.assertLess(after[1], before[1])
+
+
 if __name__ == "__main__":
     unittest.main()
