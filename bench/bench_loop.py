@@ -192,10 +192,13 @@ def print_names(scored):
 
 
 def print_air_systems(scored):
-    """That are found in buildings which have nothing of one."""
+    """That are found in buildings which have nothing of one; numbers of those that nobody declared."""
     without = list(filter(loop_scores.has_none_of_an_air_system, scored))
     line("loop_air_system_where_none_is", sum(map(loop_scores.has_found_an_air_system, without)),
          f"of_{len(without)}", 0)
+    off = [abs(z) for s in scored for z in s.of_terminals]
+    line("loop_terminals_within_2_prior_sd", sum(z <= 2 for z in off), f"of_{len(off)}", 0)
+    line("loop_terminals_off_median", float(np.median(off)) if off else np.nan, "prior_sd", 0)
 
 
 def print_classes(scored):

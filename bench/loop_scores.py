@@ -18,6 +18,7 @@ sys.path[:0] = [str(large_job.ROOT / "scripts"), str(large_job.ROOT / "tests" / 
 
 from case_folder import COLUMNS as CHANNELS, YEAR, error   # noqa: E402
 from cases import loop_result                              # noqa: E402
+from air_system import RESET, VAV                          # noqa: E402
 from effects import EFFECTS                                # noqa: E402
 from loop_names import (AIR_SYSTEM, ALWAYS_THERE, CLOCK, CODE_OF, OF_AIR_HANDLER, RIGHT,  # noqa: E402
                         is_in_class, is_right)
@@ -37,6 +38,7 @@ FACTORS = {"u_wall": "u_wall", "u_roof": "u_roof", "u_window": "u_window",
            "infiltration": "infiltration", "ventilation": "fresh_air", "fans": "fan_power",
            "heating_efficiency": "heating_efficiency", "heating_cop": "heating_cop",
            "cooling_cop": "cooling_cop"}
+RESET_OF_SUPPLY = "supply temperature per outdoor temperature below 20 degC"
 OFFSETS = {"heating_set_point": "heating_set", "cooling_set_point": "cooling_set"}
 
 
@@ -57,6 +59,7 @@ class Scored:
     details: dict = field(default_factory=dict)   # planted effect: what it drew
     air_handler: str = ""   # its kind
     structure: tuple = ()   # refinements that the loop chose
+    of_terminals: list = field(default_factory=list)   # numbers of a found unit, in prior standard deviations off
 
 
 def true_parameters(truth):
@@ -87,6 +90,25 @@ def parameter_errors(loop, truth, case, found):
         wind_air_change(case, found) / truth["design"]["infiltration"]
     off = {model: (value[known] - wanted) / sd[known] for model, value in values.items()}
     return {model: float(np.sqrt(np.nanmean(z ** 2))) for model, z in off.items()}
+
+
+def true_numbers_of_terminals(truth):
+    """{name in the structure: the truth} of a handler with terminals that nobody declared."""
+    handler = truth.get("structure", {}).get("air_handler", {})
+    if handler.get("kind") != VAV or handler["is_declared"]:
+        return {}
+    return {"supply_flow": handler["supply"] * truth["design"]["storey_height"],
+            "least_supply": handler["least_flow"] * handler["supply"],
+            "supply_temperature": handler["supply_cold"],
+            RESET_OF_SUPPLY: (handler["supply_warm"] - handler["supply_cold"]) / (RESET[1] - RESET[0])}
+
+
+def errors_of_terminals(loop, truth):
+    """Of the last model, where it has them."""
+    names, values = loop_result.texts(loop, "parameter"), calibrated(loop)
+    sd = dict(zip(names, loop["parameter_prior_sd"][:]))
+    return [float((values[name] - true) / sd[name])
+            for name, true in true_numbers_of_terminals(truth).items() if name in values]
 
 
 def held_out(case):
@@ -179,7 +201,8 @@ def score(file, case, kind):
                   coverage(found, planted, truth), value_coverage(found, planted, truth), calibrated(loop),
                   truth.get("details", {}),
                   truth.get("structure", {}).get("air_handler", {}).get("kind", ""),
-                  tuple(loop["structure_chosen"].asstr()[()].split(" + ")))
+                  tuple(loop["structure_chosen"].asstr()[()].split(" + ")),
+                  errors_of_terminals(loop, truth))
 
 
 def scores(result, cases):

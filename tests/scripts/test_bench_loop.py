@@ -124,6 +124,23 @@ class Scores(unittest.TestCase):
         self.assertTrue(loop_scores.has_none_of_an_air_system(case))
         self.assertFalse(loop_scores.has_none_of_an_air_system(scored({"latent_load": 0.8}, [])))
 
+    def test_numbers_of_terminals_are_beside_the_truth(self):
+        handler = {"kind": "VAV with terminal reheat", "supply": 4.0, "supply_cold": 13.0, "supply_warm": 16.0,
+                   "least_flow": 0.3, "is_declared": False}
+        truth = {"structure": {"air_handler": handler}, "design": {"storey_height": 3.0}}
+        loop = h5py.File("none", "w", driver="core", backing_store=False)
+        loop["model"] = ["plain", "after"]
+        loop["parameter"] = ["supply_flow", "least_supply", "supply_temperature", loop_scores.RESET_OF_SUPPLY]
+        loop["parameter_value"] = [[0, 0, 0, 0], [17.0, 1.2, 10.0, 0.35]]
+        loop["parameter_prior_sd"] = [5, 0.6, 1.5, 0.15]
+        np.testing.assert_allclose(loop_scores.errors_of_terminals(loop, truth), [1, 0, -2, 1], atol=1e-12)
+        handler["is_declared"] = True
+        self.assertEqual(loop_scores.errors_of_terminals(loop, truth), [])
+
+    def test_the_reset_is_the_refinements(self):
+        table = (ROOT / "src/effects/refinements.cpp").read_text()
+        self.assertIn(f'"{loop_scores.RESET_OF_SUPPLY}"', table)
+
     def test_names_of_an_air_system_are_of_the_catalogue_or_the_refinements(self):
         texts = "".join(path.read_text() for path in (ROOT / "src/effects").glob("*.cpp"))
         for name in loop_names.AIR_SYSTEM:
