@@ -1,7 +1,8 @@
 """A folder in which the user's own program runs with what the loop around it found.
 
 The files of a point as the last best run had them: templates with its parameters' values and its effects' hours, the
-files that they name, effects.toml and effects.csv where templates have no place for effects. Of an EnergyPlus model also what EnergyPlus receives, and how that differs from the model.
+files that they name, effects.toml and effects.csv where templates have no place for effects. Of an EnergyPlus model
+also what EnergyPlus receives, and how that differs from the model.
 Nothing of the job is changed.
 """
 import datetime
@@ -63,8 +64,11 @@ def texts_of_places(simulator, section, n_hours):
 
 def hours_of(job):
     """Of all its periods."""
-    days = [[datetime.date.fromisoformat(str(day)[:10]) for day in period] for period in job.get("periods", {}).values()]
-    return sum(24 * ((last - first).days + 1) for first, last in days)
+    n_days = 0
+    for period in job.get("periods", {}).values():
+        first, last = (datetime.date.fromisoformat(str(day)[:10]) for day in period)
+        n_days += (last - first).days + 1
+    return 24 * n_days
 
 
 def write_effects(simulator, folder):

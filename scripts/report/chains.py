@@ -239,7 +239,7 @@ def meanings(names):
 
 
 def program(study):
-    """Of a posterior of another program: how many runs it is from, where they were made, which failed."""
+    """Of a study on an emulator of another program: how many runs it is from, which failed."""
     of, failures = np.array(study.texts("simulator_run")), np.array(study.texts("simulator_run_failure"))
     names, at = study.texts("simulator_parameter"), study.numbers("simulator_run_value")
     shares = ", ".join(f"{(of == one).sum()} {one}" for one in dict.fromkeys(of))
@@ -247,7 +247,7 @@ def program(study):
     errors = dict(zip(study.texts("simulator_channel"), study.numbers("simulator_emulator_error")))
     foretold = "; ".join(f"{meter} within {fixed(error, 1)} %" for meter, error in errors.items())
     yield f"{of.size} runs of the program: {shares}; {failed.sum()} failed. " + (
-        f"The chains go on an emulator of the others. It foretells runs that it has not seen (CV(RMSE) of readings): "
+        f"An emulator of the others stands in for the program. It foretells runs that it has not seen (CV(RMSE)): "
         f"{foretold}." if foretold else "")
     if failed.any():
         yield Table("Runs that failed", [(name, True) for name in names] + [("why", False)],

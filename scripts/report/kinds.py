@@ -32,12 +32,14 @@ INDICES = (part("Indices", sobol.indices, "output parameter first_order total_or
 CONVERGENCE = (part("Convergence", chains.traces, "unknown rhat_rank"),
                part("Convergence", chains.ranks, "unknown rhat_rank"),
                part("Convergence", chains.table, "unknown posterior_mean posterior_sd rhat_rank ess_bulk ess_tail"))
+PROGRAM = part("Runs of the program", chains.program, "simulator_run simulator_run_failure simulator_run_value "
+                                                      "simulator_parameter")
 KNOWN = (part("What is known of the unknowns", chains.densities, "unknown"),
          part("What is known of the unknowns", chains.pairs, "unknown"))
 
 KINDS = {
     "loop": Kind("what does the building do that is not described?", ()),      # loop.html; read first
-    "sensitivity": Kind("which inputs matter for a total?", INDICES),
+    "sensitivity": Kind("which inputs matter for a total?", (*INDICES, PROGRAM)),
     "office_hour_sensitivity": Kind("which inputs matter for one hour of an office?", INDICES),
     "hourly_sensitivity": Kind("which inputs matter in each hour?", (
         part("Indices", sobol.series_indices, "parameter series_first_order series_total_order"),
@@ -54,7 +56,8 @@ KINDS = {
         part("Stages", grids.errors, "target"),
         part("Stages", grids.values, "parameter parameter_unit"),
         part("Stages", grids.indices, "parameter"),
-        part("Stages", grids.roles, "parameter parameter_unit nearest_parameters"))),
+        part("Stages", grids.roles, "parameter parameter_unit nearest_parameters"),
+        PROGRAM)),
     "optimisation": Kind("which point fits best?", (
         part("Points", fronts.descent, "round_end round_best objective"),
         part("Points", fronts.fronts, "front_objective point_objective objective"),
@@ -62,7 +65,7 @@ KINDS = {
         part("Points", fronts.ends, "at_bound parameter"),
         part("Points", fronts.aims, "target target_measured target_unit nearest_target_error"),
         part("Errors", screening.candidates, "metric meter period"),
-        METERS)),
+        PROGRAM, METERS)),
     "stages": Kind("which point fits best, parameter by parameter, season by season?", (
         part("Values", staged.values, "calibration_stage parameter parameter_unit calibration_value "
                                       "calibration_least calibration_most"),
@@ -77,9 +80,7 @@ KINDS = {
         part("Predictions", chains.fit_table),
         part("Predictions", chains.reading_ranks),
         *CONVERGENCE,
-        part("Runs of the program", chains.program, "simulator_run simulator_run_failure simulator_run_value "
-                                                    "simulator_parameter"),
-        METERS)),
+        PROGRAM, METERS)),
     "kennedy_ohagan": Kind("what is known after the data, by a statistical stand-in of the simulator?", (
         part("Predictions", field.errors, "field_cv_rmse field_cv_rmse_n1 field_nmbe"),
         part("Predictions", field.predictions, "field_measured process_mean"),

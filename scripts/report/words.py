@@ -145,7 +145,7 @@ def program_runs(loop):
     n_failed = sum(bool(run.failure) for run in simulator.runs)
     failed = f"; {n_failed} failed" if n_failed else ""
     errors = ", ".join(f"{row.name} {number(row.error)} %" for row in simulator.emulated)
-    foretold = f" Unseen ones were foretold within (CV(RMSE) of readings): {errors}." if errors else ""
+    foretold = f" Unseen ones were foretold within (CV(RMSE)): {errors}." if errors else ""
     years = sum(run.years for run in simulator.runs)
     annual = "" if math.isnan(years) else f" ({years:.0f} annual runs)"
     return f"It ran {len(simulator.runs)} times{annual}: {parts}{failed}.{foretold}"

@@ -910,7 +910,8 @@ row = 1
 
 [[study]]
 kind = "sensitivity"
-n_base = 32
+n_base = 1024
+runs = 40                             # then an emulator answers the points
 
 [[study]]
 kind = "kennedy_ohagan"
@@ -926,6 +927,7 @@ n_designs = 20
 kind = "optimisation"
 method = "pattern"
 evaluations = 200
+runs = 40
 
 [[study.target]]
 output = "gas"
@@ -934,6 +936,7 @@ measured = 21000
 [[study]]
 kind = "grid"
 k = 2
+runs = 40
 
 [study.grid]
 u_value = [0.4, 0.8, 1.2]

@@ -5,6 +5,7 @@
 #include "job/grid_kind.hpp"
 
 #include "description/words.hpp"
+#include "job/emulated.hpp"
 #include "job/kind.hpp"
 #include "job/names.hpp"
 
@@ -162,7 +163,7 @@ calibration::GridOptions read_options(const schema::Section& section) {
 }
 
 void read(const StudySource& source, StudySpec& study) {
-    GridStudy grid{read_options(source.section), {}};
+    GridStudy grid{read_options(source.section), {}, read_runs(source)};
     check_sizes(source.section, grid.options);
     grid.targets = read_targets(source.section);
     study.period = source.section.text("period");
@@ -225,7 +226,7 @@ void check_names(const NamePlace& place) {
 }
 
 void check(const StudyPlace& place, StudySpec& study) {
-    const auto& [options, targets] = study.as<GridStudy>();
+    const auto& [options, targets, n_runs] = study.as<GridStudy>();
     if (const auto& simulator = place.job.simulator) {
         check_grids(place.section, options.grids,
                     {simulator->parameters(), "the simulator"});
@@ -240,8 +241,10 @@ void check(const StudyPlace& place, StudySpec& study) {
 Stages stages(const StudySpec& study, const Job& job) {
     const auto& grid = study.as<GridStudy>();
     if (job.simulator)
-        return only(calibration::make_grid(study.name, job.simulator,
-                                           options_for(grid, *job.simulator)));
+        return stages_of_simulator(study, job, grid.n_runs, [&](auto simulator) {
+            const auto options = options_for(grid, *simulator);
+            return calibration::make_grid(study.name, std::move(simulator), options);
+        });
     return for_each_building(study, job, [&](std::string name, const auto& building) {
         const study::Period& period = period_of(building, study.period);
         return calibration::make_grid(std::move(name),
@@ -297,7 +300,7 @@ calibration::GridOptions options_for(const GridStudy& grid,
 
 extern const Kind grid_kind{.word = "grid",
                             .sections = {sections, target_sections},
-                            .keys = {keys, target_keys},
+                            .keys = {keys, target_keys, emulated_keys},
                             .takes_simulator = true,
                             .read = read,
                             .check_names = check_names,

@@ -9,6 +9,7 @@ namespace bemcal::job {
 struct GridStudy {
     calibration::GridOptions options;  ///< without targets
     TargetSpecs targets;
+    int n_runs = 0;  ///< of the [simulator]; 0 = one for each point
 };
 
 /// Throw std::invalid_argument where a measured value is missing or zero, or an output or

@@ -29,7 +29,7 @@ using study::Stages;
 
 /// Rows of a kind's own and those that it shares with other kinds.
 template <class Row>
-using Rows = std::array<std::span<const Row>, 4>;
+using Rows = std::array<std::span<const Row>, 5>;
 
 /// What a study is read from.
 struct StudySource {

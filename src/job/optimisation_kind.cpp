@@ -4,6 +4,7 @@
 /// Targets are read by `read_targets`; objectives are in `meter_goal` and `target_goal`.
 #include "job/optimisation_kind.hpp"
 
+#include "job/emulated.hpp"
 #include "job/fit_keys.hpp"
 #include "job/kind.hpp"
 #include "job/learning.hpp"
@@ -87,7 +88,8 @@ OptimisationOptions read_options(const schema::Section& section) {
 }
 
 void read(const StudySource& source, StudySpec& study) {
-    OptimisationStudy made{read_options(source.section), read_targets(source.section)};
+    OptimisationStudy made{read_options(source.section), read_targets(source.section),
+                           read_runs(source)};
     made.options.seed = source.seed;
     study.period = made.options.period;
     study.options = std::move(made);
@@ -109,7 +111,7 @@ void check_names(const NamePlace& place) {
 }
 
 void check(const StudyPlace& place, StudySpec& study) {
-    const auto& [options, targets] = study.as<OptimisationStudy>();
+    const auto& [options, targets, n_runs] = study.as<OptimisationStudy>();
     const schema::Section& section = place.section;
     if (place.job.simulator) {
         check_targets(section, targets, *place.job.simulator);
@@ -140,11 +142,13 @@ calibration::TargetAim aim_of(const TargetSpecs& targets, const study::Case& bui
 }
 
 Stages stages(const StudySpec& study, const Job& job) {
-    const auto& [options, targets] = study.as<OptimisationStudy>();
+    const auto& [options, targets, n_runs] = study.as<OptimisationStudy>();
     if (job.simulator)
-        return only(calibration::make_optimisation(
-            study.name, {job.simulator, targets_of(targets, *job.simulator), {}},
-            options));
+        return stages_of_simulator(study, job, n_runs, [&](auto simulator) {
+            auto aimed = targets_of(targets, *simulator);
+            return calibration::make_optimisation(
+                study.name, {std::move(simulator), std::move(aimed), {}}, options);
+        });
     return for_each_building(study, job, [&](std::string name, const auto& building) {
         return targets.empty()
                    ? calibration::make_optimisation(std::move(name), building, options)
@@ -162,22 +166,23 @@ void cost(const StudyStage& stage, Effort& effort) {
 }
 
 std::vector<Fitted> fitted(const StudySpec& study, const study::Case& building) {
-    const auto& [options, targets] = study.as<OptimisationStudy>();
+    const auto& [options, targets, n_runs] = study.as<OptimisationStudy>();
     if (targets.empty()) return {{options.period, options.meters}};
     return fitted_by(targets, study.period, building);
 }
 
 }  // namespace
 
-extern const Kind optimisation_kind{.word = "optimisation",
-                                    .sections = {sections, target_sections},
-                                    .keys = {learning_keys, keys, fit_keys, target_keys},
-                                    .takes_simulator = true,
-                                    .read = read,
-                                    .check_names = check_names,
-                                    .check = check,
-                                    .stages = stages,
-                                    .cost = cost,
-                                    .fitted = fitted};
+extern const Kind optimisation_kind{
+    .word = "optimisation",
+    .sections = {sections, target_sections},
+    .keys = {learning_keys, keys, fit_keys, target_keys, emulated_keys},
+    .takes_simulator = true,
+    .read = read,
+    .check_names = check_names,
+    .check = check,
+    .stages = stages,
+    .cost = cost,
+    .fitted = fitted};
 
 }  // namespace bemcal::job

@@ -3,6 +3,7 @@
 /// Source: paper 1, step 1.
 /// Indices by the hour are a kind of their own.
 #include "description/read_quantities.hpp"
+#include "job/emulated.hpp"
 #include "job/kind.hpp"
 #include "job/sobol_keys.hpp"
 #include "sensitivity/simulators.hpp"
@@ -28,6 +29,7 @@ constexpr schema::Key keys[] = {
 struct SensitivityStudy {
     sensitivity::SensitivityOptions options;
     std::vector<Quantity> quantities;
+    int n_runs = 0;  ///< of the [simulator]; 0 = one for each point
 };
 
 void read(const StudySource& source, StudySpec& study) {
@@ -37,14 +39,18 @@ void read(const StudySource& source, StudySpec& study) {
     read_indices(source.section, made.options);
     made.quantities = description::read_quantities(source.section, "quantities");
     if (made.quantities.empty()) made.quantities = {Quantity::heating, Quantity::cooling};
+    made.n_runs = read_runs(source);
     study.period = source.section.text("period");
     study.options = std::move(made);
 }
 
 Stages stages(const StudySpec& study, const Job& job) {
-    const auto& [options, quantities] = study.as<SensitivityStudy>();
+    const auto& [options, quantities, n_runs] = study.as<SensitivityStudy>();
     if (job.simulator)
-        return only(sensitivity::make_sensitivity(study.name, job.simulator, options));
+        return stages_of_simulator(study, job, n_runs, [&](auto simulator) {
+            return sensitivity::make_sensitivity(study.name, std::move(simulator),
+                                                 options);
+        });
     return for_each_building(study, job, [&](std::string name, const auto& building) {
         return sensitivity::make_sensitivity(
             std::move(name),
@@ -62,7 +68,7 @@ void cost(const StudyStage&, Effort& effort) {
 
 extern const Kind sensitivity_kind{.word = "sensitivity",
                                    .sections = {sections},
-                                   .keys = {keys, design_keys, index_keys},
+                                   .keys = {keys, design_keys, index_keys, emulated_keys},
                                    .takes_simulator = true,
                                    .read = read,
                                    .stages = stages,

@@ -400,30 +400,15 @@ ChainDraws SimulatorPosterior::draws_of(PosteriorPointer posterior,
 
 void SimulatorPosterior::add_runs(const std::vector<study::ItemAnswer>& answers,
                                   study::DatasetBuilder& datasets) const {
-    std::vector<std::string> names, units, of, failures;
-    std::vector<double> least, most, values;
-    for (const physics::Parameter& parameter : parameters_) {
-        names.push_back(parameter.name);
-        units.push_back(parameter.unit);
-        least.push_back(parameter.least);
-        most.push_back(parameter.most);
-    }
+    study::MadeRuns made;
     for (const SimulatorRun& run : runs_in(answers)) {
         const auto design = static_cast<std::size_t>(budget_.design());
-        of.emplace_back(of.size() < design ? "design" : "posterior");
-        failures.push_back(run.failure);
+        made.of.emplace_back(made.of.size() < design ? "design" : "posterior");
+        made.failures.push_back(run.failure);
         const std::vector<double> at = study::values_at(run.point, parameters_);
-        values.insert(values.end(), at.begin(), at.end());
+        made.values.insert(made.values.end(), at.begin(), at.end());
     }
-    const std::size_t n = of.size();
-    datasets.texts("simulator_parameter", "simulator_parameter", std::move(names));
-    datasets.texts("simulator_parameter_unit", "simulator_parameter", std::move(units));
-    datasets.vector("simulator_parameter_least", "simulator_parameter", std::move(least));
-    datasets.vector("simulator_parameter_most", "simulator_parameter", std::move(most));
-    datasets.texts("simulator_run", "simulator_run", std::move(of));
-    datasets.texts("simulator_run_failure", "simulator_run", std::move(failures));
-    datasets.array("simulator_run_value", {"simulator_run", "simulator_parameter"},
-                   {n, parameters_.size()}, std::move(values));
+    study::add_made_runs(parameters_, std::move(made), datasets);
     const UsedRuns used = used_of(answers);
     if (!are_enough(used)) return;
     datasets.texts("simulator_channel", "simulator_channel", options_.meters);

@@ -3,6 +3,7 @@
 /// Made from stored datasets alone; indices are not computed again. Errors are shown of
 /// up to three targets, neighbours up to 20.
 #include "report/sections.hpp"
+#include "report/simulator_tables.hpp"
 #include "report/text_table.hpp"
 
 #include <algorithm>
@@ -173,7 +174,7 @@ std::string grid_section(const Group& study) {
         measured_line(study) + stages_table(study);
     for (std::size_t s = 1; s <= study.values("stage_points").size(); ++s)
         text += stage_section(study, s);
-    return text + best_table(study) + failure_lines(study);
+    return text + best_table(study) + simulator_run_lines(study) + failure_lines(study);
 }
 
 }  // namespace bemcal::report

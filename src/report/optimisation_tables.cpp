@@ -3,6 +3,7 @@
 /// Made from stored datasets alone; metrics of meters are computed again
 /// (screening_tables). Ten rows of a front are shown at most.
 #include "report/sections.hpp"
+#include "report/simulator_tables.hpp"
 #include "report/text_table.hpp"
 
 #include <algorithm>
@@ -83,7 +84,7 @@ std::string optimisation_section(const Group& study) {
                        has_targets ? "" : "nominal -> ", study.value("n_points")) +
            objective_lines(study) + front_table(study) +
            (has_targets ? target_tables(study) : candidate_tables(study)) +
-           bound_lines(study) + failure_lines(study);
+           bound_lines(study) + simulator_run_lines(study) + failure_lines(study);
 }
 
 }  // namespace bemcal::report

@@ -175,19 +175,13 @@ std::string divergence_line(const Group& study) {
         n);
 }
 
-/// Of a posterior of another program.
-std::string program_lines(const Group& study) {
-    return simulator_run_lines(
-        loop::stored_simulator(study.result().datasets, study.path()));
-}
-
 }  // namespace
 
 std::string posterior_section(const Group& study) {
     const std::vector<Unknown> unknowns = unknowns_of(study);
     return fmt::format("\n{}: {}", study.path(), convergence_line(study, unknowns)) +
            estimates_table(unknowns) + chains_table(unknowns) + divergence_line(study) +
-           words(study) + program_lines(study) + field_tables(study) +
+           words(study) + simulator_run_lines(study) + field_tables(study) +
            validation_tables(study) + failure_lines(study);
 }
 

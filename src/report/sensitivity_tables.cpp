@@ -3,6 +3,7 @@
 /// Indices are estimated again from the stored design (Saltelli et al. 2010); their
 /// intervals, and all of a series, are as stored. The hours themselves are not shown.
 #include "report/sections.hpp"
+#include "report/simulator_tables.hpp"
 #include "report/text_table.hpp"
 #include "stats/saltelli.hpp"
 
@@ -88,7 +89,7 @@ std::string sensitivity_section(const Group& study) {
             in_short(row_of(study.values("output_mean"), k, 1)[0]), threshold);
         text += table_of(study, indices, threshold);
     }
-    return text + failure_lines(study);
+    return text + simulator_run_lines(study) + failure_lines(study);
 }
 
 std::string hourly_section(const Group& study) {

@@ -66,7 +66,7 @@ std::string emulator_line(const StoredSimulator& simulator) {
     if (parts.empty()) return "";
     return wrapped(
         fmt::format("runs that the emulator had not seen are foretold within "
-                    "(CV(RMSE) of readings): {}",
+                    "(CV(RMSE)): {}",
                     fmt::join(parts, ", ")));
 }
 
@@ -80,6 +80,11 @@ std::string simulator_tables(const StoredSimulator& simulator) {
 std::string simulator_run_lines(const StoredSimulator& simulator) {
     if (simulator.runs.empty()) return "";
     return run_line(simulator) + emulator_line(simulator);
+}
+
+std::string simulator_run_lines(const Group& study) {
+    return simulator_run_lines(
+        loop::stored_simulator(study.result().datasets, study.path()));
 }
 
 std::string simulator_given_table(const StoredSimulator& simulator) {

@@ -2,6 +2,7 @@
 /// made, and the hours that it gave.
 #pragma once
 
+#include "study/datasets.hpp"
 #include "study/hourly_simulator.hpp"
 #include "study/simulated_hours.hpp"
 #include "study/stage.hpp"
@@ -46,6 +47,14 @@ ItemAnswer simulate(const HourlySimulator& simulator, SimulatorRun run,
                     std::span<const double> values, std::vector<GivenEffect> effects,
                     std::span<const std::size_t> columns,
                     const std::vector<Period>& periods);
+
+/// Runs as a result tells them.
+struct MadeRuns {
+    std::vector<std::string> of, failures;  ///< [runs] "" = it did not fail
+    std::vector<double> values;             ///< [runs x parameters]
+};
+void add_made_runs(const std::vector<physics::Parameter>& parameters, MadeRuns runs,
+                   DatasetBuilder& datasets);
 
 /// The run that an answer holds. One that was not made has a point of NaN.
 SimulatorRun run_in(const ItemAnswer& answer, std::size_t n_parameters);

@@ -271,7 +271,7 @@ class LoopReport(unittest.TestCase):
         fake_simulator.add_to(path)
         text = Page(html_of(path)).text
         self.assertIn("It ran 3 times: 2 design, 1 calibration; 1 failed.", text)
-        self.assertIn("Unseen ones were foretold within (CV(RMSE) of readings): gas 2.5 %.", text)
+        self.assertIn("Unseen ones were foretold within (CV(RMSE)): gas 2.5 %.", text)
         self.assertIn("It could not take: blinds: there are none.", text)
         self.assertIn("no better with it", text)
         self.assertIn("Parameters of the twin", text)
