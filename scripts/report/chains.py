@@ -247,8 +247,8 @@ def program(study):
     errors = dict(zip(study.texts("simulator_channel"), study.numbers("simulator_emulator_error")))
     foretold = "; ".join(f"{meter} within {fixed(error, 1)} %" for meter, error in errors.items())
     yield f"{of.size} runs of the program: {shares}; {failed.sum()} failed. " + (
-        f"An emulator of the others stands in for the program. It foretells runs that it has not seen (CV(RMSE)): "
-        f"{foretold}." if foretold else "")
+        f"An emulator of {'the others' if failed.any() else 'them'} stands in for the program. It foretells runs that "
+        f"it has not seen (CV(RMSE)): {foretold}." if foretold else "")
     if failed.any():
         yield Table("Runs that failed", [(name, True) for name in names] + [("why", False)],
                     [[*map(number, at[k]), failures[k]] for k in np.flatnonzero(failed)[:MOST_FAILED]])
