@@ -137,7 +137,7 @@ void add_terminals(std::size_t z, int system, int boundary, physics::Building& b
     physics::Zone& zone = building.zones[z];
     const int fan = flow_of_fan(zone), terminals = static_cast<int>(zone.flows.size());
     physics::AirFlow least;
-    least.name = "terminals";
+    least.name = "least supply air";
     least.air_change = {0, 0, zone.flows[physics::row_of(fan)].air_change.profile};
     least.supply = boundary;
     zone.flows.push_back(least);
@@ -343,7 +343,7 @@ const std::vector<Refinement>& refinements() {
         {"terminals with reheat",
          "a unit that cools air for all rooms, and terminals that heat it again",
          {{"supply_flow", "air_system.*.design_flow", 15, 5, 5, 40},
-          {"least_supply", "zone.*.flow.terminals.air_change", 1.5, 0.6, 0.1, 5},
+          {"least_supply", "zone.*.flow.least supply air.air_change", 1.5, 0.6, 0.1, 5},
           {"supply_temperature", "boundary.supply air of terminals.temperature", 13, 1.5,
            8, 18},
           {"unit_fan", "air_system.*.fan_power", 1, 0.6, 0, 4},
@@ -409,6 +409,20 @@ std::string name_of(const std::vector<std::size_t>& structure) {
 bool are_of_one_kind(std::size_t one, std::size_t other) {
     const std::string_view kind = refinements()[one].kind;
     return one == other || (!kind.empty() && kind == refinements()[other].kind);
+}
+
+std::optional<std::vector<std::size_t>> joined_by(
+    std::size_t refinement, std::vector<std::size_t> structure,
+    const std::vector<std::size_t>& declared) {
+    const auto is_rival = [&](std::size_t there) {
+        return are_of_one_kind(there, refinement);
+    };
+    if (std::ranges::find(structure, refinement) != structure.end() ||
+        std::ranges::any_of(declared, is_rival))
+        return std::nullopt;
+    std::erase_if(structure, is_rival);
+    structure.push_back(refinement);
+    return structure;
 }
 
 std::vector<physics::Target> free_targets(

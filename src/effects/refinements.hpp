@@ -42,6 +42,12 @@ std::string name_of(const std::vector<std::size_t>& structure);
 /// Whether a structure cannot have both.
 bool are_of_one_kind(std::size_t one, std::size_t other);
 
+/// A structure that a refinement joins, in place of one of its kind; nothing where it is
+/// there, or where its kind is declared, which stays.
+std::optional<std::vector<std::size_t>> joined_by(
+    std::size_t refinement, std::vector<std::size_t> structure,
+    const std::vector<std::size_t>& declared);
+
 /// All planes that any structure asks for, in every one of them: they share one drive.
 void add_planes_of_refinements(physics::Building& building);
 

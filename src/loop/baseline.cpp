@@ -105,22 +105,6 @@ struct Candidates {
     }
 };
 
-/// A structure that a refinement joins, in place of one of its kind; nothing where it is
-/// there, or where the description has its kind.
-std::optional<std::vector<std::size_t>> joined_by(const LoopData& data,
-                                                  std::vector<std::size_t> structure,
-                                                  std::size_t refinement) {
-    const auto is_rival = [&](std::size_t there) {
-        return effects::are_of_one_kind(there, refinement);
-    };
-    if (std::ranges::find(structure, refinement) != structure.end() ||
-        std::ranges::any_of(data.building.structure, is_rival))
-        return std::nullopt;
-    std::erase_if(structure, is_rival);
-    structure.push_back(refinement);
-    return structure;
-}
-
 /// What one has brought, another seldom brings again: those that promised far less than
 /// the best now does are not tried unless nothing else helps (the lazy form of a greedy
 /// search: Minoux 1978).
@@ -132,7 +116,8 @@ std::optional<Better> best_refinement(const LoopData& data, const Baseline& base
     std::vector<double>& promises = candidates.promises;
     for (const std::size_t k : candidates.in_order()) {
         if (best && most > decisions::promise_ratio * promises[k]) break;
-        const auto structure = joined_by(data, baseline.chosen.model.structure, k);
+        const auto structure = effects::joined_by(k, baseline.chosen.model.structure,
+                                                  data.building.structure);
         if (!structure) continue;
         LoopModel model = baseline.chosen.model;
         model.structure = *structure;

@@ -39,6 +39,20 @@ TEST(Refinements, OfOneKindAreNotTogether) {
     EXPECT_FALSE(are_of_one_kind(index("surfaces"), index("sky")));
 }
 
+TEST(Refinements, OneTakesThePlaceOfAnotherOfItsKind) {
+    const auto of = [](const char* name) {
+        return static_cast<std::size_t>(&named(name) - refinements().data());
+    };
+    const std::vector<std::size_t> structure = {of("sky"), of("surfaces")};
+    EXPECT_EQ(joined_by(of("sky by weather"), structure, {}),
+              (std::vector{of("surfaces"), of("sky by weather")}));
+    EXPECT_EQ(joined_by(of("emitter"), structure, {}),
+              (std::vector{of("sky"), of("surfaces"), of("emitter")}));
+    EXPECT_EQ(joined_by(of("sky"), structure, {}), std::nullopt) << "it is there";
+    EXPECT_EQ(joined_by(of("sky"), {}, {of("sky by weather")}), std::nullopt)
+        << "what is declared stays";
+}
+
 TEST(Refinements, OneUnitForAllIsOfAnAirSystemWithHours) {
     physics::Building building = Office().building;
     const Refinement& unit = named("one unit for all");

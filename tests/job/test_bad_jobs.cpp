@@ -373,8 +373,9 @@ bool takes_named_study(const std::filesystem::path& one,
 }
 
 /// At one place, or in numbers that one has from the other, they may make a third; so
-/// does a key of the job behind a section, for it is that section's, and a name that is
-/// not there twice where the other construction of it could not be read.
+/// does a key of the job behind a section, for it is that section's, a key that both
+/// write, and a name that is not there twice where the other construction of it could
+/// not be read.
 bool are_apart(const std::filesystem::path& one, const std::filesystem::path& other) {
     const std::set<std::string> places = places_of(other);
     const auto is_of = [](const std::filesystem::path& file, const char* what) {
@@ -386,6 +387,7 @@ bool are_apart(const std::filesystem::path& one, const std::filesystem::path& ot
            !takes_named_study(one, other) && !takes_named_study(other, one) &&
            !(is_of(one, "grid_") && is_of(other, "values_")) &&
            !(is_of(one, "layer_") && is_of(other, "same_name_")) &&
+           !(is_of(one, "hours_of_") && is_of(other, "use_of_")) &&
            !(is_of(one, "holidays_") && is_of(other, "structure_")) &&
            !(is_of(one, "link") && (is_of(other, "values_") || is_of(other, "target_")));
 }

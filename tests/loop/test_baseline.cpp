@@ -39,9 +39,9 @@ TEST(LoopBaseline, NoRefinementThatIsLeftWouldHelp) {
     ASSERT_FALSE(chosen.empty());
     std::size_t n_left = 0;
     for (std::size_t k = 0; k < effects::refinements().size(); ++k) {
-        auto more = chosen;
-        more.push_back(k);
-        const auto tried = std::ranges::find(baseline.tried, effects::name_of(more),
+        const auto more = effects::joined_by(k, chosen, {});
+        if (!more) continue;
+        const auto tried = std::ranges::find(baseline.tried, effects::name_of(*more),
                                              &TriedStructure::name);
         if (tried == baseline.tried.end()) continue;
         EXPECT_GT(tried->score, baseline.gained - 6) << tried->name;
