@@ -35,11 +35,10 @@ std::size_t index_of(std::string_view name, const std::vector<std::string>& name
                      const std::string& where, std::string_view text_before) {
     const auto found = std::ranges::find(names, name);
     if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-    throw UserError(
-        ExitCode::config,
-        fmt::format("{}:{}: @{}@ is no parameter; expected one of {}",
-                    where, 1 + std::ranges::count(text_before, '\n'), name,
-                    fmt::join(names, ", ")));
+    throw UserError(ExitCode::config,
+                    fmt::format("{}:{}: @{}@ is no parameter; expected one of {}", where,
+                                1 + std::ranges::count(text_before, '\n'), name,
+                                fmt::join(names, ", ")));
 }
 
 }  // namespace

@@ -300,8 +300,8 @@ struct Coefficient {
     std::vector<Target> targets;
 };
 
-/// A number that the building's structure has elsewhere: what leads to the one place leads
-/// to the other.
+/// A number that the building's structure has elsewhere: what leads to the one place
+/// leads to the other.
 struct Moved {
     Target from, to;
 };

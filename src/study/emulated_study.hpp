@@ -1,5 +1,5 @@
-/// A study of a slow simulator by few runs of it: an emulator of its outputs, learned from
-/// these runs, answers the study's points.
+/// A study of a slow simulator by few runs of it: an emulator of its outputs, learned
+/// from these runs, answers the study's points.
 #pragma once
 
 #include "study/simulator.hpp"
@@ -13,8 +13,7 @@
 namespace bemcal::study {
 
 /// Makes a study of a simulator.
-using StudyOf =
-    std::function<std::unique_ptr<Stage>(std::shared_ptr<const Simulator>)>;
+using StudyOf = std::function<std::unique_ptr<Stage>(std::shared_ptr<const Simulator>)>;
 
 /// First the runs, at Sobol points of the parameters' ranges, then the study. Both have
 /// the same name. Throws std::invalid_argument where the runs are too few for the

@@ -108,8 +108,7 @@ TEST(EmulatedStudy, ConcludesWithoutTheStudyWhereTooFewSucceed) {
     EXPECT_EQ(answers.size(), 14U);
     EXPECT_EQ(stage->shortfall(answers),
               "too few runs of the simulator succeeded for an emulator");
-    EXPECT_EQ(find(stage->conclude(answers).datasets, "simulator_run").texts.size(),
-              14U);
+    EXPECT_EQ(find(stage->conclude(answers).datasets, "simulator_run").texts.size(), 14U);
 }
 
 TEST(EmulatedStudy, NeedsTwiceTheRunsOfAPlane) {
