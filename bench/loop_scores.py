@@ -16,9 +16,9 @@ import large_job
 
 sys.path[:0] = [str(large_job.ROOT / "scripts"), str(large_job.ROOT / "tests" / "generator")]
 
+from air_system import RESET, VAV                          # noqa: E402
 from case_folder import COLUMNS as CHANNELS, YEAR, error   # noqa: E402
 from cases import loop_result                              # noqa: E402
-from air_system import RESET, VAV                          # noqa: E402
 from effects import EFFECTS                                # noqa: E402
 from loop_names import (AIR_SYSTEM, ALWAYS_THERE, CLOCK, CODE_OF, OF_AIR_HANDLER, RIGHT,  # noqa: E402
                         is_in_class, is_right)

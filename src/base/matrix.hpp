@@ -31,6 +31,12 @@ struct Matrix {
         for (std::size_t r = 0; r < rows; ++r) taken[r] = (*this)(r, c);
         return taken;
     }
+    /// As long as the rows before it.
+    void add_row(std::span<const double> row) {
+        cols = row.size();
+        values.insert(values.end(), row.begin(), row.end());
+        ++rows;
+    }
 };
 
 }  // namespace bemcal

@@ -164,8 +164,7 @@ std::vector<external::EffectPlace> read_places(const schema::Section& simulator,
                                     section.has("meter") ? section.text("meter") : ""};
         check_word(section, "hook", place.hook, hooks, "hook of a series");
         for (const external::EffectPlace& before : places)
-            if (before.hook == place.hook && before.facade == place.facade &&
-                before.meter == place.meter)
+            if (effects::is_same_place(before, place))
                 section.fail_value("hook",
                                    fmt::format("what is there, \"{}\" takes; expected "
                                                "another hook, facade or meter",

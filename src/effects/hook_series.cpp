@@ -164,10 +164,6 @@ HookSeries placed_at(const InputRow& row, const Target& target,
     return series;
 }
 
-bool is_same_place(const HookSeries& a, const HookSeries& b) {
-    return a.hook == b.hook && a.facade == b.facade && a.meter == b.meter;
-}
-
 /// By a flow; nothing flows where it is 0.
 void divide(Series& series, double by) {
     for (double& value : series) value = by > 0 ? value / by : 0;

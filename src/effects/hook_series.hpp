@@ -21,6 +21,12 @@ struct HookSeries {
     double opens_above = nan;      ///< [degC] of the room, from which venting opens
 };
 
+/// Whether both are at one hook, facade and meter.
+template <class A, class B>
+bool is_same_place(const A& a, const B& b) {
+    return a.hook == b.hook && a.facade == b.facade && a.meter == b.meter;
+}
+
 /// Hooks that a series may be called by.
 std::vector<std::string> hooks_of_series();
 

@@ -210,6 +210,12 @@ Refinement::Number sky_difference(double mean, double sd) {
     return {"sky_difference", "zone.*.sky_temperature_difference", mean, sd, 0, 28};
 }
 
+/// Of a coil that dries, and of people whose water it takes.
+constexpr Refinement::Number coil_bypass{
+    "coil_bypass", "air_system.*.bypass_factor", 0.1, 0.05, 0, 0.4};
+constexpr Refinement::Number water_of_people{
+    "moisture_of_people", "air_system.*.people_moisture", 3, 2, 0, 20};
+
 /// An effect with its sign and size free, as the hook's name has it.
 Effect following(const char* name, Hook hook, Driver driver, double typical) {
     Effect effect;
@@ -335,8 +341,8 @@ const std::vector<Refinement>& refinements() {
         {"coil that dries",
          "moisture that cooled air leaves on the coil",
          {{"coil_temperature", "air_system.*.supply_temperature", 12, 1.5, 6, 18},
-          {"coil_bypass", "air_system.*.bypass_factor", 0.1, 0.05, 0, 0.4},
-          {"moisture_of_people", "air_system.*.people_moisture", 3, 2, 0, 20}},
+          coil_bypass,
+          water_of_people},
          {},
          coil_that_dries,
          "air system"},
@@ -347,8 +353,8 @@ const std::vector<Refinement>& refinements() {
           {"supply_temperature", "boundary.supply air of terminals.temperature", 13, 1.5,
            8, 18},
           {"unit_fan", "air_system.*.fan_power", 1, 0.6, 0, 4},
-          {"coil_bypass", "air_system.*.bypass_factor", 0.1, 0.05, 0, 0.4},
-          {"moisture_of_people", "air_system.*.people_moisture", 3, 2, 0, 20}},
+          coil_bypass,
+          water_of_people},
          {supply_reset()},
          terminals_with_reheat,
          "air system"},

@@ -10,10 +10,6 @@
 namespace bemcal::external {
 namespace {
 
-bool takes(const EffectPlace& place, const effects::HookSeries& at) {
-    return place.hook == at.hook && place.facade == at.facade && place.meter == at.meter;
-}
-
 /// "aperture, south facade"
 std::string words_of(const effects::HookSeries& at) {
     std::string words = at.hook;
@@ -38,8 +34,9 @@ PlacedEffects placed(std::span<const EffectPlace> places,
     PlacedEffects result;
     for (const study::GivenEffect& effect : effects)
         for (const effects::HookSeries& at : effect.at) {
-            const auto place = std::ranges::find_if(
-                places, [&](const EffectPlace& one) { return takes(one, at); });
+            const auto place = std::ranges::find_if(places, [&](const EffectPlace& one) {
+                return effects::is_same_place(one, at);
+            });
             if (place == places.end()) {
                 result.left_out.push_back(
                     fmt::format("{}: no [[simulator.effect]] takes it", words_of(at)));

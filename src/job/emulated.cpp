@@ -3,8 +3,6 @@
 /// A loop and a posterior have emulators of hours, and read their runs themselves.
 #include "job/emulated.hpp"
 
-#include "emulator/series_emulator.hpp"
-
 #include <fmt/format.h>
 
 namespace bemcal::job {
@@ -16,7 +14,7 @@ int read_runs(const StudySource& source) {
         section.fail("runs", "is of a [simulator], and the job has none");
     const auto runs = static_cast<int>(section.integer("runs"));
     const std::size_t n_parameters = source.simulator->parameters().size();
-    const auto least = static_cast<int>(2 * emulator::least_runs(n_parameters));
+    const int least = study::least_runs_of_study(n_parameters);
     if (runs < least)
         section.fail_value(
             "runs", fmt::format("is too few for {} parameter{}; expected "

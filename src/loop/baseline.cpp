@@ -85,13 +85,9 @@ struct Candidates {
     /// By how much each lowered the score when it was last tried. [refinements]
     std::vector<double> promises = std::vector<double>(
         effects::refinements().size(), std::numeric_limits<double>::infinity());
-    /// Gave way to another of their kind: they do not come back, for scores of two
-    /// rounds, each by its own noise, could go in a circle.
-    std::vector<std::size_t> left{};
-
-    bool has_left(std::size_t k) const {
-        return std::ranges::find(left, k) != left.end();
-    }
+    /// Were chosen: one that gave way to another of its kind does not come back, for
+    /// scores of two rounds, each by its own noise, could go in a circle.
+    std::vector<std::size_t> joined{};
 
     /// The most promising first.
     std::vector<std::size_t> in_order() const {
@@ -100,7 +96,9 @@ struct Candidates {
         std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
             return promises[a] > promises[b];
         });
-        std::erase_if(order, [&](std::size_t k) { return has_left(k); });
+        std::erase_if(order, [&](std::size_t k) {
+            return std::ranges::find(joined, k) != joined.end();
+        });
         return order;
     }
 };
@@ -267,10 +265,7 @@ Baseline make_baseline(const LoopData& data) {
         if (!better) break;
         baseline.gained += better->standing.score - baseline.chosen.score;
         baseline.place = std::move(better->place);
-        for (const std::size_t k : baseline.chosen.model.structure)
-            if (std::ranges::find(better->standing.model.structure, k) ==
-                better->standing.model.structure.end())
-                candidates.left.push_back(k);
+        candidates.joined.push_back(better->standing.model.structure.back());
         baseline.chosen = calibrated(data, std::move(better->standing));
     }
     return baseline;

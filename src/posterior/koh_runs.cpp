@@ -94,19 +94,14 @@ class Design {
                 continue;
             for (std::size_t p = 0; p < n_field(); ++p) {
                 o.simulated.push_back(of_design[p]);
-                append(o.simulated_x, field_.row(p));
-                append(o.simulated_t, designs_.row(d));
+                o.simulated_x.add_row(field_.row(p));
+                o.simulated_t.add_row(designs_.row(d));
             }
         }
         return options;
     }
 
   private:
-    static void append(Matrix& matrix, std::span<const double> row) {
-        matrix.values.insert(matrix.values.end(), row.begin(), row.end());
-        ++matrix.rows;
-    }
-
     KohRuns runs_;
     std::vector<std::size_t> x_, t_;  ///< numbers of the simulator's parameters
     Matrix field_;                    ///< [n x p]

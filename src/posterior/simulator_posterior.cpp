@@ -19,6 +19,8 @@
 #include "sampling/normal.hpp"
 #include "stats/sobol_sequence.hpp"
 #include "study/datasets.hpp"
+#include "study/packed_matrix.hpp"
+#include "study/points.hpp"
 #include "study/simulated_hours.hpp"
 #include "study/simulator_run.hpp"
 #include "study/some_draws.hpp"
@@ -74,26 +76,10 @@ ChainOptions chains_between(ChainOptions chains, std::size_t round) {
     return chains;
 }
 
-void append(std::vector<double>& packed, const Matrix& matrix) {
-    packed.push_back(static_cast<double>(matrix.rows));
-    packed.push_back(static_cast<double>(matrix.cols));
-    packed.insert(packed.end(), matrix.values.begin(), matrix.values.end());
-}
-
 Matrix row_of(const std::vector<double>& values) {
     Matrix row(1, values.size());
     row.values = values;
     return row;
-}
-
-/// Takes the first off what is left.
-Matrix take_matrix(std::span<const double>& packed) {
-    Matrix matrix(static_cast<std::size_t>(packed[0]),
-                  static_cast<std::size_t>(packed[1]));
-    packed = packed.subspan(2);
-    std::ranges::copy(packed.first(matrix.values.size()), matrix.values.begin());
-    packed = packed.subspan(matrix.values.size());
-    return matrix;
 }
 
 /// Runs that did not fail.
@@ -208,12 +194,12 @@ class SimulatorPosterior : public study::Stage {
         const SoFar so_far = look_at(emulator, answers.size());
         if (answers.size() < n_runs()) {
             round.n_items = budget_.of_round();
-            append(round.needed, next_points(so_far, answers.size()));
+            study::pack(next_points(so_far, answers.size()), round.needed);
         } else {
             round.n_items = make_chains(emulator, so_far.variance)->n_items();
-            append(round.needed, used.points);
-            append(round.needed, used.series);
-            append(round.needed, row_of(so_far.variance));
+            study::pack(used.points, round.needed);
+            study::pack(used.series, round.needed);
+            study::pack(row_of(so_far.variance), round.needed);
         }
         return round;
     }
@@ -221,10 +207,10 @@ class SimulatorPosterior : public study::Stage {
         if (chains_) return chains_->begin_round(first_item - budget_.all(), round);
         std::span<const double> packed = round.needed;
         first_item_ = first_item;
-        next_ = take_matrix(packed);
+        next_ = study::take_matrix(packed);
         if (packed.empty()) return;
-        const UsedRuns used{next_, take_matrix(packed)};
-        chains_ = make_chains(emulator_of(used), take_matrix(packed).values);
+        const UsedRuns used{next_, study::take_matrix(packed)};
+        chains_ = make_chains(emulator_of(used), study::take_matrix(packed).values);
     }
 
     study::Conclusion conclude(
@@ -283,15 +269,10 @@ class SimulatorPosterior : public study::Stage {
         UsedRuns used;
         for (const SimulatorRun& run : runs_in(answers)) {
             if (!run.failure.empty()) continue;
-            add_row(used.points, run.point);
-            add_row(used.series, layout_->series(building_, run.hours));
+            used.points.add_row(run.point);
+            used.series.add_row(layout_->series(building_, run.hours));
         }
         return used;
-    }
-    static void add_row(Matrix& matrix, const std::vector<double>& row) {
-        matrix.cols = row.size();
-        matrix.values.insert(matrix.values.end(), row.begin(), row.end());
-        ++matrix.rows;
     }
     bool are_enough(const UsedRuns& used) const {
         return used.points.rows >= emulator::least_runs(parameters_.size());
@@ -338,10 +319,8 @@ class SimulatorPosterior : public study::Stage {
         std::vector<double> values(posterior.unknowns().size());
         for (std::size_t r = 0; r < points.rows; ++r) {
             posterior.read(draws.positions.row(r), values);
-            for (std::size_t k = 0; k < points.cols; ++k) {
-                const physics::Parameter& of = parameters_[k];
-                points(r, k) = (values[k] - of.least) / (of.most - of.least);
-            }
+            for (std::size_t k = 0; k < points.cols; ++k)
+                points(r, k) = study::on_scale(values[k], parameters_[k]);
         }
         return points;
     }

@@ -55,7 +55,8 @@ void DatasetBuilder::texts(const std::string& leaf, const std::string& dim,
     datasets_.push_back({stage_ + "/" + leaf, {dim}, {size}, {}, std::move(values)});
 }
 
-void DatasetBuilder::parameters(const std::vector<physics::Parameter>& parameters) {
+void DatasetBuilder::parameters(const std::vector<physics::Parameter>& parameters,
+                                const std::string& dim) {
     std::vector<std::string> names, units;
     std::vector<double> least, most;
     for (const auto& parameter : parameters) {
@@ -64,10 +65,10 @@ void DatasetBuilder::parameters(const std::vector<physics::Parameter>& parameter
         least.push_back(parameter.least);
         most.push_back(parameter.most);
     }
-    texts("parameter", "parameter", std::move(names));
-    texts("parameter_unit", "parameter", std::move(units));
-    vector("parameter_least", "parameter", std::move(least));
-    vector("parameter_most", "parameter", std::move(most));
+    texts(dim, dim, std::move(names));
+    texts(dim + "_unit", dim, std::move(units));
+    vector(dim + "_least", dim, std::move(least));
+    vector(dim + "_most", dim, std::move(most));
 }
 
 void DatasetBuilder::times(const std::string& leaf,

@@ -32,8 +32,9 @@ class DatasetBuilder {
 
     /// What kind of study it is: in the group of every one, by the word of the job file.
     void kind(const char* word) { text("kind", word); }
-    /// Names, units and ranges.
-    void parameters(const std::vector<physics::Parameter>& parameters);
+    /// Names, units and ranges. \param dim  begins their names, too
+    void parameters(const std::vector<physics::Parameter>& parameters,
+                    const std::string& dim = "parameter");
     /// Begins of steps [s since 1970, local standard time].
     void times(const std::string& leaf, const std::vector<physics::Seconds>& begins,
                const char* dim = "time");

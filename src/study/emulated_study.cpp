@@ -10,13 +10,12 @@
 #include "emulator/series_emulator.hpp"
 #include "stats/sobol_sequence.hpp"
 #include "study/failures.hpp"
+#include "study/packed_matrix.hpp"
 #include "study/points.hpp"
 #include "study/simulator_run.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -33,35 +32,16 @@ struct UsedRuns {
     Matrix outputs;  ///< [runs x outputs]
 };
 
-Matrix column_of(const Matrix& matrix, std::size_t column) {
-    Matrix values(matrix.rows, 1);
-    for (std::size_t r = 0; r < matrix.rows; ++r) values(r, 0) = matrix(r, column);
-    return values;
-}
-
-double deviation_of(const Matrix& column) {
-    double sum = 0, squares = 0;
-    const auto n = static_cast<double>(column.rows);
-    for (const double value : column.values) sum += value;
-    for (const double value : column.values)
-        squares += (value - sum / n) * (value - sum / n);
-    return std::sqrt(squares / n);
-}
-
 /// A simulator's outputs as its runs have them.
 class EmulatedSimulator : public Simulator {
   public:
     EmulatedSimulator(std::shared_ptr<const Simulator> simulator, const UsedRuns& runs)
         : simulator_(std::move(simulator)) {
+        constexpr double weight[] = {1};  // of one number it does not matter
         for (std::size_t c = 0; c < runs.outputs.cols; ++c) {
-            Matrix column = column_of(runs.outputs, c);
-            const double deviation = deviation_of(column);
-            first_.push_back(column(0, 0));
-            if (deviation > 0)
-                emulators_.emplace_back(std::in_place, runs.points, std::move(column),
-                                        std::vector<double>{1 / deviation});
-            else
-                emulators_.emplace_back();
+            Matrix column(runs.outputs.rows, 1);
+            column.values = runs.outputs.column(c);
+            emulators_.emplace_back(runs.points, std::move(column), weight);
         }
     }
 
@@ -75,11 +55,9 @@ class EmulatedSimulator : public Simulator {
         answers = Matrix(points.rows, outputs().size());
         failures.assign(points.rows, {});
         for (std::size_t r = 0; r < points.rows; ++r) {
-            const std::vector<double> point = on_scale(points.row(r));
-            for (std::size_t c = 0; c < emulators_.size(); ++c) {
-                const std::optional<SeriesEmulator>& one = emulators_[c];
-                answers(r, c) = one ? one->predict(point)[0] : first_[c];
-            }
+            const std::vector<double> point = scaled(points.row(r));
+            for (std::size_t c = 0; c < emulators_.size(); ++c)
+                answers(r, c) = emulators_[c].predict(point)[0];
         }
     }
 
@@ -88,25 +66,21 @@ class EmulatedSimulator : public Simulator {
         const emulator::ChannelRange whole[] = {{0, 1}};
         std::vector<double> errors;
         errors.reserve(emulators_.size());
-        for (const auto& one : emulators_)
-            errors.push_back(one ? one->leave_one_out(whole)[0] : 0);
+        for (const SeriesEmulator& one : emulators_)
+            errors.push_back(one.leave_one_out(whole)[0]);
         return errors;
     }
 
   private:
-    std::vector<double> on_scale(std::span<const double> values) const {
+    std::vector<double> scaled(std::span<const double> values) const {
         std::vector<double> point(values.size());
-        for (std::size_t k = 0; k < point.size(); ++k) {
-            const physics::Parameter& of = parameters()[k];
-            point[k] =
-                std::clamp((values[k] - of.least) / (of.most - of.least), 0.0, 1.0);
-        }
+        for (std::size_t k = 0; k < point.size(); ++k)
+            point[k] = std::clamp(study::on_scale(values[k], parameters()[k]), 0.0, 1.0);
         return point;
     }
 
     std::shared_ptr<const Simulator> simulator_;
-    std::vector<std::optional<SeriesEmulator>> emulators_;  ///< none: always the same
-    std::vector<double> first_;                             ///< output of the first run
+    std::vector<SeriesEmulator> emulators_;  ///< [outputs]
 };
 
 class EmulatedStudy : public Stage {
@@ -120,11 +94,13 @@ class EmulatedStudy : public Stage {
           points_(stats::scrambled_sobol_points(
               0, static_cast<std::size_t>(n_runs),
               static_cast<int>(simulator_->parameters().size()), seed)) {
-        if (n_runs < 2 * least_runs())
+        if (n_runs < least_runs_of_study(points_.cols))
             throw std::invalid_argument(fmt::format(
                 "runs = {} are too few for {} parameters; expected {} or more", n_runs,
-                points_.cols, 2 * least_runs()));
-        study_(simulator_);  // or it throws: what it names is not there
+                points_.cols, least_runs_of_study(points_.cols)));
+        // Before there are runs: how many items it has, and whether what it names is
+        // there.
+        n_inner_items_ = study_(emulated({}))->n_items();
     }
 
     std::string name() const override { return name_; }
@@ -160,22 +136,20 @@ class EmulatedStudy : public Stage {
         const UsedRuns used = used_of(answers);
         if (!are_enough(used)) return std::nullopt;
         Round round;
-        round.n_items = study_(emulated(used))->n_items();
-        round.needed.push_back(static_cast<double>(used.points.rows));
-        for (const Matrix* matrix : {&used.points, &used.outputs})
-            round.needed.insert(round.needed.end(), matrix->values.begin(),
-                                matrix->values.end());
+        round.n_items = n_inner_items_;
+        pack(used.points, round.needed);
+        pack(used.outputs, round.needed);
         return round;
     }
 
     void begin_round(int first_item, const Round& round) override {
         if (inner_) return inner_->begin_round(first_item - n_runs_, round);
-        const auto n = static_cast<std::size_t>(round.needed[0]);
-        UsedRuns used{Matrix(n, points_.cols), Matrix(n, simulator_->outputs().size())};
-        auto at = round.needed.begin() + 1;
-        for (Matrix* matrix : {&used.points, &used.outputs})
-            for (double& value : matrix->values) value = *at++;
-        inner_ = study_(emulated(used));
+        std::span<const double> packed = round.needed;
+        UsedRuns used;
+        used.points = take_matrix(packed);
+        used.outputs = take_matrix(packed);
+        emulated_ = emulated(used);
+        inner_ = study_(emulated_);
     }
 
     Conclusion conclude(const std::vector<ItemAnswer>& answers) const override {
@@ -193,36 +167,24 @@ class EmulatedStudy : public Stage {
     }
 
   private:
-    int least_runs() const {
-        return static_cast<int>(emulator::least_runs(points_.cols));
-    }
     bool are_enough(const UsedRuns& used) const {
-        return static_cast<int>(used.points.rows) >= least_runs();
+        return used.points.rows >= emulator::least_runs(points_.cols);
     }
     std::shared_ptr<const EmulatedSimulator> emulated(const UsedRuns& used) const {
         return std::make_shared<const EmulatedSimulator>(simulator_, used);
     }
 
-    static bool has_failed(const ItemAnswer& answer) {
-        return !answer.error.empty() || !answer.failures.empty();
-    }
     static std::string failure_of(const ItemAnswer& answer) {
         if (!answer.error.empty()) return answer.error;
         return answer.failures.empty() ? "" : answer.failures[0].reason;
     }
 
     UsedRuns used_of(const std::vector<ItemAnswer>& answers) const {
-        UsedRuns used{Matrix(0, points_.cols), Matrix(0, simulator_->outputs().size())};
+        UsedRuns used;
         for (std::size_t k = 0; k < static_cast<std::size_t>(n_runs_); ++k) {
-            if (has_failed(answers[k])) continue;
-            const auto point = points_.row(k);
-            used.points.values.insert(used.points.values.end(), point.begin(),
-                                      point.end());
-            used.outputs.values.insert(used.outputs.values.end(),
-                                       answers[k].values.begin(),
-                                       answers[k].values.end());
-            ++used.points.rows;
-            ++used.outputs.rows;
+            if (!failure_of(answers[k]).empty()) continue;
+            used.points.add_row(points_.row(k));
+            used.outputs.add_row(answers[k].values);
         }
         return used;
     }
@@ -239,28 +201,34 @@ class EmulatedStudy : public Stage {
         for (std::size_t k = 0; k < points_.rows; ++k)
             made.failures.push_back(failure_of(answers[k]));
         add_made_runs(simulator_->parameters(), std::move(made), datasets);
-        add_errors(used_of(answers), datasets);
+        if (inner_) add_errors(datasets);
     }
 
-    void add_errors(const UsedRuns& used, DatasetBuilder& datasets) const {
-        if (!are_enough(used)) return;
+    void add_errors(DatasetBuilder& datasets) const {
         std::vector<std::string> names;
         names.reserve(simulator_->outputs().size());
         for (const Output& output : simulator_->outputs()) names.push_back(output.name);
         datasets.texts("simulator_channel", "simulator_channel", std::move(names));
         datasets.vector("simulator_emulator_error", "simulator_channel",
-                        emulated(used)->errors());
+                        emulated_->errors());
     }
 
     std::string name_;
     std::shared_ptr<const Simulator> simulator_;
     int n_runs_;
     StudyOf study_;
-    Matrix points_;                 ///< [runs x parameters] on the scale 0 to 1
-    std::unique_ptr<Stage> inner_;  ///< once the runs are there
+    Matrix points_;          ///< [runs x parameters] on the scale 0 to 1
+    int n_inner_items_ = 0;  ///< of its first round
+    /// Once the runs are there.
+    std::shared_ptr<const EmulatedSimulator> emulated_;
+    std::unique_ptr<Stage> inner_;
 };
 
 }  // namespace
+
+int least_runs_of_study(std::size_t n_parameters) {
+    return static_cast<int>(2 * emulator::least_runs(n_parameters));
+}
 
 std::unique_ptr<Stage> make_emulated_study(std::string name,
                                            std::shared_ptr<const Simulator> simulator,

@@ -15,6 +15,10 @@ namespace bemcal::study {
 /// Makes a study of a simulator.
 using StudyOf = std::function<std::unique_ptr<Stage>(std::shared_ptr<const Simulator>)>;
 
+/// Twice as many as tell slopes of all parameters: a half is left to tell curves, and to
+/// fail.
+int least_runs_of_study(std::size_t n_parameters);
+
 /// First the runs, at Sobol points of the parameters' ranges, then the study. Both have
 /// the same name. Throws std::invalid_argument where the runs are too few for the
 /// parameters.

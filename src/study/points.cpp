@@ -16,6 +16,10 @@ Matrix in_ranges(Matrix unit, std::span<const physics::Parameter> parameters) {
     return unit;
 }
 
+double on_scale(double value, const physics::Parameter& parameter) {
+    return (value - parameter.least) / (parameter.most - parameter.least);
+}
+
 std::vector<double> nominal_point(std::span<const physics::Parameter> parameters) {
     std::vector<double> point;
     for (const auto& parameter : parameters) point.push_back(parameter.nominal);

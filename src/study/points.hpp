@@ -12,6 +12,9 @@ namespace bemcal::study {
 /// \param unit  [n x parameters] in [0, 1)  \return [n x parameters] within least..most
 Matrix in_ranges(Matrix unit, std::span<const physics::Parameter> parameters);
 
+/// And back, of one value: where it lies in the range, on the scale 0 to 1.
+double on_scale(double value, const physics::Parameter& parameter);
+
 /// The nominal building's values. [parameters]
 std::vector<double> nominal_point(std::span<const physics::Parameter> parameters);
 

@@ -36,8 +36,7 @@ std::vector<double> nominal_on_scale(const std::vector<physics::Parameter>& para
     std::vector<double> nominal;
     nominal.reserve(parameters.size());
     for (const physics::Parameter& parameter : parameters)
-        nominal.push_back((parameter.nominal - parameter.least) /
-                          (parameter.most - parameter.least));
+        nominal.push_back(on_scale(parameter.nominal, parameter));
     return nominal;
 }
 
@@ -59,19 +58,8 @@ double years_of_run(const std::vector<Period>& periods, const SimulatorRun& run)
 
 void add_made_runs(const std::vector<physics::Parameter>& parameters, MadeRuns runs,
                    DatasetBuilder& datasets) {
-    std::vector<std::string> names, units;
-    std::vector<double> least, most;
-    for (const physics::Parameter& parameter : parameters) {
-        names.push_back(parameter.name);
-        units.push_back(parameter.unit);
-        least.push_back(parameter.least);
-        most.push_back(parameter.most);
-    }
     const std::size_t n = runs.of.size();
-    datasets.texts("simulator_parameter", "simulator_parameter", std::move(names));
-    datasets.texts("simulator_parameter_unit", "simulator_parameter", std::move(units));
-    datasets.vector("simulator_parameter_least", "simulator_parameter", std::move(least));
-    datasets.vector("simulator_parameter_most", "simulator_parameter", std::move(most));
+    datasets.parameters(parameters, "simulator_parameter");
     datasets.texts("simulator_run", "simulator_run", std::move(runs.of));
     datasets.texts("simulator_run_failure", "simulator_run", std::move(runs.failures));
     datasets.array("simulator_run_value", {"simulator_run", "simulator_parameter"},

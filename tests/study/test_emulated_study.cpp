@@ -93,6 +93,27 @@ TEST(EmulatedStudy, AsksAnEmulatorOfTheRuns) {
         EXPECT_LT(error, 1);
 }
 
+/// "heat" that is always the same.
+class Constant : public AnalyticSimulator {
+  public:
+    void evaluate(const Matrix& points, Matrix& answers,
+                  std::vector<std::string>& failures) const override {
+        AnalyticSimulator::evaluate(points, answers, failures);
+        for (std::size_t r = 0; r < answers.rows; ++r) answers(r, 1) = 0.3;
+    }
+};
+
+TEST(EmulatedStudy, AnOutputThatNeverChangesStays) {
+    const auto make = [] {
+        return make_emulated_study("asks", std::make_shared<const Constant>(), 30, 4,
+                                   asks);
+    };
+    const auto first = make(), second = make();
+    const auto datasets = first->conclude(answers_of(*first, *second)).datasets;
+    EXPECT_NEAR(find(datasets, "heat").values[0], 0.3, 1e-12);
+    EXPECT_NEAR(find(datasets, "simulator_emulator_error").values[1], 0, 1e-9);
+}
+
 TEST(EmulatedStudy, RunsThatFailAreLeftOut) {
     const auto first = emulated(40, 15), second = emulated(40, 15);
     const auto answers = answers_of(*first, *second);
