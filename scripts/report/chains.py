@@ -249,6 +249,11 @@ def program(study):
     yield f"{of.size} runs of the program: {shares}; {failed.sum()} failed. " + (
         f"An emulator of {'the others' if failed.any() else 'them'} stands in for the program. It foretells runs that "
         f"it has not seen (CV(RMSE)): {foretold}." if foretold else "")
+    rows = zip(study.texts("best_run_output"), study.texts("best_run_unit"),
+               study.numbers("best_run_value"), study.numbers("best_run_foretold"))
+    best = "; ".join(f"{name} {number(value)} {unit}, foretold {number(said)}" for name, unit, value, said in rows)
+    if best:
+        yield f"The program was run at the best point: {best}."
     if failed.any():
         yield Table("Runs that failed", [(name, True) for name in names] + [("why", False)],
                     [[*map(number, at[k]), failures[k]] for k in np.flatnonzero(failed)[:MOST_FAILED]])

@@ -33,6 +33,11 @@ class Goal {
         static_cast<void>(best);
         return {};
     }
+    /// The values of all parameters of a simulator at a point; empty = there is none.
+    virtual std::vector<double> in_simulator(std::span<const double> point) const {
+        static_cast<void>(point);
+        return {};
+    }
     /// Whether the readings of a building are met, not other targets.
     virtual bool is_of_readings() const { return false; }
     /// Whether a failed point may succeed when it is done again.

@@ -82,6 +82,8 @@ class GridStudy : public study::Stage {
     }
     study::Conclusion conclude(
         const std::vector<study::ItemAnswer>& answers) const override;
+    std::vector<double> best_point(
+        const std::vector<study::ItemAnswer>& answers) const override;
     bool failures_may_pass() const override { return simulator_->failures_may_pass(); }
     std::string shortfall(const std::vector<study::ItemAnswer>& answers) const override;
 
@@ -188,6 +190,14 @@ study::Summary summary_of(const std::string& name, const GridRounds& rounds) {
         }
     }
     return summary;
+}
+
+std::vector<double> GridStudy::best_point(
+    const std::vector<study::ItemAnswer>& answers) const {
+    const GridRounds rounds = followed(answers);
+    const GridStage* best = rounds.best();
+    if (best == nullptr) return {};
+    return points_of(best->grid, best->nearest(), 1).values;
 }
 
 study::Conclusion GridStudy::conclude(

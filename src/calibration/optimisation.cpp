@@ -71,6 +71,8 @@ class Optimisation : public study::Stage {
     void begin_round(int first_item, const study::Round& round) override;
     study::Conclusion conclude(
         const std::vector<study::ItemAnswer>& answers) const override;
+    std::vector<double> best_point(
+        const std::vector<study::ItemAnswer>& answers) const override;
     bool failures_may_pass() const override { return goal_->failures_may_pass(); }
 
   private:
@@ -214,6 +216,14 @@ std::vector<study::Summary> summaries_of(const std::string& name, const Goal& go
         summary.values.push_back({goal.parameters()[k].name, best[k], best[k], best[k]});
     summary.shortfall = goal.shortfall_of(best);
     return {std::move(summary)};
+}
+
+std::vector<double> Optimisation::best_point(
+    const std::vector<study::ItemAnswer>& answers) const {
+    History history = start();
+    follow(answers, history);
+    const Matrix found = history.optimiser.found_points();
+    return goal_->in_simulator(found.row(best_row(history.optimiser.found())));
 }
 
 study::Conclusion Optimisation::conclude(

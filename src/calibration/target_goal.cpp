@@ -123,6 +123,12 @@ std::vector<double> TargetGoal::objectives_of(const std::vector<double>& errors)
     return {std::sqrt(square)};
 }
 
+Matrix TargetGoal::whole(std::span<const double> point) const {
+    Matrix row(1, point.size());
+    std::ranges::copy(point, row.values.begin());
+    return whole(row);
+}
+
 Matrix TargetGoal::evaluate(const Matrix& points,
                             std::vector<std::string>& failures) const {
     Matrix answers, values(points.rows, objectives().size(), nan);
@@ -148,10 +154,9 @@ void TargetGoal::describe(std::span<const double> best,
     datasets.vector("target_measured", "target", std::move(measured));
     datasets.vector("nearest_parameters", "parameter", {best.begin(), best.end()});
     if (aim_.simulator->is_slow()) return;
-    Matrix point(1, best.size()), answer;
-    std::ranges::copy(best, point.values.begin());
+    Matrix answer;
     std::vector<std::string> failures;
-    aim_.simulator->evaluate(whole(point), answer, failures);
+    aim_.simulator->evaluate(whole(best), answer, failures);
     datasets.vector("nearest_target_error", "target", errors_of(answer.row(0)));
 }
 

@@ -30,6 +30,9 @@ class TargetGoal : public Goal {
     /// long: then the objectives say how far it is.
     void describe(std::span<const double> best,
                   study::DatasetBuilder& datasets) const override;
+    std::vector<double> in_simulator(std::span<const double> point) const override {
+        return whole(point).values;
+    }
     bool failures_may_pass() const override {
         return aim_.simulator->failures_may_pass();
     }
@@ -37,6 +40,7 @@ class TargetGoal : public Goal {
   private:
     /// The simulator's points: parameters that are not varied stay nominal.
     Matrix whole(const Matrix& points) const;
+    Matrix whole(std::span<const double> point) const;
     std::vector<double> errors_of(std::span<const double> answer) const;  ///< [%]
     std::vector<double> objectives_of(const std::vector<double>& errors) const;
 

@@ -70,6 +70,23 @@ std::string emulator_line(const StoredSimulator& simulator) {
                     fmt::join(parts, ", ")));
 }
 
+/// What the program says at the best point, beside the emulator that found it.
+std::string best_run_line(const Group& study) {
+    const Texts names = study.texts("best_run_output"),
+                units = study.texts("best_run_unit");
+    const Numbers values = study.values("best_run_value"),
+                  foretold = study.values("best_run_foretold");
+    std::vector<std::string> parts;
+    parts.reserve(names.size());
+    for (std::size_t k = 0; k < names.size(); ++k)
+        parts.push_back(fmt::format("{} {} {}, foretold {}", names[k],
+                                    in_short(values[k]), units[k],
+                                    in_short(foretold[k])));
+    if (parts.empty()) return "";
+    return wrapped(
+        fmt::format("the program at the best point: {}", fmt::join(parts, "; ")));
+}
+
 }  // namespace
 
 std::string simulator_tables(const StoredSimulator& simulator) {
@@ -84,7 +101,8 @@ std::string simulator_run_lines(const StoredSimulator& simulator) {
 
 std::string simulator_run_lines(const Group& study) {
     return simulator_run_lines(
-        loop::stored_simulator(study.result().datasets, study.path()));
+               loop::stored_simulator(study.result().datasets, study.path())) +
+           best_run_line(study);
 }
 
 std::string simulator_given_table(const StoredSimulator& simulator) {

@@ -3,8 +3,8 @@
 /// Source: O'Hagan 2006, Reliability Engineering and System Safety 91, for studies on an
 /// emulator in place of the code.
 /// The emulator's own error is told and goes no further: an index or a best point is that
-/// of its means. A run that fails is told and left out. No run is made where a study
-/// ends.
+/// of its means. Where the study ends at a point, the simulator is run there once. A run
+/// that fails is told and left out.
 #include "study/emulated_study.hpp"
 
 #include "emulator/series_emulator.hpp"
@@ -25,6 +25,9 @@ namespace bemcal::study {
 namespace {
 
 using emulator::SeriesEmulator;
+
+/// What the items of a round are, as its first number.
+enum class Part { study, best_run };
 
 /// Runs that did not fail.
 struct UsedRuns {
@@ -120,19 +123,17 @@ class EmulatedStudy : public Stage {
     }
 
     ItemAnswer run(int item) const override {
-        if (item >= n_runs_) return inner_->run(item - n_runs_);
-        Matrix outputs;
-        std::vector<std::string> failures;
-        const auto row = static_cast<std::size_t>(item);
-        simulator_->evaluate(
-            in_ranges(part_of(points_, row, 1), simulator_->parameters()), outputs,
-            failures);
-        return {outputs.values, failures_of_points(failures, item), {}};
+        if (item < n_runs_)
+            return run_at(in_ranges(part_of(points_, static_cast<std::size_t>(item), 1),
+                                    simulator_->parameters()),
+                          item);
+        return item == best_item_ ? run_at(best_, item) : inner_->run(item - n_runs_);
     }
 
     std::optional<Round> next_round(
         const std::vector<ItemAnswer>& answers) const override {
-        if (inner_) return inner_->next_round(of_inner(answers));
+        if (best_item_ > 0) return std::nullopt;
+        if (inner_) return next_of_study(of_inner(answers));
         const UsedRuns used = used_of(answers);
         if (!are_enough(used)) return std::nullopt;
         Round round;
@@ -143,7 +144,7 @@ class EmulatedStudy : public Stage {
     }
 
     void begin_round(int first_item, const Round& round) override {
-        if (inner_) return inner_->begin_round(first_item - n_runs_, round);
+        if (inner_) return begin_round_of_study(first_item, round);
         std::span<const double> packed = round.needed;
         UsedRuns used;
         used.points = take_matrix(packed);
@@ -167,6 +168,35 @@ class EmulatedStudy : public Stage {
     }
 
   private:
+    ItemAnswer run_at(const Matrix& point, int item) const {
+        Matrix outputs;
+        std::vector<std::string> failures;
+        simulator_->evaluate(point, outputs, failures);
+        return {outputs.values, failures_of_points(failures, item), {}};
+    }
+
+    /// The study's own, then the run at its best point.
+    std::optional<Round> next_of_study(const std::vector<ItemAnswer>& answers) const {
+        Part part = Part::study;
+        auto round = inner_->next_round(answers);
+        if (!round) {
+            part = Part::best_run;
+            round = Round{1, inner_->best_point(answers)};
+            if (round->needed.empty()) return std::nullopt;
+        }
+        round->needed.insert(round->needed.begin(), static_cast<double>(part));
+        return round;
+    }
+    void begin_round_of_study(int first_item, Round round) {
+        const bool is_best_run =
+            round.needed.at(0) == static_cast<double>(Part::best_run);
+        round.needed.erase(round.needed.begin());
+        if (!is_best_run) return inner_->begin_round(first_item - n_runs_, round);
+        best_item_ = first_item;
+        best_ = Matrix(1, round.needed.size());
+        best_.values = std::move(round.needed);
+    }
+
     bool are_enough(const UsedRuns& used) const {
         return used.points.rows >= emulator::least_runs(points_.cols);
     }
@@ -190,7 +220,8 @@ class EmulatedStudy : public Stage {
     }
 
     std::vector<ItemAnswer> of_inner(const std::vector<ItemAnswer>& answers) const {
-        return {answers.begin() + n_runs_, answers.end()};
+        return {answers.begin() + n_runs_,
+                best_item_ > 0 ? answers.begin() + best_item_ : answers.end()};
     }
 
     void add_runs(const std::vector<ItemAnswer>& answers,
@@ -200,8 +231,32 @@ class EmulatedStudy : public Stage {
                       in_ranges(points_, simulator_->parameters()).values};
         for (std::size_t k = 0; k < points_.rows; ++k)
             made.failures.push_back(failure_of(answers[k]));
+        const auto best = static_cast<std::size_t>(best_item_);
+        if (best > 0 && best < answers.size()) {
+            made.of.emplace_back("best point");
+            made.failures.push_back(failure_of(answers[best]));
+            made.values.insert(made.values.end(), best_.values.begin(),
+                               best_.values.end());
+            if (made.failures.back().empty()) add_best_run(answers[best], datasets);
+        }
         add_made_runs(simulator_->parameters(), std::move(made), datasets);
         if (inner_) add_errors(datasets);
+    }
+
+    /// What the simulator says there, beside the emulator.
+    void add_best_run(const ItemAnswer& answer, DatasetBuilder& datasets) const {
+        std::vector<std::string> names, units;
+        for (const Output& output : simulator_->outputs()) {
+            names.push_back(output.name);
+            units.push_back(output.unit);
+        }
+        Matrix foretold;
+        std::vector<std::string> failures;
+        emulated_->evaluate(best_, foretold, failures);
+        datasets.texts("best_run_output", "best_run_output", std::move(names));
+        datasets.texts("best_run_unit", "best_run_output", std::move(units));
+        datasets.vector("best_run_value", "best_run_output", answer.values);
+        datasets.vector("best_run_foretold", "best_run_output", foretold.values);
     }
 
     void add_errors(DatasetBuilder& datasets) const {
@@ -222,6 +277,9 @@ class EmulatedStudy : public Stage {
     /// Once the runs are there.
     std::shared_ptr<const EmulatedSimulator> emulated_;
     std::unique_ptr<Stage> inner_;
+    // Once the study has ended at a point.
+    int best_item_ = 0;  ///< the run there; 0 = not yet
+    Matrix best_;        ///< [1 x parameters] in their units
 };
 
 }  // namespace

@@ -83,6 +83,11 @@ class Stage {
     /// while items run, never with next_round or begin_round.
     virtual Activity activity() const { return {}; }
     virtual Conclusion conclude(const std::vector<ItemAnswer>& answers) const = 0;
+    /// Of a study of a simulator whose answer is one point: the values of all of the
+    /// simulator's parameters; empty = it is none.
+    virtual std::vector<double> best_point(const std::vector<ItemAnswer>&) const {
+        return {};
+    }
     /// Whether a failed point may succeed when it is done again: not where its input
     /// alone decides. (A whole item that fails always may.)
     virtual bool failures_may_pass() const { return false; }

@@ -42,6 +42,13 @@ class Asks : public Stage {
         EXPECT_EQ(answers.size(), 5U);
         return {{{"asks/heat", {"point"}, {1}, {answers[2].values[1]}, {}, ""}}, {}};
     }
+    std::vector<double> best_point(
+        const std::vector<ItemAnswer>& answers) const override {
+        EXPECT_EQ(answers.size(), 5U);
+        return has_best ? std::vector<double>(5, best) : std::vector<double>{};
+    }
+    static inline bool has_best = false;
+    static constexpr double best = 11;
 
   private:
     std::shared_ptr<const Simulator> simulator_;
@@ -121,6 +128,30 @@ TEST(EmulatedStudy, RunsThatFailAreLeftOut) {
     EXPECT_NEAR(find(datasets, "heat").values[0], heat_at(8), 1);
     const auto& failures = find(datasets, "simulator_run_failure").texts;
     EXPECT_EQ(std::ranges::count(failures, "too much air"), 10) << "a quarter";
+}
+
+TEST(EmulatedStudy, TheSimulatorIsRunAtTheBestPoint) {
+    Asks::has_best = true;
+    const auto first = emulated(30), second = emulated(30);
+    const auto answers = answers_of(*first, *second);
+    const auto datasets = first->conclude(answers).datasets;
+    Asks::has_best = false;
+    ASSERT_EQ(answers.size(), 30U + 5U + 1U);
+    EXPECT_EQ(find(datasets, "simulator_run").texts.back(), "best point");
+    EXPECT_EQ(find(datasets, "simulator_run_value").values.back(), Asks::best);
+    EXPECT_DOUBLE_EQ(find(datasets, "best_run_value").values.at(1), heat_at(Asks::best));
+    const double foretold = find(datasets, "best_run_foretold").values.at(1);
+    EXPECT_NEAR(foretold, heat_at(Asks::best), 1);
+    EXPECT_NE(foretold, heat_at(Asks::best)) << "the emulator's own";
+}
+
+TEST(EmulatedStudy, ARunThatFailsAtTheBestPointIsTold) {
+    Asks::has_best = true;
+    const auto first = emulated(40, 10), second = emulated(40, 10);
+    const auto datasets = first->conclude(answers_of(*first, *second)).datasets;
+    Asks::has_best = false;
+    EXPECT_EQ(find(datasets, "simulator_run_failure").texts.back(), "too much air");
+    EXPECT_EQ(std::ranges::count(find(datasets, "simulator_run").texts, "best point"), 1);
 }
 
 TEST(EmulatedStudy, ConcludesWithoutTheStudyWhereTooFewSucceed) {
