@@ -58,7 +58,7 @@ class Scored:
     calibrated: dict = field(default_factory=dict)   # parameter: its value in the last model
     details: dict = field(default_factory=dict)   # planted effect: what it drew
     air_handler: str = ""   # its kind
-    structure: tuple = ()   # refinements that the loop chose
+    structure: tuple = ()   # refinements that the last model has
     of_terminals: list = field(default_factory=list)   # numbers of a found unit, in prior standard deviations off
 
 
@@ -162,8 +162,8 @@ def detectability(loop, truth):
 
 def calibrated(loop):
     after = loop_result.texts(loop, "model").index("after")
-    return dict(zip(loop_result.texts(loop, "parameter"),
-                    map(float, loop["parameter_value"][after])))
+    values = zip(loop_result.texts(loop, "parameter"), map(float, loop["parameter_value"][after]))
+    return {name: value for name, value in values if not np.isnan(value)}
 
 
 def coverage(found, planted, truth):
@@ -201,7 +201,7 @@ def score(file, case, kind):
                   coverage(found, planted, truth), value_coverage(found, planted, truth), calibrated(loop),
                   truth.get("details", {}),
                   truth.get("structure", {}).get("air_handler", {}).get("kind", ""),
-                  tuple(loop["structure_chosen"].asstr()[()].split(" + ")),
+                  tuple(loop_result.texts(loop, "refinement")),
                   errors_of_terminals(loop, truth))
 
 
@@ -274,8 +274,8 @@ def false_effects(scored):
 
 
 def has_none_of_an_air_system(scored):
-    """Neither a handler, nor water on the coil alone."""
-    return not scored.air_handler and "latent_load" not in scored.planted
+    """Neither a handler, nor a planted effect that is a part of one, such as reheat."""
+    return not scored.air_handler and not any(AIR_SYSTEM & set(RIGHT[name].names) for name in scored.planted)
 
 
 def has_found_an_air_system(scored):

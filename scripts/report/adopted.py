@@ -126,10 +126,11 @@ def believe_as_before(loop, row):
 
 def adopt_structure(loop, job, keeps_priors):
     """The refinements by name, their numbers as parameters, their effects."""
-    if loop.structure in ("", "standard"):
+    names = [refinement.name for refinement in loop.refinements]
+    if not names:
         return []
     own = named(job, "parameter")
-    job["structure"] = loop.structure.split(" + ")
+    job["structure"] = names
     job["structure"].comment("chosen by the loop")
     for part in loop.job_parts:
         if part.of == "structure":
@@ -137,7 +138,7 @@ def adopt_structure(loop, job, keeps_priors):
     for row in job["parameter"] if keeps_priors else []:
         if str(row["name"]) not in own:
             believe_as_before(loop, row)
-    return [f"structure: {loop.structure}"]
+    return [f"structure: {' + '.join(names)}"]
 
 
 def adopt_functions(loop, job):

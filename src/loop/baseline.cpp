@@ -1,8 +1,9 @@
 /// Calibrates the plain building, then adds refinements of its structure, the best first,
 /// as long as unseen blocks are foretold better. Fits and scores of the loop are here.
 /// Source: Minoux 1978 for the lazy greedy search.
-/// A chosen refinement stays, unless another of its kind takes its place; two that help
-/// only together are not found. They are listed in `effects::refinements`.
+/// A chosen refinement stays until effects are found, unless another of its kind takes
+/// its place; two that help only together are not found. They are listed in
+/// `effects::refinements`.
 #include "loop/baseline.hpp"
 
 #include "base/error.hpp"
@@ -33,7 +34,7 @@ std::vector<ChannelNoise> first_noise(const LoopData& data) {
     return noise;
 }
 
-/// Where a model starts that has one more refinement than another.
+/// Where a model starts that has the effects of another, and one refinement more or less.
 std::vector<double> start_of(const Place& place, const Standing& from) {
     std::vector<std::string> names;
     names.reserve(place.unknowns.size() + place.always.size());
@@ -44,6 +45,9 @@ std::vector<double> start_of(const Place& place, const Standing& from) {
     for (std::size_t k = 0; k < names.size(); ++k)
         for (std::size_t j = 0; j < from.built.first_effect(); ++j)
             if (from.built.unknowns[j].name == names[k]) start[k] = from.fit.at.x[j];
+    const auto effects_begin =
+        from.fit.at.x.begin() + static_cast<std::ptrdiff_t>(from.built.first_effect());
+    start.insert(start.end(), effects_begin, from.fit.at.x.end());
     return start;
 }
 
@@ -269,6 +273,32 @@ Baseline make_baseline(const LoopData& data) {
         baseline.chosen = calibrated(data, std::move(better->standing));
     }
     return baseline;
+}
+
+std::vector<std::size_t> leave_unneeded_refinements(const LoopData& data, Place& place,
+                                                    Standing& standing) {
+    std::vector<std::size_t> gone;
+    score_unseen(data, standing);
+    const std::vector<std::size_t> last_first(standing.model.structure.rbegin(),
+                                              standing.model.structure.rend());
+    for (const std::size_t refinement : last_first) {
+        LoopModel model = standing.model;
+        std::erase(model.structure, refinement);
+        try {
+            Place fewer = make_place(data, model.structure, data.drive);
+            fewer.surroundings->model = place.surroundings->model;
+            Standing without =
+                scored(data, fewer, model, start_of(fewer, standing), standing.noise);
+            if (!(without.score <= standing.score)) continue;
+            gone.push_back(refinement);
+            place = std::move(fewer);
+            standing = std::move(without);
+        } catch (const CannotSimulate&) {
+            // An effect enters there: it is needed.
+        }
+    }
+    if (!gone.empty()) settle(data, standing);
+    return gone;
 }
 
 }  // namespace bemcal::loop

@@ -79,4 +79,12 @@ Standing calibrate_plain(const LoopData& data);
 /// One refinement joins after the other, the best first, as long as the score falls.
 Baseline make_baseline(const LoopData& data);
 
+/// Refinements leave that a model with effects no longer needs, those that joined last
+/// first: they had stood for what the effects explain. A refinement is needed where
+/// unseen blocks are foretold worse without it. Settles what is left, if any leaves.
+/// \param place  of the standing model, with its loads; then of what is left of it
+/// \return those that left, as indices into effects::refinements
+std::vector<std::size_t> leave_unneeded_refinements(const LoopData& data, Place& place,
+                                                    Standing& standing);
+
 }  // namespace bemcal::loop

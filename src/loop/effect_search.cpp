@@ -63,6 +63,7 @@ class Search {
             leave_what_does_not_stand_out(place);
         while (leave_least_certain(place)) {
         }
+        leave_unneeded_structure();
         if (!result_.found.empty() &&
             spare_meters(data_, result_.baseline.chosen, result_.last))
             result_.log.push_back(
@@ -193,6 +194,18 @@ class Search {
         drop(prune(data_, place, result_.last,
                    decisions::least_misfit_ratio * result_.candidates[0].second),
              "taken out: does not stand out from the model's misfit");
+    }
+
+    void leave_unneeded_structure() {
+        if (result_.found.empty()) return;
+        for (const std::size_t refinement :
+             leave_unneeded_refinements(data_, result_.baseline.place, result_.last))
+            result_.log.push_back({effects::refinements()[refinement].name,
+                                   "taken out of the structure: no longer needed",
+                                   0,
+                                   0,
+                                   0,
+                                   {}});
     }
 
     /// An effect whose coefficient may nearly be nothing leaves, the least certain first.

@@ -25,8 +25,12 @@ Place place_in(const LoopData& data, const Baseline& baseline, const LoopModel& 
                const std::vector<FoundFunction>& functions,
                std::shared_ptr<const physics::Drive> drive) {
     Place place = make_place(data, model.structure, std::move(drive));
-    if (!model.effects.empty() || !functions.empty())
-        know_loads(place, baseline.chosen, baseline.place.surroundings->model);
+    if (!model.effects.empty() || !functions.empty()) {
+        // The effects follow the loads of the structure that they were searched in.
+        Place searched = make_place(data, baseline.chosen.model.structure, place.drive);
+        know_loads(searched, baseline.chosen, baseline.place.surroundings->model);
+        place.surroundings->model = searched.surroundings->model;
+    }
     if (functions.empty()) return place;
     const auto drivers = effects::function_drivers(surroundings_of(place));
     return with_functions(std::move(place), functions, drivers);

@@ -105,19 +105,20 @@ class Writer {
     }
 
     void parameters() {
-        const auto& unknowns = result_.last.built.unknowns;
-        const std::size_t n = result_.last.built.first_effect();
-        std::map<std::string, std::size_t> index;
-        for (std::size_t k = 0; k < n; ++k) {
-            index[unknowns[k].name] = k;
-            loop_.parameters.push_back({unknowns[k].name, unknowns[k].unit});
-            if (!unknowns[k].has_prior) continue;
-            loop_.parameters.back().prior_mean = unknowns[k].centre;
-            loop_.parameters.back().prior_sd = unknowns[k].scale;
-        }
-        loop_.parameter_value.resize({StoredLoop::n_models, n});
-        loop_.parameter_sd.resize({StoredLoop::n_models, n});
         const Standings standings = standings_of(result_);
+        std::map<std::string, std::size_t> index;
+        // Those of the last model first: before may have more of its structure.
+        for (const Standing* standing : {&result_.last, &result_.baseline.chosen})
+            for (std::size_t k = 0; k < standing->built.first_effect(); ++k) {
+                const study::FitUnknown& unknown = standing->built.unknowns[k];
+                if (!index.emplace(unknown.name, index.size()).second) continue;
+                loop_.parameters.push_back({unknown.name, unknown.unit});
+                if (!unknown.has_prior) continue;
+                loop_.parameters.back().prior_mean = unknown.centre;
+                loop_.parameters.back().prior_sd = unknown.scale;
+            }
+        loop_.parameter_value.resize({StoredLoop::n_models, index.size()});
+        loop_.parameter_sd.resize({StoredLoop::n_models, index.size()});
         for (std::size_t m = 0; m < standings.size(); ++m) {
             const auto sds = m == StoredLoop::after
                                  ? deviations_
@@ -138,7 +139,8 @@ class Writer {
         const auto chosen =
             whole_structure(data_, result_.baseline.chosen.model.structure);
         loop_.structure_chosen = effects::name_of(chosen);
-        for (const std::size_t index : chosen) {
+        for (const std::size_t index :
+             whole_structure(data_, result_.last.model.structure)) {
             const effects::Refinement& one = effects::refinements()[index];
             loop_.refinements.push_back({one.name, one.what});
         }
@@ -425,7 +427,7 @@ class Writer {
     std::string structure_line() const {
         std::string names;
         for (const std::size_t index :
-             whole_structure(data_, result_.baseline.chosen.model.structure))
+             whole_structure(data_, result_.last.model.structure))
             names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ",
                                  effects::refinements()[index].name);
         return names.empty() ? "" : fmt::format("structure = [{}]\n", names);

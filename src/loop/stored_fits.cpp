@@ -192,6 +192,7 @@ study::Summary summary_of(const std::string& stage, const LoopData& data,
     summary.study = stage;
     for (std::size_t k = 0; k < stored.parameters.size(); ++k) {
         const double value = stored.parameter_value.at({StoredLoop::after, k});
+        if (std::isnan(value)) continue;  // its refinement has left
         const double half =
             stats::z_90_two_sided * stored.parameter_sd.at({StoredLoop::after, k});
         summary.values.push_back(

@@ -35,7 +35,7 @@ struct StoredLoop {
         std::string name;
         double score = nan;
     };
-    /// Of the structure that was chosen.
+    /// Of the structure that `after` has.
     struct Refinement {
         std::string name, what;
     };

@@ -113,10 +113,14 @@ std::string loop_structure_table(const StoredLoop& loop) {
     for (const StoredLoop::Structure& tried : loop.structures)
         table.add({end_of_structure(tried.name), three_digits(tried.score),
                    tried.name == loop.structure_chosen ? "chosen" : ""});
-    std::string text = text_of(table, longest_structure);
-    for (const StoredLoop::Refinement& one : loop.refinements)
-        text += wrapped(fmt::format("{}: {}", one.name, one.what));
-    return text;
+    std::string text = text_of(table, longest_structure), names, lines;
+    for (const StoredLoop::Refinement& one : loop.refinements) {
+        names += (names.empty() ? "" : " + ") + one.name;
+        lines += wrapped(fmt::format("{}: {}", one.name, one.what));
+    }
+    if (!names.empty() && names != loop.structure_chosen)
+        text += "  of it, needed beside the effects found:\n";
+    return text + lines;
 }
 
 std::string loop_power_table(const StoredLoop& loop) {

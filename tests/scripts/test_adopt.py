@@ -60,9 +60,12 @@ def write_result(path, sections, parts=()):
     fake_loop_result.write(path, {"gas": "kWh"}, found=len(sections))
     with h5py.File(path, "a") as file:
         stage = file["office/loop"]
-        del stage["effect_section"], stage["parameter"], stage["structure_chosen"]
-        stage.pop("function", None)
-        stage["structure_chosen"] = "surfaces + wind in leaks" if parts else "standard"
+        del stage["effect_section"], stage["parameter"]
+        for name in ("function", "refinement", "refinement_is"):
+            stage.pop(name, None)
+        refinements = ["surfaces", "wind in leaks"] if parts else []
+        fake_loop_result.text(stage, "refinement", refinements)
+        fake_loop_result.text(stage, "refinement_is", refinements)
         fake_loop_result.text(stage, "function", [])
         fake_loop_result.text(stage, "job_part", [part[0] for part in parts])
         fake_loop_result.text(stage, "job_part_section", [part[1] for part in parts])

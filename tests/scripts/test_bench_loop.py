@@ -122,7 +122,8 @@ class Scores(unittest.TestCase):
         self.assertTrue(loop_scores.has_found_an_air_system(by_effect))
         self.assertTrue(loop_scores.has_found_an_air_system(by_structure))
         self.assertTrue(loop_scores.has_none_of_an_air_system(case))
-        self.assertFalse(loop_scores.has_none_of_an_air_system(scored({"latent_load": 0.8}, [])))
+        for part in ("latent_load", "reheat"):
+            self.assertFalse(loop_scores.has_none_of_an_air_system(scored({part: 0.8}, [])))
 
     def test_numbers_of_terminals_are_beside_the_truth(self):
         handler = {"kind": "VAV with terminal reheat", "supply": 4.0, "supply_cold": 13.0, "supply_warm": 16.0,
