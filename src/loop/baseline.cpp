@@ -294,7 +294,7 @@ std::vector<std::size_t> leave_unneeded_refinements(const LoopData& data, Place&
             place = std::move(fewer);
             standing = std::move(without);
         } catch (const CannotSimulate&) {
-            // An effect enters there: it is needed.
+            continue;  // An effect enters there: it is needed.
         }
     }
     if (!gone.empty()) settle(data, standing);
