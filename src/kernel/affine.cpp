@@ -25,11 +25,12 @@ struct Columns {
 /// power.
 template <class Write>
 void for_drivers(const Regime& regime, Write write) {
-    write([&](const physics::LinearForm& form) { return regime.per_theta_e(form); });
+    const auto write_met = [&](const Met& met) {
+        write([&](const physics::LinearForm& form) { return met.by(form); });
+    };
+    write_met(regime.per_theta_e());
     for (int profile : regime.plan.temperature_drivers)
-        write([&](const physics::LinearForm& form) {
-            return regime.per_driver(form, profile);
-        });
+        write_met(regime.per_driver(profile));
     for (int profile : regime.plan.load_drivers) {
         const double gain = per_load_driver(regime, profile);
         write(
@@ -70,9 +71,11 @@ class StandardRows {
   public:
     explicit StandardRows(const Regime& regime)
         : asked_(StandardScale(regime.map).asked_per_kelvin),
-          mass_(regime.fixed(regime.map.theta_m_after)),
+          without_drivers_(regime.without_drivers()),
+          mass_(regime.fixed(regime.map.theta_m_after, without_drivers_)),
           mass_per_int_(regime.per_int(regime.map.theta_m_after)),
-          missing_(regime.control.theta_H_set - regime.fixed(regime.map.theta_air)),
+          missing_(regime.control.theta_H_set -
+                   regime.fixed(regime.map.theta_air, without_drivers_)),
           air_per_int_(regime.per_int(regime.map.theta_air)) {}
     void write(double phi_int, Columns columns) const {
         columns.add(mass_ + mass_per_int_ * phi_int);
@@ -80,7 +83,9 @@ class StandardRows {
     }
 
   private:
-    double asked_, mass_, mass_per_int_, missing_, air_per_int_;
+    double asked_;
+    Met without_drivers_;
+    double mass_, mass_per_int_, missing_, air_per_int_;
 };
 
 /// Calls use(form) for the free air temperature and each state after the step.
@@ -159,10 +164,11 @@ double imposed_base(const Regime& regime, int step) {
            (regime.plan.imposed_driver ? imposed.low : regime.drive.at(imposed, step));
 }
 
-void write_general_row(const Regime& regime, int step, Columns columns) {
+void write_general_row(const Regime& regime, const Met& without_drivers, int step,
+                       Columns columns) {
     const double phi_int = tabled_gain(regime, step);
     for_forms(regime, [&](const physics::LinearForm& form) {
-        columns.add(regime.fixed(form) + regime.per_int(form) * phi_int);
+        columns.add(regime.fixed(form, without_drivers) + regime.per_int(form) * phi_int);
     });
     const double imposed = imposed_base(regime, step);
     columns.add(regime.control.heated * heating_line(regime).asked + imposed);
@@ -199,8 +205,10 @@ void write_regime(const Regime& regime, const LaneTables& tables) {
         });
     } else {
         write_general_regime(regime, columns);
-        for_rows(regime, tables,
-                 [&](int step, Columns row) { write_general_row(regime, step, row); });
+        const Met without_drivers = regime.without_drivers();
+        for_rows(regime, tables, [&](int step, Columns row) {
+            write_general_row(regime, without_drivers, step, row);
+        });
     }
 }
 
@@ -208,8 +216,9 @@ void write_regime(const Regime& regime, const LaneTables& tables) {
 
 void write_coefficients(const ZonePlan& plan, int regime,
                         const physics::Building& building, const physics::Drive& drive,
-                        RegimeRoom& room, const LaneTables& tables) {
-    write_regime(make_regime(plan, regime, building, drive, room), tables);
+                        physics::Network& network, physics::StepMaps& maps,
+                        const LaneTables& tables) {
+    write_regime(make_regime(plan, regime, building, drive, network, maps), tables);
 }
 
 void repeat_coefficients(const ZonePlan& plan, int regime, int first,

@@ -17,7 +17,8 @@ struct LaneTables {
 /// (make_network, control_at).
 void write_coefficients(const ZonePlan& plan, int regime,
                         const physics::Building& building, const physics::Drive& drive,
-                        RegimeRoom& room, const LaneTables& tables);
+                        physics::Network& network, physics::StepMaps& maps,
+                        const LaneTables& tables);
 
 /// Gives lanes [first, all) those of the lane before them.
 /// \param tables  of lane 0

@@ -86,9 +86,14 @@ class StandardBack {
             return g_mass * mass_per_int -
                    g_asked * scale_.asked_per_kelvin * air_per_int;
         });
-        back_.fixed(mass_, of_mass, of_mass_);
+        const Met without_drivers = regime.without_drivers();
+        Met of_without;
+        back_.fixed(mass_, without_drivers, of_mass, of_mass_, of_without);
         back_.per_int(mass_, of_mass_int, of_mass_);
-        back_.fixed(air_, asked(regime.fixed(air_), of_asked), of_air_);
+        back_.fixed(air_, without_drivers,
+                    asked(regime.fixed(air_, without_drivers), of_asked), of_air_,
+                    of_without);
+        back_.without_drivers(of_without);
         back_.per_int(air_, asked(air_per_int, of_asked_int), of_air_);
         of_asked_ += of_asked * regime.control.theta_H_set;
         back_.of_control.theta_H_set += of_asked * scale_.asked_per_kelvin;
@@ -233,10 +238,13 @@ class GeneralBack {
             return of_phi_int;
         });
         std::size_t f = 0;
+        const Met without_drivers = back_.regime.without_drivers();
+        Met of_without;
         for_forms([&](const physics::LinearForm& form, physics::LinearForm& of_form) {
-            back_.fixed(form, of_fixed[f], of_form);
+            back_.fixed(form, without_drivers, of_fixed[f], of_form, of_without);
             back_.per_int(form, of_int[f++], of_form);
         });
+        back_.without_drivers(of_without);
     }
 
     void pull_map(double dt) {
@@ -365,10 +373,9 @@ void pull_regime(RegimeBack& regime, int index, const LaneAdjoints& tables) {
 void pull_coefficients(const ZonePlan& plan, const physics::Building& building,
                        const physics::Drive& drive, NetworkPair& scratch,
                        const LaneAdjoints& tables, physics::Building& of_building) {
-    auto& [room, of_network] = scratch;
-    const physics::Network& network = room.network;
+    auto& [network, maps, of_network] = scratch;
     for (int index = 0; index < plan.regimes.size(); ++index) {
-        const Regime regime = make_regime(plan, index, building, drive, room);
+        const Regime regime = make_regime(plan, index, building, drive, network, maps);
         adjoint::clear_adjoints(network, of_network);
         const adjoint::PlaceBack place{
             building, plan.zone, drive,

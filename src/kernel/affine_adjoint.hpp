@@ -16,7 +16,8 @@ struct LaneAdjoints {
 
 /// Scratch, so that nothing is allocated.
 struct NetworkPair {
-    RegimeRoom room;
+    physics::Network network;
+    physics::StepMaps maps;
     physics::Network of_network;
 };
 

@@ -69,6 +69,7 @@ BatchGroup::BatchGroup(const BatchPlan& shared, std::shared_ptr<Written> of_othe
     for (const ZonePlan& zone : plan.zones) zones.push_back(make_zone(zone, lanes));
     floor_share_ = LaneArray(zones.size(), lanes);
     is_broken_.resize(static_cast<std::size_t>(lanes));
+    networks_.resize(static_cast<std::size_t>(lanes));
     most_steps_ = longest(plan.chunks);
 }
 
@@ -124,7 +125,8 @@ void BatchGroup::write_zone(std::size_t zone, std::vector<std::string>& failures
             if (!failures[lane].empty()) continue;
             try {
                 write_coefficients(plan.zones[zone], regime, buildings[lane], plan.drive,
-                                   room_, {regimes + lane, rows + lane, lanes});
+                                   networks_[lane], maps_,
+                                   {regimes + lane, rows + lane, lanes});
             } catch (const CannotSimulate& error) {
                 failures[lane] = error.what();
             }

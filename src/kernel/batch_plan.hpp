@@ -110,7 +110,8 @@ struct BatchGroup {
     void clear_lane(int lane);
     void write_mixed(physics::Quantity quantity);
 
-    RegimeRoom room_;
+    std::vector<physics::Network> networks_;  ///< [lanes] of the last regime
+    physics::StepMaps maps_;
     LaneArray floor_share_;  ///< [zones x lanes]
     std::size_t most_steps_ = 1;
     Rows of_zone_, of_building_;   ///< of a chunk

@@ -42,10 +42,11 @@ class SeasonLimits {
 struct ZonePlan {
     std::size_t zone = 0;
     std::vector<physics::Term>
-        states;               ///< of a zone with refinements; empty = standard hour
-    std::vector<int> planes;  ///< that its elements lie in
-    bool shifted = false;     ///< outdoors differs from the weather, or may
-    bool vented = false;      ///< openings follow the room, or may
+        states;                  ///< of a zone with refinements; empty = standard hour
+    std::vector<int> planes;     ///< that its elements lie in
+    bool shifted = false;        ///< outdoors differs from the weather, or may
+    bool vented = false;         ///< openings follow the room, or may
+    bool elements_vary = false;  ///< surfaces or windows follow a profile
     SeasonLimits season;
     std::vector<int> temperature_drivers;  ///< profiles of temperatures
     std::vector<int> load_drivers;         ///< profiles of loads that are drivers

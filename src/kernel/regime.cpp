@@ -28,24 +28,24 @@ Entrance entrance_of(const physics::Building& building, std::size_t k) {
     return {0, k == n + 1, k == n, k == n + 2};
 }
 
-double Regime::per_driver(const physics::LinearForm& form, int profile) const {
-    double sum = 0;
+Met Regime::per_driver(int profile) const {
+    Met met;
     for (std::size_t k = 0; k < n_temperatures(plan, building); ++k) {
         const physics::Input& theta = temperature(plan, building, k);
         if (follows(theta, profile))
-            sum +=
-                along(theta, profile) * per_temperature(form, entrance_of(building, k));
+            met.add(entrance_of(building, k), along(theta, profile), network);
     }
-    return sum;
+    return met;
 }
 
-double Regime::fixed(const physics::LinearForm& form) const {
-    double sum = -per_sol(form) * network.phi_sky;
+Met Regime::without_drivers() const {
+    Met met;
     for (std::size_t k = 0; k < n_temperatures(plan, building); ++k)
-        sum += per_temperature(form, entrance_of(building, k)) *
-               tabled(temperature(plan, building, k), plan.temperature_drivers, drive,
-                      step());
-    return sum;
+        met.add(entrance_of(building, k),
+                tabled(temperature(plan, building, k), plan.temperature_drivers, drive,
+                       step()),
+                network);
+    return met;
 }
 
 /// phi_int per value of a profile that is a driver [W].
@@ -98,11 +98,13 @@ Line cooling_line(const Regime& regime) {
 }
 
 Regime make_regime(const ZonePlan& plan, int index, const physics::Building& building,
-                   const physics::Drive& drive, RegimeRoom& room) {
-    physics::Network& network = room.network;
+                   const physics::Drive& drive, physics::Network& network,
+                   physics::StepMaps& maps) {
     const physics::Zone& zone = building.zones[plan.zone];
     const int step = plan.regimes.first[static_cast<std::size_t>(index)];
-    physics::make_network(building, zone, drive, step, network);
+    if (index == 0 || plan.elements_vary)
+        physics::make_elements(building, zone, drive, step, network);
+    physics::make_air_flows(building, zone, drive, step, network);
     if (!plan.season.has(zone.structure)) reject_season(zone);
     const double dt = drive.axis.step_s;
     return {plan,
@@ -113,7 +115,7 @@ Regime make_regime(const ZonePlan& plan, int index, const physics::Building& bui
             network,
             physics::radiant_split(network),
             plan.is_standard() ? physics::standard_step_map(network, dt)
-                               : room.maps.of(network, dt),
+                               : maps.of(network, dt),
             physics::control_at(zone, drive, step)};
 }
 

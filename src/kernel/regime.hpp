@@ -27,6 +27,23 @@ struct Entrance {
 };
 Entrance entrance_of(const physics::Building& building, std::size_t k);
 
+/// What a form meets at the zone's three temperatures: theta_em, theta_sup, theta_e.
+struct Met {
+    double opaque = 0, supply = 0, windows = 0;
+
+    /// What a temperature brings where it enters.
+    void add(const Entrance& at, double value, const physics::Network& network) {
+        if (at.opaque) opaque += network.em_share[at.place] * value;
+        if (at.supply) supply += network.ve_share[at.place] * value;
+        if (at.windows) windows += value;
+    }
+    double by(const physics::LinearForm& form) const {
+        return form[physics::Term::theta_em] * opaque +
+               form[physics::Term::theta_sup] * supply +
+               form[physics::Term::theta_e] * windows;
+    }
+};
+
 struct Regime {
     const ZonePlan& plan;
     int index;
@@ -53,35 +70,25 @@ struct Regime {
         return per_gain(form, network.gains_air_share);
     }
     /// Per kelvin of the outdoor air.
-    double per_theta_e(const physics::LinearForm& form) const {
-        return form[physics::Term::theta_em] * network.em_share[0] +
-               form[physics::Term::theta_sup] * network.ve_share[0] +
-               form[physics::Term::theta_e];
-    }
-    double per_temperature(const physics::LinearForm& form, const Entrance& at) const {
-        double sum = 0;
-        if (at.opaque) sum += form[physics::Term::theta_em] * network.em_share[at.place];
-        if (at.supply) sum += form[physics::Term::theta_sup] * network.ve_share[at.place];
-        if (at.windows) sum += form[physics::Term::theta_e];
-        return sum;
-    }
+    Met per_theta_e() const { return {network.em_share[0], network.ve_share[0], 1}; }
     /// Per value of one of the temperature drivers.
-    double per_driver(const physics::LinearForm& form, int profile) const;
-    /// What holds in a regime: temperatures without their drivers, and the loss to the
-    /// sky.
-    double fixed(const physics::LinearForm& form) const;
+    Met per_driver(int profile) const;
+    /// Temperatures without their drivers [degC].
+    Met without_drivers() const;
+    /// What holds in a regime: these, and the loss to the sky.
+    double fixed(const physics::LinearForm& form, const Met& without_drivers) const {
+        return without_drivers.by(form) - per_sol(form) * network.phi_sky;
+    }
     int step() const { return plan.regimes.first[static_cast<std::size_t>(index)]; }
 };
 
-/// Where regimes are made, one after the other.
-struct RegimeRoom {
-    physics::Network network;  ///< of the last; nothing is allocated for the next
-    physics::StepMaps maps;
-};
-/// The regime at the step in which it appears first. Throws as make_network, control_at,
-/// and CannotSimulate where a season's limit is beyond what the plan is for.
+/// The regime at the step in which it appears first. The regimes of a building are made
+/// in their order, from 0, each with the network of the one before. Throws as
+/// make_network, control_at, and CannotSimulate where a season's limit is beyond what the
+/// plan is for.
 Regime make_regime(const ZonePlan& plan, int index, const physics::Building& building,
-                   const physics::Drive& drive, RegimeRoom& room);
+                   const physics::Drive& drive, physics::Network& network,
+                   physics::StepMaps& maps);
 
 inline double span_of(const physics::Input& input) {
     return input.value - input.low;

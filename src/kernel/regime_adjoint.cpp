@@ -32,50 +32,59 @@ void RegimeBack::per_int(const physics::LinearForm& form, double g,
              of_network.gains_air_share);
 }
 
-void RegimeBack::per_theta_e(const physics::LinearForm& form, double g,
-                             physics::LinearForm& of_form) {
-    per_temperature(form, {0, true, true, true}, g, of_form);
-}
+namespace {
 
-void RegimeBack::per_temperature(const physics::LinearForm& form, const Entrance& at,
-                                 double g, physics::LinearForm& of_form) {
+/// Of Met::add: to the network's shares; returns the adjoint of the value.
+double pull_added(const Entrance& at, double value, const physics::Network& network,
+                  const Met& of_met, physics::Network& of_network) {
+    double of_value = 0;
     if (at.opaque) {
-        of_form[physics::Term::theta_em] += g * regime.network.em_share[at.place];
-        of_network.em_share[at.place] += g * form[physics::Term::theta_em];
+        of_value += network.em_share[at.place] * of_met.opaque;
+        of_network.em_share[at.place] += value * of_met.opaque;
     }
     if (at.supply) {
-        of_form[physics::Term::theta_sup] += g * regime.network.ve_share[at.place];
-        of_network.ve_share[at.place] += g * form[physics::Term::theta_sup];
+        of_value += network.ve_share[at.place] * of_met.supply;
+        of_network.ve_share[at.place] += value * of_met.supply;
     }
-    if (at.windows) of_form[physics::Term::theta_e] += g;
+    return at.windows ? of_value + of_met.windows : of_value;
 }
 
-void RegimeBack::per_driver(const physics::LinearForm& form, int profile, double g,
-                            physics::LinearForm& of_form) {
+}  // namespace
+
+void RegimeBack::fixed(const physics::LinearForm& form, const Met& without_drivers,
+                       double g, physics::LinearForm& of_form, Met& of_without_drivers) {
+    pull_met(form, without_drivers, g, of_form, of_without_drivers);
+    per_sol(form, -g * regime.network.phi_sky, of_form);
+    of_network.phi_sky -= g * regime.per_sol(form);
+}
+
+void RegimeBack::per_theta_e(const Met& of_met) {
+    of_network.em_share[0] += of_met.opaque;
+    of_network.ve_share[0] += of_met.supply;
+}
+
+void RegimeBack::per_driver(int profile, const Met& of_met) {
     const physics::Building& building = regime.building;
     for (std::size_t k = 0; k < n_temperatures(regime.plan, building); ++k) {
         const physics::Input& theta = temperature(regime.plan, building, k);
         if (!follows(theta, profile)) continue;
-        const Entrance at = entrance_of(building, k);
-        per_temperature(form, at, g * along(theta, profile), of_form);
-        pull_along(theta, profile, g * regime.per_temperature(form, at),
+        const double of_along =
+            pull_added(entrance_of(building, k), along(theta, profile), regime.network,
+                       of_met, of_network);
+        pull_along(theta, profile, of_along,
                    temperature(regime.plan, place.of_building, k));
     }
 }
 
-void RegimeBack::fixed(const physics::LinearForm& form, double g,
-                       physics::LinearForm& of_form) {
-    per_sol(form, -g * regime.network.phi_sky, of_form);
-    of_network.phi_sky -= g * regime.per_sol(form);
+void RegimeBack::without_drivers(const Met& of_met) {
     const physics::Building& building = regime.building;
     const std::vector<int>& drivers = regime.plan.temperature_drivers;
     for (std::size_t k = 0; k < n_temperatures(regime.plan, building); ++k) {
         const physics::Input& theta = temperature(regime.plan, building, k);
-        const Entrance at = entrance_of(building, k);
-        per_temperature(form, at, g * tabled(theta, drivers, regime.drive, regime.step()),
-                        of_form);
-        pull_tabled(theta, drivers, regime.drive, regime.step(),
-                    g * regime.per_temperature(form, at),
+        const double of_value = pull_added(
+            entrance_of(building, k), tabled(theta, drivers, regime.drive, regime.step()),
+            regime.network, of_met, of_network);
+        pull_tabled(theta, drivers, regime.drive, regime.step(), of_value,
                     temperature(regime.plan, place.of_building, k));
     }
 }

@@ -23,14 +23,23 @@ struct RegimeBack {
                   physics::LinearForm& of_form, double& of_to_air);
     void per_sol(const physics::LinearForm& form, double g, physics::LinearForm& of_form);
     void per_int(const physics::LinearForm& form, double g, physics::LinearForm& of_form);
-    void per_theta_e(const physics::LinearForm& form, double g,
-                     physics::LinearForm& of_form);
-    void per_temperature(const physics::LinearForm& form, const Entrance& at, double g,
-                         physics::LinearForm& of_form);
-    void per_driver(const physics::LinearForm& form, int profile, double g,
-                    physics::LinearForm& of_form);
-    void fixed(const physics::LinearForm& form, double g, physics::LinearForm& of_form);
+    void fixed(const physics::LinearForm& form, const Met& without_drivers, double g,
+               physics::LinearForm& of_form, Met& of_without_drivers);
+    void per_theta_e(const Met& of_met);
+    void per_driver(int profile, const Met& of_met);
+    void without_drivers(const Met& of_met);
 };
+
+/// Of Met::by.
+inline void pull_met(const physics::LinearForm& form, const Met& met, double g,
+                     physics::LinearForm& of_form, Met& of_met) {
+    of_form[physics::Term::theta_em] += g * met.opaque;
+    of_form[physics::Term::theta_sup] += g * met.supply;
+    of_form[physics::Term::theta_e] += g * met.windows;
+    of_met.opaque += g * form[physics::Term::theta_em];
+    of_met.supply += g * form[physics::Term::theta_sup];
+    of_met.windows += g * form[physics::Term::theta_e];
+}
 
 /// Of value - low.
 inline void pull_span(double of_span, physics::Input& of_input) {
@@ -47,18 +56,18 @@ void pull_tabled_gain(RegimeBack& back, int step, double of_gain);
 template <class Each>
 void for_drivers(RegimeBack& back, Each each) {
     const Regime& regime = back.regime;
-    each([&](const physics::LinearForm& form) { return regime.per_theta_e(form); },
-         [&](const physics::LinearForm& form, double g, physics::LinearForm& of_form) {
-             back.per_theta_e(form, g, of_form);
-         });
-    for (int profile : regime.plan.temperature_drivers)
+    const auto of_each = [&](const Met& met) {
+        Met of_met;
         each(
-            [&](const physics::LinearForm& form) {
-                return regime.per_driver(form, profile);
-            },
+            [&](const physics::LinearForm& form) { return met.by(form); },
             [&](const physics::LinearForm& form, double g, physics::LinearForm& of_form) {
-                back.per_driver(form, profile, g, of_form);
+                pull_met(form, met, g, of_form, of_met);
             });
+        return of_met;
+    };
+    back.per_theta_e(of_each(regime.per_theta_e()));
+    for (int profile : regime.plan.temperature_drivers)
+        back.per_driver(profile, of_each(regime.per_driver(profile)));
     for (int profile : regime.plan.load_drivers) {
         const double gain = per_load_driver(regime, profile);
         double of_gain = 0;

@@ -30,6 +30,9 @@ void add_element_profiles(const physics::Building& building, const physics::Zone
              {&glazing.u_value, &glazing.solar_transmittance, &window.shading})
             add_profiles(profiles, *input);
     }
+}
+
+void add_flow_profiles(const physics::Zone& zone, std::vector<int>& profiles) {
     for (const physics::AirFlow& flow : zone.flows) {
         add_profiles(profiles, flow.air_change);
         add_profiles(profiles, flow.heat_recovery);
@@ -41,6 +44,7 @@ std::vector<int> regime_profiles(const physics::Building& building,
                                  const physics::Zone& zone) {
     std::vector<int> profiles;
     add_element_profiles(building, zone, profiles);
+    add_flow_profiles(zone, profiles);
     const physics::Thermostat& control = zone.thermostat;
     if (!control.imposed)
         for (const physics::Input* input :
@@ -50,6 +54,12 @@ std::vector<int> regime_profiles(const physics::Building& building,
               &control.room_spread, &control.cooled_together})
             add_profiles(profiles, *input);
     return profiles;
+}
+
+bool elements_vary(const physics::Building& building, const physics::Zone& zone) {
+    std::vector<int> profiles;
+    add_element_profiles(building, zone, profiles);
+    return !profiles.empty();
 }
 
 std::vector<int> planes_of(const physics::Zone& zone) {
@@ -243,6 +253,7 @@ ZonePlan plan_zone(const Nominal& nominal, std::size_t zone, ProfileClasses& cla
     plan.planes = planes_of(description);
     plan.shifted = options.shifted;
     plan.vented = options.vented;
+    plan.elements_vary = elements_vary(building, description);
     plan.temperature_drivers = temperatures.drivers();
     plan.imposed_driver = control.imposed && control.imposed_power.profile >= 0 &&
                           !control.imposed_power.is_changed();

@@ -153,13 +153,11 @@ void set_structure(const Place& place, Network& network) {
 
 void add_elements(const Place& place, Network& network) {
     clear(network.em_share, place.building);
-    clear(network.ve_share, place.building);
     network.aperture.assign(place.building.planes.size(), 0.0);
     network.H_tr_w = network.phi_sky = 0;
     for (const Surface& surface : place.zone.surfaces)
         add_surface(place, surface, network);
     for (const Window& window : place.zone.windows) add_window(place, window, network);
-    for (const AirFlow& flow : place.zone.flows) add_flow(place, flow, network);
 }
 
 /// H_tr_em in series with H_tr_ms makes H_tr_op (eq. 63): 1 / (1 / H_tr_op - 1 /
@@ -253,6 +251,12 @@ void reject_ringing(const Zone& zone, int step, const Network& network, double d
 
 void make_network(const Building& building, const Zone& zone, const Drive& drive,
                   int step, Network& network) {
+    make_elements(building, zone, drive, step, network);
+    make_air_flows(building, zone, drive, step, network);
+}
+
+void make_elements(const Building& building, const Zone& zone, const Drive& drive,
+                   int step, Network& network) {
     const Place place{building, zone, drive, step};
     set_capacity(place, network);
     set_structure(place, network);
@@ -261,6 +265,13 @@ void make_network(const Building& building, const Zone& zone, const Drive& drive
     of_boundary(network.em_share, outdoors) += zone.bridge_conductance;
     const double H_tr_op = not_negative(place, share_out(network.em_share), "H_tr_op");
     network.H_tr_em = conductance_to_mass(place, H_tr_op, network.H_tr_ms);
+}
+
+void make_air_flows(const Building& building, const Zone& zone, const Drive& drive,
+                    int step, Network& network) {
+    const Place place{building, zone, drive, step};
+    clear(network.ve_share, building);
+    for (const AirFlow& flow : zone.flows) add_flow(place, flow, network);
     network.H_ve = not_negative(place, share_out(network.ve_share), "H_ve");
     reject_ringing(zone, step, network, drive.axis.step_s);
 }

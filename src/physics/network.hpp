@@ -39,9 +39,16 @@ struct Network {
 void make_network(const Building& building, const Zone& zone, const Drive& drive,
                   int step, Network& network);
 
+/// The two parts of make_network, in this order: all but the air flows; and these. Where
+/// no input of surfaces and windows varies, the first part holds for all steps.
+void make_elements(const Building& building, const Zone& zone, const Drive& drive,
+                   int step, Network& network);
+void make_air_flows(const Building& building, const Zone& zone, const Drive& drive,
+                    int step, Network& network);
+
 /// Throws CannotSimulate where Crank-Nicolson would ring: C_m / dt < (H_3 + H_tr_em +
-/// H_2) / 2, or the second mass alike. make_network calls it; a caller that changes H_ve
-/// calls it again.
+/// H_2) / 2, or the second mass alike. make_air_flows calls it; a caller that changes
+/// H_ve calls it again.
 void reject_ringing(const Zone& zone, int step, const Network& network, double dt);
 
 /// Set-points and limits at one step.

@@ -26,11 +26,13 @@ const StepMap& StepMaps::of(const Network& n, double dt) {
         dt,        n.A_m,     n.A_tot,       n.C_m,          n.H_tr_w,
         n.H_tr_em, n.H_tr_ms, n.H_tr_is,     n.H_ve,         n.air_capacity,
         n.H_2,     n.C_2,     n.tau_emitter, n.radiant_share};
-    if (numbers != numbers_) {
-        map_ = make_step_map(n, dt);
-        numbers_ = numbers;
+    for (std::size_t k = 0; k < most_known; ++k) {
+        const Known& known = known_[(last_ + most_known - k) % most_known];
+        if (known.numbers == numbers) return known.map;
     }
-    return map_;
+    last_ = (last_ + 1) % most_known;
+    known_[last_] = {numbers, make_step_map(n, dt)};
+    return known_[last_].map;
 }
 
 StepMap standard_step_map(const Network& n, double dt) {

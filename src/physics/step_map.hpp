@@ -32,8 +32,13 @@ class StepMaps {
     const StepMap& of(const Network& network, double dt);
 
   private:
-    std::array<double, 14> numbers_{};  ///< of the last network; all 0: none yet
-    StepMap map_;
+    struct Known {
+        std::array<double, 14> numbers{};  ///< of its network; all 0: none yet
+        StepMap map;
+    };
+    static constexpr std::size_t most_known = 8;  ///< one for each lane of the kernel
+    std::array<Known, most_known> known_{};
+    std::size_t last_ = 0;  ///< of them
 };
 
 /// Of the same forms the two that the standard hour needs (theta_m_after, theta_air) at
