@@ -134,19 +134,6 @@ std::vector<double> scores_by_block(const LoopData& data, const Standing& standi
     return scores;
 }
 
-Matrix points_of(const Standing& standing, const effects::Effect& effect,
-                 const physics::Parameter& coefficient) {
-    const auto& unknowns = standing.built.unknowns;
-    Matrix points(amplitudes.size(), unknowns.size() + 1);
-    for (std::size_t a = 0; a < amplitudes.size(); ++a) {
-        for (std::size_t k = 0; k < unknowns.size(); ++k)
-            points(a, k) = unknowns[k].value(standing.fit.at.x[k]);
-        points(a, unknowns.size()) = std::clamp(amplitudes[a] * effect.typical,
-                                                coefficient.least, coefficient.most);
-    }
-    return points;
-}
-
 Screened judged(const LoopData& data, const Standing& standing, const Tangent& tangent,
                 const effects::Effect& effect, const Secant& secant, Keep keep) {
     Screened screened{effect, 0, 0, secant.I, {}, {}, {}, 0};
@@ -177,26 +164,49 @@ struct Secants {
 /// Of the share that no other unknown follows: a small one bends less.
 constexpr std::size_t small_amplitude = 2;  ///< its place among them
 
+/// Their amplitudes, of those that are wanted; of the others 0.
+void set_amplitudes(const effects::Effect& effect, const physics::Parameter& coefficient,
+                    Keep keep, Secants& secants) {
+    for (std::size_t a = 0; a < amplitudes.size(); ++a) {
+        Secant& secant = secants.of[a];
+        secant.amplitude = std::clamp(amplitudes[a] * effect.typical, coefficient.least,
+                                      coefficient.most);
+        secant.is_judged = is_plausible_sign(effect, secant.amplitude) &&
+                           (keep != Keep::of_typical || a == 0);
+        const bool is_small = keep == Keep::of_typical && a == small_amplitude;
+        if (!secant.is_judged && !is_small) secant.amplitude = 0;
+    }
+}
+
+Matrix points_of(const Standing& standing, const std::vector<Secant*>& secants) {
+    const auto& unknowns = standing.built.unknowns;
+    Matrix points(secants.size(), unknowns.size() + 1);
+    for (std::size_t a = 0; a < secants.size(); ++a) {
+        for (std::size_t k = 0; k < unknowns.size(); ++k)
+            points(a, k) = unknowns[k].value(standing.fit.at.x[k]);
+        points(a, unknowns.size()) = secants[a]->amplitude;
+    }
+    return points;
+}
+
 /// The secants of the amplitudes that are wanted and can be simulated.
 void take_secants(const Standing& standing, const effects::Effect& effect, Keep keep,
                   OneMore& one_more, Secants& secants) {
-    secants.taken.clear();
-    for (Secant& secant : secants.of) secant.amplitude = 0;
     const study::FitModel& model = one_more.with(effect);
-    const Matrix points = points_of(standing, effect, one_more.coefficient());
-    model.predict_each(points, [&](std::size_t a, std::span<const double> predicted) {
-        const double amplitude = points(a, points.cols - 1);
-        const bool is_judged =
-            is_plausible_sign(effect, amplitude) && (keep != Keep::of_typical || a == 0);
-        const bool is_small = keep == Keep::of_typical && a == small_amplitude;
-        if (std::isnan(predicted[0]) || amplitude == 0 || (!is_judged && !is_small))
-            return;
-        Secant& secant = secants.of[a];
-        secant.amplitude = amplitude;
-        secant.is_judged = is_judged;
-        take_secant(standing, predicted, secant);
-        secants.taken.push_back(&secant);
-    });
+    set_amplitudes(effect, one_more.coefficient(), keep, secants);
+    secants.taken.clear();
+    for (Secant& secant : secants.of)
+        if (secant.amplitude != 0) secants.taken.push_back(&secant);
+    model.predict_each(points_of(standing, secants.taken),
+                       [&](std::size_t k, std::span<const double> predicted) {
+                           Secant& secant = *secants.taken[k];
+                           if (std::isnan(predicted[0]))
+                               secant.amplitude = 0;
+                           else
+                               take_secant(standing, predicted, secant);
+                       });
+    std::erase_if(secants.taken,
+                  [](const Secant* secant) { return secant->amplitude == 0; });
 }
 
 /// At the best of the amplitudes; none where no amplitude moves a meter.
