@@ -219,6 +219,35 @@ def print_reliability(scored):
     line("loop_calendars_right", share(calendars), f"%_of_{len(calendars)}", 90)
 
 
+BINS = (0, 0.2, 0.5, 0.9, 1)    # of probabilities
+
+
+def log_score(probabilities, right):
+    """Mean of -log of the probability of what is so; no probability is taken as surer than 0.995."""
+    sure = np.clip(probabilities, 0.005, 0.995)
+    return float(-np.mean(np.log(np.where(right, sure, 1 - sure))))
+
+
+def print_probabilities(scored):
+    """Of the names that are said of effects: how often they are right where so much is said."""
+    said = [pair for s in scored for pair in loop_scores.names_said(s)]
+    line("loop_names_with_a_probability", len(said), "names", 100)
+    if not said:
+        return
+    p, right = (np.array(column, float) for column in zip(*said))
+    place = np.clip(np.digitize(p, BINS) - 1, 0, len(BINS) - 2)
+    off = []
+    for k in np.unique(place):
+        here = place == k
+        off.append((here.sum(), abs(p[here].mean() - right[here].mean())))
+        line(f"loop_right_where_said_{BINS[k]:g}_to_{BINS[k + 1]:g}", 100 * right[here].mean(),
+             f"%_of_{here.sum()}", 100 * p[here].mean())
+    n, by = np.array(off).T
+    line("loop_probabilities_off", 100 * float(np.average(by, weights=n)), "points", 10)
+    base = log_score(np.full(len(p), right.mean()), right == 1)
+    line("loop_log_score", log_score(p, right == 1), "nats", base)
+
+
 def print_errors(scored):
     planted = of_kind(scored, "single", "pair")
     for name, step, reference in (("structure", ("plain", "before"), 0),
@@ -270,6 +299,7 @@ def judge(cases, folder, options, rung):
     print_classes(scored)
     print_errors(scored)
     print_reliability(scored)
+    print_probabilities(scored)
     line("loop_seconds_per_case", seconds * options.ranks / len(cases), "core_s", 40)
 
 

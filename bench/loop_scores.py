@@ -273,6 +273,18 @@ def false_effects(scored):
                         for name in scored.planted)]
 
 
+def names_said(scored):
+    """[(probability, whether it is right)] of the names of all found effects' classes."""
+    there = ALWAYS_THERE | OF_AIR_HANDLER.get(scored.air_handler, set())
+    said = []
+    for effect in scored.found:
+        for name, probability in zip(effect["class"], effect["class_probabilities"]):
+            alone = {**effect, "name": name, "class": [name]}
+            said.append((probability, name in there or any(
+                is_right(alone, planted, scored.details.get(planted)) for planted in scored.planted)))
+    return [(probability, right) for probability, right in said if probability is not None]
+
+
 def has_none_of_an_air_system(scored):
     """Neither a handler, nor a planted effect that is a part of one, such as reheat."""
     return not scored.air_handler and not any(AIR_SYSTEM & set(RIGHT[name].names) for name in scored.planted)

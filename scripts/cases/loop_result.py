@@ -26,10 +26,17 @@ def value_record(value):
     return {"of": value.of, "unit": value.unit, "value": value.value, "interval": (value.least, value.most)}
 
 
+def known(number):
+    """None in place of NaN, which JSON has not."""
+    return None if math.isnan(number) else number
+
+
 def effect_record(effect):
     return {"name": effect.name, "hook": effect.hook, "driver": effect.driver, "shape": effect.shape,
             "gate": effect.gate, "coefficient": effect.coefficient,
             "interval": (effect.least, effect.most), "unit": effect.unit, "class": effect.members,
+            "probability": known(effect.probability),
+            "class_probabilities": [known(effect.probabilities.get(name, math.nan)) for name in effect.members],
             "adequate": effect.is_adequate, "gain": effect.gain, "separates": effect.separates,
             "doubt": effect.doubt, "brings": [value_record(value) for value in effect.brings]}
 
@@ -39,7 +46,8 @@ def setting_record(setting):
     change = [value - setting.described for value in (setting.found, setting.least, setting.most)]
     return {"name": f"{setting.name}: {setting.found:.3g} {setting.unit}, described {setting.described:.3g}",
             "hook": setting.name, "driver": "always", "shape": "constant", "gate": "always", "coefficient": change[0],
-            "interval": (change[1], change[2]), "unit": "K", "class": [setting.name], "adequate": True,
+            "interval": (change[1], change[2]), "unit": "K", "class": [setting.name], "probability": None, "class_probabilities": [None],
+            "adequate": True,
             "gain": None, "separates": "a reading of it at the controller", "doubt": "", "brings": []}
 
 

@@ -1,4 +1,6 @@
 """The numbers and words of a loop that loop.html names."""
+import math
+
 from report import beside, meters, pictures, words
 from report.picture import Picture, bare_unit
 from report.result import AFTER, BEFORE, OF_CLASS, OF_ENDS, PLAIN
@@ -48,7 +50,8 @@ def effect_rows(loop):
     return [{"name": effect.name, "hook": effect.hook, "follows": effect.shape,
              "coefficient": words.coefficient(effect), "evidence": words.evidence(loop, effect),
              "adequate": effect.is_adequate, "doubt": effect.doubt,
-             "others": "; ".join(effect.others), "separates": effect.separates,
+             "probability": "" if math.isnan(effect.probability) else f"{effect.probability:.2f}",
+             "others": words.others(effect, "or"), "separates": effect.separates,
              "section": effect.section, "brings": [words.brought(value) for value in effect.brings]}
             for effect in sorted(loop.effects, key=words.size_of_what_it_brings, reverse=True)]
 

@@ -78,7 +78,8 @@ MEASUREMENT = {"measure": text("measurement"), "question": text("measurement_que
                "kind": text("measurement_kind"), "begin": text("measurement_from"),
                "weeks": number("measurement_weeks"), "now": number("measurement_now"),
                "then": number("measurement_then"), "advised": number("measurement_advised")}
-MEMBER = {"name": text("effect_class_member"), "effect": number("effect_class_of")}
+MEMBER = {"name": text("effect_class_member"), "effect": number("effect_class_of"),
+          "probability": number("effect_class_probability")}
 POWER = {"effect": text("power_effect"), "detectability": number("power_detectability"),
          "visibility": number("power_visibility"), "alias": text("power_alias"),
          "alias_kind": text("power_alias_kind"), "correlation": number("power_alias_correlation"),
@@ -128,9 +129,11 @@ def effects_in(group):
     effects, members, values = (rows_in(group, columns) for columns in (EFFECT, MEMBER, EFFECT_VALUE))
     for k, effect in enumerate(effects):
         effect.brings = [value for value in values if value.effect == k and math.isfinite(value.value)]
-        effect.members = [member.name for member in members if member.effect == k] \
-            or effect.class_in_words.split("; ")
+        own = [member for member in members if member.effect == k]
+        effect.members = [member.name for member in own] or effect.class_in_words.split("; ")
         effect.others = [name for name in effect.members if name not in ("", effect.name)]
+        effect.probabilities = {member.name: member.probability for member in own}
+        effect.probability = effect.probabilities.get(effect.name, math.nan)
         effect.is_adequate = effect.adequate == 1
     return effects
 

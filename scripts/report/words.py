@@ -96,9 +96,21 @@ def in_words(count):
     return few[count] if count < len(few) else str(count)
 
 
+def with_probability(effect, name):
+    """"snow (0.12)"; results of versions before have no probabilities."""
+    probability = effect.probabilities.get(name, math.nan)
+    return name if math.isnan(probability) else f"{name} ({probability:.2f})"
+
+
+def others(effect, word):
+    """What it may be in its place, each with its probability."""
+    return listed([with_probability(effect, name) for name in effect.others], word)
+
+
 def found_one(effect):
-    return f"{effect.name} ({size(effect)}" + \
-        (f"; or else {listed(effect.others, 'or')}" if effect.others else "") + ")"
+    sure = "" if math.isnan(effect.probability) else f"; probability {effect.probability:.2f}"
+    return f"{effect.name} ({size(effect)}{sure}" + \
+        (f"; or else {others(effect, 'or')}" if effect.others else "") + ")"
 
 
 def functions(loop):
@@ -164,7 +176,7 @@ def found(loop):
         f" found that the description of {loop.building} lacks: " + \
         listed(found_one(effect) for effect in loop.effects) + "."
     if any(effect.others for effect in loop.effects):
-        text += " Where it says or else, these data cannot tell."
+        text += " Where it says or else, these data cannot tell for sure."
     unsure = [effect.name + (f" ({effect.doubt})" if effect.doubt else "")
               for effect in loop.effects if not effect.is_adequate]
     return text + (f" Not adequate, the name only the nearest one: {listed(unsure)}."

@@ -182,13 +182,15 @@ inline constexpr std::size_t least_moved_blocks = 4;
 
 // Class and doubts
 
-/// Of the chosen one's evidence: one of its class; of the threshold: unseen blocks are
-/// judged. Judgement.
+/// Of the threshold: from there on unseen blocks are judged. Judgement.
 inline constexpr double rival_share = 0.7;
-/// The same of a rival of the grammar. Judgement: it says the same in other words.
-inline constexpr double rival_share_of_grammar = 1.1;
-/// A smaller difference of unseen blocks is none [deviance]. Judgement: odds of 20.
-inline constexpr double negligible_evidence = 6;
+/// Drawings of blocks for the probability of a name. Statistic: 0.025 at most of
+/// standard error.
+inline constexpr int bagging_draws = 400;
+/// Probability from which on a name is told without a doubt. Judgement.
+inline constexpr double told_probability = 0.9;
+/// Probability from which on another name is of the class. Judgement: one of twenty.
+inline constexpr double least_probability = 0.05;
 /// Names of a class. Judgement: room.
 inline constexpr std::size_t most_names_of_class = 3;
 /// Rivals kept, to take an effect's place later. Judgement: time.

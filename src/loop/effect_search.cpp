@@ -143,7 +143,7 @@ class Search {
     std::string doubt_of(const Refitted& chosen, const EffectClass& near,
                          double threshold) const {
         if (!chosen.effect.is_named()) return "it says where and when, not why";
-        if (!near.is_told) return "others do nearly as well";
+        if (!near.is_told) return "its probability is below 0.9";
         if (!is_overwhelming(chosen.gain, threshold))
             return "its evidence is less than three times what noise shows";
         if (data_.reads_months_only()) return "months cannot show that nothing is left";
@@ -244,9 +244,9 @@ class Search {
         const auto& all = result_.last.model.effects;
         Found& plant = result_.found[effect];
         plant.rivals.clear();
-        plant.equivalents = {all[effect].name};
+        plant.names = {{all[effect].name, plant.names.front().probability}};
         Found use = plant;
-        use.equivalents = {all.back().name};
+        use.names.front().name = all.back().name;
         result_.log.push_back({all.back().name, "split from the plant's", 0, 0, 0, {}});
         result_.found.push_back(std::move(use));
     }
@@ -260,7 +260,7 @@ class Search {
             if (rival < 0) continue;
             const effects::Effect& now = result_.last.model.effects[k];
             result_.log.push_back({label_of(now), "in place of " + was, 0, 0, 0, {}});
-            found.equivalents = {now.name, was};
+            found.names = {{now.name, 0.5}, {was, 0.5}};  // each has been the best
             found.doubt = "it stands in the place of another";
         }
     }
@@ -279,8 +279,9 @@ class Search {
     void name_halves_as_wholes() {
         for (std::size_t k = 0; k < result_.found.size(); ++k) {
             const std::string& name = result_.last.model.effects[k].name;
-            auto& said = result_.found[k].equivalents;
-            if (said == std::vector{name + suffix_of_use}) said = {name};
+            auto& said = result_.found[k].names;
+            if (said.size() == 1 && said.front().name == name + suffix_of_use)
+                said.front().name = name;
         }
     }
 

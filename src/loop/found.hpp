@@ -1,6 +1,7 @@
 /// An effect that was found, with what is said of it.
 #pragma once
 
+#include "base/nan.hpp"
 #include "effects/effect.hpp"
 
 #include <string>
@@ -8,9 +9,15 @@
 
 namespace bemcal::loop {
 
+/// A name, and how probable it is that it is the cause; NaN where nobody asked.
+struct Named {
+    std::string name;
+    double probability = nan;
+};
+
 /// An effect that was accepted, with what cannot be told apart from it.
 struct Found {
-    std::vector<std::string> equivalents;  ///< names of its class, its own among them
+    std::vector<Named> names;  ///< of its class, its own first
     std::string doubt;  ///< why its name may be the nearest one only; "" = adequate
     double gain = 0;
     std::vector<effects::Effect> rivals{};  ///< what may stand in its place

@@ -26,7 +26,7 @@ constexpr study::FitOptions settled{to_settle.most_steps, to_settle.tolerance,
 void add_rivals(const LoopData& data, const Place& place, const Standing& last,
                 std::size_t effect, const Found& found, std::vector<OtherAnswer>& all) {
     const std::string& own = last.model.effects[effect].name;
-    for (const std::string& name : found.equivalents) {
+    for (const auto& [name, probability] : found.names) {
         const effects::Effect* rival = rival_named(found, name);
         if (rival == nullptr || name == own) continue;
         const Standing other = with_in_place(

@@ -208,8 +208,11 @@ class Writer {
         stored.shape = effects::sentence_of(effect);
         stored.gate = effects::name_of(effect.gate);
         stored.unit = effects::unit_of(effect);
-        stored.members = found.equivalents;
-        stored.class_in_words = fmt::format("{}", fmt::join(found.equivalents, "; "));
+        for (const Named& named : found.names) {
+            stored.members.push_back({named.name, named.probability});
+            stored.class_in_words +=
+                (stored.class_in_words.empty() ? "" : "; ") + named.name;
+        }
         stored.separates = entry == nullptr ? "" : entry->separates;
         stored.doubt = found.doubt;
         stored.coefficient = c;
@@ -333,10 +336,11 @@ class Writer {
     bool is_found(const effects::Effect& effect) const {
         for (std::size_t k = 0; k < result_.found.size(); ++k) {
             const effects::Effect& own = result_.last.model.effects[k];
-            const auto& names = result_.found[k].equivalents;
+            const auto& names = result_.found[k].names;
             const bool is_elsewhere =
                 own.name == effect.name && !are_of_one_row(own, effect);
-            if (!is_elsewhere && std::ranges::find(names, effect.name) != names.end())
+            if (!is_elsewhere &&
+                std::ranges::find(names, effect.name, &Named::name) != names.end())
                 return true;
         }
         return false;

@@ -1,28 +1,36 @@
-/// Which candidates of a step unseen blocks cannot tell from the one that was chosen.
+/// Which names could stand for what a step found, and how probable each is.
 #pragma once
 
+#include "loop/found.hpp"
 #include "loop/search.hpp"
 
-#include <span>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace bemcal::loop {
 
 struct EffectClass {
-    std::vector<std::string> names;       ///< the chosen one's first, no more than 3
+    std::vector<Named> names;             ///< the chosen one's first, then the likelier
     std::vector<effects::Effect> rivals;  ///< worth trying in its place later
-    bool is_told = true;  ///< nothing else comes as near, the grammar's terms included
+    bool is_told = true;                  ///< its own name is probable enough
 };
 
-/// Whether losses [blocks] are not larger than the chosen one's by more than chance
-/// shows, or by so little that it says nothing.
-bool is_as_good(std::span<const double> losses, std::span<const double> chosen);
+/// What a candidate would explain.
+struct Claim {
+    std::string name;           ///< "": where and when, not why
+    std::vector<double> falls;  ///< [blocks] of -2 log likelihood
+    double rest = 0;  ///< what evidence has beside: priors, less what freedom costs
+};
 
-/// A candidate is in the class where its losses in unseen blocks, compared pair by pair
-/// with those of the chosen one, are not larger by more than chance shows in one of
-/// twenty (after the model confidence set of Hansen, Lunde and Nason 2011, with pairs in
-/// place of its range statistic).
+/// The probabilities of all names that claims have, and of "": that it is none of these.
+/// Within a drawing of the blocks with replacement they are as exp(evidence / 2). Names
+/// are equally probable before, and so is that nothing is missing; claims of one name
+/// share what it has. The mean over drawings is the bagged posterior (Huggins and Miller
+/// 2023, Bayesian Analysis 18), which stays doubtful between models that are all wrong.
+std::vector<Named> bagged(const std::vector<Claim>& claims, std::uint64_t seed);
+
+/// \param before  the model without any of them
 EffectClass class_of(const LoopData& data, const Standing& before, const Step& step);
 
 }  // namespace bemcal::loop

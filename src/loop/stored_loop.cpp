@@ -185,19 +185,21 @@ constexpr const char* structure_chosen = "structure_chosen";
 struct Member {
     double effect = 0;  ///< index of the effect
     std::string name;
+    double probability = nan;
 };
 constexpr const char* class_member = "class_member";
 void visit_member(auto& row, auto&& see) {
     see("effect_class_of", row.effect);
     see("effect_class_member", row.name);
+    see("effect_class_probability", row.probability);
 }
 
 void add_members(const std::string& group, const StoredLoop& loop,
                  std::vector<study::Dataset>& datasets) {
     std::vector<Member> members;
     for (std::size_t k = 0; k < loop.effects.size(); ++k)
-        for (const std::string& name : loop.effects[k].members)
-            members.push_back({static_cast<double>(k), name});
+        for (const auto& [name, probability] : loop.effects[k].members)
+            members.push_back({static_cast<double>(k), name, probability});
     study::add_rows(
         group, class_member, members,
         [](auto& row, auto&& see) { visit_member(row, see); }, datasets);
@@ -210,15 +212,15 @@ void read_members(const std::vector<study::Dataset>& datasets, const std::string
     const std::size_t n = loop.effects.size();
     for (const Member& member : members)
         if (const std::size_t k = study::place_in(member.effect, n); k < n)
-            loop.effects[k].members.push_back(member.name);
+            loop.effects[k].members.push_back({member.name, member.probability});
 }
 
 /// Names that version 0.1.0 parted by semicolons.
-std::vector<std::string> parted(const std::string& names) {
-    std::vector<std::string> parts;
+std::vector<StoredLoop::Effect::Member> parted(const std::string& names) {
+    std::vector<StoredLoop::Effect::Member> parts;
     for (std::size_t begin = 0; begin < names.size();) {
         const std::size_t end = std::min(names.find("; ", begin), names.size());
-        parts.push_back(names.substr(begin, end - begin));
+        parts.push_back({names.substr(begin, end - begin)});
         begin = end + 2;
     }
     return parts;

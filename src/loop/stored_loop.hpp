@@ -60,7 +60,11 @@ struct StoredLoop {
         std::string separates, doubt;
         std::string section;  ///< that declares it in a job (effects/job_section)
         double coefficient = nan, least = nan, most = nan, gain = nan, adequate = nan;
-        std::vector<std::string> members{};  ///< of its class, one by one
+        struct Member {
+            std::string name;
+            double probability = nan;  ///< that it is the cause
+        };
+        std::vector<Member> members{};  ///< of its class, one by one, its own first
         bool is_adequate() const { return adequate == 1; }
     };
     /// What an effect brings to a meter, to cost or to emissions: see worth_of_effects.

@@ -153,28 +153,42 @@ std::string next_measurement_tables(const StoredLoop& loop) {
     return text + unanswered_line(loop);
 }
 
+/// " (probability 0.93)"; of results that have none "".
+std::string probability_of(const StoredLoop::Effect::Member& member) {
+    return std::isnan(member.probability)
+               ? ""
+               : fmt::format(" (probability {:.2f})", member.probability);
+}
+
+std::string own_probability(const StoredLoop::Effect& effect) {
+    const auto own =
+        std::ranges::find(effect.members, effect.name, &StoredLoop::Effect::Member::name);
+    return own == effect.members.end() ? "" : probability_of(*own);
+}
+
 /// The class of an effect without itself.
 std::string others_of(const StoredLoop::Effect& effect) {
-    std::vector<std::string> others = effect.members;
-    std::erase_if(others, [&](const std::string& name) {
-        return name.empty() || name == effect.name;
-    });
+    std::vector<std::string> others;
+    for (const auto& member : effect.members)
+        if (!member.name.empty() && member.name != effect.name)
+            others.push_back(member.name + probability_of(member));
     return fmt::format("{}", fmt::join(others, "; "));
 }
 
 /// "blind control: enters at aperture, sun on the facade above 212 W/m2; ..."; the
 /// grammar's names say it themselves.
 std::string effect_lines(const StoredLoop::Effect& effect) {
-    std::string text = wrapped(effect.name.starts_with(effect.hook + ": ")
-                                   ? effect.name
-                                   : fmt::format("{}: enters at {}, {}", effect.name,
-                                                 effect.hook, effect.shape));
+    std::string text =
+        wrapped(effect.name.starts_with(effect.hook + ": ")
+                    ? effect.name + own_probability(effect)
+                    : fmt::format("{}{}: enters at {}, {}", effect.name,
+                                  own_probability(effect), effect.hook, effect.shape));
     const std::string doubt = effect.doubt.empty() ? "" : ": " + effect.doubt;
     if (!effect.is_adequate())
         text += wrapped("  NOT adequate" + doubt +
                         ", so that its name is only the nearest one");
     const std::string others = others_of(effect);
-    if (!others.empty()) text += wrapped("  these data cannot tell it from: " + others);
+    if (!others.empty()) text += wrapped("  or else: " + others);
     if (!effect.separates.empty())
         text += wrapped("  what would tell: " + effect.separates);
     return text;

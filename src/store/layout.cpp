@@ -523,6 +523,8 @@ constexpr LayoutRow own_rows[] = {
     {"effect_class_of", "class_member", number, "1", "index of the effect"},
     {"effect_class_member", "class_member", text, "",
      "itself or an effect that these data cannot tell it from"},
+    {"effect_class_probability", "class_member", number, "1",
+     "that it is the cause; what is missing to 1 is none of these"},
     {"effect_separates", "effect", text, "", "the measurement that would"},
     {"effect_section", "effect", text, "", "the section that declares it in a job"},
     {"effect_value_of", "effect_value", text, "",

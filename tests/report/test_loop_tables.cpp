@@ -82,7 +82,7 @@ void add_effect(store::ResultFile& result, bool is_adequate) {
     add(numbers("measurement_now", "measurement", {0.6, 0.9}));
     add(numbers("measurement_then", "measurement", {0.97, 0.88}));
     add(numbers("measurement_advised", "measurement", {1, 0}));
-    add(texts("effect_doubt", "effect", {is_adequate ? "" : "others do nearly as well"}));
+    add(texts("effect_doubt", "effect", {is_adequate ? "" : "its probability is below 0.9"}));
 }
 
 void add_background(store::ResultFile& result) {
@@ -266,7 +266,7 @@ TEST(LoopTables, WhatToMeasureNextStandsWithItsWorth) {
 TEST(LoopTables, AnEffectThatIsNotAdequateSaysWhy) {
     const std::string text = tables_of(loop_result(true, false));
     EXPECT_TRUE(says(text, "1/h per m/s 412 NO"));
-    EXPECT_TRUE(says(text, "NOT adequate: others do nearly as well, so that"));
+    EXPECT_TRUE(says(text, "NOT adequate: its probability is below 0.9, so that"));
 }
 
 TEST(LoopTables, TheSearchEndsWithItsReason) {

@@ -106,14 +106,15 @@ def effects(study, found):
             ("blind control", "aperture", "brightness of the facade",
              "where brightness of the facade is above 212 W/m2, occupied", "occupied",
              "-", -0.41, -0.52, -0.30, 38, 0, "", "position of the blinds",
-             "others do nearly as well")][:found]
+             "its probability is below 0.9")][:found]
     columns = list(zip(*rows)) if rows else [()] * 14
     names = ("effect", "effect_hook", "effect_driver", "effect_shape", "effect_gate", "effect_unit",
              "effect_coefficient", "effect_least", "effect_most", "effect_gain", "effect_adequate",
              "effect_class", "effect_separates", "effect_doubt")
-    members = [(k, name) for k, row in enumerate(rows) for name in row[11].split("; ")]
+    members = [(k, name) for k, row in enumerate(rows) for name in (row[0], *filter(None, row[11].split("; ")))]
     study["effect_class_of"] = np.array([k for k, _ in members], float)
     text(study, "effect_class_member", [name for _, name in members])
+    study["effect_class_probability"] = [(0.81, 0.12, 0.06, 0.62)[k] for k in range(len(members))]
     text(study, "effect_section", ['[[effect]]\nname = "%s"\ncoefficient = %s\n' % (row[0], row[6]) for row in rows])
     for name, column in zip(names, columns):
         if name[7:] in ("coefficient", "least", "most", "gain", "adequate"):

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """The page of a loop needs nothing else, and says what the numbers say."""
 import html.parser
+import math
 import pathlib
 import re
 import sys
@@ -116,9 +117,9 @@ class LoopReport(unittest.TestCase):
 
     def test_the_first_paragraph_names_effects_errors_and_what_is_left(self):
         lead = self.page.text[:1500]
-        for phrase in ("Two effects were found", "wind infiltration (0.083 1/h per m/s; or else "
-                       "stack infiltration or outdoor shift)", "these data cannot tell",
-                       "the nearest one: blind control (others do nearly as well)",
+        for phrase in ("Two effects were found", "wind infiltration (0.083 1/h per m/s; probability 0.81; "
+                       "or else stack infiltration (0.12) or outdoor shift (0.06))", "cannot tell for sure",
+                       "the nearest one: blind control (its probability is below 0.9)",
                        "in held_out, which the search has not seen, the error fell for",
                        "it stayed the same for electricity", "Not explained:", "9 % for gas"):
             self.assertIn(phrase, lead)
@@ -131,7 +132,8 @@ class LoopReport(unittest.TestCase):
 
     def test_hours_in_place_of_declared_ones_have_no_interval(self):
         effect = types.SimpleNamespace(name="other hours than declared", coefficient=1.0, least=1.0, most=1.0,
-                                       unit="-", shape="plant runs Saturdays off; declared 8 to 13 h", others=[])
+                                       unit="-", shape="plant runs Saturdays off; declared 8 to 13 h", others=[],
+                                       probability=math.nan)
         self.assertEqual(words.found_one(effect),
                          "other hours than declared (plant runs Saturdays off; declared 8 to 13 h)")
         self.assertEqual(words.coefficient(effect), "none: it is there or not")
@@ -238,6 +240,7 @@ class LoopReport(unittest.TestCase):
         file = fake_loop_result.write(self.folder / "older.h5", channels=ONE)
         with h5py.File(file, "a") as stored:        # which says nothing of ends of parameters
             stored["office/loop/decision_kind"][2] = "data"
+            del stored["office/loop/effect_class_probability"]
         now = html_of(file)
         with h5py.File(file, "a") as stored:
             for name in ("effect_class_of", "effect_class_member", "decision_kind",

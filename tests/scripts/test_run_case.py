@@ -231,7 +231,7 @@ def write_result(path):
              "effect_gate": ["always"], "effect_unit": ["K"],
              "effect_class": ["heat island; sky loss"],
              "effect_class_member": ["heat island", "sky loss"], "effect_separates": ["a logger"],
-             "effect_doubt": ["others do nearly as well"],
+             "effect_doubt": ["its probability is below 0.9"],
              "function": ["gains by wind"], "function_hook": ["gains"], "function_driver": ["wind"],
              "function_driver_unit": ["m/s"], "function_unit": ["W/m2"],
              "learned_schedule": ["hvac"], "learned_schedule_use": ["office"],
@@ -288,7 +288,7 @@ class Results(Folders):
         self.assertEqual(effect["class"], ["heat island", "sky loss"])
         self.assertEqual(effect["interval"], [1.2, 1.8])
         self.assertIs(effect["adequate"], False)
-        self.assertEqual(effect["doubt"], "others do nearly as well")
+        self.assertEqual(effect["doubt"], "its probability is below 0.9")
         self.assertEqual((effect["name"], effect["hook"], effect["coefficient"], effect["unit"]),
                          ("heat island", "outdoor air", 1.5, "K"))
         self.assertEqual((setting["name"], setting["coefficient"], setting["interval"], setting["unit"]),

@@ -304,8 +304,9 @@ class Result:
         coefficient, least, most   as calibrated, and its 90 % interval, in `unit`
         hook, follows, gate        where it enters, what it follows and how, when
         gain                       of evidence, in -2 log
+        probability                that it is the cause; what is missing to 1 is others, or none that has a name
         adequate, doubt            False: the name is only the nearest one, and why
-        not_told_from              effects that these data cannot tell it from
+        not_told_from              effects that may be the cause in its place
         separates                  the measurement that would
         brings ... [unit]          what each meter, cost and CO2 has more with it (`effect_values_of`: with intervals)
         """
@@ -316,11 +317,17 @@ class Result:
         table = pd.DataFrame({name: loop[f"effect_{own}"].to_numpy() for name, own in names.items()},
                              index=pd.Index(loop["effect"].to_numpy(), name="effect"))
         table["adequate"] = table["adequate"] == 1
-        members = zip(loop["effect_class_of"].to_numpy().astype(int), loop["effect_class_member"].to_numpy())
+        of, members = loop["effect_class_of"].to_numpy().astype(int), loop["effect_class_member"].to_numpy()
+        probabilities = loop["effect_class_probability"].to_numpy() if "effect_class_probability" in loop \
+            else np.full(len(of), np.nan)
         others: List[List[str]] = [[] for _ in table.index]
-        for k, member in members:
-            if member != table.index[k]:
+        own = np.full(len(table), np.nan)
+        for k, member, probability in zip(of, members, probabilities):
+            if member == table.index[k]:
+                own[k] = probability
+            else:
                 others[k].append(member)
+        table.insert(list(table).index("adequate"), "probability", own)
         table.insert(list(table).index("separates"), "not_told_from", ["; ".join(each) for each in others])
         for (of, unit), rows in self.effect_values_of(stage).groupby(["of", "unit"], sort=False):
             table[f"brings {of} [{unit}]"] = rows.set_index("row")["value"].reindex(range(len(table))).to_numpy()
