@@ -19,15 +19,21 @@ import sys
 from dataclasses import dataclass
 
 import bench_idf_loads as loads
+import h5py
 import large_job
 import numpy as np
 import pandas
 
 import idf        # noqa: E402  (found by bench_idf_loads)
 import reports    # noqa: E402
+from report import result as stored  # noqa: E402
 
 NULL = {"so": "so_null", "ap": "ap_null"}
 JUNE, SEPTEMBER = "06-01", "09-01"
+SLAB = "ext-slab"       # of the ground floor
+# name, roughness, thickness [m], conductivity [W/(m K)], density [kg/m3], specific heat [J/(kg K)]: clay (ISO 13370)
+SOIL = ("Material", "soil", "Rough", "1.2", "1.5", "1800", "1600")
+FIRST_GROUND = 6        # field of the monthly temperatures of the first depth
 
 
 def objects_of(text):
@@ -156,6 +162,17 @@ CASES = {
 }
 
 
+def on_soil(objects, weather):
+    """The ground floor on what the description says, over the first depth of the weather file's ground."""
+    line = next(line for line in weather.read_text().splitlines() if line.startswith("GROUND TEMPERATURES"))
+    months = line.split(",")[FIRST_GROUND:FIRST_GROUND + 12]
+    rest = [list(fields) for fields in objects if not is_a(fields, "Site:GroundTemperature:BuildingSurface")]
+    for fields in rest:
+        if is_a(fields, "Construction") and fields[1].lower() == SLAB:
+            fields.insert(2, SOIL[1])
+    return [*rest, ["Site:GroundTemperature:BuildingSurface", *months], list(SOIL)]
+
+
 def with_effect(energyplus, case, effect, folder):
     """Both years, with the effect from its day on."""
     source = reports.file_like(energyplus, loads.MODELS[NULL[case[:2]]])
@@ -163,7 +180,8 @@ def with_effect(energyplus, case, effect, folder):
         print(f"skipped: {reports.HOW}")
         sys.exit(loads.SKIPPED)
     plain = folder.parent / f"{case[:2]}.idf"
-    plain.write_text(text_of(objects_of(source.read_text(errors="replace"))))
+    weather = loads.CASES / NULL[case[:2]] / "weather_train.epw"
+    plain.write_text(text_of(on_soil(objects_of(source.read_text(errors="replace")), weather)))
     years = without = None
     if effect.since or effect.meter:
         without = list(loads.years(energyplus, NULL[case[:2]], plain, folder / "without"))
@@ -194,7 +212,9 @@ def write_case(case, years, folder):
 def score(folder, effect):
     """(names that are right, others, geometric mean of after over before)"""
     found = [one["name"] for one in json.loads((folder / "out" / "effects.json").read_text())]
-    right = [name for name in found if name in effect.names]
+    with h5py.File(folder / "out" / "result.h5") as file:
+        structure = [one.name for one in stored.Loop(file, f"{folder.name}/loop").refinements]
+    right = [name for name in found + structure if name in effect.names]
     measured = pandas.read_csv(folder / "measured_test.csv", index_col=0)
     before, after = (pandas.read_csv(folder / "out" / f"{which}.csv", index_col=0) for which in ("before", "after"))
     ratios = [loads.error(after[column], measured[column], "kWh") / loads.error(before[column], measured[column], "kWh")

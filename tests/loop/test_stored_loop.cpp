@@ -13,6 +13,12 @@ using namespace bemcal::loop;
 
 namespace {
 
+std::vector<std::string> names_of(const StoredLoop::Effect& effect) {
+    std::vector<std::string> names;
+    for (const auto& member : effect.members) names.push_back(member.name);
+    return names;
+}
+
 StoredLoop made() {
     StoredLoop loop;
     loop.channels = {{"gas", "kWh", "mornings", 0.07}, {"air", "degC", ""}};
@@ -25,10 +31,10 @@ StoredLoop made() {
     loop.fit.set({StoredLoop::before, 0, StoredLoop::monthly, 1, StoredLoop::nmbe}, -0.1);
     loop.effects.resize(2);
     loop.effects[0].name = "wind";
-    loop.effects[0].members = {"wind", "stack"};
+    loop.effects[0].members = {{"wind", 0.7}, {"stack", 0.2}};
     loop.effects[0].class_in_words = "wind; stack";
     loop.effects[1].name = "blinds";
-    loop.effects[1].members = {"blinds"};
+    loop.effects[1].members = {{"blinds"}};
     loop.effects[1].adequate = 1;
     loop.functions = {{"gains by wind", "gains", "wind", "W/m2", "m/s", 0.4, 20}};
     loop.function_points = {{0, 1.5, bemcal::nan, 0.2, 0.1, 0.3},
@@ -57,7 +63,9 @@ TEST(StoredLoop, ComesBackAsItWas) {
         back.fit.at({StoredLoop::before, 0, StoredLoop::monthly, 1, StoredLoop::nmbe}),
         -0.1);
     ASSERT_EQ(back.effects.size(), 2U);
-    EXPECT_EQ(back.effects[0].members, made().effects[0].members);
+    EXPECT_EQ(names_of(back.effects[0]), names_of(made().effects[0]));
+    EXPECT_EQ(back.effects[0].members[1].probability, 0.2);
+    EXPECT_TRUE(std::isnan(back.effects[1].members[0].probability));
     EXPECT_FALSE(back.effects[0].is_adequate());
     EXPECT_TRUE(back.effects[1].is_adequate());
     EXPECT_EQ(back.functions.at(0).driver_unit, "m/s");
@@ -145,7 +153,7 @@ TEST(StoredLoop, MembersOfNoEffectAreLeftOut) {
     const auto of =
         std::ranges::find(datasets, "a/loop/effect_class_of", &study::Dataset::path);
     of->values = {0, 7, 1};
-    EXPECT_EQ(stored_loop(datasets, "a/loop").effects[0].members,
+    EXPECT_EQ(names_of(stored_loop(datasets, "a/loop").effects[0]),
               std::vector<std::string>{"wind"});
 }
 
