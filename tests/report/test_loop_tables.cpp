@@ -82,7 +82,8 @@ void add_effect(store::ResultFile& result, bool is_adequate) {
     add(numbers("measurement_now", "measurement", {0.6, 0.9}));
     add(numbers("measurement_then", "measurement", {0.97, 0.88}));
     add(numbers("measurement_advised", "measurement", {1, 0}));
-    add(texts("effect_doubt", "effect", {is_adequate ? "" : "its probability is below 0.9"}));
+    add(texts("effect_doubt", "effect",
+              {is_adequate ? "" : "its probability is below 0.9"}));
 }
 
 void add_background(store::ResultFile& result) {
