@@ -175,6 +175,9 @@ def print_names(scored):
     line("loop_strict_name", share(map(named, seen)), "%", 70)
     line("loop_strict_name_by_a_parameter", sum(named(s) and bool(loop_scores.by_parameter(s))
                                                 for s in seen), f"of_{len(seen)}", 0)
+    tellable = [s for s in seen if all(tells == 1 for tells in s.oracle.values())]
+    line("loop_oracle_tells", len(tellable), f"of_{len(seen)}", 0)
+    line("loop_strict_name_where_the_oracle_tells", share(map(named, tellable)), "%", 95)
     line("loop_class", share(map(classed, seen)), "%", 85)
     line("loop_class_of_found_effects", share(map(found, seen)), "%", 0)
     stated = [len(loop_scores.put_with_parameters(s)) for s in scored]

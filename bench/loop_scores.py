@@ -59,7 +59,11 @@ class Scored:
     details: dict = field(default_factory=dict)   # planted effect: what it drew
     air_handler: str = ""   # its kind
     structure: tuple = ()   # refinements that the last model has
+    oracle: dict = field(default_factory=dict)   # planted effect -> whether shapes and noise, if known, would tell it
     of_terminals: list = field(default_factory=list)   # numbers of a found unit, in prior standard deviations off
+
+
+ODDS_OF_20 = 6    # 2 log 20: evidence that tells two names apart
 
 
 def true_parameters(truth):
@@ -160,6 +164,19 @@ def detectability(loop, truth):
     return {effect: of_one(effect, size) for effect, size in truth["effects"].items()}
 
 
+def oracle(loop, truth):
+    """{planted effect: whether one that knows shapes and noise would tell it, near the calibrated model}: its evidence,
+    less that of the effect which looks most like it, is d^2 (1 - r^2). NaN where the table lacks it."""
+    rows = loop_result.texts(loop, "power_effect")
+    kinds, r = loop_result.texts(loop, "power_alias_kind"), loop["power_alias_correlation"][:]
+    likeness = {row: r[k] if kinds[k] == "effect" else 0.0 for k, row in enumerate(rows)}
+    tells = {}
+    for effect, d in detectability(loop, truth).items():
+        near = [likeness[row] for row in RIGHT[effect].rows() if row in likeness]
+        tells[effect] = d ** 2 * (1 - near[0] ** 2) > ODDS_OF_20 if near and not np.isnan(d) else np.nan
+    return tells
+
+
 def calibrated(loop):
     after = loop_result.texts(loop, "model").index("after")
     values = zip(loop_result.texts(loop, "parameter"), map(float, loop["parameter_value"][after]))
@@ -202,7 +219,7 @@ def score(file, case, kind):
                   truth.get("details", {}),
                   truth.get("structure", {}).get("air_handler", {}).get("kind", ""),
                   tuple(loop_result.texts(loop, "refinement")),
-                  errors_of_terminals(loop, truth))
+                  oracle(loop, truth), errors_of_terminals(loop, truth))
 
 
 def scores(result, cases):
