@@ -55,6 +55,7 @@ TEST(NextMeasurements, TheFurtherModelsAreApartTheSurerTheRightOneIsTold) {
 /// Index of the one that is advised; -1 = none.
 int advised_of(const std::string& kind, double now, const std::vector<double>& then) {
     std::vector<Answer> answers;
+    answers.reserve(then.size());
     for (const double one : then)
         answers.push_back({"question", kind, "reading", "1 May", 1, now, one});
     advise(answers);

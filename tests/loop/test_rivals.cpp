@@ -89,7 +89,7 @@ namespace {
 
 /// Candidates beside a chosen one, all of which leave the residuals of the model.
 struct Beside {
-    explicit Beside(std::vector<double> gains, int number = 9) {
+    explicit Beside(const std::vector<double>& gains, int number = 9) {
         step.ranking.push_back(one("chosen", 100, 9));
         for (const double gain : gains)
             step.ranking.push_back(

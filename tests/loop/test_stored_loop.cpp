@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace {
 
 std::vector<std::string> names_of(const StoredLoop::Effect& effect) {
     std::vector<std::string> names;
+    names.reserve(effect.members.size());
     for (const auto& member : effect.members) names.push_back(member.name);
     return names;
 }
