@@ -30,8 +30,9 @@ from report import result as stored  # noqa: E402
 
 NULL = {"so": "so_null", "ap": "ap_null"}
 JUNE, SEPTEMBER = "06-01", "09-01"
+GAS_OF_APARTMENTS = ("Heating:NaturalGas", "WaterSystems:NaturalGas")   # as their description: hot water, too
 SLAB = "ext-slab"       # of the ground floor
-# Name, roughness, resistance [m2 K/W] of 1.2 m of clay (ISO 13370). Without mass: a run warms up on its first day alone.
+# Name, roughness, resistance [m2 K/W] of 1.2 m of clay (ISO 13370). Without mass: a run warms up on one day alone.
 SOIL = ("Material:NoMass", "soil", "Rough", f"{1.2 / 1.5}")
 FIRST_GROUND = 6        # field of the monthly temperatures of the first depth
 
@@ -182,13 +183,14 @@ def with_effect(energyplus, case, effect, folder):
     plain = folder.parent / f"{case[:2]}.idf"
     weather = loads.CASES / NULL[case[:2]] / "weather_train.epw"
     plain.write_text(text_of(on_soil(objects_of(source.read_text(errors="replace")), weather)))
+    energies = loads.ENERGIES | ({"gas_kWh": GAS_OF_APARTMENTS} if case.startswith("ap") else {})
     years = without = None
     if effect.since or effect.meter:
-        without = list(loads.years(energyplus, NULL[case[:2]], plain, folder / "without"))
+        without = list(loads.years(energyplus, NULL[case[:2]], plain, folder / "without", energies))
     if effect.change:
         changed = folder / "changed.idf"
         changed.write_text(text_of(effect.change(objects_of(plain.read_text()))))
-        years = list(loads.years(energyplus, NULL[case[:2]], changed, folder / "with"))
+        years = list(loads.years(energyplus, NULL[case[:2]], changed, folder / "with", energies))
     else:
         column, factor = effect.meter
         years = [(year, {**hours, column: factor * hours[column]}) for year, hours in without]

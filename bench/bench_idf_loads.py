@@ -56,13 +56,13 @@ def run(*words):
         sys.exit(f"{words[0]} ended with {done.returncode}: {done.stdout[-2000:]}{done.stderr}")
 
 
-def years(energyplus, case, model, folder):
+def years(energyplus, case, model, folder, energies=ENERGIES):
     """[(year, {column: hours})] of both, by EnergyPlus, in the case's weather."""
     for part in PARTS:
         epw = CASES / case / f"weather_{part}.epw"
         year = int(epw.read_text().splitlines()[FIRST_HOUR].split(",")[0])
-        yield year, channels(case, reports.MeteredYear(energyplus, model, year, epw, folder / part,
-                                                       {meter for parts in ENERGIES.values() for meter in parts}))
+        meters = {meter for parts in energies.values() for meter in parts}
+        yield year, channels(case, reports.MeteredYear(energyplus, model, year, epw, folder / part, meters), energies)
 
 
 def noisy_table(year, hours, dice):
@@ -95,10 +95,10 @@ def readings_of_case(case, folder):
     return path, list(parts[0])
 
 
-def channels(case, year):
+def channels(case, year, energies):
     """{column: hours} of what ../shared/energyplus has of the case."""
     measured = {ROOM: year.room_temperature()}
-    for column, parts in ENERGIES.items():
+    for column, parts in energies.items():
         measured[column] = sum(year.meter(part) for part in parts) / J_OF_KWH
     header = (CASES / case / "measured.csv").read_text().splitlines()[0].split(",")
     return {column: measured[column] for column in header[1:]}
