@@ -18,6 +18,7 @@
 #include "report/tables.hpp"
 #include "run/find_job.hpp"
 #include "run/last_words.hpp"
+#include "run/memory.hpp"
 #include "run/output_place.hpp"
 #include "run/program.hpp"
 #include "run/run_job.hpp"
@@ -673,6 +674,7 @@ int with_lost_output(int code) {
 int main(int argc, char** argv) {
     open_standard_streams();
     run::watch_for_unplanned_end();
+    run::keep_freed_memory();
     run::Comm comm(&argc, &argv);
     try {
         const int code = with_lost_output(reported_code(comm, argc, argv));

@@ -78,9 +78,10 @@ class Search {
         if (!accept_one(result_.baseline.place) || result_.found.size() <= n_before)
             return false;
         Found& newest = result_.found.back();
-        if (!is_overwhelming(newest.gain, threshold_)) return leaves(too_little_beside);
+        if (!is_overwhelming(newest.gain, newest.needed))
+            return leaves(too_little_beside);
         note_what_shapes_leave_open(result_.baseline.place);
-        if (fate_of(certainties().back(), newest.gain, threshold_) != Fate::stays)
+        if (fate_of(certainties().back(), newest.gain, newest.needed) != Fate::stays)
             return leaves(nearly_nothing);
         if (newest.doubt.empty()) newest.doubt = "it is seen only beside functions";
         return true;
@@ -113,7 +114,8 @@ class Search {
         const EffectClass near = class_of(data_, result_.last, step);
         Refitted& chosen = step.ranking[static_cast<std::size_t>(step.chosen)];
         const std::string doubt = doubt_of(chosen, near, step.threshold);
-        result_.found.push_back({near.names, doubt, chosen.gain, near.rivals});
+        result_.found.push_back(
+            {near.names, doubt, chosen.gain, step.threshold, near.rivals});
         const double before = alarm_of(data_, place, result_.last, chosen.effect);
         const std::size_t newest = chosen.standing.model.effects.size() - 1;
         const std::string name = chosen.effect.name;
@@ -216,7 +218,7 @@ class Search {
         std::optional<std::size_t> weakest;
         for (std::size_t k = 0; k < certainties.size(); ++k) {
             Found& found = result_.found[k];
-            const Fate fate = fate_of(certainties[k], found.gain, threshold_);
+            const Fate fate = fate_of(certainties[k], found.gain, found.needed);
             if (fate == Fate::is_doubtful && found.doubt.empty())
                 found.doubt = "its coefficient may be nearly nothing";
             if (fate == Fate::leaves &&

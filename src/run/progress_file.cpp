@@ -36,7 +36,7 @@ std::string content_of(const std::string& text) {
 }
 
 /// Neither a link nor a pipe is followed or waited for.
-std::string begin_of(const fs::path& path) {
+std::string bytes_of(const fs::path& path) {
     const int file = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (file < 0) return {};
     std::string bytes(file_bytes + 1, '\0');
@@ -75,11 +75,11 @@ bool is_progress_file(const fs::path& path) {
     struct stat there{};
     if (::lstat(path.c_str(), &there) != 0 || !S_ISREG(there.st_mode)) return false;
     if (there.st_size == 0) return true;  // of a run that ended before its first line
-    return there.st_size == off_t{file_bytes} && begin_of(path).starts_with(mark);
+    return there.st_size == off_t{file_bytes} && bytes_of(path).starts_with(mark);
 }
 
 std::string read_progress(const fs::path& folder) {
-    const std::string content = begin_of(folder / progress_name);
+    const std::string content = bytes_of(folder / progress_name);
     if (content.size() != file_bytes) return {};
     std::string text = content.substr(head_bytes, text_bytes);
     if (content != content_of(text)) return {};

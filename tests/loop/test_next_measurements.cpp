@@ -16,7 +16,7 @@ namespace {
 const std::vector<std::string> by_wind = {"wind infiltration"};
 
 std::vector<Found> with_rival(const std::string& rival) {
-    Found found{{{by_wind[0]}, {rival}}, "", 100};
+    Found found{{{by_wind[0]}, {rival}}, "", 100, 10};
     found.rivals = {test::named(rival)};
     return {found};
 }
