@@ -30,6 +30,7 @@ from report import result as stored  # noqa: E402
 
 NULL = {"so": "so_null", "ap": "ap_null"}
 JUNE, SEPTEMBER = "06-01", "09-01"
+OF_USE = ": use"        # ends the name of the half of an effect that acts on use
 GAS_OF_APARTMENTS = ("Heating:NaturalGas", "WaterSystems:NaturalGas")   # as their description: hot water, too
 SLAB = "ext-slab"       # of the ground floor
 # Name, roughness, resistance [m2 K/W] of 1.2 m of clay (ISO 13370). Without mass: a run warms up on one day alone.
@@ -150,7 +151,8 @@ CASES = {
                                                       "economiser")),
     "so_saturday": Case(schedule(USE, saturday_as_monday), names=("Saturdays worked", "other hours than declared",
                                                                   "Saturday mornings worked")),
-    "so_late": Case(schedule(USE, later(2)), names=("schedules earlier or later", "other hours than declared")),
+    "so_late": Case(schedule(USE, later(2)), names=("use earlier or later", "schedules earlier or later",
+                                                       "other hours than declared")),
     "so_copstep": Case(scaled("Coil:Cooling:DX:SingleSpeed", [5], 0.75), "07-01", names=("new or serviced chiller",)),
     "so_coolset": Case(schedule("CLGSETP_SCH", raised(12, 18, -1.5)), names=("cooling set-point of some hours",)),
     "so_leaks": Case(scaled("ZoneInfiltration:DesignFlowRate", [5, 6, 7, 8], 0.4), "10-01",
@@ -213,7 +215,7 @@ def write_case(case, years, folder):
 
 def score(folder, effect):
     """(names that are right, others, geometric mean of after over before)"""
-    found = [one["name"] for one in json.loads((folder / "out" / "effects.json").read_text())]
+    found = [one["name"].removesuffix(OF_USE) for one in json.loads((folder / "out" / "effects.json").read_text())]
     with h5py.File(folder / "out" / "result.h5") as file:
         structure = [one.name for one in stored.Loop(file, f"{folder.name}/loop").refinements]
     right = [name for name in found + structure if name in effect.names]

@@ -187,6 +187,8 @@ inline constexpr double rival_share = 0.7;
 /// Drawings of blocks for the probability of a name. Statistic: 0.025 at most of
 /// standard error.
 inline constexpr int bagging_draws = 400;
+/// Probability from which on an effect joins. Statistic: more probable than not.
+inline constexpr double least_probability_to_join = 0.5;
 /// Probability from which on a name is told without a doubt. Judgement.
 inline constexpr double told_probability = 0.9;
 /// Probability from which on another name is of the class. Judgement: one of twenty.

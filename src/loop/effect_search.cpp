@@ -34,6 +34,8 @@ void log_step(const Step& step, std::vector<LoggedStep>& log) {
     }
 }
 
+constexpr const char* less_probable_than_not =
+    "does not join: it is less probable than not";
 constexpr const char* nearly_nothing = "taken out: its coefficient may be nearly nothing";
 constexpr const char* too_little_beside =
     "taken out: beside functions, its evidence is less than three times what noise shows";
@@ -112,6 +114,15 @@ class Search {
             return false;
         }
         const EffectClass near = class_of(data_, result_.last, step);
+        if (near.names.front().probability < decisions::least_probability_to_join) {
+            result_.log.push_back({near.names.front().name,
+                                   less_probable_than_not,
+                                   0,
+                                   step.threshold,
+                                   0,
+                                   {}});
+            return false;
+        }
         Refitted& chosen = step.ranking[static_cast<std::size_t>(step.chosen)];
         const std::string doubt = doubt_of(chosen, near, step.threshold);
         result_.found.push_back(
