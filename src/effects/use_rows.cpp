@@ -188,7 +188,8 @@ std::vector<Entry> clock_rows() {
                     .most = 1.2,
                     .typical = 0.8},
          .shapes = at_each(Form::linear, {-2, -1, -0.5, 0.5, 1, 2}),
-         .sentence = "People come and go earlier or later than declared, the plant does not.",
+         .sentence =
+             "People come and go earlier or later than declared, the plant does not.",
          .signature = "electricity and gains earlier or later, set-points as declared",
          .like = "schedules earlier or later, evening use",
          .separates = "working hours"},

@@ -20,7 +20,7 @@ struct Found {
     std::vector<Named> names;  ///< of its class, its own first
     std::string doubt;  ///< why its name may be the nearest one only; "" = adequate
     double gain = 0;
-    double needed = 0;  ///< what noise would have shown in its round
+    double needed = 0;                      ///< what noise would have shown in its round
     std::vector<effects::Effect> rivals{};  ///< what may stand in its place
     // What its coefficient owes, as root mean squares in its unit:
     double of_shape = 0;    ///< to the shape that it has (deviation_over_shapes)
