@@ -152,7 +152,7 @@ CASES = {
     "so_saturday": Case(schedule(USE, saturday_as_monday), names=("Saturdays worked", "other hours than declared",
                                                                   "Saturday mornings worked")),
     "so_late": Case(schedule(USE, later(2)), names=("use earlier or later", "schedules earlier or later",
-                                                       "other hours than declared")),
+                                                    "other hours than declared")),
     "so_copstep": Case(scaled("Coil:Cooling:DX:SingleSpeed", [5], 0.75), "07-01", names=("new or serviced chiller",)),
     "so_coolset": Case(schedule("CLGSETP_SCH", raised(12, 18, -1.5)), names=("cooling set-point of some hours",)),
     "so_leaks": Case(scaled("ZoneInfiltration:DesignFlowRate", [5, 6, 7, 8], 0.4), "10-01",

@@ -164,14 +164,15 @@ def detectability(loop, truth):
     return {effect: of_one(effect, size) for effect, size in truth["effects"].items()}
 
 
-def oracle(loop, truth):
+def oracle(loop, sizes):
     """{planted effect: whether one that knows shapes and noise would tell it, near the calibrated model}: its evidence,
-    less that of the effect which looks most like it, is d^2 (1 - r^2). NaN where the table lacks it."""
+    less that of the effect which looks most like it, is d^2 (1 - r^2). NaN where the table lacks it.
+    `sizes`: their detectability."""
     rows = loop_result.texts(loop, "power_effect")
     kinds, r = loop_result.texts(loop, "power_alias_kind"), loop["power_alias_correlation"][:]
     likeness = {row: r[k] if kinds[k] == "effect" else 0.0 for k, row in enumerate(rows)}
     tells = {}
-    for effect, d in detectability(loop, truth).items():
+    for effect, d in sizes.items():
         near = [likeness[row] for row in RIGHT[effect].rows() if row in likeness]
         tells[effect] = d ** 2 * (1 - near[0] ** 2) > ODDS_OF_20 if near and not np.isnan(d) else np.nan
     return tells
@@ -210,16 +211,17 @@ def score(file, case, kind):
     truth, loop = json.loads((case / "truth.json").read_text()), file[case.name]["loop"]
     found = loop_result.effects(loop)
     errors, planted = errors_of(loop, held_out(case)), truth["effects"]
+    sizes = detectability(loop, truth)
     steps = (("plain", "before"), ("before", "after"), ("plain", "after"))
     return Scored(case.name, kind, planted, found,
                   loop_result.decisions(loop, ("series", "finding", "action", "kind")), errors,
                   {step: closed(errors, truth, *step) for step in steps},
-                  detectability(loop, truth), parameter_errors(loop, truth, case, found),
+                  sizes, parameter_errors(loop, truth, case, found),
                   coverage(found, planted, truth), value_coverage(found, planted, truth), calibrated(loop),
                   truth.get("details", {}),
                   truth.get("structure", {}).get("air_handler", {}).get("kind", ""),
                   tuple(loop_result.texts(loop, "refinement")),
-                  oracle(loop, truth), errors_of_terminals(loop, truth))
+                  oracle(loop, sizes), errors_of_terminals(loop, truth))
 
 
 def scores(result, cases):
@@ -281,10 +283,14 @@ def error_fell(scored):
     return sum(after[c] / before[c] for c in after) < len(after)
 
 
+def always_there(scored):
+    """Names that are right of the building, planted or not."""
+    return ALWAYS_THERE | OF_AIR_HANDLER.get(scored.air_handler, set())
+
+
 def false_effects(scored):
     """Found effects that are neither planted, nor in its class, nor always there."""
-    there = ALWAYS_THERE | OF_AIR_HANDLER.get(scored.air_handler, set())
-    excused = there if error_fell(scored) else set()
+    excused = always_there(scored) if error_fell(scored) else set()
     return [effect for effect in scored.found if effect["name"] not in excused
             and not any(is_in_class(effect, name, scored.details.get(name))
                         for name in scored.planted)]
@@ -292,8 +298,7 @@ def false_effects(scored):
 
 def names_said(scored):
     """[(probability, whether it is right)] of the names of all found effects' classes."""
-    there = ALWAYS_THERE | OF_AIR_HANDLER.get(scored.air_handler, set())
-    said = []
+    there, said = always_there(scored), []
     for effect in scored.found:
         for name, probability in zip(effect["class"], effect["class_probabilities"]):
             alone = {**effect, "name": name, "class": [name]}

@@ -47,7 +47,8 @@ def setting_record(setting):
     return {"name": f"{setting.name}: {setting.found:.3g} {setting.unit}, described {setting.described:.3g}",
             "hook": setting.name, "driver": "always", "shape": "constant", "gate": "always", "coefficient": change[0],
             "interval": (change[1], change[2]), "unit": "K", "class": [setting.name], "probability": None,
-            "class_probabilities": [None], "adequate": True, "gain": None, "separates": "a reading of it at the controller", "doubt": "", "brings": []}
+            "class_probabilities": [None], "adequate": True, "gain": None,
+            "separates": "a reading of it at the controller", "doubt": "", "brings": []}
 
 
 def effects(loop):

@@ -164,30 +164,32 @@ std::vector<Entry> gain_rows() {
     };
 }
 
+/// Schedules of the hook, all days, some hours earlier or later.
+Effect by_hours(const char* name, int number, Hook hook) {
+    return {.name = name,
+            .number = number,
+            .hook = hook,
+            .driver = Driver::shifted_hours,
+            .shape = {Form::linear, 1},
+            .least = 0.4,
+            .most = 1.2,
+            .typical = 0.8};
+}
+
+std::vector<Shape> shifts() {
+    return at_each(Form::linear, {-2, -1, -0.5, 0.5, 1, 2});
+}
+
 std::vector<Entry> clock_rows() {
     return {
-        {.effect = {.name = "schedules earlier or later",
-                    .number = 25,
-                    .hook = Hook::operation,
-                    .driver = Driver::shifted_hours,
-                    .shape = {Form::linear, 1},
-                    .least = 0.4,
-                    .most = 1.2,
-                    .typical = 0.8},
-         .shapes = at_each(Form::linear, {-2, -1, -0.5, 0.5, 1, 2}),
+        {.effect = by_hours("schedules earlier or later", 25, Hook::operation),
+         .shapes = shifts(),
          .sentence = "The building is used earlier or later than declared.",
          .signature = "a dipole at the edges of schedules",
          .like = "summer time (half the year), early start",
          .separates = "working hours"},
-        {.effect = {.name = "use earlier or later",
-                    .number = 46,
-                    .hook = Hook::occupation,
-                    .driver = Driver::shifted_hours,
-                    .shape = {Form::linear, 1},
-                    .least = 0.4,
-                    .most = 1.2,
-                    .typical = 0.8},
-         .shapes = at_each(Form::linear, {-2, -1, -0.5, 0.5, 1, 2}),
+        {.effect = by_hours("use earlier or later", 46, Hook::occupation),
+         .shapes = shifts(),
          .sentence =
              "People come and go earlier or later than declared, the plant does not.",
          .signature = "electricity and gains earlier or later, set-points as declared",

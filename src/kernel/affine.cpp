@@ -69,13 +69,12 @@ void write_standard_regime(const Regime& regime, Columns columns) {
 /// Everything of a row that its steps share.
 class StandardRows {
   public:
-    explicit StandardRows(const Regime& regime)
+    StandardRows(const Regime& regime, const Met& without_drivers)
         : asked_(StandardScale(regime.map).asked_per_kelvin),
-          without_drivers_(regime.without_drivers()),
-          mass_(regime.fixed(regime.map.theta_m_after, without_drivers_)),
+          mass_(regime.fixed(regime.map.theta_m_after, without_drivers)),
           mass_per_int_(regime.per_int(regime.map.theta_m_after)),
           missing_(regime.control.theta_H_set -
-                   regime.fixed(regime.map.theta_air, without_drivers_)),
+                   regime.fixed(regime.map.theta_air, without_drivers)),
           air_per_int_(regime.per_int(regime.map.theta_air)) {}
     void write(double phi_int, Columns columns) const {
         columns.add(mass_ + mass_per_int_ * phi_int);
@@ -83,9 +82,7 @@ class StandardRows {
     }
 
   private:
-    double asked_;
-    Met without_drivers_;
-    double mass_, mass_per_int_, missing_, air_per_int_;
+    double asked_, mass_, mass_per_int_, missing_, air_per_int_;
 };
 
 /// Calls use(form) for the free air temperature and each state after the step.
@@ -197,15 +194,15 @@ void for_rows(const Regime& regime, const LaneTables& tables, Write write) {
 void write_regime(const Regime& regime, const LaneTables& tables) {
     const ZonePlan& plan = regime.plan;
     const Columns columns{regime_at(plan, regime.index, tables), tables.lanes};
+    const Met without_drivers = regime.without_drivers();
     if (plan.is_standard()) {
-        const StandardRows rows(regime);
+        const StandardRows rows(regime, without_drivers);
         write_standard_regime(regime, columns);
         for_rows(regime, tables, [&](int step, Columns row) {
             rows.write(tabled_gain(regime, step), row);
         });
     } else {
         write_general_regime(regime, columns);
-        const Met without_drivers = regime.without_drivers();
         for_rows(regime, tables, [&](int step, Columns row) {
             write_general_row(regime, without_drivers, step, row);
         });

@@ -114,7 +114,7 @@ class Search {
             return false;
         }
         const EffectClass near = class_of(data_, result_.last, step);
-        if (near.names.front().probability < decisions::least_probability_to_join) {
+        if (!near.may_join) {
             result_.log.push_back({near.names.front().name,
                                    less_probable_than_not,
                                    0,

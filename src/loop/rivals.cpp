@@ -138,7 +138,9 @@ EffectClass class_of(const LoopData& data, const Standing& before, const Step& s
     found.names =
         names_of(name, bagged(claims_of(data, before, step), data.options.seed));
     found.names.front().name = chosen.effect.name;
-    found.is_told = found.names.front().probability >= decisions::told_probability;
+    const double own = found.names.front().probability;
+    found.is_told = own >= decisions::told_probability;
+    found.may_join = own >= decisions::least_probability_to_join;
     for (const Refitted& other : step.ranking)
         if (&other != &chosen && !other.left_out.empty() &&
             found.rivals.size() < decisions::most_rivals)

@@ -13,7 +13,8 @@ namespace bemcal::loop {
 struct EffectClass {
     std::vector<Named> names;             ///< the chosen one's first, then the likelier
     std::vector<effects::Effect> rivals;  ///< worth trying in its place later
-    bool is_told = true;                  ///< its own name is probable enough
+    bool is_told = true;                  ///< its own name is without doubt
+    bool may_join = true;                 ///< it is more probable than not
 };
 
 /// What a candidate would explain.

@@ -122,6 +122,11 @@ TEST(LoopClass, ANameIsToldFromNineOfTen) {
     EXPECT_TRUE(Beside({95.5}, of_grammar).found().is_told);
 }
 
+TEST(LoopClass, ANameJoinsWhereItIsMoreProbableThanNot) {
+    EXPECT_TRUE(Beside({99.9}).found().may_join);
+    EXPECT_FALSE(Beside({100.1}).found().may_join);
+}
+
 // 2 log 19 = 5.89 of evidence.
 TEST(LoopClass, AnotherNameIsOfItFromOneOfTwenty) {
     EXPECT_EQ(Beside({94.2}).found().names.size(), 2U);
