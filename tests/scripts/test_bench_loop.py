@@ -5,8 +5,10 @@ import dataclasses
 import hashlib
 import io
 import json
+import os
 import pathlib
 import re
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -17,6 +19,7 @@ import h5py
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = os.environ["BEMCAL_PROGRAM"]
 sys.path.insert(0, str(ROOT / "bench"))
 
 import bench_loop       # noqa: E402
@@ -99,8 +102,8 @@ class Names(unittest.TestCase):
             self.assertTrue(set(right.when) <= set(right.names), name)
 
     def test_every_name_is_the_catalogues(self):
-        rows = "".join(path.read_text() for path in (ROOT / "src/effects").glob("*_rows.cpp"))
-        catalogue = set(re.findall(r'\.name = "([^"]+)"', rows))
+        printed = subprocess.run([PROGRAM, "describe", "effects"], capture_output=True, text=True, check=True)
+        catalogue = set(re.findall(r"^ *\d+  (.+)$", printed.stdout, re.MULTILINE))
         used = {name for right in loop_names.RIGHT.values() for name in right.names}
         self.assertEqual(used - catalogue, set())
         self.assertEqual(loop_names.ALWAYS_THERE - catalogue, set())
