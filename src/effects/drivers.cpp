@@ -89,6 +89,11 @@ Series in_steps_of_sun(Series sun) {
     return sun;
 }
 
+const physics::Input& set_point_of(const physics::Thermostat& control, Hook hook) {
+    return hook == Hook::cooling_set_point ? control.cooling_set_point
+                                           : control.heating_set_point;
+}
+
 /// What the room has whose window the sun is on.
 Series sun_of_sunniest(const Surroundings& around) {
     const Matrix& irradiance = around.drive->irradiance;
@@ -114,6 +119,23 @@ Series sunniest_room(const Effect&, const Surroundings& around) {
     for (std::size_t k = 1; k < sun.size(); ++k)
         sun[k] = std::max(sun[k], kept * sun[k - 1]);
     return in_steps_of_sun(std::move(sun));
+}
+
+/// By how much the schedule of the hook's set-point is higher than an hour before: 1 in
+/// the first hour of use; of several zones the largest.
+Series plant_starts(const Effect& effect, const Surroundings& around) {
+    const physics::Drive& drive = *around.drive;
+    const int an_hour = std::max(1, static_cast<int>(3600 / drive.axis.step_s));
+    Series starts(static_cast<std::size_t>(drive.n_steps()));
+    for (const physics::Zone& zone : around.building->zones) {
+        const int profile = set_point_of(zone.thermostat, effect.hook).profile;
+        for (int k = an_hour; profile >= 0 && k < drive.n_steps(); ++k) {
+            double& start = starts[static_cast<std::size_t>(k)];
+            start = std::max(start, drive.profile_at(profile, k) -
+                                        drive.profile_at(profile, k - an_hour));
+        }
+    }
+    return starts;
 }
 
 Series elapsed_of(const Effect&, const Surroundings& around) {
@@ -259,6 +281,11 @@ constexpr DriverRow driver_table[] = {
      .first_move = 0,
      .of_steps = [](const Effect&,
                     const Surroundings& around) { return occupation_of(around); }},
+    {.driver = Driver::plant_start,
+     .name = "start of the plant",
+     .unit = "",
+     .first_move = 0,
+     .of_steps = plant_starts},
     {.driver = Driver::hour,
      .name = "hour of the day",
      .unit = "h",

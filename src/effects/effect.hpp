@@ -75,6 +75,7 @@ enum class Driver {
     ground,               ///< outdoor temperature of the last months, lagged [degC]
     yearly_mean,          ///< outdoor temperature, mean of the calendar year [degC]
     occupied,             ///< share of the largest density of people [-]
+    plant_start,          ///< rise of the set-point's schedule within the last hour [-]
     hour,                 ///< hour of the day, 0 to 24; `within` gives a share of a step
     weekend,              ///< 1 on Saturday and Sunday
     saturday,

@@ -205,6 +205,15 @@ bool is_heated(physics::Building& building) {
     });
 }
 
+/// Whether a set-point has hours: there is a start.
+bool is_set_back(physics::Building& building) {
+    return std::ranges::any_of(building.zones, [](const physics::Zone& zone) {
+        const physics::Thermostat& control = zone.thermostat;
+        return !control.imposed && (control.heating_set_point.profile >= 0 ||
+                                    control.cooling_set_point.profile >= 0);
+    });
+}
+
 /// The long-wave loss that all hours share.
 Refinement::Number sky_difference(double mean, double sd) {
     return {"sky_difference", "zone.*.sky_temperature_difference", mean, sd, 0, 28};
@@ -281,6 +290,16 @@ const std::vector<Refinement>& refinements() {
          {spread_by_sun()},
          one_unit_for_all,
          "rooms"},
+        {"slow start",
+         "rooms that reach their set-point late in the first hour after a set-back",
+         {},
+         {{following("heating set-point in the first hour", Hook::heating_set_point,
+                     Driver::plant_start, 0.5),
+           -1, 1, -6, 0},
+          {following("cooling set-point in the first hour", Hook::cooling_set_point,
+                     Driver::plant_start, 0.5),
+           1, 1, 0, 6}},
+         is_set_back},
         {"emitter",
          "heat that comes late from radiators, in part as radiation",
          {{"emitter_lag", "zone.*.emitter_time_constant", 1500, 1200, 60, 10000},

@@ -181,6 +181,26 @@ TEST(Profiles, ARoomKeepsSomeOfTheSunThatItHad) {
     EXPECT_EQ(sun[step + 3], 400) << "375, in steps of fifty";
 }
 
+TEST(Profiles, AStartIsTheFirstHourOfASetPoint) {
+    Office open;
+    physics::Thermostat& control = open.building.zones[0].thermostat;
+    control.heating_set_point = {20, 16, 0};
+    control.cooling_set_point.profile = -1;
+    const std::size_t six = at("2021-03-05 06:00");
+    auto hours = open.drive.profiles.row(0);
+    std::ranges::fill(hours, 0);
+    for (std::size_t hour = 0; hour < 4; ++hour) hours[six + hour] = hour < 2 ? 0.6 : 1;
+    Effect effect{.hook = Hook::heating_set_point, .driver = Driver::plant_start};
+    const auto starts = profile(effect, open);
+    EXPECT_EQ(starts[six - 1], 0);
+    EXPECT_DOUBLE_EQ(starts[six], 0.6);
+    EXPECT_EQ(starts[six + 1], 0);
+    EXPECT_DOUBLE_EQ(starts[six + 2], 0.4) << "it rises once more";
+    EXPECT_EQ(starts[six + 4], 0) << "its end is no start";
+    effect.hook = Hook::cooling_set_point;
+    EXPECT_EQ(std::ranges::max(profile(effect, open)), 0) << "it has no hours";
+}
+
 TEST(Profiles, ShapesOfWind) {
     const double wind = office().around.weather.at(Driver::wind)[at("2021-03-05 14:00")];
     const auto value = [&](Shape shape) {

@@ -207,6 +207,18 @@ TEST(Refinements, ASeasonIsOfWhatHeats) {
     EXPECT_FALSE(heating.change(building));
 }
 
+TEST(Refinements, AStartIsSlowWhereASetPointHasHours) {
+    physics::Building building = Office().building;
+    const Refinement& slow = named("slow start");
+    physics::Thermostat& control = building.zones[0].thermostat;
+    control.heating_set_point.profile = control.cooling_set_point.profile = -1;
+    EXPECT_FALSE(slow.change(building));
+    control.cooling_set_point.profile = 0;
+    EXPECT_TRUE(slow.change(building));
+    control.imposed = true;
+    EXPECT_FALSE(slow.change(building));
+}
+
 TEST(Refinements, LimitsAreTheNearerOfPriorAndRange) {
     EXPECT_EQ(limits_of(10, 2, 0, 12), std::pair(5.0, 12.0));
     EXPECT_EQ(limits_of(10, 2, 6, 99), std::pair(6.0, 15.0));
