@@ -40,11 +40,10 @@ constexpr schema::Key keys[] = {
      "predict blocks that were kept from it."},
     {"study", "least_gain", Type::number, "%", "2", 0, 100,
      "By so much an effect must lower the errors of the meters in those blocks, as their "
-     "mean; three times as much where it is not of the catalogue."},
+     "mean."},
     {"study", "most_loss", Type::number, "%", "1", 0, 100,
      "By so much it may raise the error of any meter there; by 15 % of what the best "
-     "meter gains, where that is more (30 % with evidence of eight times what noise "
-     "shows)."},
+     "meter gains, where that is more."},
     {"study", "alpha", Type::number, "-", "0.01", 0.0001, 0.5,
      "Chance that noise alone shows as much evidence as is asked for, in any of the "
      "effects that one step refits (the best by the tangent, 36 at most), not of all "

@@ -125,15 +125,6 @@ inline constexpr std::size_t most_dated_names = 3;
 /// Each of two dates or hours that moved pays 2 log of this. Statistic: four weeks'
 /// days.
 inline constexpr double places_of_date = 28;
-/// Of the best passing one's evidence: what one with a name needs to be taken.
-/// Judgement.
-inline constexpr double named_share_of_best = 0.6;
-/// One that does not pass may explain so much of what passes; else nothing is accepted.
-/// Judgement.
-inline constexpr double largest_evidence_ratio = 1.25;
-/// Evidence that excuses from gates, below which an effect is not adequate, and from
-/// which one joins beside functions [thresholds]. Judgement: less had false names there.
-inline constexpr double overwhelming = 3;
 
 // Gates
 
@@ -142,43 +133,15 @@ inline constexpr double slack_of_range = 1.5;
 /// First and last part of training in which no step may lie [a]. Judgement: the state
 /// before, too few days after.
 inline constexpr double two_weeks_at_ends = 0.04;
-/// Of the squares that an effect changes: it acts in the last quarter. Judgement.
-inline constexpr double share_acting_last = 0.05;
 /// Weight from which on a meter counts. Judgement.
-inline constexpr double least_share_in_mean = 0.5;
-/// Fall of the error of a meter that does not count; it is enough. Judgement.
-inline constexpr double fall_of_small_meter = 0.15;
-/// Fall of the error at the meter where an effect enters; it is enough if overwhelming.
-/// Judgement.
-inline constexpr double fall_of_own_meter = 0.05;
-/// Evidence with which what it brings may be small [deviance]. Data: half of it is seen
-/// in buildings that lack nothing.
-inline constexpr double certain_evidence = 150;
-/// Of the least gain: what is enough then. Judgement.
-inline constexpr double less_if_certain = 0.7;
-/// Times the least gain: what is asked of the grammar. Judgement.
-inline constexpr double more_of_grammar = 3;
+inline constexpr double least_share_that_counts = 0.5;
 /// Of the best meter's gain: what another may lose, also by functions. Judgement.
 inline constexpr double share_in_exchange = 0.15;
-/// Times that, if certain. Judgement.
-inline constexpr double exchange_if_certain = 2;
-/// Evidence of what is certain [thresholds]. Judgement.
-inline constexpr double certain_thresholds = 8;
-/// Score of unseen blocks that excuses from gates, if above the evidence too
-/// [thresholds]. Judgement.
-inline constexpr double foretold_thresholds = 2;
-/// Gains in more unseen blocks than chance shows [standard errors]. Statistic: one of
-/// 44.
-inline constexpr double seen_often = 2;
 /// Standard deviation of an electricity meter's level from year to year. Data: 232
 /// buildings (bench_level_change.py).
 inline constexpr double change_of_electricity = 0.06;
 /// The same of other energy meters. Data: 232 buildings (bench_level_change.py).
 inline constexpr double change_of_fuel = 0.18;
-/// Of the block that moves most: blocks in which it acts. Judgement.
-inline constexpr double share_of_moved_block = 0.05;
-/// Fewer, and all blocks count. Judgement.
-inline constexpr std::size_t least_moved_blocks = 4;
 
 // Class and doubts
 

@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace bemcal::loop {
 namespace {
 
@@ -34,11 +36,13 @@ void log_step(const Step& step, std::vector<LoggedStep>& log) {
     }
 }
 
-constexpr const char* less_probable_than_not =
-    "does not join: it is less probable than not";
+/// What becomes of a name that is too little probable.
+std::string too_improbable(const char* what, const Named& name, double asked) {
+    return fmt::format("{}: probability {:.2f}, {:.2f} is asked", what, name.probability,
+                       asked);
+}
+
 constexpr const char* nearly_nothing = "taken out: its coefficient may be nearly nothing";
-constexpr const char* too_little_beside =
-    "taken out: beside functions, its evidence is less than three times what noise shows";
 
 class Search {
   public:
@@ -80,8 +84,10 @@ class Search {
         if (!accept_one(result_.baseline.place) || result_.found.size() <= n_before)
             return false;
         Found& newest = result_.found.back();
-        if (!is_overwhelming(newest.gain, newest.needed))
-            return leaves(too_little_beside);
+        if (newest.names.front().probability < decisions::told_probability)
+            return leaves(too_improbable("taken out beside functions",
+                                         newest.names.front(),
+                                         decisions::told_probability));
         note_what_shapes_leave_open(result_.baseline.place);
         if (fate_of(certainties().back(), newest.gain, newest.needed) != Fate::stays)
             return leaves(nearly_nothing);
@@ -94,7 +100,7 @@ class Search {
 
   private:
     /// Of the newest effect, beside functions.
-    bool leaves(const char* why) {
+    bool leaves(const std::string& why) {
         result_.log.push_back({result_.last.model.effects.back().name, why, 0, 0, 0, {}});
         return false;
     }
@@ -116,7 +122,8 @@ class Search {
         const EffectClass near = class_of(data_, result_.last, step);
         if (!near.may_join) {
             result_.log.push_back({near.names.front().name,
-                                   less_probable_than_not,
+                                   too_improbable("does not join", near.names.front(),
+                                                  decisions::least_probability_to_join),
                                    0,
                                    step.threshold,
                                    0,
@@ -124,7 +131,7 @@ class Search {
             return false;
         }
         Refitted& chosen = step.ranking[static_cast<std::size_t>(step.chosen)];
-        const std::string doubt = doubt_of(chosen, near, step.threshold);
+        const std::string doubt = doubt_of(chosen, near);
         result_.found.push_back(
             {near.names, doubt, chosen.gain, step.threshold, near.rivals});
         const double before = alarm_of(data_, place, result_.last, chosen.effect);
@@ -153,12 +160,9 @@ class Search {
     }
 
     /// Why an effect's name may be the nearest one only, before its alarm is looked at.
-    std::string doubt_of(const Refitted& chosen, const EffectClass& near,
-                         double threshold) const {
+    std::string doubt_of(const Refitted& chosen, const EffectClass& near) const {
         if (!chosen.effect.is_named()) return "it says where and when, not why";
         if (!near.is_told) return "its probability is below 0.9";
-        if (!is_overwhelming(chosen.gain, threshold))
-            return "its evidence is less than three times what noise shows";
         if (data_.reads_months_only()) return "months cannot show that nothing is left";
         return "";
     }

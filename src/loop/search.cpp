@@ -8,7 +8,6 @@
 #include "base/error.hpp"
 #include "effects/catalogue.hpp"
 #include "loop/closed_days.hpp"
-#include "loop/consistency.hpp"
 #include "loop/decisions.hpp"
 #include "loop/gates.hpp"
 #include "loop/moves.hpp"
@@ -158,25 +157,6 @@ class Unseen {
     Blocks long_, short_;
 };
 
-/// The blocks' losses and predictions under both models, weighted.
-std::vector<BlockChange> changes_of(std::span<const double> weights,
-                                    std::span<const int> blocks,
-                                    std::span<const double> old_left,
-                                    std::span<const double> left) {
-    std::map<int, BlockChange> changes;
-    for (std::size_t k = 0; k < left.size(); ++k) {
-        if (weights[k] <= 0) continue;
-        BlockChange& change = changes[blocks[k]];
-        const double moved = old_left[k] - left[k];
-        change.fall += weights[k] * (old_left[k] * old_left[k] - left[k] * left[k]);
-        change.moved += weights[k] * moved * moved;
-    }
-    std::vector<BlockChange> list;
-    list.reserve(changes.size());
-    for (const auto& [block, change] : changes) list.push_back(change);
-    return list;
-}
-
 /// Left-out errors before and after, and what they say.
 void judge_left_out(const LoopData& data, const Standing& before, Unseen& unseen,
                     Refitted& candidate) {
@@ -185,8 +165,6 @@ void judge_left_out(const LoopData& data, const Standing& before, Unseen& unseen
                                      candidate.standing.fit.at, before.noise, blocks);
     candidate.score = deviance(data.targets, before.noise, old_left) -
                       deviance(data.targets, before.noise, candidate.left_out);
-    candidate.consistency = consistency_of(changes_of(
-        weights_of(data.targets, before.noise), blocks, old_left, candidate.left_out));
     const auto old_squares = mean_squares(data.targets, old_left),
                squares = mean_squares(data.targets, candidate.left_out);
     for (std::size_t c = 0; c < squares.size(); ++c) {
@@ -321,22 +299,10 @@ bool may_join(const effects::Effect& effect) {
 }  // namespace
 
 int choice_of(std::vector<Refitted>& ranking) {
-    double best = 0;  ///< evidence of those that pass
     for (std::size_t k = 0; k < ranking.size(); ++k) {
-        Refitted& candidate = ranking[k];
-        if (!candidate.objection.empty()) continue;
-        if (best == 0 &&
-            ranking[0].gain > decisions::largest_evidence_ratio * candidate.gain) {
-            candidate.objection = "others that do not pass explain more";
-            continue;
-        }
-        best = std::max(best, candidate.gain);
-        if (may_join(candidate.effect) &&
-            candidate.gain > decisions::named_share_of_best * best)
-            return static_cast<int>(k);
-        candidate.objection = may_join(candidate.effect)
-                                  ? "what has no name explains more"
-                                  : "has no name: left to functions";
+        if (!ranking[k].objection.empty()) continue;
+        if (may_join(ranking[k].effect)) return static_cast<int>(k);
+        ranking[k].objection = "has no name: left to functions";
     }
     return -1;
 }

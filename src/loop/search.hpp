@@ -50,7 +50,6 @@ struct Refitted {
     std::vector<double> error{};     ///< [channels] relative change of the left-out error
     std::vector<double> left_out{};  ///< [targets] residuals of unseen blocks, by the
                                      ///< noise of the model before
-    double consistency = 0;   ///< fall of the blocks' losses over its standard error
     std::string objection{};  ///< the gate that it did not pass; empty = none
     double coefficient = 0;
 };
@@ -73,15 +72,8 @@ std::vector<const Screened*> shortlist(const std::vector<Screened>& screened);
 double occam(const Screened& screened);
 /// Whether other dates or hours may make a candidate the best.
 bool may_lead_by_dates(const Refitted& candidate, double best_gain);
-/// The first with a name that passes, by its place, or that follows a series of the job.
-/// None (-1) where what does not pass explains clearly more: then it is the model's
-/// misfit that they all take a part of. Nor where what has no name does, which is left to
-/// functions. Those that pass and are not taken get an objection.
+/// The first with a name that passes, or that follows a series of the job; -1: none. What
+/// passes without a name gets an objection.
 int choice_of(std::vector<Refitted>& ranking);
-
-/// Whether evidence is far above what noise alone would show.
-constexpr bool is_overwhelming(double gain, double threshold) {
-    return gain > decisions::overwhelming * threshold;
-}
 
 }  // namespace bemcal::loop

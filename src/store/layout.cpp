@@ -515,8 +515,8 @@ constexpr LayoutRow own_rows[] = {
     {"effect_most", "effect", number, "of the effect", "end of its 90 % interval"},
     {"effect_gain", "effect", number, "1", "gain of evidence, in -2 log"},
     {"effect_adequate", "effect", number, "1",
-     "1 where its evidence is three times what noise shows, nothing comes near it and "
-     "the pattern that pointed to it is gone with it; 0 = the name is the nearest one"},
+     "1 where its name has a probability of 0.9 and the pattern that pointed to it is "
+     "gone with it; 0 = the name is the nearest one"},
     {"effect_doubt", "effect", text, "", "why it is not adequate"},
     {"effect_class", "effect", text, "",
      "itself and effects that these data cannot tell it from, parted by semicolons"},

@@ -21,7 +21,6 @@ struct Judged {
         candidate.coefficient = after.standing.coefficient(0);
         candidate.gain = 50;
         candidate.score = 40;
-        candidate.consistency = 3;
         candidate.error.assign(before.standing.noise.size(), -0.2);
     }
     /// With meters that count, or little, whose unseen errors change so.
@@ -42,7 +41,9 @@ struct Judged {
 
 constexpr const char *passes = "", *too_little = "left-out error falls too little",
                      *rises = "left-out error of a meter rises",
-                     *too_few = "too few unseen fortnights gain";
+                     *foretells_too_little = "left-out score below what noise shows",
+                     *fails_the_last_quarter =
+                         "follows time, but does not foretell the last quarter";
 
 }  // namespace
 
@@ -56,47 +57,18 @@ TEST(LoopGates, NoiseShowsAsMuchEvidence) {
     EXPECT_EQ(judged.objection(), "evidence below what noise shows");
 }
 
-TEST(LoopGates, AMeanOverTheMetersHasToFallAndNoMeterMayRise) {
+// Unseen blocks have to fall by more than noise shows, as the evidence has.
+TEST(LoopGates, NoiseShowsAsMuchOfUnseenBlocks) {
     Judged judged;
-    judged.candidate.error.assign(judged.candidate.error.size(), -0.001);
-    EXPECT_EQ(judged.objection(), "left-out error falls too little");
-    auto& noise = judged.before.standing.noise;
-    noise.push_back(noise[0]);  // another meter
-    judged.candidate.error = {-0.2, 0.05};
-    EXPECT_EQ(judged.objection(), "left-out error of a meter rises");
-}
-
-// The other meters see nothing of a factor on one, and would divide its fall by their
-// number.
-TEST(LoopGates, WhatEntersAtAMeterIsJudgedThere) {
-    Judged judged;
-    auto& noise = judged.before.standing.noise;
-    noise.resize(5, noise[0]);
-    judged.candidate.error = {-0.07, 0, 0, 0, 0};
-    judged.candidate.gain = 61;
-    EXPECT_EQ(judged.objection(), "left-out error falls too little");
-    judged.candidate.effect.hook = effects::Hook::meter_factor;
-    EXPECT_EQ(judged.objection(), "");
-    judged.candidate.gain = 59;
-    EXPECT_EQ(judged.objection(), "left-out error falls too little");
-}
-
-// Few fortnights need gain where evidence is far above what noise shows, or where those
-// that no fit has seen gain more than the evidence.
-TEST(LoopGates, FewUnseenFortnightsAreNotEnoughUnlessTheySayMore) {
-    Judged judged;
-    judged.candidate.consistency = 1;
-    EXPECT_EQ(judged.objection(), "too few unseen fortnights gain");
-    judged.candidate.score = 51;
-    EXPECT_EQ(judged.objection(), "");
-    judged.candidate.score = 40;
-    judged.candidate.gain = 61;
-    EXPECT_EQ(judged.objection(), "");
+    judged.candidate.score = 20;
+    EXPECT_EQ(judged.objection(), foretells_too_little);
+    judged.candidate.score = 20.1;
+    EXPECT_EQ(judged.objection(), passes);
 }
 
 // What takes the wind out of the model again foretells nothing: but a season may be
-// wrong.
-TEST(LoopGates, TheLastQuarterIsForetoldNoWorseUnlessMuchElseSpeaksForTheEffect) {
+// wrong, and only what follows time goes on.
+TEST(LoopGates, TheLastQuarterIsForetoldNoWorseByWhatFollowsTime) {
     Judged judged;
     judged.candidate.standing = judged.before.standing;
     const auto objection = [&] {
@@ -104,21 +76,9 @@ TEST(LoopGates, TheLastQuarterIsForetoldNoWorseUnlessMuchElseSpeaksForTheEffect)
         return objection_to(judged.after.data, judged.after.standing, judged.candidate,
                             20, last_quarter);
     };
-    EXPECT_EQ(objection(), "last quarter is foretold worse");
-    judged.candidate.score = 51;
-    EXPECT_EQ(objection(), "");
-    judged.candidate.consistency = 1;
-    EXPECT_EQ(objection(), "last quarter is foretold worse");
-    judged.candidate.gain = 61;
-    EXPECT_EQ(objection(), "");
-}
-
-TEST(LoopGates, ADriftOfTheGrammarIsNotCarriedOn) {
-    Judged judged;
-    judged.candidate.effect.number = 0;
+    EXPECT_EQ(objection(), passes);
     judged.candidate.effect.driver = effects::Driver::elapsed;
-    judged.candidate.effect.shape.form = effects::Form::linear;
-    EXPECT_EQ(judged.objection(), "a drift without a name: it may not go on");
+    EXPECT_EQ(objection(), fails_the_last_quarter);
 }
 
 TEST(LoopGates, ACoefficientIsPlausibleByHalfBeyondEachEnd) {
@@ -148,9 +108,7 @@ TEST(LoopGates, TheMeanErrorFallsByTheLeastGain) {
     EXPECT_EQ(judged.objection({-0.0201}), passes);
     EXPECT_EQ(judged.objection({-0.0399, 0}), too_little);
     EXPECT_EQ(judged.objection({-0.0401, 0}), passes);
-    judged.candidate.effect.number = 0;  // of the grammar
-    EXPECT_EQ(judged.objection({-0.0599}), too_little);
-    EXPECT_EQ(judged.objection({-0.0601}), passes);
+    EXPECT_EQ(judged.objection({-0.0201, 0}, 0.2), passes) << "one of them counts";
 }
 
 TEST(LoopGates, AMeterMayRiseByTheMostLoss) {
@@ -163,56 +121,10 @@ TEST(LoopGates, AMeterMayLoseInExchange) {
     Judged judged;
     EXPECT_EQ(judged.objection({-0.2, 0.0299}), passes);  // 15 % of 20 %
     EXPECT_EQ(judged.objection({-0.2, 0.0301}), rises);
-    judged.candidate.gain = 159;  // less than eight thresholds
-    EXPECT_EQ(judged.objection({-0.2, 0.0301}), rises);
-    judged.candidate.gain = 161;
-    EXPECT_EQ(judged.objection({-0.2, 0.0599}), passes);
-    EXPECT_EQ(judged.objection({-0.2, 0.0601}), rises);
 }
 
 TEST(LoopGates, AMeterCountsFromHalfItsWeightOn) {
     Judged judged;
     EXPECT_EQ(judged.objection({-0.06, 0.0101}, 0.51), rises);
     EXPECT_EQ(judged.objection({-0.06, 0.0101}, 0.49), passes);
-}
-
-TEST(LoopGates, ASmallMeterIsMendedByFifteenPercent) {
-    Judged judged;
-    EXPECT_EQ(judged.objection({0, -0.149}, 0.2), too_little);
-    EXPECT_EQ(judged.objection({0, -0.151}, 0.2), passes);
-}
-
-TEST(LoopGates, AnEffectAtAMeterMendsItByFivePercent) {
-    Judged judged;
-    judged.candidate.effect.hook = effects::Hook::meter_factor;
-    judged.candidate.gain = 61;
-    EXPECT_EQ(judged.objection({-0.049, 0, 0, 0, 0}), too_little);
-    EXPECT_EQ(judged.objection({-0.051, 0, 0, 0, 0}), passes);
-}
-
-TEST(LoopGates, WhatIsCertainMayBringLess) {
-    Judged judged;
-    judged.candidate.gain = 149;
-    EXPECT_EQ(judged.objection({-0.0141}), too_little);
-    judged.candidate.gain = 151;
-    EXPECT_EQ(judged.objection({-0.0141}), passes);
-    EXPECT_EQ(judged.objection({-0.0139}), too_little);
-}
-
-TEST(LoopGates, TwoStandardErrorsAreOften) {
-    Judged judged;
-    judged.candidate.consistency = 1.99;
-    EXPECT_EQ(judged.objection(), too_few);
-    judged.candidate.consistency = 2;
-    EXPECT_EQ(judged.objection(), passes);
-}
-
-TEST(LoopGates, WhatIsForetoldByTwoThresholdsNeedNotBeSeenOften) {
-    Judged judged;
-    judged.candidate.consistency = 1;
-    judged.candidate.gain = 30;
-    judged.candidate.score = 39;
-    EXPECT_EQ(judged.objection(), too_few);
-    judged.candidate.score = 41;
-    EXPECT_EQ(judged.objection(), passes);
 }
