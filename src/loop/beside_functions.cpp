@@ -9,8 +9,8 @@
 #include "loop/gates.hpp"
 #include "loop/intervals.hpp"
 #include "loop/moves.hpp"
-#include "stats/distributions.hpp"
 
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -101,13 +101,13 @@ std::optional<std::size_t> told_by_functions(const LoopData& data,
                                              const LoopResult& result) {
     const auto certainties =
         certainties_of(data, result.last, result.found, result.misfit);
-    double least = stats::z_90_two_sided;
+    double least = std::numeric_limits<double>::infinity();
     std::optional<std::size_t> weakest;
     for (std::size_t k = 0; k < certainties.size(); ++k) {
         const bool is_possible =
             is_plausible(result.last.model.effects[k], result.last.coefficient(k));
         const double certainty = is_possible ? certainties[k] : 0;
-        if (!(certainty < least)) continue;
+        if (!may_be_nothing(certainty) || certainty >= least) continue;
         least = certainty;
         weakest = k;
     }

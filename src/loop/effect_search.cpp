@@ -36,13 +36,7 @@ void log_step(const Step& step, std::vector<LoggedStep>& log) {
     }
 }
 
-/// What becomes of a name that is too little probable.
-std::string too_improbable(const char* what, const Named& name, double asked) {
-    return fmt::format("{}: probability {:.2f}, {:.2f} is asked", what, name.probability,
-                       asked);
-}
-
-constexpr const char* nearly_nothing = "taken out: its coefficient may be nearly nothing";
+constexpr const char* holds_nothing = "taken out: its 90 % interval holds 0";
 
 class Search {
   public:
@@ -59,7 +53,9 @@ class Search {
         // What is accepted may leave again, and must not come and go for ever.
         for (std::size_t step = 0; step < decisions::rounds_per_effect * most; ++step) {
             under_way_.begin("effect", static_cast<int>(step) + 1);
-            if (result_.last.model.effects.size() >= most || !accept_one(place)) break;
+            if (result_.last.model.effects.size() >= most ||
+                !accept_one(place, decisions::least_probability_to_join))
+                break;
         }
         if (late_clock_) return;
         under_way_.begin("effects that do not stand out");
@@ -81,16 +77,12 @@ class Search {
     /// functions, which can say it with as little.
     bool add_beside_functions() {
         const std::size_t n_before = result_.found.size();
-        if (!accept_one(result_.baseline.place) || result_.found.size() <= n_before)
+        if (!accept_one(result_.baseline.place, decisions::told_probability) ||
+            result_.found.size() <= n_before)
             return false;
         Found& newest = result_.found.back();
-        if (newest.names.front().probability < decisions::told_probability)
-            return leaves(too_improbable("taken out beside functions",
-                                         newest.names.front(),
-                                         decisions::told_probability));
         note_what_shapes_leave_open(result_.baseline.place);
-        if (fate_of(certainties().back(), newest.gain, newest.needed) != Fate::stays)
-            return leaves(nearly_nothing);
+        if (may_be_nothing(certainties().back())) return leaves(holds_nothing);
         if (newest.doubt.empty()) newest.doubt = "it is seen only beside functions";
         return true;
     }
@@ -105,7 +97,8 @@ class Search {
         return false;
     }
 
-    bool accept_one(const Place& place) {
+    /// \param least_probability  of its name, with its twins
+    bool accept_one(const Place& place, double least_probability) {
         Step step = search(data_, place, result_.last, barred_);
         log_step(step, result_.log);
         threshold_ = step.threshold;
@@ -120,10 +113,11 @@ class Search {
             return false;
         }
         const EffectClass near = class_of(data_, result_.last, step);
-        if (!near.may_join) {
+        if (near.of_twins < least_probability) {
             result_.log.push_back({near.names.front().name,
-                                   too_improbable("does not join", near.names.front(),
-                                                  decisions::least_probability_to_join),
+                                   fmt::format("does not join: with its twins it has a "
+                                               "probability of {:.2f}, {:.1f} is asked",
+                                               near.of_twins, least_probability),
                                    0,
                                    step.threshold,
                                    0,
@@ -225,25 +219,21 @@ class Search {
                                    {}});
     }
 
-    /// An effect whose coefficient may nearly be nothing leaves, the least certain first.
+    /// An effect that may be nothing leaves, the least certain first.
     /// Says whether one did.
     bool leave_least_certain(const Place& place) {
         note_what_shapes_leave_open(place);
         const auto certainties = this->certainties();
         std::optional<std::size_t> weakest;
         for (std::size_t k = 0; k < certainties.size(); ++k) {
-            Found& found = result_.found[k];
-            const Fate fate = fate_of(certainties[k], found.gain, found.needed);
-            if (fate == Fate::is_doubtful && found.doubt.empty())
-                found.doubt = "its coefficient may be nearly nothing";
-            if (fate == Fate::leaves &&
+            if (may_be_nothing(certainties[k]) &&
                 (!weakest || certainties[k] < certainties[*weakest]))
                 weakest = k;
         }
         const auto gone =
             weakest ? take_out(data_, place, result_.last, *weakest) : std::nullopt;
         if (!gone) return false;
-        drop({*gone}, nearly_nothing);
+        drop({*gone}, holds_nothing);
         return true;
     }
 

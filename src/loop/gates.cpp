@@ -106,7 +106,8 @@ std::string objection_to(const LoopData& data, const Standing& before,
         std::max(data.options.most_loss,
                  -100 * decisions::share_in_exchange * change.lowest))
         return "left-out error of a meter rises";
-    if (candidate.score <= threshold) return "left-out score below what noise shows";
+    if (candidate.score < decisions::share_foretold * candidate.gain)
+        return "unseen blocks show too little of it";
     if (candidate.effect.driver != effects::Driver::elapsed) return "";
     if (last_quarter.change_to(candidate.standing) > data.options.most_loss / 100)
         return "follows time, but does not foretell the last quarter";

@@ -7,6 +7,7 @@
 
 #include "loop/decisions.hpp"
 #include "physics/calendar.hpp"
+#include "stats/distributions.hpp"
 #include "stats/least_squares.hpp"
 
 #include <algorithm>
@@ -110,10 +111,8 @@ std::vector<double> certainties_of(const LoopData& data, const Standing& standin
     return certainties;
 }
 
-Fate fate_of(double certainty, double gain, double threshold) {
-    if (certainty >= decisions::least_certainty) return Fate::stays;
-    return gain > decisions::doubtful_evidence * threshold ? Fate::is_doubtful
-                                                           : Fate::leaves;
+bool may_be_nothing(double certainty) {
+    return certainty < stats::z_90_two_sided;
 }
 
 }  // namespace bemcal::loop

@@ -30,16 +30,7 @@ double deviation_of(const Found& found, double of_noise, double coefficient);
 std::vector<double> certainties_of(const LoopData& data, const Standing& standing,
                                    const std::vector<Found>& found, double misfit);
 
-/// What becomes of an effect that was found.
-enum class Fate {
-    stays,
-    is_doubtful,  ///< it is there, but its coefficient could be nearly anything
-    leaves,
-};
-
-/// By how many of its deviations the coefficient is from 0, and by its evidence beside
-/// what noise shows: a set-point of a season with hardly any load has no certain
-/// coefficient, and may be there for all that.
-Fate fate_of(double certainty, double gain, double threshold);
+/// Whether an effect may be nothing: its 90 % interval holds 0.
+bool may_be_nothing(double certainty);
 
 }  // namespace bemcal::loop

@@ -14,7 +14,8 @@ struct EffectClass {
     std::vector<Named> names;             ///< the chosen one's first, then the likelier
     std::vector<effects::Effect> rivals;  ///< worth trying in its place later
     bool is_told = true;                  ///< its own name is without doubt
-    bool may_join = true;                 ///< it is more probable than not
+    double of_twins = 1;  ///< probability of its name and of those that change the same
+                          ///< readings in the same way
 };
 
 /// What a candidate would explain.

@@ -44,18 +44,9 @@ TEST(LoopIntervals, WhatAddsToADeviationAddsInSquares) {
     EXPECT_DOUBLE_EQ(deviation_of(found, 1.2, 0), 1.3);
 }
 
-// Evidence says whether an effect is there, its coefficient how much of it.
-TEST(LoopIntervals, AnUncertainCoefficientLeavesUnlessItsEvidenceIsFarAboveNoise) {
-    EXPECT_EQ(fate_of(4, 20, 15), Fate::stays);
-    EXPECT_EQ(fate_of(4, 200, 15), Fate::stays);
-    EXPECT_EQ(fate_of(3, 80, 15), Fate::leaves);
-    EXPECT_EQ(fate_of(3, 100, 15), Fate::is_doubtful);
-}
-
-TEST(LoopIntervals, ACoefficientIsNearlyNothingBelowItsDeviations) {
-    EXPECT_EQ(fate_of(3.5, 20, 15), Fate::stays);
-    EXPECT_EQ(fate_of(3.49, 90, 15), Fate::leaves);
-    EXPECT_EQ(fate_of(3.49, 90.1, 15), Fate::is_doubtful);  // six thresholds
+TEST(LoopIntervals, AnEffectMayBeNothingWhereItsNinetyPercentHoldZero) {
+    EXPECT_TRUE(may_be_nothing(1.64));
+    EXPECT_FALSE(may_be_nothing(1.65));
 }
 
 TEST(LoopIntervals, UnknownsGoTogetherBetweenMinusOneAndOne) {

@@ -1,3 +1,4 @@
+#include "loop/decisions.hpp"
 #include "loop/rivals.hpp"
 #include "loop/windy_model.hpp"
 #include "sampling/normal.hpp"
@@ -9,6 +10,7 @@
 using namespace bemcal;
 using namespace bemcal::loop;
 using namespace bemcal::study;
+using decisions::least_probability_to_join;
 
 namespace {
 
@@ -105,6 +107,18 @@ struct Beside {
         candidate.standing.residuals = model.standing.residuals;
         return candidate;
     }
+    /// Candidates change the residuals, by very little, as patterns that correlate by so
+    /// much with the chosen one's.
+    void change_by(double correlation) {
+        for (Refitted& candidate : step.ranking) {
+            const double r = &candidate == step.ranking.data() ? 1 : correlation;
+            auto& residuals = candidate.standing.residuals;
+            for (std::size_t k = 0; k < residuals.size(); ++k) {
+                const double one = k % 2 == 0 ? 1 : -1, other = k / 2 % 2 == 0 ? 1 : -1;
+                residuals[k] += 1e-6 * (r * one + std::sqrt(1 - r * r) * other);
+            }
+        }
+    }
     EffectClass found() const { return class_of(model.data, model.standing, step); }
 
     test::WindyModel model{{}};
@@ -123,8 +137,17 @@ TEST(LoopClass, ANameIsToldFromNineOfTen) {
 }
 
 TEST(LoopClass, ANameJoinsWhereItIsMoreProbableThanNot) {
-    EXPECT_TRUE(Beside({99.9}).found().may_join);
-    EXPECT_FALSE(Beside({100.1}).found().may_join);
+    EXPECT_GT(Beside({99.9}).found().of_twins, least_probability_to_join);
+    EXPECT_LT(Beside({100.1}).found().of_twins, least_probability_to_join);
+}
+
+TEST(LoopClass, TwinsJoinTogether) {
+    Beside twins({101}), others({101});
+    twins.change_by(0.91);
+    others.change_by(0.89);
+    EXPECT_NEAR(twins.found().of_twins, 1, 1e-9);
+    EXPECT_FALSE(twins.found().is_told);
+    EXPECT_LT(others.found().of_twins, least_probability_to_join);
 }
 
 // 2 log 19 = 5.89 of evidence.
