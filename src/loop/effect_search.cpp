@@ -1,6 +1,5 @@
 /// Adds effects to a building's model, one after the other, until nothing passes; then
-/// those leave that do not stand out.
-/// Source: Efron 2004 (JASA 99), the empirical null, for what stands out.
+/// those leave that may be nothing.
 /// A step is left to `search`, its gates to `objection_to`, moves to `moves`.
 #include "loop/effect_search.hpp"
 
@@ -58,11 +57,11 @@ class Search {
                 break;
         }
         if (late_clock_) return;
-        under_way_.begin("effects that do not stand out");
+        under_way_.begin("effects that may be nothing");
         if (result_.last.model.effects.size() >= most)
             result_.log.push_back({"", "as many effects as were asked for", 0, 0, 0, {}});
         else
-            leave_what_does_not_stand_out(place);
+            note_misfit();
         while (leave_least_certain(place)) {
         }
         leave_unneeded_structure();
@@ -81,8 +80,6 @@ class Search {
             result_.found.size() <= n_before)
             return false;
         Found& newest = result_.found.back();
-        note_what_shapes_leave_open(result_.baseline.place);
-        if (may_be_nothing(certainties().back())) return leaves(holds_nothing);
         if (newest.doubt.empty()) newest.doubt = "it is seen only beside functions";
         return true;
     }
@@ -91,12 +88,6 @@ class Search {
     const std::optional<LateClock>& late_clock() const { return late_clock_; }
 
   private:
-    /// Of the newest effect, beside functions.
-    bool leaves(const std::string& why) {
-        result_.log.push_back({result_.last.model.effects.back().name, why, 0, 0, 0, {}});
-        return false;
-    }
-
     /// \param least_probability  of its name, with its twins
     bool accept_one(const Place& place, double least_probability) {
         Step step = search(data_, place, result_.last, barred_);
@@ -194,17 +185,11 @@ class Search {
         }
     }
 
-    /// A model that is not the building leaves a residual that many terms of the
-    /// catalogue and the grammar can take a part of. An effect is told from that misfit
-    /// only where it carries clearly more than the best of those that did not pass (an
-    /// empirical null: Efron 2004, JASA 99).
-    void leave_what_does_not_stand_out(const Place& place) {
-        if (result_.candidates.empty()) return;
-        if (threshold_ > 0)
+    /// A model that is not the building leaves a residual that terms of the catalogue and
+    /// the grammar can take a part of: so much more than noise shows.
+    void note_misfit() {
+        if (!result_.candidates.empty() && threshold_ > 0)
             result_.misfit = std::max(1.0, result_.candidates[0].second / threshold_);
-        drop(prune(data_, place, result_.last,
-                   decisions::least_misfit_ratio * result_.candidates[0].second),
-             "taken out: does not stand out from the model's misfit");
     }
 
     void leave_unneeded_structure() {

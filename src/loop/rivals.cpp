@@ -76,6 +76,11 @@ std::vector<double> losses_of(const LoopData& data, const Standing& before,
     return losses;
 }
 
+/// The name that a candidate claims.
+std::string claimed_by(const effects::Effect& effect) {
+    return effect.is_named() ? effect.name : "";
+}
+
 /// Of the candidates that were judged.
 std::vector<Claim> claims_of(const LoopData& data, const Standing& before,
                              const Step& step) {
@@ -83,7 +88,7 @@ std::vector<Claim> claims_of(const LoopData& data, const Standing& before,
     std::vector<Claim> claims;
     for (const Refitted& candidate : step.ranking) {
         if (candidate.left_out.empty()) continue;
-        Claim claim{candidate.effect.is_named() ? candidate.effect.name : "",
+        Claim claim{claimed_by(candidate.effect),
                     losses_of(data, before, candidate.standing.residuals),
                     candidate.gain};
         for (std::size_t b = 0; b < losses.size(); ++b) {
@@ -114,7 +119,7 @@ bool are_twins(const LoopData& data, const Standing& before, const Refitted& one
 double probability_of_twins(const LoopData& data, const Standing& before,
                             const Step& step, const std::vector<Named>& all) {
     const Refitted& chosen = step.ranking[static_cast<std::size_t>(step.chosen)];
-    std::set<std::string> names{chosen.effect.name};
+    std::set<std::string> names{claimed_by(chosen.effect)};
     for (const Refitted& other : step.ranking)
         if (!other.left_out.empty() && other.effect.is_named() &&
             are_twins(data, before, chosen, other))
@@ -165,9 +170,8 @@ std::vector<Named> bagged(const std::vector<Claim>& claims, std::uint64_t seed) 
 EffectClass class_of(const LoopData& data, const Standing& before, const Step& step) {
     const Refitted& chosen = step.ranking[static_cast<std::size_t>(step.chosen)];
     EffectClass found;
-    const std::string name = chosen.effect.is_named() ? chosen.effect.name : "";
     const auto all = bagged(claims_of(data, before, step), data.options.seed);
-    found.names = names_of(name, all);
+    found.names = names_of(claimed_by(chosen.effect), all);
     found.names.front().name = chosen.effect.name;
     found.is_told = found.names.front().probability >= decisions::told_probability;
     found.of_twins = probability_of_twins(data, before, step, all);
