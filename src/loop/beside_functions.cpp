@@ -7,10 +7,8 @@
 #include "loop/effect_search.hpp"
 #include "loop/find_functions.hpp"
 #include "loop/gates.hpp"
-#include "loop/intervals.hpp"
 #include "loop/moves.hpp"
 
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -58,6 +56,15 @@ void lay_rest_to_functions(const LoopData& data, const Place& place, LoopResult&
     result.functions = find_functions(data, result.baseline.place, result.last);
 }
 
+/// By how much the deviance of unseen readings falls from one result to another.
+double foretells_more(const LoopData& data, const LoopResult& one,
+                      const LoopResult& other) {
+    const auto score_of = [&](const LoopResult& result) {
+        return deviance(data.targets, one.last.noise, result.last.left_out);
+    };
+    return score_of(one) - score_of(other);
+}
+
 /// \param place  without functions
 void search_beside_functions(const LoopData& data, const Place& place, LoopResult& result,
                              UnderWay& under_way) {
@@ -74,10 +81,7 @@ void search_beside_functions(const LoopData& data, const Place& place, LoopResul
         settle(data, tried.last);
         if (tried.last.fit.failed) return;
         lay_rest_to_functions(data, place, tried);
-        const auto score_of = [&](const LoopResult& one) {
-            return deviance(data.targets, result.last.noise, one.last.left_out);
-        };
-        const double gained = score_of(result) - score_of(tried);
+        const double gained = foretells_more(data, result, tried);
         tried.log.push_back({tried.last.model.effects.back().name,
                              gained > 0
                                  ? "stays: both foretell more than functions did"
@@ -95,40 +99,27 @@ void search_beside_functions(const LoopData& data, const Place& place, LoopResul
     }
 }
 
-/// The effect of whose coefficient functions have left least: its interval holds 0, or it
-/// is no longer plausible.
-std::optional<std::size_t> told_by_functions(const LoopData& data,
-                                             const LoopResult& result) {
-    const auto certainties =
-        certainties_of(data, result.last, result.found, result.misfit);
-    double least = std::numeric_limits<double>::infinity();
-    std::optional<std::size_t> weakest;
-    for (std::size_t k = 0; k < certainties.size(); ++k) {
-        const bool is_possible =
-            is_plausible(result.last.model.effects[k], result.last.coefficient(k));
-        const double certainty = is_possible ? certainties[k] : 0;
-        if (!may_be_nothing(certainty) || certainty >= least) continue;
-        least = certainty;
-        weakest = k;
-    }
-    return weakest;
-}
-
-/// Effects of which functions leave nothing leave; functions are found anew without them.
-void leave_what_functions_tell(const LoopData& data, const Place& place,
-                               LoopResult& result) {
-    while (!result.functions.empty()) {
-        const auto effect = told_by_functions(data, result);
-        if (!effect) return;
+/// Effects without which functions foretell unseen readings as well leave, those that
+/// joined last first.
+void leave_to_functions(const LoopData& data, const Place& place, LoopResult& result) {
+    for (std::size_t k = result.last.model.effects.size(); k-- > 0;) {
         auto last = without_functions(data, place, result.last);
         if (!last) return;
-        const auto gone = take_out(data, place, *last, *effect);
-        if (!gone) return;
-        result.last = std::move(*last);
-        result.found.erase(result.found.begin() + static_cast<std::ptrdiff_t>(*effect));
-        result.log.push_back(
-            {gone->name, "taken out: functions tell it as well", 0, 0, 0, {}});
-        lay_rest_to_functions(data, place, result);
+        LoopResult tried = result;
+        tried.last = std::move(*last);
+        const auto gone = take_out(data, place, tried.last, k);
+        if (!gone) continue;
+        lay_rest_to_functions(data, place, tried);
+        const double gained = foretells_more(data, result, tried);
+        if (gained <= 0) continue;
+        tried.found.erase(tried.found.begin() + static_cast<std::ptrdiff_t>(k));
+        tried.log.push_back({gone->name,
+                             "taken out: functions foretell more without it",
+                             0,
+                             0,
+                             gained,
+                             {}});
+        result = std::move(tried);
     }
 }
 
@@ -139,7 +130,7 @@ void search_functions(const LoopData& data, LoopResult& result, UnderWay& under_
     under_way.begin("functions");
     lay_rest_to_functions(data, without, result);
     search_beside_functions(data, without, result, under_way);
-    leave_what_functions_tell(data, without, result);
+    leave_to_functions(data, without, result);
 }
 
 }  // namespace bemcal::loop

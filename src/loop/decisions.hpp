@@ -153,9 +153,6 @@ inline constexpr double rival_share = 0.7;
 /// Drawings of blocks for the probability of a name. Statistic: 0.025 at most of
 /// standard error.
 inline constexpr int bagging_draws = 400;
-/// Correlation of what two names change, from which on they are twins. Judgement: a fifth
-/// of the squares differs.
-inline constexpr double twins_from = 0.9;
 /// Probability from which on an effect joins. Statistic: more probable than not.
 inline constexpr double least_probability_to_join = 0.5;
 /// Probability from which on a name is told without a doubt. Judgement.
@@ -202,9 +199,6 @@ inline constexpr double least_difference_of_halves = 0.2;
 inline constexpr double share_of_threshold = 0.5;
 /// Times most_effects: rounds at most. Judgement: what is accepted may leave.
 inline constexpr int rounds_per_effect = 3;
-/// Of the best that did not pass: evidence that stands out from the misfit. Judgement,
-/// after Efron's empirical null.
-inline constexpr double least_misfit_ratio = 1.5;
 /// Of a coefficient: what the hour's model is off. Data: seeds 71 and 81 of
 /// bench_loop.py.
 inline constexpr double error_of_model = 0.08;

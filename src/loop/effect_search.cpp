@@ -1,5 +1,5 @@
 /// Adds effects to a building's model, one after the other, until nothing passes; then
-/// those leave that may be nothing.
+/// refinements leave that they have made needless.
 /// A step is left to `search`, its gates to `objection_to`, moves to `moves`.
 #include "loop/effect_search.hpp"
 
@@ -35,8 +35,6 @@ void log_step(const Step& step, std::vector<LoggedStep>& log) {
     }
 }
 
-constexpr const char* holds_nothing = "taken out: its 90 % interval holds 0";
-
 class Search {
   public:
     Search(const LoopData& data, LoopResult& result, UnderWay& under_way,
@@ -57,13 +55,12 @@ class Search {
                 break;
         }
         if (late_clock_) return;
-        under_way_.begin("effects that may be nothing");
+        under_way_.begin("what effects leave open");
         if (result_.last.model.effects.size() >= most)
             result_.log.push_back({"", "as many effects as were asked for", 0, 0, 0, {}});
         else
             note_misfit();
-        while (leave_least_certain(place)) {
-        }
+        note_what_shapes_leave_open(place);
         leave_unneeded_structure();
         if (!result_.found.empty() &&
             spare_meters(data_, result_.baseline.chosen, result_.last))
@@ -88,7 +85,7 @@ class Search {
     const std::optional<LateClock>& late_clock() const { return late_clock_; }
 
   private:
-    /// \param least_probability  of its name, with its twins
+    /// \param least_probability  of its name
     bool accept_one(const Place& place, double least_probability) {
         Step step = search(data_, place, result_.last, barred_);
         log_step(step, result_.log);
@@ -104,15 +101,16 @@ class Search {
             return false;
         }
         const EffectClass near = class_of(data_, result_.last, step);
-        if (near.of_twins < least_probability) {
-            result_.log.push_back({near.names.front().name,
-                                   fmt::format("does not join: with its twins it has a "
-                                               "probability of {:.2f}, {:.1f} is asked",
-                                               near.of_twins, least_probability),
-                                   0,
-                                   step.threshold,
-                                   0,
-                                   {}});
+        if (near.probability() < least_probability) {
+            result_.log.push_back(
+                {near.names.front().name,
+                 fmt::format("does not join: its probability is {:.2f}, "
+                             "{:.1f} is asked",
+                             near.probability(), least_probability),
+                 0,
+                 step.threshold,
+                 0,
+                 {}});
             return false;
         }
         Refitted& chosen = step.ranking[static_cast<std::size_t>(step.chosen)];
@@ -147,7 +145,8 @@ class Search {
     /// Why an effect's name may be the nearest one only, before its alarm is looked at.
     std::string doubt_of(const Refitted& chosen, const EffectClass& near) const {
         if (!chosen.effect.is_named()) return "it says where and when, not why";
-        if (!near.is_told) return "its probability is below 0.9";
+        if (near.probability() < decisions::told_probability)
+            return "its probability is below 0.9";
         if (data_.reads_months_only()) return "months cannot show that nothing is left";
         return "";
     }
@@ -204,32 +203,10 @@ class Search {
                                    {}});
     }
 
-    /// An effect that may be nothing leaves, the least certain first.
-    /// Says whether one did.
-    bool leave_least_certain(const Place& place) {
-        note_what_shapes_leave_open(place);
-        const auto certainties = this->certainties();
-        std::optional<std::size_t> weakest;
-        for (std::size_t k = 0; k < certainties.size(); ++k) {
-            if (may_be_nothing(certainties[k]) &&
-                (!weakest || certainties[k] < certainties[*weakest]))
-                weakest = k;
-        }
-        const auto gone =
-            weakest ? take_out(data_, place, result_.last, *weakest) : std::nullopt;
-        if (!gone) return false;
-        drop({*gone}, holds_nothing);
-        return true;
-    }
-
     void note_what_shapes_leave_open(const Place& place) {
         for (std::size_t k = 0; k < result_.found.size(); ++k)
             result_.found[k].of_shape =
                 deviation_over_shapes(data_, place, result_.last, k, result_.misfit);
-    }
-
-    std::vector<double> certainties() const {
-        return certainties_of(data_, result_.last, result_.found, result_.misfit);
     }
 
     void note_split(std::size_t effect) {

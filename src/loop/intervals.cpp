@@ -7,7 +7,6 @@
 
 #include "loop/decisions.hpp"
 #include "physics/calendar.hpp"
-#include "stats/distributions.hpp"
 #include "stats/least_squares.hpp"
 
 #include <algorithm>
@@ -96,23 +95,6 @@ std::vector<double> deviations_of(const LoopData& data, const Standing& standing
 double deviation_of(const Found& found, double of_noise, double coefficient) {
     return std::hypot(std::hypot(of_noise, decisions::error_of_model * coefficient),
                       found.of_shape, found.of_missing);
-}
-
-std::vector<double> certainties_of(const LoopData& data, const Standing& standing,
-                                   const std::vector<Found>& found, double misfit) {
-    const auto sds = deviations_of(data, standing, misfit);
-    std::vector<double> certainties;
-    certainties.reserve(found.size());
-    for (std::size_t k = 0; k < found.size(); ++k) {
-        const double c = standing.coefficient(k);
-        const double of_noise = sds[standing.built.first_effect() + k];
-        certainties.push_back(std::abs(c) / deviation_of(found[k], of_noise, c));
-    }
-    return certainties;
-}
-
-bool may_be_nothing(double certainty) {
-    return certainty < stats::z_90_two_sided;
 }
 
 }  // namespace bemcal::loop

@@ -25,12 +25,4 @@ Matrix correlations_of(const LoopData& data, const Standing& standing, double mi
 /// found about its shape and about what is missing, and of the model itself.
 double deviation_of(const Found& found, double of_noise, double coefficient);
 
-/// How many standard deviations each effect's coefficient is from 0, by all that its
-/// interval holds. [effects]
-std::vector<double> certainties_of(const LoopData& data, const Standing& standing,
-                                   const std::vector<Found>& found, double misfit);
-
-/// Whether an effect may be nothing: its 90 % interval holds 0.
-bool may_be_nothing(double certainty);
-
 }  // namespace bemcal::loop

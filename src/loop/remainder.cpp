@@ -92,8 +92,11 @@ Remainder::Remainder(const LoopData& data, const Place& place, const Standing& s
     for (const functions::Basis& basis : bases_)
         inputs_.push_back(functions::columns_of(
             basis, of_period(drivers.at(basis.driver), *place.drive)));
+    // What effects bring is theirs: functions take what is left.
+    const std::size_t first = standing.built.first_effect(),
+                      last = first + standing.model.effects.size();
     for (std::size_t k = 0; k < standing.built.unknowns.size(); ++k)
-        if (standing.fit.bound[k] == 0) free_.push_back(k);
+        if (standing.fit.bound[k] == 0 && (k < first || k >= last)) free_.push_back(k);
     for (const FoundFunction& function : there) {
         const auto id = id_of(function);
         if (!id) continue;

@@ -83,7 +83,7 @@ class Remainder {
     LinearModel linear_;
     std::vector<functions::Basis> bases_;
     std::vector<Matrix> inputs_;     ///< [bases] columns on the steps
-    std::vector<std::size_t> free_;  ///< unknowns that no end of a range holds
+    std::vector<std::size_t> free_;  ///< parameters that no end of a range holds
     std::vector<functions::There> there_;
     std::vector<double> without_functions_;  ///< residuals if those there were not
 };

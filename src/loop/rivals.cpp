@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace bemcal::loop {
 namespace {
@@ -100,36 +99,6 @@ std::vector<Claim> claims_of(const LoopData& data, const Standing& before,
     return claims;
 }
 
-/// Whether two candidates change the same readings in the same way.
-bool are_twins(const LoopData& data, const Standing& before, const Refitted& one,
-               const Refitted& other) {
-    const auto weights = weights_of(data.targets, before.noise);
-    double both = 0, of_one = 0, of_other = 0;
-    for (std::size_t k = 0; k < weights.size(); ++k) {
-        const double a = before.residuals[k] - one.standing.residuals[k],
-                     b = before.residuals[k] - other.standing.residuals[k];
-        both += weights[k] * a * b;
-        of_one += weights[k] * a * a;
-        of_other += weights[k] * b * b;
-    }
-    return both > decisions::twins_from * std::sqrt(of_one * of_other);
-}
-
-/// Of the chosen one's name and of those that have a twin of it.
-double probability_of_twins(const LoopData& data, const Standing& before,
-                            const Step& step, const std::vector<Named>& all) {
-    const Refitted& chosen = step.ranking[static_cast<std::size_t>(step.chosen)];
-    std::set<std::string> names{claimed_by(chosen.effect)};
-    for (const Refitted& other : step.ranking)
-        if (!other.left_out.empty() && other.effect.is_named() &&
-            are_twins(data, before, chosen, other))
-            names.insert(other.effect.name);
-    double sum = 0;
-    for (const Named& one : all)
-        if (names.contains(one.name)) sum += one.probability;
-    return sum;
-}
-
 /// The chosen one's name first; others as long as they are probable.
 std::vector<Named> names_of(const std::string& chosen, std::vector<Named> all) {
     std::ranges::stable_sort(all, [&](const Named& a, const Named& b) {
@@ -170,11 +139,9 @@ std::vector<Named> bagged(const std::vector<Claim>& claims, std::uint64_t seed) 
 EffectClass class_of(const LoopData& data, const Standing& before, const Step& step) {
     const Refitted& chosen = step.ranking[static_cast<std::size_t>(step.chosen)];
     EffectClass found;
-    const auto all = bagged(claims_of(data, before, step), data.options.seed);
-    found.names = names_of(claimed_by(chosen.effect), all);
+    found.names = names_of(claimed_by(chosen.effect),
+                           bagged(claims_of(data, before, step), data.options.seed));
     found.names.front().name = chosen.effect.name;
-    found.is_told = found.names.front().probability >= decisions::told_probability;
-    found.of_twins = probability_of_twins(data, before, step, all);
     for (const Refitted& other : step.ranking)
         if (&other != &chosen && !other.left_out.empty() &&
             found.rivals.size() < decisions::most_rivals)

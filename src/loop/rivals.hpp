@@ -13,9 +13,8 @@ namespace bemcal::loop {
 struct EffectClass {
     std::vector<Named> names;             ///< the chosen one's first, then the likelier
     std::vector<effects::Effect> rivals;  ///< worth trying in its place later
-    bool is_told = true;                  ///< its own name is without doubt
-    double of_twins = 1;  ///< probability of its name and of those that change the same
-                          ///< readings in the same way
+
+    double probability() const { return names.front().probability; }
 };
 
 /// What a candidate would explain.

@@ -50,7 +50,7 @@ struct Refitted {
     std::vector<double> error{};     ///< [channels] relative change of the left-out error
     std::vector<double> left_out{};  ///< [targets] residuals of unseen blocks, by the
                                      ///< noise of the model before
-    std::string objection{};  ///< the gate that it did not pass; empty = none
+    std::string objection{};         ///< the gate that it did not pass; empty = none
     double coefficient = 0;
 };
 

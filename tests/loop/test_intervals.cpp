@@ -44,11 +44,6 @@ TEST(LoopIntervals, WhatAddsToADeviationAddsInSquares) {
     EXPECT_DOUBLE_EQ(deviation_of(found, 1.2, 0), 1.3);
 }
 
-TEST(LoopIntervals, AnEffectMayBeNothingWhereItsNinetyPercentHoldZero) {
-    EXPECT_TRUE(may_be_nothing(1.64));
-    EXPECT_FALSE(may_be_nothing(1.65));
-}
-
 TEST(LoopIntervals, UnknownsGoTogetherBetweenMinusOneAndOne) {
     const test::WindyModel model(the_right_one);
     const Matrix all = correlations_of(model.data, model.standing, 1);
