@@ -4,6 +4,7 @@
 /// functions.
 #include "loop/beside_functions.hpp"
 
+#include "loop/decisions.hpp"
 #include "loop/effect_search.hpp"
 #include "loop/find_functions.hpp"
 #include "loop/gates.hpp"
@@ -99,8 +100,8 @@ void search_beside_functions(const LoopData& data, const Place& place, LoopResul
     }
 }
 
-/// Effects without which functions foretell unseen readings as well leave, those that
-/// joined last first.
+/// Effects leave, those that joined last first, without which functions foretell unseen
+/// readings better by more than a part of their evidence: a name is worth that part.
 void leave_to_functions(const LoopData& data, const Place& place, LoopResult& result) {
     for (std::size_t k = result.last.model.effects.size(); k-- > 0;) {
         auto last = without_functions(data, place, result.last);
@@ -111,7 +112,7 @@ void leave_to_functions(const LoopData& data, const Place& place, LoopResult& re
         if (!gone) continue;
         lay_rest_to_functions(data, place, tried);
         const double gained = foretells_more(data, result, tried);
-        if (gained <= 0) continue;
+        if (gained <= (1 - decisions::share_foretold) * result.found[k].gain) continue;
         tried.found.erase(tried.found.begin() + static_cast<std::ptrdiff_t>(k));
         tried.log.push_back({gone->name,
                              "taken out: functions foretell more without it",
