@@ -77,6 +77,17 @@ class Search {
             result_.found.size() <= n_before)
             return false;
         Found& newest = result_.found.back();
+        if (newest.gain < decisions::least_beside_functions * newest.needed) {
+            result_.log.push_back(
+                {result_.last.model.effects.back().name,
+                 "taken out: beside functions its evidence is less than "
+                 "three times what noise shows",
+                 0,
+                 0,
+                 0,
+                 {}});
+            return false;
+        }
         if (newest.doubt.empty()) newest.doubt = "it is seen only beside functions";
         return true;
     }

@@ -59,9 +59,9 @@ TEST(LoopGates, NoiseShowsAsMuchEvidence) {
 
 TEST(LoopGates, UnseenBlocksShowSevenTenthsOfTheEvidence) {
     Judged judged;  // its evidence is 50
-    judged.candidate.score = 34.9;
+    judged.candidate.score = 35.9;
     EXPECT_EQ(judged.objection(), foretells_too_little);
-    judged.candidate.score = 35.1;
+    judged.candidate.score = 36.1;
     EXPECT_EQ(judged.objection(), passes);
 }
 
