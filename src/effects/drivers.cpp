@@ -89,11 +89,6 @@ Series in_steps_of_sun(Series sun) {
     return sun;
 }
 
-const physics::Input& set_point_of(const physics::Thermostat& control, Hook hook) {
-    return hook == Hook::cooling_set_point ? control.cooling_set_point
-                                           : control.heating_set_point;
-}
-
 /// What the room has whose window the sun is on.
 Series sun_of_sunniest(const Surroundings& around) {
     const Matrix& irradiance = around.drive->irradiance;
@@ -119,6 +114,11 @@ Series sunniest_room(const Effect&, const Surroundings& around) {
     for (std::size_t k = 1; k < sun.size(); ++k)
         sun[k] = std::max(sun[k], kept * sun[k - 1]);
     return in_steps_of_sun(std::move(sun));
+}
+
+const physics::Input& set_point_of(const physics::Thermostat& control, Hook hook) {
+    return hook == Hook::cooling_set_point ? control.cooling_set_point
+                                           : control.heating_set_point;
 }
 
 /// By how much the schedule of the hook's set-point is higher than an hour before: 1 in

@@ -8,6 +8,19 @@
 namespace bemcal::effects {
 namespace {
 
+/// Schedules of the hook: on Saturdays as on Mondays.
+Effect saturdays_as_mondays(const char* name, int number, Hook hook) {
+    return {.name = name,
+            .number = number,
+            .hook = hook,
+            .driver = Driver::another_day,
+            .shape = {Form::linear, 0},
+            .least = 0,
+            .most = 1.2,
+            .typical = 0.6,
+            .weekday = 5};
+}
+
 std::vector<Entry> gain_rows() {
     return {
         {.effect = {.name = "gains that no meter sees",
@@ -56,28 +69,12 @@ std::vector<Entry> gain_rows() {
          .signature = "electricity of weekends, base load included",
          .like = "use at weekends",
          .separates = "access logs"},
-        {.effect = {.name = "Saturdays worked",
-                    .number = 21,
-                    .hook = Hook::operation,
-                    .driver = Driver::another_day,
-                    .shape = {Form::linear, 0},
-                    .least = 0,
-                    .most = 1.2,
-                    .typical = 0.6,
-                    .weekday = 5},
+        {.effect = saturdays_as_mondays("Saturdays worked", 21, Hook::operation),
          .sentence = "Saturdays are run as Mondays are.",
          .signature = "electricity and heating of Saturdays",
          .like = "use at weekends",
          .separates = "working hours"},
-        {.effect = {.name = "people work on Saturdays",
-                    .number = 47,
-                    .hook = Hook::occupation,
-                    .driver = Driver::another_day,
-                    .shape = {Form::linear, 0},
-                    .least = 0,
-                    .most = 1.2,
-                    .typical = 0.6,
-                    .weekday = 5},
+        {.effect = saturdays_as_mondays("people work on Saturdays", 47, Hook::occupation),
          .sentence = "People work on Saturdays as on Mondays, the plant does not.",
          .signature = "electricity and gains of Saturdays, set-points as declared",
          .like = "Saturdays worked",

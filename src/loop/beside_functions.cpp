@@ -75,7 +75,7 @@ void search_beside_functions(const LoopData& data, const Place& place, LoopResul
         auto beside = beside_functions(data, place, result);
         if (!beside) return;
         LoopResult& tried = beside->result;
-        tried.log.push_back({"", "functions join; once more beside them", 0, 0, 0, {}});
+        tried.log.push_back({"", "functions join; once more beside them"});
         const bool is_added = add_effect_beside_functions(beside->data, tried, under_way);
         result.log = tried.log;
         if (!is_added) return;
@@ -87,10 +87,7 @@ void search_beside_functions(const LoopData& data, const Place& place, LoopResul
                              gained > 0
                                  ? "stays: both foretell more than functions did"
                                  : "taken out: functions foretell as much without it",
-                             0,
-                             0,
-                             gained,
-                             {}});
+                             0, 0, gained});
         if (gained <= 0) {
             result.log = tried.log;
             return;
@@ -103,24 +100,20 @@ void search_beside_functions(const LoopData& data, const Place& place, LoopResul
 /// Effects leave, those that joined last first, without which functions foretell unseen
 /// readings better by more than a part of their evidence: a name is worth that part.
 void leave_to_functions(const LoopData& data, const Place& place, LoopResult& result) {
-    for (std::size_t k = result.last.model.effects.size(); k-- > 0;) {
-        auto last = without_functions(data, place, result.last);
-        if (!last) return;
+    auto alone = without_functions(data, place, result.last);
+    for (std::size_t k = result.last.model.effects.size(); alone && k-- > 0;) {
         LoopResult tried = result;
-        tried.last = std::move(*last);
+        tried.last = *alone;
         const auto gone = take_out(data, place, tried.last, k);
         if (!gone) continue;
         lay_rest_to_functions(data, place, tried);
         const double gained = foretells_more(data, result, tried);
         if (gained <= (1 - decisions::share_foretold) * result.found[k].gain) continue;
         tried.found.erase(tried.found.begin() + static_cast<std::ptrdiff_t>(k));
-        tried.log.push_back({gone->name,
-                             "taken out: functions foretell more without it",
-                             0,
-                             0,
-                             gained,
-                             {}});
+        tried.log.push_back(
+            {gone->name, "taken out: functions foretell more without it", 0, 0, gained});
         result = std::move(tried);
+        alone = without_functions(data, place, result.last);
     }
 }
 

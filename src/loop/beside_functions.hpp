@@ -11,7 +11,8 @@ namespace bemcal::loop {
 /// effects beside the functions. A model's misfit hides what is small, and
 /// functions take the misfit: beside them effects with a name are searched once more. One
 /// that passes joins the model without functions, which are found again. All of it stays
-/// if it foretells unseen readings better than the functions that were there.
+/// if it foretells unseen readings better than the functions that were there. At last
+/// effects leave without which functions foretell clearly more.
 void search_functions(const LoopData& data, LoopResult& result, UnderWay& under_way);
 
 }  // namespace bemcal::loop

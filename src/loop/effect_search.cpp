@@ -5,7 +5,6 @@
 
 #include "effects/catalogue.hpp"
 #include "loop/decisions.hpp"
-#include "loop/intervals.hpp"
 #include "loop/moves.hpp"
 #include "loop/rivals.hpp"
 #include "loop/search.hpp"
@@ -57,7 +56,7 @@ class Search {
         if (late_clock_) return;
         under_way_.begin("what effects leave open");
         if (result_.last.model.effects.size() >= most)
-            result_.log.push_back({"", "as many effects as were asked for", 0, 0, 0, {}});
+            result_.log.push_back({"", "as many effects as were asked for"});
         else
             note_misfit();
         note_what_shapes_leave_open(place);
@@ -65,27 +64,23 @@ class Search {
         if (!result_.found.empty() &&
             spare_meters(data_, result_.baseline.chosen, result_.last))
             result_.log.push_back(
-                {"last fit", "meters that were explained worse count more", 0, 0, 0, {}});
+                {"last fit", "meters that were explained worse count more"});
     }
 
     /// One more effect, where functions have taken the model's misfit. Says whether one
-    /// joined whose evidence and coefficient leave no doubt: what is small is left to
-    /// functions, which can say it with as little.
+    /// joined whose evidence and name leave no doubt: what is small is left to functions,
+    /// which can say it with as little.
     bool add_beside_functions() {
         const std::size_t n_before = result_.found.size();
         if (!accept_one(result_.baseline.place, decisions::told_probability) ||
             result_.found.size() <= n_before)
             return false;
         Found& newest = result_.found.back();
-        if (newest.gain < decisions::least_beside_functions * newest.needed) {
+        if (!tells_beside_functions(newest)) {
             result_.log.push_back(
                 {result_.last.model.effects.back().name,
                  "taken out: beside functions its evidence is less than "
-                 "three times what noise shows",
-                 0,
-                 0,
-                 0,
-                 {}});
+                 "three times what noise shows"});
             return false;
         }
         if (newest.doubt.empty()) newest.doubt = "it is seen only beside functions";
@@ -107,7 +102,7 @@ class Search {
                 result_.candidates.emplace_back(label_of(candidate.effect),
                                                 candidate.gain);
         if (step.chosen < 0) {
-            result_.log.push_back({"", "nothing passes", 0, step.threshold, 0, {}});
+            result_.log.push_back({"", "nothing passes", 0, step.threshold});
             note_what_moves(step);
             return false;
         }
@@ -118,10 +113,7 @@ class Search {
                  fmt::format("does not join: its probability is {:.2f}, "
                              "{:.1f} is asked",
                              near.probability(), least_probability),
-                 0,
-                 step.threshold,
-                 0,
-                 {}});
+                 0, step.threshold});
             return false;
         }
         Refitted& chosen = step.ranking[static_cast<std::size_t>(step.chosen)];
@@ -133,7 +125,7 @@ class Search {
         const std::string name = chosen.effect.name;
         result_.last = refine_shape(data_, place, std::move(chosen.standing), newest);
         if (start_again(data_, place, result_.last)) {
-            result_.log.push_back({name, "calibrated anew with it", 0, 0, 0, {}});
+            result_.log.push_back({name, "calibrated anew with it"});
             result_.last = refine_shape(data_, place, std::move(result_.last), newest);
         }
         if (may_set_clock_ && result_.hours_late == 0)
@@ -207,11 +199,7 @@ class Search {
         for (const std::size_t refinement :
              leave_unneeded_refinements(data_, result_.baseline.place, result_.last))
             result_.log.push_back({effects::refinements()[refinement].name,
-                                   "taken out of the structure: no longer needed",
-                                   0,
-                                   0,
-                                   0,
-                                   {}});
+                                   "taken out of the structure: no longer needed"});
     }
 
     void note_what_shapes_leave_open(const Place& place) {
@@ -227,7 +215,7 @@ class Search {
         plant.names = {{all[effect].name, plant.names.front().probability}};
         Found use = plant;
         use.names.front().name = all.back().name;
-        result_.log.push_back({all.back().name, "split from the plant's", 0, 0, 0, {}});
+        result_.log.push_back({all.back().name, "split from the plant's"});
         result_.found.push_back(std::move(use));
     }
 
@@ -239,7 +227,7 @@ class Search {
             const int rival = swap(data_, place, result_.last, k, found.rivals);
             if (rival < 0) continue;
             const effects::Effect& now = result_.last.model.effects[k];
-            result_.log.push_back({label_of(now), "in place of " + was, 0, 0, 0, {}});
+            result_.log.push_back({label_of(now), "in place of " + was});
             found.names = {{now.name, 0.5}, {was, 0.5}};  // each has been the best
             found.doubt = "it stands in the place of another";
         }
@@ -248,7 +236,7 @@ class Search {
     /// Forgets what was said of effects that have left.
     void drop(const std::vector<Gone>& all, const char* why) {
         for (const Gone& gone : all) {
-            result_.log.push_back({gone.name, why, 0, 0, 0, {}});
+            result_.log.push_back({gone.name, why});
             result_.found.erase(result_.found.begin() +
                                 static_cast<std::ptrdiff_t>(gone.index));
         }
@@ -281,6 +269,10 @@ std::optional<LateClock> search_effects(const LoopData& data, LoopResult& result
     Search search(data, result, under_way, may_set_clock);
     search.run();
     return search.late_clock();
+}
+
+bool tells_beside_functions(const Found& found) {
+    return found.gain >= decisions::least_beside_functions * found.needed;
 }
 
 bool add_effect_beside_functions(const LoopData& data, LoopResult& result,

@@ -17,8 +17,11 @@ std::optional<LateClock> search_effects(const LoopData& data, LoopResult& result
                                         UnderWay& under_way, bool may_set_clock);
 
 /// One more effect, where functions have taken the model's misfit off the readings. Says
-/// whether one joined whose coefficient is certain.
+/// whether one joined whose evidence and name leave no doubt.
 bool add_effect_beside_functions(const LoopData& data, LoopResult& result,
                                  UnderWay& under_way);
+
+/// Whether the evidence of one that joined so is far enough above what noise shows.
+bool tells_beside_functions(const Found& found);
 
 }  // namespace bemcal::loop

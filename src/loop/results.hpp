@@ -15,7 +15,7 @@ namespace bemcal::loop {
 struct LoggedStep {
     std::string effect, verdict;
     double gain = 0, threshold = 0, score = 0;
-    std::vector<double> error;  ///< [channels]
+    std::vector<double> error{};  ///< [channels]
 };
 
 struct LoopResult {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "loop/baseline.hpp"
-#include "loop/decisions.hpp"
 
 #include <string>
 #include <vector>

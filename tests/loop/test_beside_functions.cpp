@@ -1,4 +1,5 @@
 /// Effects that a misfit hides, and functions show.
+#include "loop/effect_search.hpp"
 #include "loop/loop.hpp"
 #include "loop/windy_case.hpp"
 #include "study/find.hpp"
@@ -71,4 +72,13 @@ TEST(BesideFunctions, AnEffectWithoutWhichFunctionsForetellMoreLeaves) {
         std::pair(none, std::string("taken out: functions foretell more without it")));
     EXPECT_EQ(found(-20, "early start", true).first, early) << "a name is worth some";
     EXPECT_EQ(found(-20, "exhaust fan", true).first, fan);
+}
+
+TEST(BesideFunctions, ThreeThresholdsOfEvidenceTell) {
+    Found found;
+    found.needed = 20;
+    found.gain = 59.9;
+    EXPECT_FALSE(tells_beside_functions(found));
+    found.gain = 60;
+    EXPECT_TRUE(tells_beside_functions(found));
 }

@@ -57,7 +57,7 @@ TEST(LoopGates, NoiseShowsAsMuchEvidence) {
     EXPECT_EQ(judged.objection(), "evidence below what noise shows");
 }
 
-TEST(LoopGates, UnseenBlocksShowSevenTenthsOfTheEvidence) {
+TEST(LoopGates, UnseenBlocksShowMostOfTheEvidence) {
     Judged judged;  // its evidence is 50
     judged.candidate.score = 35.9;
     EXPECT_EQ(judged.objection(), foretells_too_little);
