@@ -263,6 +263,8 @@ def print_errors(scored):
              for s in scored]
     line("loop_a_channel_worse_by_1_percent", sum(by > 0.01 for by in worse),
          f"of_{len(scored)}", 0)
+    line("loop_a_channel_worse_by_two_standard_errors_too", sum(bool(s.worse) for s in scored),
+         f"of_{len(scored)}", 0)
     for begin in ("plain", "before"):
         cut = [1 - s.parameters["after"] / s.parameters[begin] for s in planted]
         line(f"loop_parameter_error_cut_from_{begin}",

@@ -32,6 +32,7 @@ import time
 import h5py
 import large_job
 import numpy as np
+from change_of_errors import by_fortnight, is_worse
 
 sys.path.insert(0, str(large_job.ROOT / "scripts"))
 from report import result as stored, studies  # noqa: E402
@@ -40,7 +41,6 @@ JOBS = large_job.ROOT / "jobs"
 STOCK = JOBS / "cambridge_loops"
 SHARED = large_job.ROOT.parent / "shared"
 DATA, METERS = SHARED / "data", SHARED / "meters"
-FORTNIGHT = 14 * 24
 HEAD = re.compile(r"(\S+)/\S+, (\S+): ")
 LINE = re.compile(r"  (\S.*?)\s+(plain|before|after|regression)\s+(?:RMSE|CV\(RMSE\)) "
                   r"hourly\s+(\S+) (\S+)(?:\s+monthly\s+(\S+) %)?")
@@ -149,27 +149,13 @@ def of_all_held_out(errors, resolution=0):
     return list(series.values())
 
 
-def is_worse(squares):
-    """Whether after is worse than before by over 1 % and two standard errors. [fortnight x (before, after)]
-    sums of squared errors."""
-    rng = np.random.default_rng(1)
-
-    def change(rows):
-        before, after = rows.sum(axis=0)
-        return 0.5 * np.log(after / before)
-    drawn = [change(squares[rng.integers(len(squares), size=len(squares))]) for _ in range(1000)]
-    return bool(change(squares) > max(math.log(1.01), 2 * np.std(drawn)))
-
-
 def squares_of(loop, channel):
     """Of the fortnights of all held-out periods."""
     rows = []
     for period in loop.periods[1:]:
         series = loop.all_series[period][channel]
-        errors = np.nan_to_num((series.simulated[[stored.BEFORE, stored.AFTER]] - series.measured) ** 2)
-        rows += [errors[:, k:k + FORTNIGHT].sum(axis=1) for k in range(0, errors.shape[1], FORTNIGHT)]
-    rows = np.array(rows)
-    return rows[rows.sum(axis=1) > 0]
+        rows.append(by_fortnight(series.simulated[[stored.BEFORE, stored.AFTER]] - series.measured))
+    return np.concatenate(rows)
 
 
 def worse_of(result):

@@ -13,6 +13,7 @@ import numpy as np
 import pandas
 
 import large_job
+from change_of_errors import by_fortnight, is_worse
 
 sys.path[:0] = [str(large_job.ROOT / "scripts"), str(large_job.ROOT / "tests" / "generator")]
 
@@ -61,6 +62,7 @@ class Scored:
     structure: tuple = ()   # refinements that the last model has
     oracle: dict = field(default_factory=dict)   # planted effect -> whether shapes and noise, if known, would tell it
     of_terminals: list = field(default_factory=list)   # numbers of a found unit, in prior standard deviations off
+    worse: list = field(default_factory=list)    # columns whose errors rose by more than chance would make them
 
 
 ODDS_OF_20 = 6    # 2 log 20: evidence that tells two names apart
@@ -128,6 +130,13 @@ def errors_of(loop, readings):
         found[model] = {column: error(column, series[:YEAR], readings[column])
                         for column, series in predicted.items() if column in readings}
     return found
+
+
+def worse_of(loop, readings):
+    """Columns that `after` explains worse than `before` by over 1 % and two standard errors."""
+    before, after = (loop_result.predictions(loop, model)[1] for model in ("before", "after"))
+    return [column for column in after if column in readings and is_worse(by_fortnight(np.array(
+        [series[column][:YEAR] - readings[column][:YEAR] for series in (before, after)])))]
 
 
 def affected(truth, errors):
@@ -221,7 +230,7 @@ def score(file, case, kind):
                   truth.get("details", {}),
                   truth.get("structure", {}).get("air_handler", {}).get("kind", ""),
                   tuple(loop_result.texts(loop, "refinement")),
-                  oracle(loop, sizes), errors_of_terminals(loop, truth))
+                  oracle(loop, sizes), errors_of_terminals(loop, truth), worse_of(loop, held_out(case)))
 
 
 def scores(result, cases):

@@ -15,7 +15,8 @@ std::span<const Entry> catalogue();
 /// Each::found_days ("holidays", "windows open on some days"). Throws
 /// std::invalid_argument for another.
 Effect with_days(const std::string& name, std::vector<Days> days);
-/// "other hours than declared".
+inline constexpr const char* name_of_other_hours = "other hours than declared";
+/// The effect of that name.
 Effect with_hours(OtherHours hours);
 /// "holidays": all schedules as on Sunday.
 Effect closed_days(std::vector<Days> days);

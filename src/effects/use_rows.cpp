@@ -2,6 +2,7 @@
 /// follows, its plausible range, and what it looks like.
 /// Ranges and shapes are judgement, without a source. Holidays take days that a caller
 /// finds. Envelope and plant have rows of their own.
+#include "effects/catalogue.hpp"
 #include "effects/rows.hpp"
 #include "effects/shapes.hpp"
 
@@ -275,7 +276,7 @@ std::vector<Entry> clock_rows() {
          .signature = "heating or cooling before dawn",
          .like = "summer time not applied",
          .separates = "room temperature before work"},
-        {.effect = {.name = "other hours than declared",
+        {.effect = {.name = name_of_other_hours,
                     .number = 28,
                     .hook = Hook::plant_operation,
                     .least = 1,

@@ -4,6 +4,7 @@
 /// functions.
 #include "loop/beside_functions.hpp"
 
+#include "effects/catalogue.hpp"
 #include "loop/decisions.hpp"
 #include "loop/effect_search.hpp"
 #include "loop/find_functions.hpp"
@@ -28,7 +29,7 @@ std::optional<Standing> without_functions(const LoopData& data, const Place& pla
 
 /// What a search sees where functions have taken the misfit: readings less what functions
 /// bring to them, and the last model without functions. Candidates without a name are
-/// left to functions.
+/// left to functions, and so are hours: a function of the hour has taken them.
 struct BesideFunctions {
     LoopData data;
     LoopResult result;
@@ -39,6 +40,7 @@ std::optional<BesideFunctions> beside_functions(const LoopData& data, const Plac
                                                 const LoopResult& result) {
     BesideFunctions beside{data, result};
     beside.data.options.generic = false;
+    beside.data.options.exclude.emplace_back(effects::name_of_other_hours);
     beside.result.baseline.place = place;
     auto without = without_functions(data, place, result.last);
     if (!without) return std::nullopt;

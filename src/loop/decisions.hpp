@@ -63,6 +63,9 @@ inline constexpr double cost_of_hour = 0.5;
 inline constexpr int most_hour_rounds = 6;
 /// Runs of hours that are calibrated after all were followed along tangents. Judgement.
 inline constexpr std::size_t most_runs_calibrated = 3;
+/// Begins and ends of other hours than declared that are simulated first [h]. Judgement:
+/// time; all others beside the best of them follow.
+inline constexpr int hours_apart_at_first = 2;
 /// What other hours must bring [deviance]. Judgement: rounds go to and fro below it.
 inline constexpr double least_change_of_hours = 0.1;
 /// Probability from which on hours are told without a doubt. Judgement.

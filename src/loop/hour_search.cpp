@@ -151,6 +151,28 @@ std::vector<TriedRun> best_of(std::vector<TriedRun> tried, const DailyRun& so_fa
     return tried;
 }
 
+bool is_among(const std::vector<TriedRun>& tried, const DailyRun& run) {
+    return std::ranges::find(tried, run, &TriedRun::run) != tried.end();
+}
+
+/// The runs that were left out between those that were tried and the best of them, and
+/// those beside the run so far.
+std::vector<RunGrid> beside_the_best(std::vector<TriedRun> tried,
+                                     const DailyRun& so_far) {
+    constexpr int by = decisions::hours_apart_at_first - 1;
+    std::ranges::stable_sort(tried, {}, &TriedRun::cost);
+    tried.resize(std::min(tried.size(), decisions::most_runs_calibrated));
+    std::vector<DailyRun> centres{so_far};
+    for (const TriedRun& one : tried) centres.push_back(one.run);
+    std::vector<RunGrid> grids;
+    for (const DailyRun& run : centres) {
+        if (run.is_off()) continue;
+        grids.push_back({std::max(run.from - by, 0), run.from + by,
+                         std::max(run.until - by, 0), std::min(run.until + by, 24), 1});
+    }
+    return grids;
+}
+
 }  // namespace
 
 double cost_of(const LoopData& data, const std::vector<ChannelNoise>& noise,
@@ -160,18 +182,20 @@ double cost_of(const LoopData& data, const std::vector<ChannelNoise>& noise,
 }
 
 HourSearch::HourSearch(const LoopData& data, const Place& place, const Standing& standing,
-                       std::vector<SearchedSchedule> schedules, CostOfRun prior)
+                       std::vector<SearchedSchedule> schedules, CostOfRun prior,
+                       Tries tries)
     : data_(data),
       place_(place),
       standing_(standing),
       schedules_(std::move(schedules)),
-      prior_(std::move(prior)) {}
+      prior_(std::move(prior)),
+      tries_(tries) {}
 
 std::vector<TriedRun> HourSearch::improve(std::size_t schedule, DayKind kind,
                                           bool from_prior) {
     std::vector<TriedRun> tried = tried_from(standing_, schedule, kind);
     if (tried.empty()) return tried;
-    const DailyRun so_far = schedules_[schedule].hours[static_cast<std::size_t>(kind)];
+    const DailyRun so_far = run_so_far(schedule, kind);
     const auto prior = [&](const DailyRun& run) { return prior_of(run, schedule, kind); };
     std::vector<TriedRun> best = best_of(tried, so_far, prior);
     // Parameters may have gone where hours that are wrong have no effect: a set-back of
@@ -194,16 +218,31 @@ void HourSearch::settle_noise() {
 std::vector<TriedRun> HourSearch::tried_from(const Standing& standing,
                                              std::size_t schedule, DayKind kind) const {
     const Follower follower(data_, standing_.noise, standing);
+    const HourModel model{standing.built, schedules_[schedule].schedule,
+                          schedules_[schedule].hours};
     std::vector<TriedRun> tried;
-    tried.reserve(physics::all_runs().size());
-    try_runs({standing.built, schedules_[schedule].schedule, schedules_[schedule].hours},
-             place_.channels, kind, standing.fit.at.x,
-             [&](const DailyRun& run, std::span<const double> predicted) {
-                 if (std::isnan(predicted[0])) return;
-                 tried.push_back(follower.follow(run, predicted));
-                 tried.back().cost += prior_of(run, schedule, kind);
-             });
+    const auto try_grid = [&](const RunGrid& grid) {
+        try_runs(model, place_.channels, kind, grid, standing.fit.at.x,
+                 [&](const DailyRun& run, std::span<const double> predicted) {
+                     if (std::isnan(predicted[0]) || is_among(tried, run)) return;
+                     tried.push_back(follower.follow(run, predicted));
+                     tried.back().cost += prior_of(run, schedule, kind);
+                 });
+    };
+    if (tries_ == Tries::all) {
+        try_grid({});
+        return tried;
+    }
+    RunGrid every_second;
+    every_second.apart = decisions::hours_apart_at_first;
+    try_grid(every_second);
+    for (const RunGrid& near : beside_the_best(tried, run_so_far(schedule, kind)))
+        try_grid(near);
     return tried;
+}
+
+const DailyRun& HourSearch::run_so_far(std::size_t schedule, DayKind kind) const {
+    return schedules_[schedule].hours[static_cast<std::size_t>(kind)];
 }
 
 double HourSearch::prior_of(const DailyRun& run, std::size_t schedule,

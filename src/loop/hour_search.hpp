@@ -31,16 +31,20 @@ struct SearchedSchedule {
 using CostOfRun =
     std::function<double(const physics::DailyRun& run, const physics::DailyRun& from)>;
 
+/// Which runs are simulated: all of them, or every second hour's first, then those beside
+/// the best of these.
+enum class Tries { all, near_the_best };
+
 class HourSearch {
   public:
     /// \param standing  with the hours so far, which are those of the place's drive
     HourSearch(const LoopData& data, const Place& place, const Standing& standing,
-               std::vector<SearchedSchedule> schedules, CostOfRun prior);
+               std::vector<SearchedSchedule> schedules, CostOfRun prior, Tries tries);
 
-    /// All runs of a schedule on one kind of days are simulated, the best calibrated, and
-    /// the best of these taken if it is better than that so far.
+    /// Runs of a schedule on one kind of days are simulated, the best calibrated, and the
+    /// best of these taken if it is better than that so far.
     /// \param from_prior  also with the parameters at their prior's means
-    /// \return all runs, as they were before that; none where none can be simulated
+    /// \return what was tried, as it was before that; none where none can be simulated
     std::vector<TriedRun> improve(std::size_t schedule, physics::DayKind kind,
                                   bool from_prior);
 
@@ -55,6 +59,8 @@ class HourSearch {
   private:
     std::vector<TriedRun> tried_from(const Standing& standing, std::size_t schedule,
                                      physics::DayKind kind) const;
+    const physics::DailyRun& run_so_far(std::size_t schedule,
+                                        physics::DayKind kind) const;
     double prior_of(const physics::DailyRun& run, std::size_t schedule,
                     physics::DayKind kind) const;
     std::optional<Standing> at_prior() const;
@@ -68,6 +74,7 @@ class HourSearch {
     Standing standing_;
     std::vector<SearchedSchedule> schedules_;
     CostOfRun prior_;
+    Tries tries_;
 };
 
 }  // namespace bemcal::loop

@@ -37,11 +37,18 @@ struct Tile {
     int n_before, n_after;
 };
 
-std::vector<Tile> tiles_of(int n_before, int n_after) {
+/// \param n_before, n_after  how many may be told apart at either end
+std::vector<Tile> tiles_of(const RunGrid& grid, int n_before, int n_after) {
+    const int apart = grid.apart, last_from = std::min(grid.last_from, day_end - apart);
     std::vector<Tile> tiles;
-    for (int from = n_before; from < day_end; from += n_before + 1)
-        for (int until = from; until <= day_end; until += n_after + 1)
-            tiles.push_back({from, until, n_before, std::min(n_after, day_end - until)});
+    for (int first = grid.from; first <= last_from; first += (n_before + 1) * apart) {
+        const int before = std::min(n_before, (last_from - first) / apart),
+                  from = first + before * apart;
+        for (int until = std::max(grid.until, from); until <= grid.last_until;
+             until += (n_after + 1) * apart)
+            tiles.push_back({from, until, before,
+                             std::min(n_after, (grid.last_until - until) / apart)});
+    }
     return tiles;
 }
 
@@ -49,10 +56,11 @@ std::vector<Tile> tiles_of(int n_before, int n_after) {
 class Trials {
   public:
     Trials(const HourModel& model, const std::vector<kernel::Channel>& channels,
-           DayKind kind, std::span<const double> x)
+           DayKind kind, const RunGrid& grid, std::span<const double> x)
         : model_(model),
           channels_(channels),
           kind_(kind),
+          grid_(grid),
           building_(model.built.placed->building),
           drive_(model.built.placed->drive),
           parameters_(model.built.parameters) {
@@ -65,7 +73,7 @@ class Trials {
         if (n_hours_ == 0) return;
         const int n_before = n_hours_ > 1 ? 1 : 0;
         const int n_after = static_cast<int>(n_hours_) - n_before;
-        for (const Tile& tile : tiles_of(n_before, n_after)) run(tile, see);
+        for (const Tile& tile : tiles_of(grid_, n_before, n_after)) run(tile, see);
     }
 
   private:
@@ -105,10 +113,14 @@ class Trials {
         common[static_cast<std::size_t>(kind_)] = {tile.from, tile.until};
         write_row(model_.schedule.profile(), model_.schedule.row_of(common));
         std::size_t row = first_row_;
-        for (int k = 1; k <= tile.n_before; ++k)
-            write_row(row++, model_.schedule.hour_of(kind_, tile.from - k));
-        for (int k = 0; k < tile.n_after; ++k)
-            write_row(row++, model_.schedule.hour_of(kind_, tile.until + k));
+        for (int k = 1; k <= tile.n_before; ++k) write_hours(row++, tile.from, -k);
+        for (int k = 0; k < tile.n_after; ++k) write_hours(row++, tile.until, k);
+    }
+
+    /// Those between two runs of the grid: the so many-th from an hour on.
+    void write_hours(std::size_t row, int hour, int so_many) {
+        const int from = hour + so_many * grid_.apart;
+        write_row(row, model_.schedule.added_by({from, from + grid_.apart}, kind_));
     }
 
     std::vector<double> point_of(const Tile& tile, int before, int after) const {
@@ -128,7 +140,8 @@ class Trials {
             for (int after = 0; after <= tile.n_after; ++after) {
                 std::ranges::copy(point_of(tile, before, after),
                                   points.row(runs.size()).begin());
-                runs.push_back({tile.from - before, tile.until + after});
+                runs.push_back(
+                    {tile.from - before * grid_.apart, tile.until + after * grid_.apart});
             }
         const study::FitModel fit_model(building_, parameters_, drive_, channels_);
         const Matrix predicted = fit_model.predict(points);
@@ -142,6 +155,7 @@ class Trials {
     const HourModel& model_;
     const std::vector<kernel::Channel>& channels_;
     DayKind kind_;
+    RunGrid grid_;
     physics::Building building_;
     physics::Drive drive_;
     std::vector<physics::Parameter> parameters_;
@@ -183,15 +197,17 @@ std::vector<double> ScheduleHours::row_of(const physics::WeekHours& hours) const
     return levels_of(hours, low_, high_);
 }
 
-std::vector<double> ScheduleHours::hour_of(physics::DayKind kind, int hour) const {
+std::vector<double> ScheduleHours::added_by(const physics::DailyRun& run,
+                                            physics::DayKind kind) const {
     physics::WeekHours hours{};
-    hours[static_cast<std::size_t>(kind)] = {hour, hour + 1};
+    hours[static_cast<std::size_t>(kind)] = run;
     return levels_of(hours, 0, high_ - low_);
 }
 
 void try_runs(const HourModel& model, const std::vector<kernel::Channel>& channels,
-              physics::DayKind kind, std::span<const double> x, const SeeRun& see) {
-    Trials(model, channels, kind, x).run(see);
+              physics::DayKind kind, const RunGrid& grid, std::span<const double> x,
+              const SeeRun& see) {
+    Trials(model, channels, kind, grid, x).run(see);
 }
 
 }  // namespace bemcal::loop

@@ -23,8 +23,9 @@ class ScheduleHours {
     double high() const { return high_; }  ///< within them
     /// High in these hours, low in others. [n_steps]
     std::vector<double> row_of(const physics::WeekHours& hours) const;
-    /// What one hour on one kind of days adds to the low. [n_steps]
-    std::vector<double> hour_of(physics::DayKind kind, int hour) const;
+    /// What a run on one kind of days adds to the low. [n_steps]
+    std::vector<double> added_by(const physics::DailyRun& run,
+                                 physics::DayKind kind) const;
 
   private:
     std::vector<double> levels_of(const physics::WeekHours& hours, double low,
@@ -47,10 +48,18 @@ struct HourModel {
 using SeeRun =
     std::function<void(const physics::DailyRun& run, std::span<const double> predicted)>;
 
-/// Simulates the model, its unknowns at x, with each of physics::all_runs() on one kind
-/// of days, each once. Several runs share a plan: they differ by hours at their ends.
+/// Runs that begin and end so many hours apart, within both ends.
+struct RunGrid {
+    int from = 0, last_from = 24;
+    int until = 0, last_until = 24;
+    int apart = 1;  ///< [h], a divisor of 24
+};
+
+/// Simulates the model, its unknowns at x, with all runs of a grid on one kind of days,
+/// each once. Several runs share a plan: they differ by hours at their ends.
 /// Does nothing where all changes of an input are taken by effects.
 void try_runs(const HourModel& model, const std::vector<kernel::Channel>& channels,
-              physics::DayKind kind, std::span<const double> x, const SeeRun& see);
+              physics::DayKind kind, const RunGrid& grid, std::span<const double> x,
+              const SeeRun& see);
 
 }  // namespace bemcal::loop

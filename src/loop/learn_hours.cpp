@@ -97,7 +97,7 @@ std::vector<LearnedHours> learn_hours(const LoopData& data, const Standing& stan
                                       std::vector<LearnedHours> so_far) {
     const Place place = make_place(data, standing.model.structure, data.drive);
     HourSearch search(data, place, standing, schedules_of(data, so_far),
-                      cost_of_departure);
+                      cost_of_departure, Tries::all);
     bool is_changed = true;
     for (int round = 0; round < decisions::most_hour_rounds && is_changed; ++round) {
         is_changed = false;

@@ -399,9 +399,10 @@ OneMore::OneMore(const Place& place, const std::vector<effects::Effect>& effects
         effects::put(effect, placer_);
 }
 
-const study::FitModel& OneMore::with(const effects::Effect& effect) {
+const study::FitModel& OneMore::with(const std::vector<const effects::Effect*>& effects) {
     effects::Placer placer = placer_;
-    effects::put(effect, placer);
+    for (const effects::Effect* effect : effects) effects::put(*effect, placer);
+    n_effects_ = effects.size();
     fit_model_.reset();  // it refers to what changes now
     building_ = placer.building();
     placer.write_profiles(drive_);

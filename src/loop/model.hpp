@@ -117,8 +117,8 @@ BuiltModel build(const Place& place, const std::vector<effects::Effect>& effects
 /// The same without what simulates its points.
 BuiltModel place_only(const Place& place, const std::vector<effects::Effect>& effects);
 
-/// Models that have one more effect than another, one at a time: what they share is
-/// placed once.
+/// Models that have a few effects more than another, of which one at a time acts: what
+/// they share is placed once.
 class OneMore {
   public:
     /// \param place  must outlive this, and stay as it is
@@ -126,10 +126,12 @@ class OneMore {
     OneMore(const OneMore&) = delete;  // parts refer to each other
     OneMore& operator=(const OneMore&) = delete;
 
-    /// The model with the effect, until the next one. Throws as `build` does.
-    const study::FitModel& with(const effects::Effect& effect);
-    /// Of the effect that `with` had.
-    const physics::Parameter& coefficient() const { return parameters_.back(); }
+    /// The model with the effects, until the next ones. Throws as `build` does.
+    const study::FitModel& with(const std::vector<const effects::Effect*>& effects);
+    /// Of the effects that `with` had.
+    std::span<const physics::Parameter> coefficients() const {
+        return std::span(parameters_).last(n_effects_);
+    }
 
   private:
     const Place& place_;
@@ -139,6 +141,7 @@ class OneMore {
     physics::Building building_;
     physics::Drive drive_;
     std::vector<physics::Parameter> parameters_;
+    std::size_t n_effects_ = 0;
     std::unique_ptr<const study::FitModel> fit_model_;
 };
 

@@ -82,10 +82,12 @@ std::vector<Departure> other_hours(const LoopData& data, const Place& place,
         const auto declared = declared_hours(data, standing, p);
         if (!declared) continue;
         const ScheduleHours schedule(data, p);
-        HourSearch search(data, place, standing, {{schedule, *declared, *declared}},
-                          [](const DailyRun& run, const DailyRun& from) {
-                              return cost_of_other(run, from);
-                          });
+        HourSearch search(
+            data, place, standing, {{schedule, *declared, *declared}},
+            [](const DailyRun& run, const DailyRun& from) {
+                return cost_of_other(run, from);
+            },
+            Tries::near_the_best);
         for (std::size_t kind = 0; kind < physics::n_day_kinds; ++kind)
             search.improve(0, static_cast<DayKind>(kind),
                            kind == 0 && standing.model.effects.empty());

@@ -1,5 +1,6 @@
-/// Screens candidates on the tangent of the model that stands: one simulation of four
-/// amplitudes each, the best secant, gain and coefficient with all else refitted.
+/// Screens candidates on the tangent of the model that stands: up to four amplitudes each
+/// are simulated, several candidates' at once; the best secant, gain and coefficient with
+/// all else refitted.
 /// Source: Chernozhukov, Chetverikov and Kato 2013 (multiplier bootstrap of the largest
 /// statistic) for what noise alone shows.
 /// Curvature is left out; `search` refits in full.
@@ -178,43 +179,82 @@ void set_amplitudes(const effects::Effect& effect, const physics::Parameter& coe
     }
 }
 
-Matrix points_of(const Standing& standing, const std::vector<Secant*>& secants) {
-    const auto& unknowns = standing.built.unknowns;
-    Matrix points(secants.size(), unknowns.size() + 1);
-    for (std::size_t a = 0; a < secants.size(); ++a) {
-        for (std::size_t k = 0; k < unknowns.size(); ++k)
-            points(a, k) = unknowns[k].value(standing.fit.at.x[k]);
-        points(a, unknowns.size()) = secants[a]->amplitude;
+/// The most points that one candidate asks for.
+std::size_t most_points_of(const effects::Effect& effect) {
+    const auto n = std::ranges::count_if(
+        amplitudes, [&](double each) { return is_plausible_sign(effect, each); });
+    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(n, 1));
+}
+
+/// Points that are simulated at once: a run of the widest kernel.
+constexpr std::size_t most_together = 8;
+
+/// Candidates whose points fill the lanes of one run of the fast simulation.
+using Group = std::vector<const effects::Effect*>;
+
+std::vector<Group> groups_of(const std::vector<effects::Effect>& candidates) {
+    std::vector<Group> groups;
+    std::size_t n_points = most_together;
+    for (const effects::Effect& effect : candidates) {
+        const std::size_t n = most_points_of(effect);
+        if (n_points + n > most_together) groups.emplace_back(), n_points = 0;
+        groups.back().push_back(&effect);
+        n_points += n;
     }
-    return points;
+    return groups;
+}
+
+/// A candidate of the group acts alone, at its secant's amplitude.
+Matrix points_of(const Standing& standing, const std::vector<Secants>& group,
+                 std::size_t n_candidates) {
+    const auto& unknowns = standing.built.unknowns;
+    std::vector<double> at;
+    for (std::size_t k = 0; k < unknowns.size(); ++k)
+        at.push_back(unknowns[k].value(standing.fit.at.x[k]));
+    at.resize(unknowns.size() + n_candidates, 0.0);
+    std::vector<std::vector<double>> points;
+    for (std::size_t g = 0; g < n_candidates; ++g)
+        for (const Secant* secant : group[g].taken) {
+            points.push_back(at);
+            points.back()[unknowns.size() + g] = secant->amplitude;
+        }
+    Matrix matrix(points.size(), at.size());
+    for (std::size_t k = 0; k < points.size(); ++k)
+        std::ranges::copy(points[k], matrix.row(k).begin());
+    return matrix;
 }
 
 /// The secants of the amplitudes that are wanted and can be simulated.
-void take_secants(const Standing& standing, const effects::Effect& effect, Keep keep,
-                  OneMore& one_more, Secants& secants) {
-    const study::FitModel& model = one_more.with(effect);
-    set_amplitudes(effect, one_more.coefficient(), keep, secants);
-    secants.taken.clear();
-    for (Secant& secant : secants.of)
-        if (secant.amplitude != 0) secants.taken.push_back(&secant);
-    model.predict_each(points_of(standing, secants.taken),
+/// \return those of all candidates
+std::vector<Secant*> take_secants(const Standing& standing, const Group& group, Keep keep,
+                                  OneMore& one_more, std::vector<Secants>& secants) {
+    const study::FitModel& model = one_more.with(group);
+    std::vector<Secant*> all;
+    for (std::size_t g = 0; g < group.size(); ++g) {
+        set_amplitudes(*group[g], one_more.coefficients()[g], keep, secants[g]);
+        secants[g].taken.clear();
+        for (Secant& secant : secants[g].of)
+            if (secant.amplitude != 0) secants[g].taken.push_back(&secant);
+        all.insert(all.end(), secants[g].taken.begin(), secants[g].taken.end());
+    }
+    model.predict_each(points_of(standing, secants, group.size()),
                        [&](std::size_t k, std::span<const double> predicted) {
-                           Secant& secant = *secants.taken[k];
                            if (std::isnan(predicted[0]))
-                               secant.amplitude = 0;
+                               all[k]->amplitude = 0;
                            else
-                               take_secant(standing, predicted, secant);
+                               take_secant(standing, predicted, *all[k]);
                        });
-    std::erase_if(secants.taken,
-                  [](const Secant* secant) { return secant->amplitude == 0; });
+    std::erase_if(all, [](const Secant* secant) { return secant->amplitude == 0; });
+    for (std::size_t g = 0; g < group.size(); ++g)
+        std::erase_if(secants[g].taken,
+                      [](const Secant* secant) { return secant->amplitude == 0; });
+    return all;
 }
 
 /// At the best of the amplitudes; none where no amplitude moves a meter.
 std::optional<Screened> screen_one(const LoopData& data, const Standing& standing,
                                    const Tangent& tangent, const effects::Effect& effect,
-                                   Keep keep, OneMore& one_more, Secants& secants) {
-    take_secants(standing, effect, keep, one_more, secants);
-    compare(tangent, secants.taken);
+                                   Keep keep, const Secants& secants) {
     const Secant* best = nullptr;
     double best_gain = -1;
     for (const Secant* secant : secants.taken) {
@@ -242,18 +282,26 @@ std::vector<Screened> screen(const LoopData& data, const Place& place,
     if (keep == Keep::of_typical) bound.assign(bound.size(), 0);
     const Tangent tangent(data, standing, bound);
     OneMore one_more(place, standing.model.effects);
-    Secants secants;
+    std::vector<Secants> secants(most_together);
     std::vector<Screened> screened;
     screened.reserve(candidates.size());
-    for (const effects::Effect& effect : candidates) {
-        try {
+    const auto screen_group = [&](const Group& group) {
+        compare(tangent, take_secants(standing, group, keep, one_more, secants));
+        for (std::size_t g = 0; g < group.size(); ++g)
             if (auto one =
-                    screen_one(data, standing, tangent, effect, keep, one_more, secants))
+                    screen_one(data, standing, tangent, *group[g], keep, secants[g]))
                 screened.push_back(std::move(*one));
+    };
+    for (const Group& group : groups_of(candidates)) try {
+            screen_group(group);
         } catch (const CannotSimulate&) {
-            continue;  // It cannot enter this building: no candidate.
+            // One cannot enter this building: no candidate. Or all of them together.
+            for (const effects::Effect* effect : group) try {
+                    if (group.size() > 1) screen_group({effect});
+                } catch (const CannotSimulate&) {
+                    continue;
+                }
         }
-    }
     return screened;
 }
 

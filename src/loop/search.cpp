@@ -21,8 +21,8 @@
 namespace bemcal::loop {
 namespace {
 
-bool is_among(const std::vector<std::string>& names, const effects::Effect& effect) {
-    return std::ranges::find(names, effect.name) != names.end();
+bool is_among(const std::vector<std::string>& names, const std::string& name) {
+    return std::ranges::find(names, name) != names.end();
 }
 
 std::vector<effects::Effect> candidates_of(const LoopData& data, const Place& place,
@@ -36,7 +36,8 @@ std::vector<effects::Effect> candidates_of(const LoopData& data, const Place& pl
     }
     if (auto days = closed_days(data, place, standing)) all.push_back(*days);
     std::erase_if(all, [&](const effects::Effect& effect) {
-        return is_among(data.options.exclude, effect) || is_among(barred, effect) ||
+        return is_among(data.options.exclude, effect.name) ||
+               is_among(barred, effect.name) ||
                std::ranges::any_of(standing.model.effects, [&](const auto& there) {
                    return effects::are_equal(effect, there);
                });
@@ -215,10 +216,10 @@ std::vector<Refitted> refit_all(const LoopData& data, const Place& place,
 void add_other_hours(const LoopData& data, const Place& place, const Standing& standing,
                      const std::vector<std::string>& barred,
                      std::vector<Refitted>& ranking) {
+    if (is_among(data.options.exclude, effects::name_of_other_hours) ||
+        is_among(barred, effects::name_of_other_hours))
+        return;
     for (Departure& found : other_hours(data, place, standing)) {
-        if (is_among(data.options.exclude, found.effect) ||
-            is_among(barred, found.effect))
-            continue;
         Screened as_found{found.effect, 0, 1, 0, {}, {}, {}, 0};
         Standing from = standing;
         from.fit.at = {std::move(found.x), {}, {}};

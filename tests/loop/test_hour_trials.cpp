@@ -39,7 +39,7 @@ TEST(HourTrials, ALaneIsTheBuildingWithTheseHours) {
     const BuiltModel built = build(model.place, {});
     const std::vector<double> x(built.unknowns.size(), 0.0);
     std::map<std::pair<int, int>, std::vector<double>> tried;
-    try_runs({built, hours, office}, model.place.channels, DayKind::working_day, x,
+    try_runs({built, hours, office}, model.place.channels, DayKind::working_day, {}, x,
              [&](const DailyRun& run, std::span<const double> predicted) {
                  EXPECT_TRUE(tried
                                  .emplace(std::pair(run.from, run.until),
@@ -54,6 +54,46 @@ TEST(HourTrials, ALaneIsTheBuildingWithTheseHours) {
         ASSERT_EQ(own.predicted.size(), lane.size());
         for (std::size_t k = 0; k < lane.size(); ++k)
             ASSERT_NEAR(own.predicted[k], lane[k], 1e-9) << run.from << " " << run.until;
+    }
+}
+
+// Of a grid, too: each of its runs once, and as it is among all.
+TEST(HourTrials, AGridHasItsRunsAlone) {
+    const test::WindyModel model({});
+    const ScheduleHours hours(model.data, 0);
+    const BuiltModel built = build(model.place, {});
+    const std::vector<double> x(built.unknowns.size(), 0.0);
+    using Tried = std::map<std::pair<int, int>, std::vector<double>>;
+    const auto tried_of = [&](const RunGrid& grid) {
+        Tried tried;
+        try_runs({built, hours, office}, model.place.channels, DayKind::working_day, grid,
+                 x, [&](const DailyRun& run, std::span<const double> predicted) {
+                     tried[{run.from, run.until}] = {predicted.begin(), predicted.end()};
+                 });
+        return tried;
+    };
+    const Tried all = tried_of({});
+    for (const RunGrid& grid : {RunGrid{0, 24, 0, 24, 2}, RunGrid{0, 24, 0, 24, 3},
+                                RunGrid{7, 9, 17, 19, 1}, RunGrid{22, 24, 23, 24, 1}}) {
+        std::size_t n = 0;
+        for (const auto& [run, predicted] : all) {
+            const auto [from, until] = run;
+            const bool is_off = from == until;
+            if (is_off || from < grid.from || from > grid.last_from ||
+                until < grid.until || until > grid.last_until ||
+                (from - grid.from) % grid.apart != 0 ||
+                (until - grid.until) % grid.apart != 0)
+                continue;
+            n += 1;
+        }
+        const Tried some = tried_of(grid);
+        for (const auto& [run, predicted] : some) {
+            ASSERT_TRUE(all.contains(run));
+            for (std::size_t k = 0; k < predicted.size(); ++k)
+                ASSERT_NEAR(all.at(run)[k], predicted[k], 1e-9)
+                    << run.first << " " << run.second;
+        }
+        EXPECT_EQ(some.size() - some.count({0, 0}), n);
     }
 }
 

@@ -1,4 +1,5 @@
 /// Buildings whose plant runs at other hours than declared, or just at these.
+#include "loop/hour_search.hpp"
 #include "loop/loop.hpp"
 #include "loop/other_hours.hpp"
 #include "loop/windy_case.hpp"
@@ -76,6 +77,29 @@ TEST(OtherHours, AreNotSoughtWhereTheJobExcludesThem) {
     const auto datasets = searched(building_with(later, 3), options);
     for (const std::string& name : find(datasets, "effect").texts)
         EXPECT_NE(name, "other hours than declared");
+}
+
+// Odd hours and even ones: what is simulated between the best of every second hour finds
+// what all runs do, with a third of them.
+TEST(HourSearch, BestOfEverySecondHourIsTheBestOfAll) {
+    for (const physics::DailyRun right :
+         {physics::DailyRun{9, 21}, {8, 20}, {7, 16}, {6, 18}, {0, 24}, {}}) {
+        const LoopData data(building_with({right}, 3), quick());
+        const Place place = make_place(data, {}, data.drive);
+        const Standing plain = calibrate_plain(data);
+        std::vector<WeekHours> found;
+        std::vector<std::size_t> n_tried;
+        for (const Tries tries : {Tries::all, Tries::near_the_best}) {
+            HourSearch search(
+                data, place, plain, {{ScheduleHours(data, 1), declared, declared}},
+                [](const auto&, const auto&) { return 0; }, tries);
+            n_tried.push_back(
+                search.improve(0, physics::DayKind::working_day, false).size());
+            found.push_back(search.hours(0));
+        }
+        EXPECT_EQ(found[0], found[1]) << right.from << " " << right.until;
+        EXPECT_LT(n_tried[1], 0.4 * static_cast<double>(n_tried[0]));
+    }
 }
 
 // 20 buildings, none named: fewer than one in seven, with a probability of 95 %.

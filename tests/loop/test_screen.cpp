@@ -1,4 +1,5 @@
 #include "base/error.hpp"
+#include "effects/catalogue.hpp"
 #include "loop/closed_days.hpp"
 #include "loop/moves.hpp"
 #include "loop/search.hpp"
@@ -55,10 +56,32 @@ TEST(LoopScreen, OneMoreEffectIsPlacedAsAllAtOnce) {
         for (std::size_t k = 0; k < point.cols; ++k)
             point(0, k) = std::clamp(built.unknowns[k].value(0.3),
                                      built.unknowns[k].least, built.unknowns[k].most);
-        const auto own = one_more.with(all.back()).predict(point).values;
+        const auto own = one_more.with({&all.back()}).predict(point).values;
         EXPECT_EQ(own, built.fit_model->predict(point).values);
-        EXPECT_EQ(one_more.coefficient().name, name);
+        EXPECT_EQ(one_more.coefficients().back().name, name);
     }
+}
+
+// Several stand side by side, of which one acts.
+TEST(LoopScreen, CandidatesAreWhatTheyAreAlone) {
+    const test::WindyModel model({"holidays"});
+    const auto candidates =
+        effects::named_candidates(*model.place.surroundings, model.data.quantities());
+    ASSERT_GT(candidates.size(), 50U);
+    const auto screened =
+        screen(model.data, model.place, model.standing, candidates, Keep::gains);
+    std::size_t k = 0;
+    for (const effects::Effect& effect : candidates) {
+        const auto alone =
+            screen(model.data, model.place, model.standing, {effect}, Keep::gains);
+        if (alone.empty()) continue;
+        ASSERT_LT(k, screened.size());
+        EXPECT_EQ(screened[k].effect.name, effect.name);
+        EXPECT_NEAR(screened[k].gain, alone[0].gain, 1e-9 * (1 + alone[0].gain))
+            << effect.name;
+        k += 1;
+    }
+    EXPECT_EQ(k, screened.size());
 }
 
 TEST(LoopScreen, AnEffectThatMovesNoMeterIsLeftOut) {
