@@ -3,10 +3,10 @@
 
     bench_energyplus_cases.py [--folder DIR] [--only CASE ...]
 
-The files are DOE's small office (so) and mid-rise apartments (ap), of the package pyenergyplus-lbnl beside EnergyPlus;
-the descriptions by hand and the weather are those of ../shared/energyplus/so_null and ap_null. An effect is put into
-the file, both years are simulated, noise is that of the cases there. What begins on a day is the file without it before
-that day and the file with it after. No case of ../shared is among them.
+The files are DOE's small office (so), medium office (mo) and mid-rise apartments (ap), of the package pyenergyplus-
+lbnl beside EnergyPlus; the descriptions by hand and the weather are those of ../shared/energyplus/so_null, mo_null
+and ap_null. An effect is put into the file, both years are simulated, noise is that of the cases there. What begins
+on a day is the file without it before that day and the file with it after. No case of ../shared is among them.
 Prints what was found in each and `name value unit reference ratio`: cases named right, false names, and the geometric
 mean over energies of the hourly held-out error of `after` over that of `before` (no effect accepted).
 """
@@ -28,7 +28,8 @@ import idf        # noqa: E402  (found by bench_idf_loads)
 import reports    # noqa: E402
 from report import result as stored  # noqa: E402
 
-NULL = {"so": "so_null", "ap": "ap_null"}
+NULL = {"so": "so_null", "mo": "mo_null", "ap": "ap_null"}
+MODELS = loads.MODELS | {"mo_null": "RefBldgMediumOfficeNew2004_Chicago.idf"}
 JUNE, SEPTEMBER = "06-01", "09-01"
 OF_USE = ": use"        # ends the name of the half of an effect that acts on use
 GAS_OF_APARTMENTS = ("Heating:NaturalGas", "WaterSystems:NaturalGas")   # as their description: hot water, too
@@ -100,6 +101,12 @@ def raised(first, last, size):
     return lambda days, hours, _: [value + size * (first <= k < last) for k, value in enumerate(hours)]
 
 
+def at_least(first, last, size):
+    """No less in these hours of days that have any."""
+    return lambda days, hours, _: [max(value, size * (max(hours) > 0) * (first <= k < last))
+                                   for k, value in enumerate(hours)]
+
+
 def later(by):
     return lambda days, hours, _: hours[-by:] + hours[:-by]
 
@@ -142,25 +149,40 @@ class Case:
 
 
 USE = "BLDG_(OCC|LIGHT|EQUIP)_SCH"
+WIND = ("wind infiltration", "infiltration by strong wind", "wind in leaks")
+SATURDAY = ("people work on Saturdays", "Saturdays worked", "other hours than declared", "Saturday mornings worked")
 CASES = {
     "so_effstep": Case(scaled("Coil:Heating:Fuel", [4], 0.8), "02-01", names=("new or serviced boiler",)),
     "so_meterstep": Case(meter=("elec_kWh", 1.12), since=SEPTEMBER, names=("step of a meter",)),
     "so_thermo": Case(schedule("HTGSETP_SCH", raised(15, 22, 1.5)), names=("heating set-point of some hours",)),
-    "so_wind": Case(by_wind, names=("wind infiltration", "infiltration by strong wind", "wind in leaks")),
+    "so_wind": Case(by_wind, names=WIND),
     "so_windows": Case(vented((7, 19), 23, 3), names=("windows opened in warm rooms", "windows opened while occupied",
                                                       "economiser")),
-    "so_saturday": Case(schedule(USE, saturday_as_monday),
-                        names=("people work on Saturdays", "Saturdays worked", "other hours than declared",
-                               "Saturday mornings worked")),
+    "so_saturday": Case(schedule(USE, saturday_as_monday), names=SATURDAY),
     "so_late": Case(schedule(USE, later(2)), names=("use earlier or later", "schedules earlier or later",
                                                     "other hours than declared")),
     "so_copstep": Case(scaled("Coil:Cooling:DX:SingleSpeed", [5], 0.75), "07-01", names=("new or serviced chiller",)),
     "so_coolset": Case(schedule("CLGSETP_SCH", raised(12, 18, -1.5)), names=("cooling set-point of some hours",)),
     "so_leaks": Case(scaled("ZoneInfiltration:DesignFlowRate", [5, 6, 7, 8], 0.4), "10-01",
                      names=("leaks sealed or opened",)),
+    "so_nights": Case(schedule("BLDG_EQUIP_SCH", raised(0, 6, 0.3)), names=("use at night",)),
+    "so_fans": Case(schedule("HVACOperationSchd", at_least(22, 24, 1)),
+                    names=("plant runs on after hours", "other hours than declared")),
+    "so_film": Case(scaled("WindowMaterial:SimpleGlazingSystem", [3], 0.5), "05-01",
+                    names=("retrofit of windows", "shade in a season", "soiling of windows")),
+    "so_lights": Case(scaled("Lights", [5, 6, 7], 0.6), "03-15", names=("tenants move in or out",)),
+    "mo_wind": Case(by_wind, names=WIND),
+    "mo_plugstep": Case(scaled("ElectricEquipment", [5, 6, 7], 1.35), JUNE, names=("tenants move in or out",)),
+    "mo_saturday": Case(schedule(USE, saturday_as_monday), names=SATURDAY),
+    "mo_coolset": Case(schedule("CLGSETP_SCH", raised(12, 18, -1.5)), names=("cooling set-point of some hours",)),
+    "mo_copstep": Case(scaled("Coil:Cooling:DX:TwoSpeed", [5, 19], 0.75), "07-01", names=("new or serviced chiller",)),
+    "ap_leaks": Case(scaled("ZoneInfiltration:DesignFlowRate", [5, 6, 7, 8], 0.4), "10-01",
+                     names=("leaks sealed or opened",)),
+    "ap_setback": Case(schedule("APT_HTGSETP_SCH", raised(0, 6, -2)),
+                       names=("heating set-point of some hours", "no set-back at night")),
     "ap_meterstep": Case(meter=("gas_kWh", 0.88), since="02-15", names=("step of a meter", "new or serviced boiler")),
     "ap_plugstep": Case(scaled("ElectricEquipment", [5, 6, 7], 1.4), JUNE, names=("tenants move in or out",)),
-    "ap_wind": Case(by_wind, names=("wind infiltration", "infiltration by strong wind", "wind in leaks")),
+    "ap_wind": Case(by_wind, names=WIND),
     "ap_windows": Case(vented((0, 24), 24, 2), names=("windows opened in warm rooms", "windows opened while occupied")),
     "ap_coolset": Case(schedule("APT_CLGSETP_SCH", raised(18, 24, -1.5)), names=("cooling set-point of some hours",)),
 }
@@ -179,7 +201,7 @@ def on_soil(objects, weather):
 
 def with_effect(energyplus, case, effect, folder):
     """Both years, with the effect from its day on."""
-    source = reports.file_like(energyplus, loads.MODELS[NULL[case[:2]]])
+    source = reports.file_like(energyplus, MODELS[NULL[case[:2]]])
     if source is None:
         print(f"skipped: {reports.HOW}")
         sys.exit(loads.SKIPPED)

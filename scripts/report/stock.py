@@ -28,12 +28,20 @@ LEVELS, GAP = string.digits + string.ascii_letters, " "
 CHARACTERS = np.frombuffer((LEVELS + GAP).encode(), np.uint8)
 HOUR, DAY = 3600, 86400        # [s]
 SAME = 1e-4                    # the stock's daily sums are of single precision
+LEAST_NAMED = 0.5              # probability from which on the stock names an effect
 SHARED = "shared"              # a word of every finding of the kind
 UNIT = "unit"
 
 
 def no_days():
     return np.empty(0)
+
+
+@dataclass
+class Common:
+    """What the buildings of a stock say of each other."""
+    effects: list    # as of common_in
+    names: list      # as of named_by_stock
 
 
 @dataclass(eq=False)
@@ -177,7 +185,7 @@ def add_foretold(file, building):
 
 
 def night_in(file):
-    """(title, buildings, effects in common) of an open file."""
+    """(title, buildings, what they have in common) of an open file."""
     if not guard.has(file, "stock"):
         raise ValueError(f"{file.filename}: is no result of a stock")
     group = file["stock"]
@@ -201,17 +209,32 @@ def night_in(file):
     add_daily_sums(group, buildings)
     for building in buildings:
         add_foretold(file, building)
-    return str(file.attrs.get("title", "stock")), buildings, common_in(group)
+    return (str(file.attrs.get("title", "stock")), buildings,
+            Common(common_in(group), named_by_stock(group, buildings)))
 
 
 def common_in(group):
-    """(effect, buildings, of so many, quartile, median, quartile, unit): those in two buildings or more."""
+    """(effect, buildings, of so many, quartile, median, quartile, unit, expected buildings): those in two buildings or
+    more. An older result expects those that it found."""
     names = [f"stock_common_{name}" for name in ("effect", "n", "of", "q25", "median", "q75", "unit")]
     if not all(guard.has(group, name) for name in names):
         return []
     columns = [guard.texts(group, name) if name.endswith(("effect", "unit")) else numbers(group, name)
                for name in names]
-    return [row for row in zipped(columns) if row[1] > 1]
+    columns.append(numbers(group, "stock_common_expected") or columns[1])
+    return [row for row in zipped(columns) if max(row[1], row[-1]) > 1]
+
+
+def named_by_stock(group, buildings):
+    """(building, its own name, the stock's, how probable) of effects that the stock names otherwise, and of what no
+    building could name by itself."""
+    effects = [(at(buildings, owner).name, *row) for owner, *row in rows(group, "stock_effects", [
+        "stock_effect", "stock_effect_by_stock", "stock_effect_by_stock_probability"])] \
+        if guard.has(group, "stock_effect_by_stock") else []
+    undecided = zip([building.name for building in buildings], [""] * len(buildings),
+                    guard.texts(group, "stock_undecided"), numbers(group, "stock_undecided_probability")) \
+        if guard.has(group, "stock_undecided") else ()
+    return [row for row in (*effects, *undecided) if row[2] and row[2] != row[1] and row[3] >= LEAST_NAMED]
 
 
 def table_of(result):
@@ -228,7 +251,7 @@ def table_of(result):
 
 
 def read(path):
-    """(title, night, buildings, name of the CSV, effects in common)"""
+    """(title, night, buildings, name of the CSV, what they have in common)"""
     title, buildings, common = guard.read_apart(path, night_in)
     return title, pathlib.Path(path).stem, buildings, table_of(path), common
 
@@ -353,7 +376,7 @@ def contents(read_stock, nights):
             "failed": [b for b in buildings if b.status == "failed"],
             "changed": [b for b in buildings if b.has_changed and b.status not in ("failed", "tested")],
             "postponed": [b for b in buildings if b.status == "postponed"],
-            "told": [b for b in buildings if b.told], "common": common,
+            "told": [b for b in buildings if b.told], "common": common.effects, "by_stock": common.names,
             "drifting": [b for b in buildings if b.drift], "worst": worst, "zeros": zeros,
             "units": units, "shared": shared, "others": others, "effects": effects,
             "data_said": data_said(zeros, units, shared), "picture": picture(nights),

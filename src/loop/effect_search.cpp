@@ -107,7 +107,9 @@ class Search {
             return false;
         }
         const EffectClass near = class_of(data_, result_.last, step);
+        result_.undecided.clear();
         if (near.probability() < least_probability) {
+            result_.undecided = near.names;
             result_.log.push_back(
                 {near.names.front().name,
                  fmt::format("does not join: its probability is {:.2f}, "

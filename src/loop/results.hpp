@@ -29,6 +29,7 @@ struct LoopResult {
     Localisation before, after;
     std::vector<Unexplained> unexplained;
     std::vector<std::pair<std::string, double>> candidates;  ///< of the last step
+    std::vector<Named> undecided;  ///< names of what passed there and did not join
     /// Evidence of the best candidate that did not pass over what noise alone would show,
     /// at least 1: how much more than noise what the model cannot say moves its unknowns.
     double misfit = 1;

@@ -168,16 +168,26 @@ void summarise(const Case& building, const study::Summary& summary, StockRecord&
         record.findings.push_back({"fit", summary.shortfall, doubtful});
 }
 
+/// \param effect  its place, as of StockRecord::Name
+void note_names(const std::vector<study::PossibleName>& names, double effect,
+                StockRecord& record) {
+    for (const study::PossibleName& one : names)
+        record.names.push_back({effect, one.name, one.probability});
+}
+
 /// Of a loop, what the next nights test: effects one by one, the rest of the model as a
 /// whole.
 void adopt(const Case& building, const study::Summary& summary, StockRecord& record) {
     for (const study::FoundPart& part : summary.parts) {
         if (part.effect.empty())
             record.adopted += part.section;
-        else
+        else {
+            note_names(part.names, static_cast<double>(record.effects.size()), record);
             record.effects.push_back({part.effect, part.unit, "new", part.section,
                                       part.coefficient, part.least, part.most});
+        }
     }
+    note_names(summary.undecided, of_what_did_not_join, record);
     const study::Period& known = building.periods.front();
     record.known_from = static_cast<double>(known.from.time_since_epoch().count());
     record.known_to = static_cast<double>(known.to.time_since_epoch().count());

@@ -27,6 +27,8 @@ void visit_building(Row& row, See&& see) {
     see("stock_reason", row.reason);
     see("stock_drift", row.drift);
     see("stock_told", row.told);
+    see("stock_undecided", row.undecided);
+    see("stock_undecided_probability", row.undecided_probability);
     see("stock_adopted", row.adopted);
     see("stock_adopted_hash", row.adopted_hash);
     see("stock_known_from", row.known_from);
@@ -76,6 +78,15 @@ void visit_effect(Row& row, See&& see) {
     see("stock_effect_low", row.low);
     see("stock_effect_high", row.high);
     see("stock_effect_since", row.since);
+    see("stock_effect_by_stock", row.by_stock);
+    see("stock_effect_by_stock_probability", row.by_stock_probability);
+    see("stock_effect_by_stock_coefficient", row.by_stock_coefficient);
+}
+template <class Row, class See>
+void visit_name(Row& row, See&& see) {
+    see("stock_name_effect", row.effect);
+    see("stock_name", row.name);
+    see("stock_name_probability", row.probability);
 }
 template <class Row, class See>
 void visit_change(Row& row, See&& see) {
@@ -100,6 +111,8 @@ void visit_lists(Record& record, Table&& table) {
           [](auto& row, auto&& see) { visit_value(row, see); });
     table("stock_effects", record.effects,
           [](auto& row, auto&& see) { visit_effect(row, see); });
+    table("stock_names", record.names,
+          [](auto& row, auto&& see) { visit_name(row, see); });
     table("stock_changes", record.changes,
           [](auto& row, auto&& see) { visit_change(row, see); });
     table("stock_findings", record.findings,

@@ -23,6 +23,9 @@ constexpr const char* history_head =
     "nmbe_last_period,drift,reason\n";
 constexpr const char* changes_head = "building,change,effect,searches\n";
 
+/// In StockRecord::Name.
+inline constexpr double of_what_did_not_join = -1;
+
 struct StockRecord {
     std::string name;
     std::string status;  ///< calibrated, tested, unchanged, postponed, failed
@@ -71,8 +74,22 @@ struct StockRecord {
         std::string section;  ///< of a job; empty: it has no name, or none can declare it
         double coefficient = nan, low = nan, high = nan;  ///< as it was found
         double since = nan;  ///< first day of this state, where one is known [d]
+        /// What the stock makes of it: its likeliest name and how probable that is, and
+        /// the coefficient, where others have it too.
+        std::string by_stock{};
+        double by_stock_probability = nan, by_stock_coefficient = nan;
     };
     std::vector<Effect> effects;
+    /// A name that an effect may have, by the building's own readings.
+    struct Name {
+        double effect = 0;  ///< place in `effects`; -1: of what did not join
+        std::string name;
+        double probability = 0;
+    };
+    std::vector<Name> names;
+    /// Of what did not join, as of an effect.
+    std::string undecided;
+    double undecided_probability = nan;
 
     /// A step that a night has told: the model goes on with it.
     struct Change {

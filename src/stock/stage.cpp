@@ -303,11 +303,13 @@ study::Conclusion StockStage::conclude(const std::vector<ItemAnswer>& answers) c
         common.add(whole);
         parts[k] = shared_part(whole);
     }
+    common.compare();
     find_shared_meters(parts);
     study::Conclusion night;
     night.datasets = datasets_of(causes.size(), [&](std::size_t k) {
         StockRecord whole = record(k);
         take_shared(std::exchange(parts[k], {}), whole);
+        common.write(k, whole);
         return whole;
     });
     std::ranges::move(common.datasets(), std::back_inserter(night.datasets));

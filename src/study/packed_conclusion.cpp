@@ -41,6 +41,10 @@ void visit(is_a<FoundFit> auto& fit, auto&& see) {
     see(fit.cv_rmse);
     see(fit.nmbe);
 }
+void visit(is_a<PossibleName> auto& name, auto&& see) {
+    see(name.name);
+    see(name.probability);
+}
 void visit(is_a<FoundPart> auto& part, auto&& see) {
     see(part.effect);
     see(part.section);
@@ -48,6 +52,7 @@ void visit(is_a<FoundPart> auto& part, auto&& see) {
     see(part.coefficient);
     see(part.least);
     see(part.most);
+    see(part.names);
 }
 void visit(is_a<FoundPoints> auto& points, auto&& see) {
     see(points.parameters);
@@ -63,6 +68,7 @@ void visit(is_a<Summary> auto& summary, auto&& see) {
     see(summary.points);
     see(summary.findings);
     see(summary.parts);
+    see(summary.undecided);
     see(summary.score);
     see(summary.failure);
     see(summary.shortfall);

@@ -31,12 +31,19 @@ struct FoundFit {
     double nmbe = nan;
 };
 
+/// A name that an effect may have, by its building alone.
+struct PossibleName {
+    std::string name;
+    double probability = nan;
+};
+
 /// What a description may take up of what was found, as sections of a job.
 struct FoundPart {
     std::string effect;   ///< its name; empty: structure, hours, functions
     std::string section;  ///< TOML, which the readers of a description take
     std::string unit;     ///< of the coefficient; empty where there is none
     double coefficient = nan, least = nan, most = nan;  ///< with its 90 % interval
+    std::vector<PossibleName> names{};  ///< of its class; its own first
 };
 
 /// Points that agree with the readings: draws, all alike, or best points, best first.
@@ -54,6 +61,8 @@ struct Summary {
     FoundPoints points;
     std::vector<DataDecision> findings;
     std::vector<FoundPart> parts;
+    /// Of what was seen, and had no name that was probable enough.
+    std::vector<PossibleName> undecided;
     /// By which two runs of the same study can be told apart: smaller is better.
     double score = std::numeric_limits<double>::infinity();
     std::string failure;    ///< why nothing was found; empty = something was

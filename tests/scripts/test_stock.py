@@ -281,6 +281,9 @@ def made_night(path, n):
             "drift": ["wall moved by 0.31 of its range" if place % 50 == 0 else "" for place in k],
             "told": ["ended: wind <infiltration>, on 2022-03-04" if place % 200 == 0 else "" for place in k],
             "common_effect": ["wind <infiltration>", "sun on walls"], "common_unit": ["1/h per m/s", "K"],
+            "effect": ["<stack> infiltration", "sun on walls"],
+            "effect_by_stock": ["wind <infiltration>", "sun on walls"],
+            "undecided": ["weather <station>" if place == 5 else "" for place in k],
             "fit_meter": ["gas"] * (2 * n), "fit_period": ["training", "recent"] * n,
             "finding_series": ["gas"] * len(findings), "finding": [what for _, what in findings],
             "finding_action": ["masked" if "zeros" in what else "kept" for _, what in findings],
@@ -288,8 +291,11 @@ def made_night(path, n):
     numbers = {"age": k % 30, "daily_start": np.full(n, 19358), "daily_n": np.full(n, DAYS), "daily": daily.ravel(),
                "fits_of": np.repeat(k, 2), "fit_before": errors[:, :, 0].ravel(),
                "fit_cv_rmse": errors[:, :, 1].ravel(), "fit_nmbe": np.zeros(2 * n),
+               "effects_of": [3, 4], "effect_by_stock_probability": [0.93, 0.99],
+               "undecided_probability": np.where(k == 5, 0.81, np.nan), "common_expected": [66.42, 0.9],
                "common_n": [61, 1], "common_of": [312, 312], "common_q25": [0.01, 1], "common_median": [0.02, 1],
-               "common_q75": [0.04, 1], "values_of": k, "value": np.ones(n), "value_low": np.ones(n), "value_high": np.ones(n),
+               "common_q75": [0.04, 1], "values_of": k, "value": np.ones(n), "value_low": np.ones(n),
+               "value_high": np.ones(n),
                "value_moved": np.zeros(n), "findings_of": [place for place, _ in findings]}
     with h5py.File(path, "w") as file:
         group = file.create_group("stock")
@@ -329,6 +335,17 @@ class ManyBuildings(unittest.TestCase):
 
 
 class Page(ManyBuildings):
+    def test_what_the_stock_names_is_told(self):
+        common = self.page[self.page.index("Effects in common"):self.page.index("Named by the stock")]
+        self.assertIn('<th>wind &lt;infiltration&gt;<td>in 61 of 312<td class="n">66.4', common)
+        self.assertNotIn("sun on walls", common)    # in one building
+        named = self.page[self.page.index("Named by the stock"):]
+        rows = re.findall(r"<tr><th>([^<]*)<td>([^<]*)<td>([^<]*)<td class=\"n\">([^<]*)</tr>", named)[:2]
+        self.assertEqual([tuple(map(html.unescape, row[1:])) for row in rows],
+                         [("<stack> infiltration", "wind <infiltration>", "0.93"),
+                          ("no name", "weather <station>", "0.81")])
+        self.assertEqual([html.unescape(row[0]) for row in rows], [self.names[3], self.names[5]])
+
     def test_it_is_small_made_soon_and_the_same_again(self):
         print(f"measured: page of {MANY} buildings: {len(self.page.encode()) / 1e6:.2f} MB in {self.seconds:.1f} s")
         self.assertLessEqual(len(self.page.encode()), MOST_BYTES)
@@ -353,7 +370,7 @@ class Page(ManyBuildings):
         text = " ".join(html.unescape(re.sub(r"<[^>]+>", " ", self.page)).split())
         self.assertIn(f"{MANY // 200} changed", text)
         self.assertIn("ended: wind <infiltration>, on 2022-03-04", text)
-        self.assertIn("wind <infiltration> in 61 of 312 0.02 0.01 to 0.04 1/h per m/s", text)
+        self.assertIn("wind <infiltration> in 61 of 312 66.4 0.02 0.01 to 0.04 1/h per m/s", text)
         self.assertNotIn("in 1 of 312", text)
 
     def test_each_status_is_counted_once_and_an_effect_is_no_finding_in_the_data(self):
