@@ -36,6 +36,7 @@ GAS_OF_APARTMENTS = ("Heating:NaturalGas", "WaterSystems:NaturalGas")   # as the
 SLAB = "ext-slab"       # of the ground floor
 # Name, roughness, resistance [m2 K/W] of 1.2 m of clay (ISO 13370). Without mass: a run warms up on one day alone.
 SOIL = ("Material:NoMass", "soil", "Rough", f"{1.2 / 1.5}")
+ECONOMIZER = 8          # field of its control type
 FIRST_GROUND = 6        # field of the monthly temperatures of the first depth
 
 
@@ -99,6 +100,11 @@ def schedule(pattern, new_hours):
 
 def raised(first, last, size):
     return lambda days, hours, _: [value + size * (first <= k < last) for k, value in enumerate(hours)]
+
+
+def more(first, last, size):
+    """As raised, of a share, which is 1 at most."""
+    return lambda days, hours, _: [min(value + size * (first <= k < last), 1) for k, value in enumerate(hours)]
 
 
 def at_least(first, last, size):
@@ -165,7 +171,7 @@ CASES = {
     "so_coolset": Case(schedule("CLGSETP_SCH", raised(12, 18, -1.5)), names=("cooling set-point of some hours",)),
     "so_leaks": Case(scaled("ZoneInfiltration:DesignFlowRate", [5, 6, 7, 8], 0.4), "10-01",
                      names=("leaks sealed or opened",)),
-    "so_nights": Case(schedule("BLDG_EQUIP_SCH", raised(0, 6, 0.3)), names=("use at night",)),
+    "so_nights": Case(schedule("BLDG_EQUIP_SCH", more(0, 6, 0.3)), names=("use at night",)),
     "so_fans": Case(schedule("HVACOperationSchd", at_least(22, 24, 1)),
                     names=("plant runs on after hours", "other hours than declared")),
     "so_film": Case(scaled("WindowMaterial:SimpleGlazingSystem", [3], 0.5), "05-01",
@@ -189,13 +195,16 @@ CASES = {
 
 
 def on_soil(objects, weather):
-    """The ground floor on what the description says, over the first depth of the weather file's ground."""
+    """The ground floor on what the description says, over the first depth of the weather file's ground; no economiser,
+    which the medium office's file has, and its description has not."""
     line = next(line for line in weather.read_text().splitlines() if line.startswith("GROUND TEMPERATURES"))
     months = line.split(",")[FIRST_GROUND:FIRST_GROUND + 12]
     rest = [list(fields) for fields in objects if not is_a(fields, "Site:GroundTemperature:BuildingSurface")]
     for fields in rest:
         if is_a(fields, "Construction") and fields[1].lower() == SLAB:
             fields.insert(2, SOIL[1])
+        if is_a(fields, "Controller:OutdoorAir"):
+            fields[ECONOMIZER] = "NoEconomizer"
     return [*rest, ["Site:GroundTemperature:BuildingSurface", *months], list(SOIL)]
 
 
