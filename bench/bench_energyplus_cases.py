@@ -175,7 +175,7 @@ CASES = {
     "so_fans": Case(schedule("HVACOperationSchd", at_least(22, 24, 1)),
                     names=("plant runs on after hours", "other hours than declared")),
     "so_film": Case(scaled("WindowMaterial:SimpleGlazingSystem", [3], 0.5), "05-01",
-                    names=("retrofit of windows", "shade in a season", "soiling of windows")),
+                    names=("film on windows", "retrofit of windows")),
     "so_lights": Case(scaled("Lights", [5, 6, 7], 0.6), "03-15", names=("tenants move in or out",)),
     "mo_wind": Case(by_wind, names=WIND),
     "mo_plugstep": Case(scaled("ElectricEquipment", [5, 6, 7], 1.35), JUNE, names=("tenants move in or out",)),

@@ -43,7 +43,7 @@ struct FoundPart {
     std::string section;  ///< TOML, which the readers of a description take
     std::string unit;     ///< of the coefficient; empty where there is none
     double coefficient = nan, least = nan, most = nan;  ///< with its 90 % interval
-    std::vector<PossibleName> names{};  ///< of its class; its own first
+    std::vector<PossibleName> names{};                  ///< of its class; its own first
 };
 
 /// Points that agree with the readings: draws, all alike, or best points, best first.

@@ -87,6 +87,8 @@ class RealLoops(unittest.TestCase):
         for change, is_worse in ((np.ones(26), False), (1.05**2 + 0.02 * np.sin(np.arange(26)), True),
                                  (np.where(np.arange(26) == 3, 4, 1), False), (np.full(26, 1.005**2), False)):
             self.assertEqual(change_of_errors.is_worse(np.stack([before, before * change], axis=1)), is_worse)
+        self.assertFalse(change_of_errors.is_worse(np.zeros((26, 2))))
+        self.assertTrue(change_of_errors.is_worse(np.stack([0 * before, before], axis=1)))
 
 
 if __name__ == "__main__":
