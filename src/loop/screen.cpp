@@ -209,6 +209,7 @@ Matrix points_of(const Standing& standing, const std::vector<Secants>& group,
                  std::size_t n_candidates) {
     const auto& unknowns = standing.built.unknowns;
     std::vector<double> at;
+    at.reserve(unknowns.size() + n_candidates);
     for (std::size_t k = 0; k < unknowns.size(); ++k)
         at.push_back(unknowns[k].value(standing.fit.at.x[k]));
     at.resize(unknowns.size() + n_candidates, 0.0);

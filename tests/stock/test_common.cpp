@@ -81,6 +81,7 @@ TEST(CommonEffects, OfOneBuildingAreAsItFoundThem) {
 TEST(CommonEffects, ANameThatAllMayHaveIsLikelierInEach) {
     CommonEffects common;
     std::vector<StockRecord> records;
+    records.reserve(40);
     for (int k = 0; k < 40; ++k)
         records.push_back(named({{"other " + std::to_string(k), 0.5}, {"station", 0.4}}));
     for (const StockRecord& record : records) common.add(record);
