@@ -33,7 +33,6 @@ FACTORS = (1.25, 0.75)
 LEAST_SHARE = 0.02        # of decisions: what decides changes more
 WEEKS = 9
 CONSTANT = re.compile(r"inline constexpr (\w+(?:::\w+)?) (\w+) = ([^;]+);")
-LATER = re.compile(r"\bconstexpr\b(?=[^;]*\bdecisions::)")
 CHANGED = """#pragma once
 #include <cmath>
 #include <cstdlib>
@@ -87,6 +86,13 @@ def changeable(text, folder):
         made.replace("#pragma once", '#pragma once\n\n#include "base/changed_number.hpp"', 1)
 
 
+def with_later_constants(text):
+    """A source in which what follows from a number is read when the program starts, too."""
+    names = "|".join(name.partition(".")[2].partition("[")[0] for folder in FOLDERS for name in numbers_of(folder))
+    text = re.sub(rf"\bstatic constexpr\b(?=[^;]*\b(?:{names})\b)", "static inline const", text)    # of a class
+    return re.sub(rf"\bconstexpr\b(?=[^;]*\b(?:{names})\b)", "const", text)
+
+
 def build(folder):
     """The program whose numbers may be changed."""
     tree = folder / "project"
@@ -100,7 +106,7 @@ def build(folder):
             text = source.read_text()
             of = source.parent.name
             is_header = source.name == "decisions.hpp" and of in FOLDERS
-            text = changeable(text, of) if is_header else LATER.sub("const", text)
+            text = changeable(text, of) if is_header else with_later_constants(text)
             if not to.exists() or to.read_text() != text:
                 to.write_text(text)
         elif not to.exists() or to.stat().st_mtime < source.stat().st_mtime:

@@ -57,9 +57,9 @@ class Numbers(unittest.TestCase):
                 self.assertEqual(done.stdout, printed)
 
     def test_constants_that_follow_one_are_read_later(self):
-        text = "constexpr double reach = decisions::reach;\nconstexpr int day = 24;\n"
-        self.assertEqual(bench_decisions.LATER.sub("const", text),
-                         "const double reach = decisions::reach;\nconstexpr int day = 24;\n")
+        text = "constexpr double least = 2 * least_gain;\nconstexpr int day = 24;\n"
+        self.assertEqual(bench_decisions.with_later_constants(text),
+                         "const double least = 2 * least_gain;\nconstexpr int day = 24;\n")
 
 
 class Decisions(unittest.TestCase):
