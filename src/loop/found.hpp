@@ -1,19 +1,16 @@
 /// An effect that was found, with what is said of it.
 #pragma once
 
-#include "base/nan.hpp"
 #include "effects/effect.hpp"
+#include "study/summary.hpp"
 
 #include <string>
 #include <vector>
 
 namespace bemcal::loop {
 
-/// A name, and how probable it is that it is the cause; NaN where nobody asked.
-struct Named {
-    std::string name;
-    double probability = nan;
-};
+/// NaN where nobody asked.
+using Named = study::PossibleName;
 
 /// An effect that was accepted, with what cannot be told apart from it.
 struct Found {

@@ -61,7 +61,7 @@ class Writer {
         decisions();
         study::Summary summary = summary_of(stage_, data_, loop_);
         summary.parts = parts();
-        summary.undecided = possible_names(result_.undecided);
+        summary.undecided = known(result_.undecided);
         return {datasets_of(stage_, loop_, periods_), {std::move(summary)}};
     }
 
@@ -422,22 +422,20 @@ class Writer {
         if (!structure.empty()) parts.push_back({"", structure, ""});
         for (const StoredLoop::JobPart& part : loop_.job_parts)
             parts.push_back({"", effects::as_tables(part.section), ""});
-        for (const StoredLoop::Effect& effect : loop_.effects)
+        for (std::size_t k = 0; k < loop_.effects.size(); ++k) {
+            const StoredLoop::Effect& effect = loop_.effects[k];
             parts.push_back({effect.name, effects::as_tables(effect.section), effect.unit,
-                             effect.coefficient, effect.least, effect.most});
-        const std::size_t first = parts.size() - loop_.effects.size();
-        for (std::size_t k = 0; k < loop_.effects.size(); ++k)
-            parts[first + k].names = possible_names(result_.found[k].names);
+                             effect.coefficient, effect.least, effect.most,
+                             known(result_.found[k].names)});
+        }
         return parts;
     }
 
-    static std::vector<study::PossibleName> possible_names(
-        const std::vector<Named>& names) {
-        std::vector<study::PossibleName> possible;
-        for (const Named& one : names)
-            if (!std::isnan(one.probability))
-                possible.push_back({one.name, one.probability});
-        return possible;
+    /// Those whose probability somebody asked.
+    static std::vector<Named> known(std::vector<Named> names) {
+        std::erase_if(names,
+                      [](const Named& one) { return std::isnan(one.probability); });
+        return names;
     }
 
     /// `structure` with the names of the refinements; empty for the standard's.

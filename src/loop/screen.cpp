@@ -286,23 +286,23 @@ std::vector<Screened> screen(const LoopData& data, const Place& place,
     std::vector<Secants> secants(most_together);
     std::vector<Screened> screened;
     screened.reserve(candidates.size());
-    const auto screen_group = [&](const Group& group) {
-        compare(tangent, take_secants(standing, group, keep, one_more, secants));
+    const auto can_enter = [&](const Group& group) {
+        try {
+            compare(tangent, take_secants(standing, group, keep, one_more, secants));
+        } catch (const CannotSimulate&) {
+            return false;
+        }
         for (std::size_t g = 0; g < group.size(); ++g)
             if (auto one =
                     screen_one(data, standing, tangent, *group[g], keep, secants[g]))
                 screened.push_back(std::move(*one));
+        return true;
     };
-    for (const Group& group : groups_of(candidates)) try {
-            screen_group(group);
-        } catch (const CannotSimulate&) {
-            // One cannot enter this building: no candidate. Or all of them together.
-            for (const effects::Effect* effect : group) try {
-                    if (group.size() > 1) screen_group({effect});
-                } catch (const CannotSimulate&) {
-                    continue;
-                }
-        }
+    for (const Group& group : groups_of(candidates)) {
+        if (can_enter(group) || group.size() == 1) continue;
+        // Not all of them together. What cannot enter by itself is no candidate.
+        for (const effects::Effect* effect : group) can_enter({effect});
+    }
     return screened;
 }
 

@@ -25,6 +25,12 @@ bool is_among(const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
 }
 
+/// Whether the job leaves it out, or it has left again at once.
+bool is_left_out(const LoopData& data, const std::vector<std::string>& barred,
+                 const std::string& name) {
+    return is_among(data.options.exclude, name) || is_among(barred, name);
+}
+
 std::vector<effects::Effect> candidates_of(const LoopData& data, const Place& place,
                                            const Standing& standing,
                                            const std::vector<std::string>& barred) {
@@ -36,8 +42,7 @@ std::vector<effects::Effect> candidates_of(const LoopData& data, const Place& pl
     }
     if (auto days = closed_days(data, place, standing)) all.push_back(*days);
     std::erase_if(all, [&](const effects::Effect& effect) {
-        return is_among(data.options.exclude, effect.name) ||
-               is_among(barred, effect.name) ||
+        return is_left_out(data, barred, effect.name) ||
                std::ranges::any_of(standing.model.effects, [&](const auto& there) {
                    return effects::are_equal(effect, there);
                });
@@ -216,9 +221,7 @@ std::vector<Refitted> refit_all(const LoopData& data, const Place& place,
 void add_other_hours(const LoopData& data, const Place& place, const Standing& standing,
                      const std::vector<std::string>& barred,
                      std::vector<Refitted>& ranking) {
-    if (is_among(data.options.exclude, effects::name_of_other_hours) ||
-        is_among(barred, effects::name_of_other_hours))
-        return;
+    if (is_left_out(data, barred, effects::name_of_other_hours)) return;
     for (Departure& found : other_hours(data, place, standing)) {
         Screened as_found{found.effect, 0, 1, 0, {}, {}, {}, 0};
         Standing from = standing;

@@ -57,7 +57,7 @@ bool has_name(const StockRecord& record, const StockRecord::Effect& effect) {
                record.changes.end();
 }
 
-using Names = std::vector<std::pair<std::string, double>>;
+using Names = std::vector<study::PossibleName>;
 
 /// Of an effect, with what is left for all others; of one that nobody asked it is sure.
 Names names_of(const StockRecord& record, double effect, const std::string& own) {
@@ -66,18 +66,12 @@ Names names_of(const StockRecord& record, double effect, const std::string& own)
     for (const StockRecord::Name& one : record.names) {
         if (one.effect != effect) continue;
         const double p = std::clamp(one.probability, 0.0, left);
-        names.emplace_back(one.name, p);
+        names.push_back({one.name, p});
         left -= p;
     }
     if (names.empty()) return own.empty() ? names : Names{{own, 1.0}};
-    names.emplace_back(none_of_these, left);
+    names.push_back({none_of_these, left});
     return names;
-}
-
-double sum_of(const std::vector<double>& values) {
-    double sum = 0;
-    for (const double value : values) sum += value;
-    return sum;
 }
 
 /// Mean and spread of true sizes, of which each was found with an error.
@@ -93,15 +87,15 @@ std::pair<double, double> mean_and_spread(const std::vector<double>& found,
         return sum / weights;
     };
     const double fixed = mean_by(0);
-    std::vector<double> w, w_squared, q;
+    double weights = 0, squares = 0, q = 0;
     for (std::size_t k = 0; k < found.size(); ++k) {
-        w.push_back(1 / (sd[k] * sd[k]));
-        w_squared.push_back(w[k] * w[k]);
-        q.push_back(w[k] * std::pow(found[k] - fixed, 2));
+        const double w = 1 / (sd[k] * sd[k]);
+        weights += w;
+        squares += w * w;
+        q += w * std::pow(found[k] - fixed, 2);
     }
     const double free = static_cast<double>(found.size()) - 1,
-                 scale = sum_of(w) - sum_of(w_squared) / sum_of(w),
-                 variance = std::max(0.0, (sum_of(q) - free) / scale);
+                 variance = std::max(0.0, (q - free) / (weights - squares / weights));
     return {mean_by(variance), std::sqrt(variance)};
 }
 
@@ -114,10 +108,12 @@ void CommonEffects::add(const StockRecord& record) {
     for (std::size_t k = 0; k < record.effects.size(); ++k) {
         const StockRecord::Effect& effect = record.effects[k];
         if (effect.state == "ended" || !has_name(record, effect)) continue;
+        Names names = names_of(record, static_cast<double>(k), effect.name);
+        if (names.empty()) continue;  // of a damaged result
         const double sd = (effect.high - effect.low) / (2 * stats::z_90_two_sided);
         said_.push_back({building,
                          k,
-                         names_of(record, static_cast<double>(k), effect.name),
+                         std::move(names),
                          {effect.name, effect.unit},
                          effect.coefficient,
                          sd,
@@ -145,14 +141,16 @@ void CommonEffects::compare_names() {
             Names now = alone[i].names;
             double sum = 0;
             for (std::size_t k = 0; k < now.size(); ++k) {
-                now[k].second *= beforehand + expected_[names[k].first] - names[k].second;
-                sum += now[k].second;
+                now[k].probability *=
+                    beforehand + expected_[now[k].name] - names[k].probability;
+                sum += now[k].probability;
             }
             for (std::size_t k = 0; k < now.size(); ++k) {
-                const double p = sum > 0 ? now[k].second / sum : names[k].second;
-                expected_[names[k].first] += p - names[k].second;
-                moved = std::max(moved, std::abs(p - names[k].second));
-                names[k].second = p;
+                const double was = names[k].probability,
+                             p = sum > 0 ? now[k].probability / sum : was;
+                expected_[names[k].name] += p - was;
+                moved = std::max(moved, std::abs(p - was));
+                names[k].probability = p;
             }
         }
     }
@@ -176,18 +174,23 @@ void CommonEffects::compare_sizes() {
 void CommonEffects::write(std::size_t k, StockRecord& record) const {
     record.undecided = "";
     record.undecided_probability = nan;
+    for (StockRecord::Effect& effect :
+         record.effects) {  // what the last night made of it
+        effect.by_stock = "";
+        effect.by_stock_probability = effect.by_stock_coefficient = nan;
+    }
     const auto first = std::ranges::lower_bound(said_, k, {}, &Said::building);
     for (auto one = first; one != said_.end() && one->building == k; ++one) {
-        const auto best = std::ranges::max_element(
-            one->names, {}, &std::pair<std::string, double>::second);
+        const auto best =
+            std::ranges::max_element(one->names, {}, &study::PossibleName::probability);
         if (!one->has_joined) {
-            record.undecided = best->first;
-            record.undecided_probability = best->second;
+            record.undecided = best->name;
+            record.undecided_probability = best->probability;
             continue;
         }
         StockRecord::Effect& effect = record.effects[one->effect];
-        effect.by_stock = best->first;
-        effect.by_stock_probability = best->second;
+        effect.by_stock = best->name;
+        effect.by_stock_probability = best->probability;
         const Sizes& sizes = sizes_.at(one->key);
         if (std::isnan(sizes.mean) || !(one->sd > 0)) continue;
         const double own = one->sd * one->sd, of_stock = sizes.spread * sizes.spread;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "stock/record.hpp"
+#include "study/summary.hpp"
 
 #include <map>
 #include <string>
@@ -30,8 +31,8 @@ class CommonEffects {
     /// An effect of a building, or what did not join.
     struct Said {
         std::size_t building = 0, effect = 0;
-        std::vector<std::pair<std::string, double>> names;  ///< with probabilities
-        Key key{};                                          ///< as it was found
+        std::vector<study::PossibleName> names;
+        Key key{};  ///< as it was found
         double coefficient = nan, sd = nan;
         bool has_joined = false;
     };

@@ -31,7 +31,8 @@ struct FoundFit {
     double nmbe = nan;
 };
 
-/// A name that an effect may have, by its building alone.
+/// A name that an effect may have, and how probable it is that it is the cause, by its
+/// building alone.
 struct PossibleName {
     std::string name;
     double probability = nan;

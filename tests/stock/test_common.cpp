@@ -143,5 +143,30 @@ TEST(CommonEffects, SizesAreDrawnToTheStocks) {
                 1e-12);
 }
 
+// A night begins from the record of the last, and an effect may have ended since.
+TEST(CommonEffects, WhatTheLastNightSaidIsSaidAnew) {
+    CommonEffects common;
+    StockRecord record = named({{"wind", 1.0}});
+    record.effects[0].state = "ended";
+    record.effects[0].by_stock = "wind";
+    record.effects[0].by_stock_probability = record.effects[0].by_stock_coefficient = 1;
+    common.add(record);
+    common.compare();
+    common.write(0, record);
+    EXPECT_EQ(record.effects[0].by_stock, "");
+    EXPECT_TRUE(std::isnan(record.effects[0].by_stock_probability));
+    EXPECT_TRUE(std::isnan(record.effects[0].by_stock_coefficient));
+}
+
+TEST(CommonEffects, AnEffectWithoutAnyNameIsLeftOut) {
+    CommonEffects common;
+    StockRecord record = building({{"", "K", "holds", "[[effect]]", 1, 1, 1}});
+    common.add(record);
+    common.compare();
+    common.write(0, record);
+    EXPECT_EQ(record.effects[0].by_stock, "");
+    EXPECT_TRUE(common.datasets().empty());
+}
+
 }  // namespace
 }  // namespace bemcal::stock
