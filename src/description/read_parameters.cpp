@@ -164,9 +164,7 @@ void read_value(const schema::Section& section, Parameter& parameter,
         section.fail_value("value",
                            fmt::format("expected {:g} to {:g}, the range of {}",
                                        parameter.least, parameter.most, parameter.name));
-    const Building described = building;
-    physics::apply(described, {&parameter, 1}, {&value, 1}, building);
-    parameter.nominal = value;
+    physics::set_nominal(value, parameter, building);
 }
 
 }  // namespace

@@ -33,4 +33,12 @@ void apply(const Building& nominal, std::span<const Parameter> parameters,
     derive(building);
 }
 
+void set_nominal(double value, Parameter& parameter, Building& building) {
+    constexpr double next_to_nothing = 1e-9;
+    if (parameter.effect == Effect::factor && value == 0) value = next_to_nothing;
+    const Building before = building;
+    apply(before, {&parameter, 1}, {&value, 1}, building);
+    parameter.nominal = value;
+}
+
 }  // namespace bemcal::physics

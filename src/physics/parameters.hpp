@@ -50,4 +50,8 @@ std::vector<Target> inputs_that_follow(const Building& building, int profile);
 void apply(const Building& nominal, std::span<const Parameter> parameters,
            std::span<const double> point, Building& building);
 
+/// The building has this value from here on, where no point says another: the parameter
+/// means what it did. A factor of 0 is one of 1e-9, for it would leave nothing to change.
+void set_nominal(double value, Parameter& parameter, Building& building);
+
 }  // namespace bemcal::physics

@@ -220,7 +220,7 @@ std::map<std::string, double> values_in(const StockRecord& before, const Case& b
 void start_from(const std::map<std::string, double>& values, Case& building) {
     for (physics::Parameter& parameter : building.parameters)
         if (const auto found = values.find(parameter.name); found != values.end())
-            parameter.nominal = found->second;
+            physics::set_nominal(found->second, parameter, building.building);
 }
 
 void sketch(const Case& building, StockRecord& record) {

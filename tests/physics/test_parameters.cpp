@@ -185,14 +185,26 @@ TEST(Apply, FactorsAndOffsetsAreOfTheDescription) {
         parameter(described, "construction.wall.u_value", Effect::factor),
         parameter(described, "zone.room.heating_set_point", Effect::offset)};
     Building nominal = described, once = described, twice = described;
-    apply(described, parameters, std::vector<double>{1.5, -1}, nominal);
     apply(described, parameters, std::vector<double>{0.8, 2}, once);
-    parameters[0].nominal = 1.5;
-    parameters[1].nominal = -1;
+    set_nominal(1.5, parameters[0], nominal);
+    set_nominal(-1, parameters[1], nominal);
+    EXPECT_DOUBLE_EQ(nominal.constructions[0].u_value.value, 0.6);
+    EXPECT_DOUBLE_EQ(nominal.zones[0].thermostat.heating_set_point.value, 19);
     apply(nominal, parameters, std::vector<double>{0.8, 2}, twice);
     EXPECT_DOUBLE_EQ(twice.constructions[0].u_value.value,
                      once.constructions[0].u_value.value);
     EXPECT_DOUBLE_EQ(twice.zones[0].thermostat.heating_set_point.value, 22);
+}
+
+TEST(SetNominal, OfAFactorOfZeroLeavesSomethingToChange) {
+    Building building = two_zones();
+    const double u = building.constructions[0].u_value.value;
+    Parameter factor = parameter(building, "construction.wall.u_value", Effect::factor);
+    set_nominal(0, factor, building);
+    EXPECT_NEAR(building.constructions[0].u_value.value, 0, 1e-8);
+    Building point = building;
+    apply(building, {&factor, 1}, std::vector<double>{1.0}, point);
+    EXPECT_DOUBLE_EQ(point.constructions[0].u_value.value, u);
 }
 
 TEST(Resolve, TakesThePathOfANumber) {

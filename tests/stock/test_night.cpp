@@ -2,8 +2,12 @@
 /// the next one does what has changed, from there.
 #include "job/small_office.hpp"
 #include "job/stock.hpp"
+#include "stock/calibration.hpp"
 #include "stock/record.hpp"
 #include "stock/stage.hpp"
+#include "study/fit_model.hpp"
+#include "study/points.hpp"
+#include "study/small_case.hpp"
 #include "support/stage_answers.hpp"
 
 #include <algorithm>
@@ -114,6 +118,40 @@ bool says(const stock::StockRecord& record, const std::string& words) {
     return std::ranges::any_of(record.findings, [&](const study::DataDecision& found) {
         return found.finding.find(words) != std::string::npos;
     });
+}
+
+std::vector<double> heating_at(const study::Case& building,
+                               const std::vector<double>& values) {
+    const physics::Drive drive = study::drive_of(building, building.periods[0]);
+    const study::FitModel model(
+        building.building, building.parameters, drive,
+        {{physics::Quantity::heating, physics::Interval::hourly}});
+    Matrix point(1, values.size());
+    point.values = values;
+    return model.predict(point).values;
+}
+
+// What a parameter means is of the description, in every night.
+TEST(StockNight, StartsFromTheModelThatTheLastOneLeft) {
+    study::Case building = test::small_case();
+    building.parameters[0].effect = physics::Effect::factor;
+    building.parameters[0].nominal = 1;
+    building.parameters[2].effect = physics::Effect::offset;
+    building.parameters[2].nominal = 0;
+    const std::vector<double> left = {1.4, 0.6, -1.5}, other = {0.7, 0.4, 0.5};
+    const auto as_left = heating_at(building, left),
+               as_other = heating_at(building, other);
+    std::map<std::string, double> values;
+    for (std::size_t k = 0; k < left.size(); ++k)
+        values[building.parameters[k].name] = left[k];
+    stock::start_from(values, building);
+    const auto nominal =
+                   heating_at(building, study::nominal_row(building.parameters).values),
+               elsewhere = heating_at(building, other);
+    for (std::size_t h = 0; h < nominal.size(); ++h) {
+        EXPECT_NEAR(nominal[h], as_left[h], 1e-9) << h;
+        EXPECT_NEAR(elsewhere[h], as_other[h], 1e-9) << h;
+    }
 }
 
 TEST(StockNight, TellsOfAMeterBeyondTheModelAndGoesOn) {
