@@ -42,6 +42,7 @@ class Common:
     """What the buildings of a stock say of each other."""
     effects: list    # as of common_in
     names: list      # as of named_by_stock
+    place: list      # as of place_in
 
 
 @dataclass(eq=False)
@@ -210,7 +211,7 @@ def night_in(file):
     for building in buildings:
         add_foretold(file, building)
     return (str(file.attrs.get("title", "stock")), buildings,
-            Common(common_in(group), named_by_stock(group, buildings)))
+            Common(common_in(group), named_by_stock(group, buildings), place_in(group)))
 
 
 def common_in(group):
@@ -223,6 +224,15 @@ def common_in(group):
                for name in names]
     columns.append(numbers(group, "stock_common_expected") or columns[1])
     return [row for row in zipped(columns) if max(row[1], row[-1]) > 1]
+
+
+def place_in(group):
+    """(effect, unit, buildings, mean, its sd, spread, probability, section) of effects that come with the weather."""
+    names = [f"stock_all_{name}" for name in ("effect", "unit", "n", "mean", "sd", "spread", "probability", "section")]
+    if not all(guard.has(group, name) for name in names):
+        return []
+    return list(zipped([guard.texts(group, name) if name.endswith(("effect", "unit", "section"))
+                        else numbers(group, name) for name in names]))
 
 
 def named_by_stock(group, buildings):
@@ -377,6 +387,7 @@ def contents(read_stock, nights):
             "changed": [b for b in buildings if b.has_changed and b.status not in ("failed", "tested")],
             "postponed": [b for b in buildings if b.status == "postponed"],
             "told": [b for b in buildings if b.told], "common": common.effects, "by_stock": common.names,
+            "place": common.place,
             "drifting": [b for b in buildings if b.drift], "worst": worst, "zeros": zeros,
             "units": units, "shared": shared, "others": others, "effects": effects,
             "data_said": data_said(zeros, units, shared), "picture": picture(nights),

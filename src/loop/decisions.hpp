@@ -90,6 +90,10 @@ inline constexpr double least_detectability = 5;
 /// Correlation from which on parameters imitate an effect. Judgement.
 inline constexpr double same_signature = 0.98;
 
+/// An effect of the place is believed no further from none [typical size].
+/// Judgement: a parabola through one size reaches no further.
+inline constexpr double most_steps_of_place = 3;
+
 // Screening on the tangent
 
 /// Sizes at which a candidate is simulated; the third is the small one that bends less

@@ -6,6 +6,7 @@
 #include "loop/beside_functions.hpp"
 #include "loop/effect_search.hpp"
 #include "loop/loads.hpp"
+#include "loop/of_the_place.hpp"
 #include "loop/results.hpp"
 #include "loop/search_building.hpp"
 #include "study/packed_conclusion.hpp"
@@ -162,6 +163,8 @@ Ended search_from(const LoopData& data, Baseline baseline,
     const Place& place = result.baseline.place;
     under_way.begin("power of the readings");
     result.power = power_of(data, place, result.baseline.chosen);
+    if (data.options.compares_place)
+        result.of_the_place = effects_of_the_place(data, place, result.baseline.chosen);
     result.before = localise(data, place, result.baseline.chosen);
     result.last = result.baseline.chosen;
     ended.late_clock = search_effects(data, result, under_way, may_set_clock);

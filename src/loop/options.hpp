@@ -38,6 +38,7 @@ struct LoopOptions {
     std::optional<double> level_change{};
     int simulator_runs =
         decisions::simulator_runs;  ///< of another program, where it is what is searched
+    bool compares_place = false;    ///< whether effects of the place are told to a stock
     bool generic = true;            ///< whether the grammar's effects are tried, too
     std::vector<std::string> columns;  ///< names of the case's columns that may drive one
 };

@@ -62,6 +62,7 @@ class Writer {
         study::Summary summary = summary_of(stage_, data_, loop_);
         summary.parts = parts();
         summary.undecided = known(result_.undecided);
+        summary.of_the_place = result_.of_the_place;
         return {datasets_of(stage_, loop_, periods_), {std::move(summary)}};
     }
 

@@ -26,6 +26,7 @@ struct LoopResult {
     std::vector<LearnedHours> hours;       ///< that nobody wrote down; plain lacks them
     std::vector<LoggedStep> log;
     PowerTable power;
+    std::vector<study::PlaceEffect> of_the_place;  ///< where the options ask for them
     Localisation before, after;
     std::vector<Unexplained> unexplained;
     std::vector<std::pair<std::string, double>> candidates;  ///< of the last step

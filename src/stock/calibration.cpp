@@ -151,6 +151,8 @@ const StockKind& stock_kind_of(const job::StudySpec& study) {
 
 /// The best points are asked for, and looked at closely where whole results are kept.
 void prepare(job::StudySpec& study, const job::StockOptions& stock) {
+    if (auto* loop = std::any_cast<loop::LoopOptions>(&study.options))
+        loop->compares_place = true;
     auto* screening = std::any_cast<calibration::ScreeningOptions>(&study.options);
     if (screening == nullptr) return;
     screening->keep_points = true;
@@ -188,6 +190,7 @@ void adopt(const Case& building, const study::Summary& summary, StockRecord& rec
         }
     }
     note_names(summary.undecided, of_what_did_not_join, record);
+    record.of_the_place = summary.of_the_place;
     const study::Period& known = building.periods.front();
     record.known_from = static_cast<double>(known.from.time_since_epoch().count());
     record.known_to = static_cast<double>(known.to.time_since_epoch().count());

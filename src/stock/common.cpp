@@ -123,14 +123,17 @@ void CommonEffects::add(const StockRecord& record) {
         said_.push_back({building, 0, std::move(undecided)});
 }
 
-void CommonEffects::compare() {
-    compare_names();
+void CommonEffects::compare(const std::vector<OfAll>& of_all) {
+    compare_names(of_all);
     compare_sizes();
 }
 
 /// Each effect sees how many others have a name; its own say is left out.
-void CommonEffects::compare_names() {
+void CommonEffects::compare_names(const std::vector<OfAll>& of_all) {
     const std::vector<Said> alone = said_;
+    std::map<std::string, double> by_place;  // buildings that have it
+    for (const OfAll& one : of_all)
+        if (!one.section.empty()) by_place[one.name] = one.probability * n_searched_;
     for (const Said& one : said_)
         for (const auto& [name, p] : one.names) expected_[name] += p;
     double moved = 1;
@@ -141,8 +144,8 @@ void CommonEffects::compare_names() {
             Names now = alone[i].names;
             double sum = 0;
             for (std::size_t k = 0; k < now.size(); ++k) {
-                now[k].probability *=
-                    beforehand + expected_[now[k].name] - names[k].probability;
+                now[k].probability *= beforehand + by_place[now[k].name] +
+                                      expected_[now[k].name] - names[k].probability;
                 sum += now[k].probability;
             }
             for (std::size_t k = 0; k < now.size(); ++k) {

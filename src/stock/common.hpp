@@ -2,6 +2,7 @@
 /// is there, how large it is, and what that says of each building's own.
 #pragma once
 
+#include "stock/place.hpp"
 #include "stock/record.hpp"
 #include "study/summary.hpp"
 
@@ -16,7 +17,8 @@ class CommonEffects {
   public:
     void add(const StockRecord& record);
     /// What all records say of each other; after the last one.
-    void compare();
+    /// \param of_all  what each building has of its place; a name of these is likelier
+    void compare(const std::vector<OfAll>& of_all = {});
     /// Writes what the stock makes of a record's effects. \param k  it was added as k-th
     void write(std::size_t k, StockRecord& record) const;
     /// stock_common*: an effect a row, those of most buildings first; nothing where no
@@ -42,7 +44,7 @@ class CommonEffects {
         double mean = nan, spread = nan;  ///< of the true ones; NaN of fewer than three
     };
 
-    void compare_names();
+    void compare_names(const std::vector<OfAll>& of_all);
     void compare_sizes();
 
     std::vector<Said> said_;

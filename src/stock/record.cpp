@@ -89,6 +89,14 @@ void visit_name(Row& row, See&& see) {
     see("stock_name_probability", row.probability);
 }
 template <class Row, class See>
+void visit_place(Row& row, See&& see) {
+    see("stock_place", row.name);
+    see("stock_place_unit", row.unit);
+    see("stock_place_typical", row.typical);
+    see("stock_place_coefficient", row.coefficient);
+    see("stock_place_sd", row.sd);
+}
+template <class Row, class See>
 void visit_change(Row& row, See&& see) {
     see("stock_change", row.of);
     see("stock_change_day", row.day);
@@ -113,6 +121,8 @@ void visit_lists(Record& record, Table&& table) {
           [](auto& row, auto&& see) { visit_effect(row, see); });
     table("stock_names", record.names,
           [](auto& row, auto&& see) { visit_name(row, see); });
+    table("stock_places", record.of_the_place,
+          [](auto& row, auto&& see) { visit_place(row, see); });
     table("stock_changes", record.changes,
           [](auto& row, auto&& see) { visit_change(row, see); });
     table("stock_findings", record.findings,

@@ -6,6 +6,7 @@
 #include "base/nan.hpp"
 #include "job/job.hpp"
 #include "study/stage.hpp"
+#include "study/summary.hpp"
 
 #include <functional>
 #include <span>
@@ -87,6 +88,8 @@ struct StockRecord {
         double probability = 0;
     };
     std::vector<Name> names;
+    /// By its own readings.
+    std::vector<study::PlaceEffect> of_the_place;
     /// Of what did not join, as of an effect.
     std::string undecided;
     double undecided_probability = nan;

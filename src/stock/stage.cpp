@@ -298,12 +298,15 @@ study::Conclusion StockStage::conclude(const std::vector<ItemAnswer>& answers) c
     };
     std::vector<StockRecord> parts(causes.size());
     CommonEffects common;
+    PlaceEffects place;
     for (std::size_t k = 0; k < parts.size(); ++k) {
         const StockRecord whole = record(k);
         common.add(whole);
+        place.add(whole);
         parts[k] = shared_part(whole);
     }
-    common.compare();
+    const std::vector<OfAll> of_all = place.of_all();
+    common.compare(of_all);
     find_shared_meters(parts);
     study::Conclusion night;
     night.datasets = datasets_of(causes.size(), [&](std::size_t k) {
@@ -313,6 +316,7 @@ study::Conclusion StockStage::conclude(const std::vector<ItemAnswer>& answers) c
         return whole;
     });
     std::ranges::move(common.datasets(), std::back_inserter(night.datasets));
+    std::ranges::move(datasets_of(of_all), std::back_inserter(night.datasets));
     night.datasets.push_back({"stock/kind", {}, {}, {}, {"stock"}});
     for (std::size_t at = index(n_items()); at < answers.size(); ++at) {
         study::Conclusion whole = whole_result_in(answers[at]);

@@ -45,6 +45,13 @@ void visit(is_a<PossibleName> auto& name, auto&& see) {
     see(name.name);
     see(name.probability);
 }
+void visit(is_a<PlaceEffect> auto& effect, auto&& see) {
+    see(effect.name);
+    see(effect.unit);
+    see(effect.typical);
+    see(effect.coefficient);
+    see(effect.sd);
+}
 void visit(is_a<FoundPart> auto& part, auto&& see) {
     see(part.effect);
     see(part.section);
@@ -69,6 +76,7 @@ void visit(is_a<Summary> auto& summary, auto&& see) {
     see(summary.findings);
     see(summary.parts);
     see(summary.undecided);
+    see(summary.of_the_place);
     see(summary.score);
     see(summary.failure);
     see(summary.shortfall);

@@ -38,6 +38,13 @@ struct PossibleName {
     double probability = nan;
 };
 
+/// An effect that comes with the weather, which buildings beside share: its coefficient
+/// by this building's readings, whether or not it is believed, and a middling size.
+struct PlaceEffect {
+    std::string name, unit;
+    double typical = nan, coefficient = nan, sd = nan;
+};
+
 /// What a description may take up of what was found, as sections of a job.
 struct FoundPart {
     std::string effect;   ///< its name; empty: structure, hours, functions
@@ -64,6 +71,7 @@ struct Summary {
     std::vector<FoundPart> parts;
     /// Of what was seen, and had no name that was probable enough.
     std::vector<PossibleName> undecided;
+    std::vector<PlaceEffect> of_the_place;  ///< of what a stock compares
     /// By which two runs of the same study can be told apart: smaller is better.
     double score = std::numeric_limits<double>::infinity();
     std::string failure;    ///< why nothing was found; empty = something was

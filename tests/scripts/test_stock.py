@@ -284,6 +284,8 @@ def made_night(path, n):
             "effect": ["<stack> infiltration", "sun on walls"],
             "effect_by_stock": ["wind <infiltration>", "sun on walls"],
             "undecided": ["weather <station>" if place == 5 else "" for place in k],
+            "all_effect": ["<station> offset", "sun"], "all_unit": ["K", "K/(W/m2)"],
+            "all_section": ['[[effect]]\nname = "<station> offset"\n', ""],
             "fit_meter": ["gas"] * (2 * n), "fit_period": ["training", "recent"] * n,
             "finding_series": ["gas"] * len(findings), "finding": [what for _, what in findings],
             "finding_action": ["masked" if "zeros" in what else "kept" for _, what in findings],
@@ -292,7 +294,8 @@ def made_night(path, n):
                "fits_of": np.repeat(k, 2), "fit_before": errors[:, :, 0].ravel(),
                "fit_cv_rmse": errors[:, :, 1].ravel(), "fit_nmbe": np.zeros(2 * n),
                "effects_of": [3, 4], "effect_by_stock_probability": [0.93, 0.99],
-               "undecided_probability": np.where(k == 5, 0.81, np.nan), "common_expected": [66.42, 0.9],
+               "all_n": [300, 290], "all_mean": [-0.64, 0.0001], "all_sd": [0.06, 0.0001], "all_spread": [0.3, 0.001],
+               "all_probability": [0.93, 0.01], "undecided_probability": np.where(k == 5, 0.81, np.nan), "common_expected": [66.42, 0.9],
                "common_n": [61, 1], "common_of": [312, 312], "common_q25": [0.01, 1], "common_median": [0.02, 1],
                "common_q75": [0.04, 1], "values_of": k, "value": np.ones(n), "value_low": np.ones(n),
                "value_high": np.ones(n),
@@ -339,6 +342,9 @@ class Page(ManyBuildings):
         common = self.page[self.page.index("Effects in common"):self.page.index("Named by the stock")]
         self.assertIn('<th>wind &lt;infiltration&gt;<td>in 61 of 312<td class="n">66.4', common)
         self.assertNotIn("sun on walls", common)    # in one building
+        place = self.page[self.page.index("What all share"):self.page.index("Named by the stock")]
+        self.assertIn('<th>&lt;station&gt; offset<td class="n">300<td class="n">−0.64', place)
+        self.assertEqual(place.count("[[effect]]"), 1)    # of the probable one alone
         named = self.page[self.page.index("Named by the stock"):]
         rows = re.findall(r"<tr><th>([^<]*)<td>([^<]*)<td>([^<]*)<td class=\"n\">([^<]*)</tr>", named)[:2]
         self.assertEqual([tuple(map(html.unescape, row[1:])) for row in rows],
