@@ -2,7 +2,9 @@
 /// the next one does what has changed, from there.
 #include "job/small_office.hpp"
 #include "job/stock.hpp"
+#include "stats/metrics.hpp"
 #include "stock/calibration.hpp"
+#include "stock/look.hpp"
 #include "stock/record.hpp"
 #include "stock/stage.hpp"
 #include "study/fit_model.hpp"
@@ -151,6 +153,34 @@ TEST(StockNight, StartsFromTheModelThatTheLastOneLeft) {
     for (std::size_t h = 0; h < nominal.size(); ++h) {
         EXPECT_NEAR(nominal[h], as_left[h], 1e-9) << h;
         EXPECT_NEAR(elsewhere[h], as_other[h], 1e-9) << h;
+    }
+}
+
+// Errors of training are those that the loop ended with.
+TEST(StockNight, TestsTheModelThatTheLoopFound) {
+    const Stock3 stock(std::string(loop_study) + "functions = false\n");
+    const Job job = stock.job();
+    const stock::StockRecord found = night(stock, {}).at(0);
+    std::vector<input::InputFile> log;
+    const study::Case adopted = stock::adopted_building(
+        job, job.stock->lines.at(0), found, stock::known_of(found), log);
+    const bool has_factor = std::ranges::any_of(adopted.parameters, [](const auto& each) {
+        return each.effect == physics::Effect::factor &&
+               std::abs(each.nominal - 1) > 0.01;
+    });
+    EXPECT_TRUE(has_factor);
+    const stock::DaySums sums = stock::day_sums(adopted);
+    const auto n = static_cast<std::size_t>(study::hours_of(adopted.periods[0]));
+    for (const stock::StockRecord::Fit& fit : found.fits) {
+        if (fit.period != found.fits[0].period) continue;
+        const auto meter =
+            std::ranges::find(adopted.meters, fit.meter, &study::Meter::name);
+        ASSERT_NE(meter, adopted.meters.end());
+        const auto& series =
+            sums.series[static_cast<std::size_t>(meter - adopted.meters.begin())];
+        const auto errors = stats::metrics_of(std::span(series.predicted).first(n),
+                                              std::span(series.measured).first(n));
+        EXPECT_NEAR(errors.cv_rmse, fit.cv_rmse, 1e-9) << fit.meter;
     }
 }
 
