@@ -9,6 +9,7 @@
 
 #include "base/nan.hpp"
 #include "stats/distributions.hpp"
+#include "stats/quantile.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,10 @@ constexpr std::size_t days_before = 28;  ///< that the last days are held agains
 constexpr std::size_t week = 7;
 constexpr std::size_t n_levels = 5;       ///< of a prediction, with a spread each
 constexpr double least_of_spread = 0.25;  ///< of a feature's overall spread
-constexpr double most_deviation = 4;      ///< spreads; a day beyond counts as there
+/// Of the known predictions at each end: what is foretold beyond may all be wrong, for no
+/// day has shown it.
+constexpr double tail = 0.02;
+constexpr double most_deviation = 4;  ///< spreads; a day beyond counts as there
 /// Known days for a degree of freedom of the scale: about the mean of the lengths.
 constexpr double days_of_freedom = 14;
 /// Of a pattern's share of information per day over the known days: less is no say.
@@ -68,12 +72,18 @@ Matrix spread_of(const Matrix& residuals, const Matrix& predicted, std::size_t n
             foretold[level_at(ends, levels[k])].push_back(levels[k]);
         }
         const double overall = rms(all);
+        std::ranges::sort(levels);
+        const double least = levels.empty() ? 0 : quantile_of_sorted(levels, tail),
+                     most = levels.empty() ? 0 : quantile_of_sorted(levels, 1 - tail);
         for (std::size_t d = 0; d < residuals.rows && overall > 0; ++d) {
             const std::size_t level = level_at(ends, predicted(d, f));
             const double usual = rms(foretold[level]);
             const double beyond =
                 usual > 0 ? std::max(1.0, std::abs(predicted(d, f)) / usual) : 1;
-            spread(d, f) = std::max(rms(at[level]), least_of_spread * overall) * beyond;
+            const double unseen =
+                std::max({0.0, predicted(d, f) - most, least - predicted(d, f)});
+            spread(d, f) =
+                std::max(rms(at[level]), least_of_spread * overall) * beyond + unseen;
         }
     }
     return spread;

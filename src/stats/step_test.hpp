@@ -30,7 +30,8 @@ inline constexpr std::size_t most_step_days = 28;
 
 /// The spread of residuals, day by day: root mean square of the known days on which the
 /// same feature was predicted alike; of a day of which more is predicted than of those,
-/// as much more. [days x features], above 0.
+/// as much more, and all that lies beyond 98 % of the known predictions, or below 2 %.
+/// [days x features], above 0.
 Matrix spread_of(const Matrix& residuals, const Matrix& predicted, std::size_t n_known);
 
 class StepTest {

@@ -124,5 +124,20 @@ TEST(StepTest, SpreadFollowsWhatIsPredicted) {
     EXPECT_NEAR(spread(150, 0), 3, 1e-12);
 }
 
+// What the known days have never shown may all be wrong.
+TEST(StepTest, SpreadHoldsAllThatIsPredictedBeyondTheKnownDays) {
+    Matrix residuals(202, 1), predicted(202, 1);
+    for (std::size_t d = 0; d < 202; ++d) {
+        predicted(d, 0) = 5 + 0.05 * static_cast<double>(d % 101);
+        residuals(d, 0) = 1;
+    }
+    predicted(200, 0) = 14;
+    predicted(201, 0) = 2;
+    const Matrix spread = spread_of(residuals, predicted, 200);
+    EXPECT_NEAR(spread(150, 0), 1, 0.05);
+    EXPECT_NEAR(spread(200, 0), 14 / 9.5 + 4.1, 0.05);
+    EXPECT_NEAR(spread(201, 0), 1 + 3.1, 0.05);
+}
+
 }  // namespace
 }  // namespace bemcal::stats
