@@ -11,6 +11,7 @@
 #include "support/simulated_process.hpp"
 
 #include <cstdlib>
+#include <string_view>
 
 #include <fmt/format.h>
 namespace bemcal {
@@ -136,12 +137,17 @@ std::vector<double> report_koh(int n_fits) {
 }  // namespace bemcal
 
 int main(int argc, char** argv) {
+    using namespace bemcal;
     const int n_fits = argc > 1 ? std::atoi(argv[1]) : 500;
-    std::vector<double> p_values = bemcal::report_koh(n_fits);
-    for (const double p : bemcal::report_direct("direct", bemcal::office(), n_fits))
-        p_values.push_back(p);
-    for (const double p :
-         bemcal::report_direct("effects", bemcal::office_with_effects(), n_fits))
-        p_values.push_back(p);
-    fmt::print("least_holm_p {:.4f} 1 0.01 -\n", bemcal::test::least_holm_p(p_values));
+    const std::string_view only = argc > 2 ? argv[2] : "";
+    std::vector<double> p_values;
+    const auto add = [&](const char* name, const auto& report) {
+        if (!only.empty() && only != name) return;
+        for (const double p : report()) p_values.push_back(p);
+    };
+    add("koh", [&] { return report_koh(n_fits); });
+    add("direct", [&] { return report_direct("direct", office(), n_fits); });
+    add("effects",
+        [&] { return report_direct("effects", office_with_effects(), n_fits); });
+    fmt::print("least_holm_p {:.4f} 1 0.01 -\n", test::least_holm_p(p_values));
 }
