@@ -4,7 +4,7 @@
 /// uniform if, and almost only if, the posterior is right (Talts et al. 2018,
 /// arXiv:1804.06788). Prints for each unknown the p-value of chi-square with 20 bins, and
 /// the least one after Holm's correction over all of them. Lines: name value unit
-/// reference ratio. Usage: bench_sbc [fits of each]
+/// reference ratio. Usage: bench_sbc [fits of each [koh|direct|effects]]
 #include "job/small_office.hpp"
 #include "study/small_case.hpp"
 #include "support/simulated_fit.hpp"
