@@ -57,8 +57,9 @@ std::optional<Setting> denied_setting(const physics::Building& described,
         return std::nullopt;
     const std::string name = name_of(described, parameter);
     if (name.empty()) return std::nullopt;
-    const double was = physics::number_at(described, parameter.targets.front());
     const bool is_shift = parameter.effect == physics::Effect::offset;
+    const double was = physics::number_at(described, parameter.targets.front()) -
+                       (is_shift ? parameter.nominal : 0);
     const double found = unknown.value(x) + (is_shift ? was : 0);
     const double half = stats::normal_quantile(0.95) * deviation;
     return Setting{name,         parameter.name,

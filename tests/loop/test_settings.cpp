@@ -41,6 +41,17 @@ TEST(Settings, OneIsDeniedBeyondThreeDeviationsOfItsPrior) {
     EXPECT_DOUBLE_EQ(denied->distance, 3.1);
 }
 
+// Of a building that has a value already: a shift is from what is described.
+TEST(Settings, AShiftIsFromTheDescription) {
+    Shift shift("zone.*.heating_set_point");
+    const auto before = shift.denied(-3.1);
+    physics::set_nominal(-1, shift.parameter, shift.building);
+    const auto denied = shift.denied(-3.1);
+    ASSERT_TRUE(before && denied);
+    EXPECT_DOUBLE_EQ(denied->described, before->described);
+    EXPECT_DOUBLE_EQ(denied->found, before->found);
+}
+
 TEST(Settings, AReplacedOneIsDescribedByItsPrior) {
     Shift shift("zone.*.cooling_set_point");
     shift.parameter.effect = physics::Effect::replace;
