@@ -41,7 +41,7 @@ struct StockOptions {
     double drift_value = 0.2;   ///< of the range
     double drift_error = 1.5;   ///< recent RMSE over that of training
     bool keep_results = false;  ///< every building's whole result as well
-    double false_alarms = 0;    ///< of a building in a week; 0 = always a new search
+    double false_alarms = 1e-3;  ///< of a building in a week; 0 = always a new search
 };
 
 class Stock {

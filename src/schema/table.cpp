@@ -150,11 +150,11 @@ constexpr Key table[] = {
      "times this."},
     {"stock", "keep_results", Type::flag, "", "false", 0, 0,
      "Store the whole result of every building, not its lines of the summary only."},
-    {"stock", "false_alarms", Type::number, "1/week", "0", 0, 0.5,
+    {"stock", "false_alarms", Type::number, "1/week", "0.001", 0, 0.5,
      "Of a loop: where new days have come, a night first tests whether what was found "
      "still holds, and searches again only where it does not. So often a building in "
-     "which nothing changes may raise an alarm in a week (0.001 is usual); 0: no test, "
-     "always a search."},
+     "which nothing changes may raise an alarm in a week, if its model is right; 0: no "
+     "test, always a search."},
     // building
     {"building", "name", Type::text, "", "", 0, 0, "Default: the file's name."},
     {"building", "holidays", Type::texts, "", "", 0, 0,

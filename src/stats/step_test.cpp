@@ -27,6 +27,9 @@ constexpr double least_of_spread = 0.25;  ///< of a feature's overall spread
 /// day has shown it.
 constexpr double tail = 0.02;
 constexpr double most_deviation = 4;  ///< spreads; a day beyond counts as there
+/// What a model leaves of new days over what it left of those that it had learned from:
+/// sqrt((1 + p / n) / (1 - p / n)) of p = 35 numbers that were fitted to n = 365 days.
+constexpr double of_new_days = 1.1;
 /// Known days for a degree of freedom of the scale: about the mean of the lengths.
 constexpr double days_of_freedom = 14;
 /// Of a pattern's share of information per day over the known days: less is no say.
@@ -176,7 +179,7 @@ std::optional<Step> StepTest::surest(std::size_t pattern) const {
         if (n == 0 || n > n_new) return;
         const auto seen = contrast(sums, n_days_, n, sums.product);
         if (!seen) return;
-        const double sd = sums.scale * seen->sd;
+        const double sd = of_new_days * sums.scale * seen->sd;
         const double statistic = seen->size / sd;
         if (!best || std::abs(statistic) > std::abs(best->statistic))
             best = Step{pattern, n_days_ - n, seen->size, sd, statistic};

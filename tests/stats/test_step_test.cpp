@@ -102,6 +102,18 @@ TEST(StepTest, TellsJustAboveItsThresholdAndNotJustBelow) {
     EXPECT_FALSE(is_told(0.99));
 }
 
+// A model leaves a tenth more of new days than of those that it has learned from.
+TEST(StepTest, NewDaysAreLessSureThanKnownOnes) {
+    Matrix residuals = noise(7, 0, 0);
+    for (std::size_t d = n_days - 7; d < n_days; ++d) residuals(d, 0) = 2;
+    const auto step =
+        StepTest(residuals, ones, {patterns()[0]}, {n_known, 1e-3}).surest(0);
+    ASSERT_TRUE(step);
+    const double as_known = std::sqrt(1.0 / static_cast<double>(n_days - step->day));
+    EXPECT_GE(step->sd, 1.1 * as_known);
+    EXPECT_LE(step->sd, 1.3 * as_known);
+}
+
 TEST(StepTest, SaysNothingOfAPatternWithoutASayOrOfMissingDays) {
     Matrix residuals = noise(3, 0, 0);
     auto all = patterns();
