@@ -13,7 +13,8 @@ Prints a line for each that changes, then `name value unit reference ratio`. Det
 the day, by the readings' own errors: sqrt(sum (x / s)^2) over all hours and meters, x the change less what the hour
 before it explains (lag-1 correlation of the errors), s their spread. What changes counts as told in time if a night
 within four weeks of the day tells a step; every other step is false, but those that follow one in the same building
-within four weeks.
+within four weeks. Those before any change stand in a line of their own: the others are of a model that a change has made
+wrong.
 """
 import argparse
 import collections
@@ -192,12 +193,18 @@ def judged(made):
     return bool(in_time), sum(day not in in_time and not follows(day) for day in nights)
 
 
+def quiet_weeks(made, options):
+    """(nights that tell a step, nights) before anything has changed in the building."""
+    last = made.day if made.day >= 0 else WEEK * options.weeks
+    return sum(day <= last and is_step(words) for day, words in made.told), last // WEEK - 1
+
+
 def line(name, value, unit, reference):
     ratio = f"{value / reference:.3f}" if reference else "-"
     print(f"{name} {value:.4g} {unit} {reference if reference else '-'} {ratio}", flush=True)
 
 
-def score(buildings, options, quiet):
+def score(buildings, options, core_seconds):
     changing = [made for made in buildings if made.day >= 0]
     for made in buildings:
         if made.day >= 0 or made.told:
@@ -211,8 +218,10 @@ def score(buildings, options, quiet):
     for kind in ("begins", "ends"):
         of_kind = [judged(made)[0] for made in strong if made.kind == kind]
         line(f"nights_{kind}_told", 100 * np.mean(of_kind) if of_kind else np.nan, f"%_of_{len(of_kind)}", 0)
+    told, quiet = map(sum, zip(*(quiet_weeks(made, options) for made in buildings)))
+    line("nights_false_before_any_change", told, f"of_{quiet}_building_weeks", quiet / 500)
     line("nights_false", false, f"of_{weeks}_building_weeks", weeks / 500)
-    line("nights_quiet", np.median(quiet) if quiet else np.nan, "core_s_a_building", 0.5)
+    line("nights_quiet", np.median(core_seconds) if core_seconds else np.nan, "core_s_a_building", 0.5)
 
 
 def main():
