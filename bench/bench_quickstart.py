@@ -72,7 +72,7 @@ def measure_posterior(folder, name, asked, change=lambda *parts: parts):
     seconds = time.perf_counter() - begin
     with h5py.File(result) as file:
         least = file["quickstart/posterior/ess_bulk"][:].min()
-        largest = file["quickstart/posterior/r_hat"][:].max()
+        largest = file["quickstart/posterior/rhat_rank"][:].max()
     print(f"quickstart_{name} {seconds:.1f} s {asked} {seconds / asked:.3f}")
     print(f"quickstart_{name}_r_hat {largest:.3f} 1 1.01 {largest / 1.01:.3f}")
     print(f"quickstart_{name}_draws_per_second {least / seconds:.0f} 1/s - -", flush=True)
