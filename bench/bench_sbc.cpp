@@ -19,14 +19,19 @@ namespace {
 
 constexpr int n_ranks = 99, n_bins = 20;
 
+/// Heating by the hour, and the air temperature.
+study::Case with_empty_meters(study::Case made) {
+    made.meters = {test::empty_meter(made, physics::Quantity::heating),
+                   test::empty_meter(made, physics::Quantity::air_temperature)};
+    return made;
+}
+
 /// A fortnight of a small office: three parameters, heating by the hour and the air
 /// temperature.
 study::Case office() {
     study::Case made = test::small_case();
     made.periods = {{"training", test::day(7), test::day(21)}};
-    made.meters = {test::empty_meter(made, physics::Quantity::heating),
-                   test::empty_meter(made, physics::Quantity::air_temperature)};
-    return made;
+    return with_empty_meters(std::move(made));
 }
 
 /// Effects that are declared, with a coefficient each that is sampled: one at a set-point
@@ -66,9 +71,7 @@ study::Case office_with_effects() {
     study::Case made = job::read_job(job::write_small_office(folder, text)).buildings[0];
     made.periods = {{"training", physics::parse_time("2021-01-04"),
                      physics::parse_time("2021-01-18")}};
-    made.meters = {test::empty_meter(made, physics::Quantity::heating),
-                   test::empty_meter(made, physics::Quantity::air_temperature)};
-    return made;
+    return with_empty_meters(std::move(made));
 }
 
 posterior::PosteriorOptions options() {

@@ -214,25 +214,28 @@ def night_in(file):
             Common(common_in(group), named_by_stock(group, buildings), place_in(group)))
 
 
+def columns_of(group, prefix, names):
+    """Those of a table of all buildings; none where one is missing."""
+    if not all(guard.has(group, f"{prefix}_{name}") for name in names):
+        return []
+    return [guard.texts(group, f"{prefix}_{name}") if name in ("effect", "unit", "section")
+            else numbers(group, f"{prefix}_{name}") for name in names]
+
+
 def common_in(group):
     """(effect, buildings, of so many, quartile, median, quartile, unit, expected buildings): those in two buildings or
     more. An older result expects those that it found."""
-    names = [f"stock_common_{name}" for name in ("effect", "n", "of", "q25", "median", "q75", "unit")]
-    if not all(guard.has(group, name) for name in names):
+    columns = columns_of(group, "stock_common", ("effect", "n", "of", "q25", "median", "q75", "unit"))
+    if not columns:
         return []
-    columns = [guard.texts(group, name) if name.endswith(("effect", "unit")) else numbers(group, name)
-               for name in names]
     columns.append(numbers(group, "stock_common_expected") or columns[1])
     return [row for row in zipped(columns) if max(row[1], row[-1]) > 1]
 
 
 def place_in(group):
     """(effect, unit, buildings, mean, its sd, spread, probability, section) of effects that come with the weather."""
-    names = [f"stock_all_{name}" for name in ("effect", "unit", "n", "mean", "sd", "spread", "probability", "section")]
-    if not all(guard.has(group, name) for name in names):
-        return []
-    return list(zipped([guard.texts(group, name) if name.endswith(("effect", "unit", "section"))
-                        else numbers(group, name) for name in names]))
+    return list(zipped(columns_of(group, "stock_all", ("effect", "unit", "n", "mean", "sd", "spread", "probability",
+                                                       "section"))))
 
 
 def named_by_stock(group, buildings):

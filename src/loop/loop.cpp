@@ -164,7 +164,8 @@ Ended search_from(const LoopData& data, Baseline baseline,
     under_way.begin("power of the readings");
     result.power = power_of(data, place, result.baseline.chosen);
     if (data.options.compares_place)
-        result.of_the_place = effects_of_the_place(data, place, result.baseline.chosen);
+        result.of_the_place =
+            effects_of_the_place(data, place, result.baseline.chosen, result.power);
     result.before = localise(data, place, result.baseline.chosen);
     result.last = result.baseline.chosen;
     ended.late_clock = search_effects(data, result, under_way, may_set_clock);

@@ -7,29 +7,14 @@
 
 #include "base/error.hpp"
 #include "base/nan.hpp"
-#include "effects/catalogue.hpp"
 #include "loop/decisions.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
 
 namespace bemcal::loop {
 namespace {
-
-/// One of each name.
-std::vector<effects::Effect> candidates(const LoopData& data, const Place& place) {
-    std::vector<effects::Effect> found;
-    for (const effects::Effect& effect :
-         effects::named_candidates(*place.surroundings, data.quantities())) {
-        const bool is_there =
-            std::ranges::find(found, effect.name, &effects::Effect::name) != found.end();
-        if (effect.hook == effects::Hook::outdoor_air && !is_there)
-            found.push_back(effect);
-    }
-    return found;
-}
 
 /// -2 log likelihood with priors where the coefficient is held; NaN: it cannot be.
 double reached_at(double coefficient, const LoopData& data, const Standing& from,
@@ -77,12 +62,15 @@ std::optional<std::pair<double, double>> lowest_point(double below, double at_ze
 
 std::vector<study::PlaceEffect> effects_of_the_place(const LoopData& data,
                                                      const Place& place,
-                                                     const Standing& standing) {
+                                                     const Standing& standing,
+                                                     const PowerTable& power) {
     std::vector<study::PlaceEffect> all;
-    for (const effects::Effect& effect : candidates(data, place))
-        if (const auto found = profile_of(effect, data, place, standing))
-            all.push_back({effect.name, effects::unit_of(effect), effect.typical,
-                           found->first, found->second});
+    for (const Power& row : power.rows) {
+        if (row.effect.hook != effects::Hook::outdoor_air) continue;
+        if (const auto found = profile_of(row.effect, data, place, standing))
+            all.push_back({row.effect.name, effects::unit_of(row.effect),
+                           row.effect.typical, found->first, found->second});
+    }
     return all;
 }
 

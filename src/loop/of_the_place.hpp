@@ -2,7 +2,7 @@
 /// too: what this building's readings say of each. A stock compares them.
 #pragma once
 
-#include "loop/baseline.hpp"
+#include "loop/power.hpp"
 #include "study/summary.hpp"
 
 #include <optional>
@@ -11,11 +11,12 @@
 
 namespace bemcal::loop {
 
-/// Each of the catalogue that enters the outdoor air, beside the model that stands, all
+/// Each row of the table that enters the outdoor air, beside the model that stands, all
 /// parameters free. Those of which the readings say nothing are left out.
 std::vector<study::PlaceEffect> effects_of_the_place(const LoopData& data,
                                                      const Place& place,
-                                                     const Standing& standing);
+                                                     const Standing& standing,
+                                                     const PowerTable& power);
 
 /// A coefficient and its standard deviation by the parabola through -2 log likelihood at
 /// -step, 0 and step; nothing where it has no lowest point within three steps.

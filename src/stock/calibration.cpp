@@ -149,7 +149,8 @@ const StockKind& stock_kind_of(const job::StudySpec& study) {
         fmt::format("no stock has studies of kind {}", study.kind->word));
 }
 
-/// The best points are asked for, and looked at closely where whole results are kept.
+/// What a stock asks beside: of a loop what its buildings share, of a screening the best
+/// points, looked at closely where whole results are kept.
 void prepare(job::StudySpec& study, const job::StockOptions& stock) {
     if (auto* loop = std::any_cast<loop::LoopOptions>(&study.options))
         loop->compares_place = true;

@@ -7,14 +7,14 @@
 /// `bias_of_models`. Left out: several stations in a stock.
 #include "stock/place.hpp"
 
+#include "effects/catalogue.hpp"
+#include "effects/job_section.hpp"
 #include "stats/quantile.hpp"
 #include "study/columns.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-
-#include <fmt/format.h>
 
 namespace bemcal::stock {
 
@@ -64,22 +64,23 @@ Mean mean_of(const std::vector<double>& found, const std::vector<double>& sd) {
     return mean;
 }
 
-/// Of the mean, if there is such an effect, over the same if there is none.
-double bayes_factor(const Mean& mean, double typical) {
+/// Logarithm of the mean's likelihood if there is such an effect, over that if there is
+/// none.
+double log_bayes_factor(const Mean& mean, double typical) {
     const double none = std::hypot(mean.sd, bias_of_models * typical),
                  some = std::hypot(none, typical);
     const auto square = [&](double sd) { return std::pow(mean.at / sd, 2); };
-    return none / some * std::exp(0.5 * (square(none) - square(some)));
+    return std::log(none / some) + 0.5 * (square(none) - square(some));
 }
 
 /// What the structure has taken of it no mean knows: the prior is as wide as its size.
+/// Empty of an effect that another version's catalogue had.
 std::string section_of(const std::string& name, double mean, double typical) {
+    const effects::Entry* entry = effects::entry_named(name);
+    if (entry == nullptr) return "";
     const double size = std::abs(typical);
-    return fmt::format(
-        "[[effect]]\nname = \"{0}\"\ncoefficient = {1:.3g}\n\n[[parameter]]\nname = "
-        "\"{0}\"\ntarget = \"effect.{0}\"\nmin = {2:.3g}\nmax = {3:.3g}\nprior = {{kind "
-        "= \"normal\", mean = {1:.3g}, sd = {4:.3g}}}\n",
-        name, mean, mean - reach * size, mean + reach * size, size);
+    return effects::job_section_of(
+        entry->effect, {mean, size, mean - reach * size, mean + reach * size}, {});
 }
 
 template <class R, class See>
@@ -98,7 +99,10 @@ void visit_all(R& row, See&& see) {
 
 void PlaceEffects::add(const StockRecord& record) {
     for (const study::PlaceEffect& effect : record.of_the_place) {
-        if (!(effect.sd > 0) || !std::isfinite(effect.coefficient)) continue;
+        const bool says_something = effect.sd > 0 && std::isfinite(effect.sd) &&
+                                    std::isfinite(effect.coefficient) &&
+                                    std::abs(effect.typical) > 0;
+        if (!says_something) continue;
         Found& found = found_[effect.name];
         found.unit = effect.unit;
         found.typical = effect.typical;
@@ -109,14 +113,19 @@ void PlaceEffects::add(const StockRecord& record) {
 
 std::vector<OfAll> PlaceEffects::of_all() const {
     std::vector<OfAll> all;
-    double sum = 1;  // that there is none
+    double most = 0;  // that there is none has a factor of 1
     for (const auto& [name, found] : found_) {
         if (found.sd.size() < least_buildings) continue;
         const Mean mean = mean_of(found.coefficients, found.sd);
-        const double factor = bayes_factor(mean, found.typical);
-        sum += factor;
+        const double log_factor = log_bayes_factor(mean, found.typical);
+        most = std::max(most, log_factor);
         all.push_back({name, found.unit, static_cast<double>(found.sd.size()), mean.at,
-                       mean.sd, mean.spread, factor, ""});
+                       mean.sd, mean.spread, log_factor, ""});
+    }
+    double sum = std::exp(-most);
+    for (OfAll& one : all) {
+        one.probability = std::exp(one.probability - most);
+        sum += one.probability;
     }
     for (OfAll& one : all) {
         one.probability /= sum;
@@ -129,10 +138,11 @@ std::vector<OfAll> PlaceEffects::of_all() const {
 
 std::vector<study::Dataset> datasets_of(const std::vector<OfAll>& all) {
     std::vector<study::Dataset> datasets;
+    if (all.empty()) return datasets;
     study::add_rows(
         "stock", "stock_all", all, [](auto& row, auto&& see) { visit_all(row, see); },
         datasets);
-    return all.empty() ? std::vector<study::Dataset>{} : datasets;
+    return datasets;
 }
 
 }  // namespace bemcal::stock

@@ -36,7 +36,9 @@ study::PlaceEffect station_in(const study::Case& made) {
     const Place place = make_place(data, {}, data.drive);
     const Standing standing =
         calibrate(data, place, {}, std::vector<double>(place.unknowns.size()));
-    for (const study::PlaceEffect& effect : effects_of_the_place(data, place, standing))
+    const PowerTable power = power_of(data, place, standing);
+    for (const study::PlaceEffect& effect :
+         effects_of_the_place(data, place, standing, power))
         if (effect.name == "urban heat island or station offset") return effect;
     return {};
 }
