@@ -226,7 +226,6 @@ void pull_changed_input(const physics::Input& input, const physics::Drive& drive
     double profile = input.profile < 0 ? 1 : drive.profile_at(input.profile, step);
     double factor = 1;
     for (const physics::Change& change : input.changes) {
-        if (change.profile < 0) break;
         const double brought = change.amount * drive.profile_at(change.profile, step);
         if (change.kind == physics::ChangeKind::factor) factor += brought;
         if (change.kind == physics::ChangeKind::schedule) profile += brought;
@@ -234,8 +233,7 @@ void pull_changed_input(const physics::Input& input, const physics::Drive& drive
     const double of_base = of_value * factor, base = input.low + span * profile;
     of_input.value += of_base * profile;
     of_input.low += of_base * (1 - profile);
-    for (std::size_t k = 0; k < physics::most_changes && input.changes[k].profile >= 0;
-         ++k) {
+    for (std::size_t k = 0; k < input.changes.size(); ++k) {
         const auto [amount, row, kind] = input.changes[k];
         const double per_amount = kind == physics::ChangeKind::shift    ? of_value
                                   : kind == physics::ChangeKind::factor ? of_value * base

@@ -23,7 +23,7 @@ struct Placed {
 };
 
 /// Throws CannotSimulate where an effect cannot enter this building (no cooling,
-/// no such facade, more than physics::most_changes at one input), saying why.
+/// no such facade), saying why.
 Placed place(std::span<const Effect> effects, const Surroundings& surroundings);
 
 /// The drive with the hours of effects that are other hours than declared; what other

@@ -22,13 +22,8 @@ int Placer::profile_row(std::vector<double> series) {
 
 void Placer::change(physics::Target target, physics::ChangeKind kind, int row) {
     auto& changes = physics::input_at(building_, target)->changes;
-    const auto free = std::find_if(changes.begin(), changes.end(),
-                                   [](const auto& one) { return one.profile < 0; });
-    if (free == changes.end())
-        throw CannotSimulate(fmt::format("{} effects change the same input already",
-                                         physics::most_changes));
-    *free = {0, row, kind};
-    target.change = static_cast<int>(free - changes.begin());
+    target.change = static_cast<int>(changes.size());
+    changes.push_back({0, row, kind});
     parameters_.back().targets.push_back(target);
 }
 

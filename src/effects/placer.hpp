@@ -35,7 +35,7 @@ class Placer {
     bool keeps_rows() const { return is_declared_; }
     /// Those that were appended.
     const std::vector<std::vector<double>>& rows() const { return rows_; }
-    /// Changes an input by a profile. Throws CannotSimulate where too many do.
+    /// Changes an input by a profile.
     void change(physics::Target target, physics::ChangeKind kind, int row);
     /// A number, or an input's value, that is the coefficient itself.
     void set(physics::Target part, const double& number);

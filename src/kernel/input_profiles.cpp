@@ -19,7 +19,6 @@ void add_profile(std::vector<int>& profiles, int profile) {
 void add_profiles(std::vector<int>& profiles, const physics::Input& input) {
     add_profile(profiles, input.profile);
     for (const physics::Change& change : input.changes) {
-        if (change.profile < 0) break;
         add_profile(profiles, change.profile);
     }
 }
@@ -28,7 +27,6 @@ void LinearProfiles::add(const physics::Input& input) {
     const bool linear = is_linear(input);
     add_profile(linear ? alone : tabled, input.profile);
     for (const physics::Change& change : input.changes) {
-        if (change.profile < 0) break;
         add_profile(change.kind == physics::ChangeKind::shift ? alone : tabled,
                     change.profile);
     }

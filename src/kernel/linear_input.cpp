@@ -26,7 +26,6 @@ physics::Input rest_of(physics::Input input, const std::vector<int>& drivers) {
 
 bool is_linear(const physics::Input& input) {
     for (const physics::Change& change : input.changes) {
-        if (change.profile < 0) break;
         if (change.kind != physics::ChangeKind::shift) return false;
     }
     return true;
@@ -35,7 +34,6 @@ bool is_linear(const physics::Input& input) {
 bool follows(const physics::Input& input, int profile) {
     if (input.profile == profile) return true;
     for (const physics::Change& change : input.changes) {
-        if (change.profile < 0) break;
         if (change.profile == profile) return true;
     }
     return false;
@@ -44,7 +42,6 @@ bool follows(const physics::Input& input, int profile) {
 double along(const physics::Input& input, int profile) {
     double sum = input.profile == profile ? input.value - input.low : 0;
     for (const physics::Change& change : input.changes) {
-        if (change.profile < 0) break;
         if (change.profile == profile) sum += change.amount;
     }
     return sum;
@@ -56,8 +53,7 @@ void pull_along(const physics::Input& input, int profile, double of_along,
         of_input.value += of_along;
         of_input.low -= of_along;
     }
-    for (std::size_t k = 0; k < physics::most_changes && input.changes[k].profile >= 0;
-         ++k)
+    for (std::size_t k = 0; k < input.changes.size(); ++k)
         if (input.changes[k].profile == profile) of_input.changes[k].amount += of_along;
 }
 
@@ -78,11 +74,11 @@ void pull_tabled(const physics::Input& input, const std::vector<int>& drivers,
         return;
     }
     physics::Input of_rest;
+    of_rest.changes.resize(input.changes.size());
     adjoint::pull_input(rest_of(input, drivers), drive, step, of_value, of_rest);
     of_input.low += is_driver ? of_rest.low + of_rest.value : of_rest.low;
     if (!is_driver) of_input.value += of_rest.value;
-    for (std::size_t k = 0; k < physics::most_changes && input.changes[k].profile >= 0;
-         ++k)
+    for (std::size_t k = 0; k < input.changes.size(); ++k)
         if (!is_driven(input.changes[k], drivers))
             of_input.changes[k].amount += of_rest.changes[k].amount;
 }

@@ -63,7 +63,6 @@ class Block {
             for (std::size_t k = 0; k < size(); ++k)
                 values[k] = row(input.profile)[steps_[k]];
         for (const physics::Change& change : input.changes) {
-            if (change.profile < 0) break;
             Values& sum = change.kind == physics::ChangeKind::shift    ? shift
                           : change.kind == physics::ChangeKind::factor ? factor
                                                                        : values;

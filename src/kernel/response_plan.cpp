@@ -118,19 +118,30 @@ bool is_of_zone(physics::Part part) {
            part != physics::Part::meter && part != physics::Part::air_system;
 }
 
-/// The building's parts with all of their numbers 0; amounts of changes are 0 as they
-/// are.
-physics::Building zeros_like(const physics::Building& building) {
+/// The number of a part's field set to 0; of an input all of its numbers.
+void set_to_zero(physics::Building& building, physics::Target target,
+                 physics::Building& zeros) {
+    physics::Input* input = physics::input_at(zeros, target);
+    if (input == nullptr) {
+        physics::number_at(zeros, target) = 0;
+        return;
+    }
+    input->value = input->low = 0;
+    input->changes.resize(physics::input_at(building, target)->changes.size());
+}
+
+/// The building's parts with all of their numbers 0.
+physics::Building zeros_like(physics::Building building) {
     physics::Building zeros = parts_of(building);
     for (std::size_t field = 0; field < physics::fields().size(); ++field) {
         const physics::Part part = physics::fields()[field].part;
         for (std::size_t k = 0; k < count_in(zeros, part); ++k) {
             const std::size_t n = is_of_zone(part) ? count_in(zeros.zones[k], part) : 1;
             for (std::size_t inner = 0; inner < n; ++inner)
-                for (physics::Slot slot : {physics::Slot::value, physics::Slot::low})
-                    physics::number_at(
-                        zeros, {part, static_cast<int>(k), static_cast<int>(inner),
-                                static_cast<int>(field), slot}) = 0;
+                set_to_zero(building,
+                            {part, static_cast<int>(k), static_cast<int>(inner),
+                             static_cast<int>(field)},
+                            zeros);
         }
     }
     return zeros;

@@ -15,21 +15,8 @@ using physics::DayKind;
 
 constexpr int day_end = 24;
 
-bool is_free(const physics::Change& change) {
-    return change.profile < 0;
-}
-
-/// How many changes each of the inputs can still take.
-std::size_t free_changes(physics::Building& building,
-                         const std::vector<physics::Target>& targets) {
-    std::size_t least = targets.empty() ? 0 : physics::most_changes;
-    for (const physics::Target& target : targets) {
-        const auto& changes = physics::input_at(building, target)->changes;
-        least = std::min(
-            least, static_cast<std::size_t>(std::ranges::count_if(changes, is_free)));
-    }
-    return least;
-}
+/// Hours that are told apart in one simulation: each takes a row that all steps read.
+constexpr std::size_t hours_at_once = 4;
 
 /// Runs that begin in the last hours before `from` and end in the first from `until` on.
 struct Tile {
@@ -77,11 +64,11 @@ class Trials {
     }
 
   private:
-    /// Rows of hours, as many as the schedule's inputs can take.
+    /// Rows of hours.
     void add_hours() {
         const auto targets = physics::inputs_that_follow(
             building_, static_cast<int>(model_.schedule.profile()));
-        n_hours_ = free_changes(building_, targets);
+        n_hours_ = targets.empty() ? 0 : hours_at_once;
         first_row_ = drive_.profiles.rows;
         Matrix profiles(first_row_ + n_hours_, drive_.profiles.cols);
         std::ranges::copy(drive_.profiles.values, profiles.values.begin());
@@ -94,10 +81,9 @@ class Trials {
         hour.name = "hour";
         for (physics::Target target : targets) {
             auto& changes = physics::input_at(building_, target)->changes;
-            const auto free = std::ranges::find_if(changes, is_free);
-            *free = {0, static_cast<int>(row), physics::ChangeKind::schedule};
             target.slot = physics::Slot::change;
-            target.change = static_cast<int>(free - changes.begin());
+            target.change = static_cast<int>(changes.size());
+            changes.push_back({0, static_cast<int>(row), physics::ChangeKind::schedule});
             hour.targets.push_back(target);
         }
         parameters_.push_back(std::move(hour));

@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+#include <boost/container/small_vector.hpp>
+
 namespace bemcal::physics {
 
 /// How a change enters an input's value (Input::changes).
@@ -28,10 +30,9 @@ enum class ChangeKind {
 /// What an effect brings to an input: amount times a row of Drive::profiles.
 struct Change {
     double amount = 0;
-    int profile = -1;  ///< row of Drive::profiles; -1 = no change here nor after it
+    int profile = -1;  ///< row of Drive::profiles
     ChangeKind kind = ChangeKind::shift;
 };
-constexpr std::size_t most_changes = 4;  ///< of one input
 
 /// value(t) = (low + (value - low) (profile(t) + schedule changes)) (1 + factor changes)
 /// + shift changes; without a profile, profile(t) = 1. A measured series is a profile
@@ -40,16 +41,15 @@ struct Input {
     double value = 0;
     double low = 0;
     int profile = -1;  ///< row of Drive::profiles, or -1
-    std::array<Change, most_changes> changes{};
+    boost::container::small_vector<Change, 4> changes{};  ///< few: without allocation
 
-    bool is_changed() const { return changes[0].profile >= 0; }
+    bool is_changed() const { return !changes.empty(); }
     /// Whether it is 0 at all times, but for its changes.
     bool is_off() const { return value == 0 && (profile < 0 || low == 0); }
     /// Whether it is or is changed to anything but 0.
     bool is_anything() const {
         bool any = !is_off();
-        for (const Change& change : changes)
-            any |= change.profile >= 0 && change.amount != 0;
+        for (const Change& change : changes) any |= change.amount != 0;
         return any;
     }
 };

@@ -290,7 +290,6 @@ double Drive::changed(const Input& input, int step) const {
     double profile = input.profile < 0 ? 1 : profile_at(input.profile, step);
     double factor = 1, shift = 0;
     for (const Change& change : input.changes) {
-        if (change.profile < 0) break;
         const double brought = change.amount * profile_at(change.profile, step);
         double& sum = change.kind == ChangeKind::shift    ? shift
                       : change.kind == ChangeKind::factor ? factor

@@ -102,7 +102,7 @@ TEST(Refinements, WhatLedToAFanLeadsToOutdoorAirBehindTerminals) {
     physics::Target change = fan;
     change.slot = physics::Slot::change;
     building.effects.push_back({"dust", "-", 0, 1, {change}});
-    building.zones[0].flows[1].air_change.changes[0] = {0.3, test::night_row};
+    building.zones[0].flows[1].air_change.changes = {{0.3, test::night_row}};
     building.links.push_back({{fan}, {fan}, {}, {}});
     ASSERT_TRUE(named("terminals with reheat").change(building));
 

@@ -25,14 +25,11 @@ inline void add_hook_profiles(Dice& dice, Drive& drive) {
 
 /// Adds a change; of kind shift in the share `shift` of the input's size.
 inline void change(Dice& dice, Input& input, double shift, int last_profile) {
-    std::size_t k = 0;
-    while (k < most_changes && input.changes[k].profile >= 0) ++k;
-    if (k == most_changes) return;
     const double size = std::max(std::fabs(input.value), std::fabs(input.low));
     const auto kind = static_cast<ChangeKind>(dice.below(3));
     const double most = kind == ChangeKind::shift ? shift * size : 0.12;
-    input.changes[k] = {dice.between(-most, most),
-                        night + dice.below(last_profile - night + 1), kind};
+    const double amount = dice.between(-most, most);
+    input.changes.push_back({amount, night + dice.below(last_profile - night + 1), kind});
 }
 
 /// One to three changes, by chance.
@@ -69,7 +66,7 @@ inline void change_zone(Dice& dice, double chance, Zone& zone) {
     Thermostat& control = zone.thermostat;
     for (Input* input : {&control.heating_set_point, &control.cooling_set_point})
         if (dice.chance(chance))
-            input->changes[0] = {dice.between(-1, 1), night, ChangeKind::shift};
+            input->changes = {{dice.between(-1, 1), night, ChangeKind::shift}};
     for (Input* input : {&control.heating_capacity, &control.cooling_capacity,
                          &control.heating_available})
         change_some(dice, chance, *input, 0.1);
@@ -123,8 +120,7 @@ void for_changes(const Building& building, const std::vector<Target>& targets,
     for (Target target : targets) {
         const Input* input = input_at(copy, target);
         target.slot = Slot::change;
-        for (std::size_t k = 0; input != nullptr && k < most_changes; ++k) {
-            if (input->changes[k].profile < 0) break;
+        for (std::size_t k = 0; input != nullptr && k < input->changes.size(); ++k) {
             target.change = static_cast<int>(k);
             visit(target);
         }

@@ -122,7 +122,7 @@ TEST(MeterFactor, MultipliesWhatTheMeterShows) {
 TEST(Changes, AreWrittenByParameters) {
     Building building = bemcal::test::simple_building();
     Input& u_value = building.constructions[0].u_value;
-    u_value.changes[0] = {0, 0, ChangeKind::factor};
+    u_value.changes = {{0, 0, ChangeKind::factor}};
     Parameter parameter{
         "c", "-", -1, 1, Effect::replace, resolve(building, "construction.wall.u_value"),
         0};

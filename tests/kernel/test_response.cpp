@@ -216,7 +216,7 @@ constexpr Change far_down_by_night{-30, test::night, ChangeKind::shift};
 TEST(Response, SetPointsThatAnEffectBringsTogetherAreHeldApartThereAndBack) {
     const int n = expect_there_and_back(12, [](Zone& zone) {
         if (zone.thermostat.imposed) return 0;
-        zone.thermostat.cooling_set_point.changes[0] = far_down_by_night;
+        zone.thermostat.cooling_set_point.changes = {far_down_by_night};
         return 1;
     });
     EXPECT_GE(n, 4);
@@ -224,8 +224,8 @@ TEST(Response, SetPointsThatAnEffectBringsTogetherAreHeldApartThereAndBack) {
 
 TEST(Response, AirThatEffectsUseUpIsNoneThereAndBack) {
     const int n = expect_there_and_back(3, [](Zone& zone) {
-        for (AirFlow& flow : zone.flows) flow.air_change.changes[0] = far_down_by_night;
-        zone.venting.air_change.changes[0] = far_down_by_night;
+        for (AirFlow& flow : zone.flows) flow.air_change.changes = {far_down_by_night};
+        zone.venting.air_change.changes = {far_down_by_night};
         return static_cast<int>(zone.flows.size());
     });
     EXPECT_GE(n, 2);

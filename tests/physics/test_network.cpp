@@ -209,7 +209,7 @@ TEST(Network, WhereAnEffectBringsSetPointsTogetherCoolingGivesWay) {
     c.zone().structure.proportional_band = 1.5;
     thermostat.heating_set_point.value = 21;
     thermostat.cooling_set_point.value = 24;
-    thermostat.cooling_set_point.changes[0] = {-1.5, 0, ChangeKind::shift};
+    thermostat.cooling_set_point.changes = {{-1.5, 0, ChangeKind::shift}};
     const auto control = [&] { return control_at(c.zone(), c.drive, 1); };
     EXPECT_EQ(control().theta_C_set, 22.5);  // just the band
     EXPECT_FALSE(control().held_apart);
@@ -233,7 +233,7 @@ TEST(Network, EffectsThatWouldTakeMoreAirThanFlowsLeaveNone) {
         make_network(c.building, c.zone(), c.drive, 1, network);
         return network.H_ve;
     };
-    air_change.changes[0] = {-0.4, 0, ChangeKind::shift};
+    air_change.changes = {{-0.4, 0, ChangeKind::shift}};
     EXPECT_NEAR(H_ve(), rho_c_air * 0.1 * c.zone().volume / 3600, 1e-9);
     air_change.changes[0].amount = -0.6;
     EXPECT_EQ(H_ve(), 0);

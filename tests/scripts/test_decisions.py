@@ -15,7 +15,7 @@ CONSTANT = re.compile(r"constexpr\s+(?:double|int|long|std::size_t|std::array)\s
 # Constants that decide nothing: of nature, of the calendar, of a calculation; places in a list.
 ELSEWHERE = {"stefan_boltzmann", "kelvin", "year_h", "elapsed_year_s", "days_of_year", "seconds_of_year",
              "hours_of_day", "fortnights_of_year", "day_classes", "kinds_of_day", "n_hours", "n_months", "day",
-             "day_end", "n_week", "n_year", "least_change", "moved_by", "small_amplitude", "most_together"}
+             "day_end", "n_week", "n_year", "least_change", "moved_by", "small_amplitude", "most_together", "hours_at_once"}
 # Keys of the job, whose defaults are written where they are read.
 KEYS = {"most_effects": "most_effects", "block_days": "block_days", "least_gain": "least_gain",
         "most_loss": "most_loss", "alpha": "alpha", "runs": "simulator_runs"}
