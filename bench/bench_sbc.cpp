@@ -1,17 +1,21 @@
 /// Simulation-based calibration of the two posteriors, of the simulator itself, without
-/// and with effects, and through Gaussian processes: fits to data that the model itself
-/// made, of unknowns drawn from their priors; the rank of the truth among the draws is
-/// uniform if, and almost only if, the posterior is right (Talts et al. 2018,
-/// arXiv:1804.06788). Prints for each unknown the p-value of chi-square with 20 bins, and
-/// the least one after Holm's correction over all of them. Lines: name value unit
-/// reference ratio. Usage: bench_sbc [fits of each [koh|direct|effects]]
+/// and with effects or a function, and through Gaussian processes: fits to data that the
+/// model itself made, of unknowns drawn from their priors; the rank of the truth among
+/// the draws is uniform if, and almost only if, the posterior is right (Talts et al.
+/// 2018, arXiv:1804.06788). Prints for each unknown the p-value of chi-square with 20
+/// bins, and the least one after Holm's correction over all of them. Lines: name value
+/// unit reference ratio. Usage: bench_sbc [fits of each
+/// [koh|direct|effects|step|function]]
 #include "job/small_office.hpp"
+#include "study/sampled_shapes.hpp"
 #include "study/small_case.hpp"
 #include "support/simulated_fit.hpp"
 #include "support/simulated_process.hpp"
 
 #include <cstdlib>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 namespace bemcal {
@@ -63,15 +67,51 @@ max = 0.15
 prior = {kind = "normal", mean = 0.05, sd = 0.02}
 )";
 
-/// A fortnight of another one, read from a job: five parameters, two of them effects.
-study::Case office_with_effects() {
+/// A function of the hours of working days, Saturdays and Sundays, 72 values that are
+/// sampled about these with a size that is sampled, too.
+std::string function_text() {
+    return fmt::format(R"(
+[[effect]]
+name = "use"
+hook = "gains"
+coefficient = 1
+
+[[effect.function]]
+driver = "hour of the week"
+values = [{}]
+spread = 2
+)",
+                       fmt::join(std::vector<double>(72, 1.0), ", "));
+}
+
+/// Heat that somebody brings from a day on, both of them sampled.
+constexpr const char* step_text = R"(
+[[effect]]
+name = "tenant"
+hook = "gains"
+driver = "time elapsed"
+since = "2021-01-11"
+since_within = 4
+coefficient = 4
+
+[[parameter]]
+name = "tenant"
+target = "effect.tenant"
+min = -10
+max = 20
+prior = {kind = "normal", mean = 4, sd = 2}
+)";
+
+/// A fortnight of another one, read from a job with effects.
+study::Case office_with(const std::string& effects) {
     const job::Folder folder;
     std::string text = job::small_office_text();
-    text.insert(text.find("[[study]]"), effects_text);
+    text.insert(text.find("[[study]]"), effects);
     study::Case made = job::read_job(job::write_small_office(folder, text)).buildings[0];
     made.periods = {{"training", physics::parse_time("2021-01-04"),
                      physics::parse_time("2021-01-18")}};
-    return with_empty_meters(std::move(made));
+    std::vector<study::SampledFunction> functions;
+    return study::with_sampled_shapes(with_empty_meters(std::move(made)), functions);
 }
 
 posterior::PosteriorOptions options() {
@@ -151,6 +191,9 @@ int main(int argc, char** argv) {
     add("koh", [&] { return report_koh(n_fits); });
     add("direct", [&] { return report_direct("direct", office(), n_fits); });
     add("effects",
-        [&] { return report_direct("effects", office_with_effects(), n_fits); });
+        [&] { return report_direct("effects", office_with(effects_text), n_fits); });
+    add("step", [&] { return report_direct("step", office_with(step_text), n_fits); });
+    add("function",
+        [&] { return report_direct("function", office_with(function_text()), n_fits); });
     fmt::print("least_holm_p {:.4f} 1 0.01 -\n", test::least_holm_p(p_values));
 }

@@ -114,7 +114,8 @@ def meters_of(study):
 def of_unknowns(study):
     """What the data tell of the inputs; the unknowns of the statistical model are left out."""
     own = [f"{meter}_{part}" for meter in meters_of(study) for part in OF_RESIDUALS]
-    names = [name for name in study.texts("unknown") if name not in own and not name.startswith(OF_STATISTICS)]
+    names = [name for name in chains.told(study, study.texts("unknown"))
+             if name not in own and not name.startswith(OF_STATISTICS)]
     finding = dict(zip(study.texts("unknown"), study.texts("data_finding")))
     told = [(words, [name for name in names if finding.get(name) in of]) for words, of in OF_FINDINGS]
     return f"Of {len(names)} calibrated input{'s' if len(names) > 1 else ''} " + "; ".join(

@@ -3,9 +3,11 @@
 Sources: rank histograms and R-hat of Vehtari et al. 2021, Bayesian Analysis 16; densities are Gaussian kernels of
 Scott's width. The log density is no unknown.
 """
+from types import SimpleNamespace
+
 import numpy as np
 
-from report import theme
+from report import pictures, theme
 from report.picture import LONGEST_OF_THREE, Table, and_more, bare_unit, picture, short, unit_words
 from report.stored import join
 from report.words import beside, fixed, listed, number, percent
@@ -18,9 +20,14 @@ TICKS = 12                     # characters that the numbers of a small axis hav
 MOST_METERS, MOST_FAILED = 6, 20
 
 
+def told(study, names):
+    """Without the columns that functions are made of, "evenings by hour of the week 12"."""
+    return [name for name in names if not any(name.startswith(f"{function} ") for function in study.texts("function"))]
+
+
 def names_of(study):
-    """Unknowns with draws, in the result's order."""
-    return [name for name in study.texts("unknown") if name != LOG_DENSITY and draws_of(study, name).size]
+    """Unknowns with draws that are told, in the result's order."""
+    return [name for name in told(study, study.texts("unknown")) if name != LOG_DENSITY and draws_of(study, name).size]
 
 
 def draws_of(study, name, group="posterior"):
@@ -212,7 +219,7 @@ def table(study):
                                                       "posterior_q95", "rhat_rank", "ess_bulk", "ess_tail")]
     units, words = units_of(study), dict(zip(study.texts("unknown"), study.texts("data_words")))
     rows = []
-    for name in study.texts("unknown"):
+    for name in told(study, study.texts("unknown")):
         mean, sd, low, high, rhat, bulk, tail = (column.get(name, np.nan) for column in columns)
         unit = units.get(name, "")
         rows.append([name, beside(mean, sd), beside(sd, sd), f"{beside(low, sd)} to {beside(high, sd)}",
@@ -236,6 +243,20 @@ def meanings(names):
         yield "Of a meter's residuals, reading less prediction: METER_constant is the size of their constant part, " \
               "METER_proportional that of the part in proportion to the prediction, METER_phi their correlation " \
               "from one step to the next."
+
+
+def functions(study):
+    """Functions whose values were sampled, with their bands."""
+    begin = min((study.numbers(join(group, "time"))[0] for group in study.groups_with("time")), default=0)
+    fields = ("at", "and_at", "value", "least", "most")
+    points = [SimpleNamespace(of=int(of), **dict(zip(fields, values))) for of, *values in
+              zip(study.numbers("function_point_of"), *(study.numbers(f"function_point_{name}") for name in fields))]
+    yield from pictures.drawn([
+        SimpleNamespace(name=name, driver=driver, unit=unit, driver_unit=driver_unit,
+                        points=[point for point in points if point.of == k])
+        for k, (name, driver, unit, driver_unit) in enumerate(zip(*(
+            study.texts(leaf) for leaf in ("function", "function_driver", "function_unit", "function_driver_unit"))))],
+        begin)
 
 
 def program(study):

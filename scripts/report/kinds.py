@@ -77,6 +77,7 @@ KINDS = {
         METERS)),
     "posterior": Kind("what is known after the data?", (
         *KNOWN,
+        part("Functions", chains.functions, "function function_point_value"),
         part("Predictions", chains.fit_table),
         part("Predictions", chains.reading_ranks),
         *CONVERGENCE,

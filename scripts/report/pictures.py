@@ -281,9 +281,14 @@ def function(one, begin):
                    "Line: what it brings beyond the description; band: 90 % interval.")
 
 
+def drawn(all_functions, begin):
+    """\param begin  [s] of training"""
+    return [one for one in (function(each, begin) for each in all_functions) if one]
+
+
 def functions(loop):
     begin = min((series.time[0] for series in loop.all_series[loop.periods[0]].values()), default=0)
-    return [drawn for drawn in (function(one, begin) for one in loop.functions) if drawn]
+    return drawn(loop.functions, begin)
 
 
 def week(series, channel, unit, kind, part):

@@ -82,6 +82,12 @@ effects::DriverFunction read_function(const Section& section) {
             "values",
             fmt::format("has {} numbers; expected {}, one for each point of \"{}\"",
                         function.values.size(), function.points.size(), function.driver));
+    section.number_if("spread", function.spread);
+    if (function.spread > 0 && function.points.kind == functions::Points::Kind::one)
+        section.fail(
+            "spread",
+            "has no place in a function of \"one\", which has no shape; expected "
+            "a [[parameter]] with the effect as its target");
     return function;
 }
 
@@ -275,15 +281,23 @@ void check_twice(const Section& section, const std::vector<Effect>& before,
     }
 }
 
-/// It can enter in every period, and has a say in one.
+/// Values of functions that are 0 have none until a posterior samples them.
+bool will_have_a_say(const std::optional<DeclaredEffects::Functions>& functions) {
+    return functions && std::ranges::any_of(functions->functions, [](const auto& one) {
+               return one.spread > 0;
+           });
+}
+
+/// It can enter in every period, and has a say in one, if not `will_have` one.
 void check_entering(const Section& section, const Effect& effect,
-                    const std::vector<effects::Surroundings>& periods) {
+                    const std::vector<effects::Surroundings>& periods, bool will_have) {
     const std::string no_say = "it has no say";
     std::string why;
     for (const effects::Surroundings& around : periods) {
         const auto objection = effects::objection(effect, around);
         if (!objection) return;
         why = *objection;
+        if (will_have && why.starts_with(no_say)) return;
         if (!why.starts_with(no_say)) break;
     }
     section.fail(
@@ -305,16 +319,6 @@ DeclaredEffects nothing_declared(const study::Case& building) {
             {column.name, static_cast<std::size_t>(profile - building.profiles.begin())});
     }
     return declared;
-}
-
-/// A row of Drive::profiles that is 0 until an effect's profile is written there.
-physics::Profile empty_row(const study::Case& building) {
-    physics::Profile row;
-    row.name = "of an effect";
-    row.is_series = true;
-    row.axis = building.weather.axis;
-    row.values.assign(static_cast<std::size_t>(row.axis.n_steps), 0.0);
-    return row;
 }
 
 void check_coefficient(const Section& section, const physics::Coefficient& effect,
@@ -339,7 +343,7 @@ void enter(const Section& section, const char* key, DeclaredEffects declared,
         }
     });
     building.profiles.insert(building.profiles.end(), declared.n_rows,
-                             empty_row(building));
+                             effects::empty_row(building.weather));
     building.declared_effects =
         std::make_shared<const DeclaredEffects>(std::move(declared));
 }
@@ -369,18 +373,30 @@ std::vector<effects::Surroundings> surroundings_in(
     return periods;
 }
 
+/// Of a step's day; 0 where it is known.
+int read_days_within(const Section& section) {
+    if (!section.has("since_within")) return 0;
+    if (!section.has("since"))
+        section.fail("since_within",
+                     "is about the day of `since`, which is missing; expected both");
+    return static_cast<int>(section.integer("since_within"));
+}
+
 void declare(const Section& section, const study::Case& building,
              std::vector<effects::Surroundings>& periods, DeclaredEffects& declared) {
     Effect effect = read_effect(section, building, periods[0]);
     check_twice(section, declared.effects, effect);
-    if (const auto functions = read_functions(section, effect)) {
+    const auto functions = read_functions(section, effect);
+    if (functions) {
         at_key(section, "function", [&] {
             for (effects::Surroundings& around : periods)
                 add_columns({*functions}, around);
         });
         declared.functions.push_back(*functions);
     }
-    check_entering(section, effect, periods);
+    check_entering(section, effect, periods, will_have_a_say(functions));
+    if (const int within = read_days_within(section); within > 0)
+        declared.days.push_back({declared.effects.size(), within});
     declared.effects.push_back(std::move(effect));
     declared.coefficients.push_back(section.number("coefficient"));
 }

@@ -43,7 +43,9 @@ void add_columns(const std::vector<DeclaredEffects::Functions>& functions,
                     "the weather of the period from {} lacks what {} follows: {}",
                     physics::format_time(around.drive->period().start), one.column,
                     function.driver));
-        around.columns[one.column] = column_of(one.hook, one.functions, drivers);
+        around.columns[one.column] = one.is_part
+                                         ? sum_of(one.functions, drivers)
+                                         : column_of(one.hook, one.functions, drivers);
     }
 }
 
@@ -73,6 +75,15 @@ physics::Building building_with(const DeclaredEffects& declared,
     physics::apply(at_zero, parameters, declared.coefficients, building);
     n_rows = placer.rows().size();
     return building;
+}
+
+physics::Profile empty_row(const physics::Weather& weather) {
+    physics::Profile row;
+    row.name = "of an effect";
+    row.is_series = true;
+    row.axis = weather.axis;
+    row.values.assign(static_cast<std::size_t>(row.axis.n_steps), 0.0);
+    return row;
 }
 
 void write_profiles(const DeclaredEffects& declared, const physics::Weather& weather,

@@ -28,8 +28,15 @@ struct DeclaredEffects {
         Hook hook;
         std::string column;
         std::vector<DriverFunction> functions;
+        bool is_part = false;  ///< of another one: a deviation that is sampled
     };
     std::vector<Functions> functions{};
+    /// A step whose day a posterior samples, so many days before and after the declared.
+    struct Day {
+        std::size_t effect;
+        int within;  ///< [d]
+    };
+    std::vector<Day> days{};
     WallClock clock{};  ///< of their hours
 };
 
@@ -40,6 +47,9 @@ struct DeclaredEffects {
 physics::Building building_with(const DeclaredEffects& declared,
                                 const physics::Drive& drive,
                                 const physics::Weather& weather, std::size_t& n_rows);
+
+/// A row of Drive::profiles that is 0 until an effect's profile is written there.
+physics::Profile empty_row(const physics::Weather& weather);
 
 /// Writes what they follow into their rows of a period's drive. Throws CannotSimulate
 /// where this period lacks what one follows, or where it enters other inputs than before.

@@ -162,8 +162,8 @@ std::string unit_of_driver(const std::string& name) {
     return row.points == Points::Kind::one ? "" : unit_of_values(row.driver);
 }
 
-std::vector<double> column_of(Hook hook, const std::vector<DriverFunction>& all,
-                              const FunctionDrivers& drivers) {
+std::vector<double> sum_of(const std::vector<DriverFunction>& all,
+                           const FunctionDrivers& drivers) {
     Series column(drivers.begin()->second[0].size(), 0.0);
     for (const DriverFunction& function : all) {
         const auto series = drivers.find(function.driver);
@@ -172,6 +172,12 @@ std::vector<double> column_of(Hook hook, const std::vector<DriverFunction>& all,
             functions::function_over(function.points, function.values, series->second);
         for (std::size_t t = 0; t < own.size(); ++t) column[t] += own[t];
     }
+    return column;
+}
+
+std::vector<double> column_of(Hook hook, const std::vector<DriverFunction>& all,
+                              const FunctionDrivers& drivers) {
+    Series column = sum_of(all, drivers);
     keep_in_domain(hook, column);
     return column;
 }

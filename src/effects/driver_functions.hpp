@@ -16,6 +16,7 @@ struct DriverFunction {
     std::string driver;  ///< "hour of the week": of function_driver_names()
     functions::Points points{};
     std::vector<double> values{};  ///< [points.size()] [the hook's unit]
+    double spread = 0;             ///< of its values in a posterior; 0 = they are known
 };
 
 /// By the name of a driver: one series, or two of an interaction, of all steps of a
@@ -36,7 +37,10 @@ functions::Points::Kind points_of_driver(const std::string& name);
 /// none, of the constant.
 std::string unit_of_driver(const std::string& name);
 
-/// What functions at a hook sum to, within what the hook can take. [steps]
+/// What functions sum to. [steps]
+std::vector<double> sum_of(const std::vector<DriverFunction>& all,
+                           const FunctionDrivers& drivers);
+/// The same at a hook, within what that can take.
 std::vector<double> column_of(Hook hook, const std::vector<DriverFunction>& all,
                               const FunctionDrivers& drivers);
 

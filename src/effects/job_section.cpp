@@ -129,7 +129,9 @@ std::string function_lines(const DriverFunction& function) {
     std::string lines = "\n[[effect.function]]\n" + line("driver", function.driver);
     if (!function.points.knots.empty())
         lines += fmt::format("at = {}\n", list_of(function.points.knots));
-    return lines + fmt::format("values = {}\n", list_of(function.values));
+    lines += fmt::format("values = {}\n", list_of(function.values));
+    if (function.spread > 0) lines += fmt::format("spread = {:.3g}\n", function.spread);
+    return lines;
 }
 
 double four_digits(double value) {

@@ -43,6 +43,14 @@ Covariance covariance_of_knots(long n) {
     return covariance;
 }
 
+/// A random walk from 0.
+Covariance covariance_of_walk(long n) {
+    Covariance walk(n, n);
+    for (long i = 0; i < n; ++i)
+        for (long j = 0; j < n; ++j) walk(i, j) = static_cast<double>(std::min(i, j) + 1);
+    return walk;
+}
+
 Covariance product(const Covariance& a, const Covariance& b) {
     Covariance all(a.rows() * b.rows(), a.cols() * b.cols());
     for (long i = 0; i < a.rows(); ++i)
@@ -96,6 +104,21 @@ void fill(Basis& basis, const Covariance& prior, const Eigen::MatrixXd& off,
     }
 }
 
+/// Of hours of two classes of day at each of the knots.
+void fill_product(Basis& basis, const Eigen::VectorXd& shares) {
+    constexpr long n_hours = 48;
+    const auto n = static_cast<long>(basis.points.knots.size());
+    Eigen::VectorXd of_hours = Eigen::VectorXd::Zero(n_hours),
+                    of_knots = Eigen::VectorXd::Zero(n);
+    for (long h = 0; h < n_hours; ++h)
+        for (long k = 0; k < n; ++k) {
+            of_hours[h] += shares[h * n + k];
+            of_knots[k] += shares[h * n + k];
+        }
+    fill(basis, product(covariance_of_hours(2), covariance_of_knots(n)),
+         product(centring(of_hours), centring(of_knots)), shares);
+}
+
 /// Quantiles of the values, those that are equal once.
 std::vector<double> knots_of(std::span<const double> values, long n) {
     std::vector<double> sorted(values.begin(), values.end());
@@ -137,59 +160,54 @@ Basis constant() {
     return {"one", {}, Matrix(1, 1, 1.0)};
 }
 
-Basis hours_of_week(std::string driver, std::span<const double> training) {
-    Basis basis{std::move(driver), {Points::Kind::hours}};
-    const Eigen::VectorXd shares =
-        shares_of(basis.points, {{training.begin(), training.end()}});
-    fill(basis, covariance_of_hours(3), centring(shares), shares);
+Basis basis_at(std::string driver, Points points,
+               const std::vector<std::vector<double>>& training) {
+    Basis basis{std::move(driver), std::move(points)};
+    const Eigen::VectorXd shares = shares_of(basis.points, training);
+    const auto n = static_cast<long>(basis.points.size());
+    switch (basis.points.kind) {
+        case Points::Kind::one:
+            return constant();
+        case Points::Kind::hours:
+            fill(basis, covariance_of_hours(n / 24), centring(shares), shares);
+            break;
+        case Points::Kind::knots:
+            fill(basis, covariance_of_knots(n), centring(shares), shares);
+            break;
+        case Points::Kind::fortnights:
+            fill(basis, covariance_of_walk(n), centring(shares), shares);
+            break;
+        case Points::Kind::hours_at_knots:
+            fill_product(basis, shares);
+    }
     return basis;
 }
 
+Basis hours_of_week(std::string driver, std::span<const double> training) {
+    return basis_at(std::move(driver), {Points::Kind::hours},
+                    {{training.begin(), training.end()}});
+}
+
 Basis smooth_of(std::string driver, std::span<const double> training) {
-    Basis basis{std::move(driver),
-                {Points::Kind::knots, knots_of(training, decisions::most_knots)}};
-    const Eigen::VectorXd shares =
-        shares_of(basis.points, {{training.begin(), training.end()}});
-    fill(basis, covariance_of_knots(static_cast<long>(basis.points.size())),
-         centring(shares), shares);
-    return basis;
+    return basis_at(std::move(driver),
+                    {Points::Kind::knots, knots_of(training, decisions::most_knots)},
+                    {{training.begin(), training.end()}});
 }
 
 Basis hours_times(std::string driver, std::span<const double> hours,
                   std::span<const double> slow) {
-    constexpr long n_hours = 48;
-    Basis basis{
+    return basis_at(
         std::move(driver),
-        {Points::Kind::hours_at_knots, knots_of(slow, decisions::most_knots_of_hours)}};
-    const auto n = static_cast<long>(basis.points.knots.size());
-    const Eigen::VectorXd shares = shares_of(
-        basis.points, {{hours.begin(), hours.end()}, {slow.begin(), slow.end()}});
-    Eigen::VectorXd of_hours = Eigen::VectorXd::Zero(n_hours),
-                    of_knots = Eigen::VectorXd::Zero(n);
-    for (long h = 0; h < n_hours; ++h)
-        for (long k = 0; k < n; ++k) {
-            of_hours[h] += shares[h * n + k];
-            of_knots[k] += shares[h * n + k];
-        }
-    fill(basis, product(covariance_of_hours(2), covariance_of_knots(n)),
-         product(centring(of_hours), centring(of_knots)), shares);
-    return basis;
+        {Points::Kind::hours_at_knots, knots_of(slow, decisions::most_knots_of_hours)},
+        {{hours.begin(), hours.end()}, {slow.begin(), slow.end()}});
 }
 
 Basis wandering(std::string driver, std::span<const double> years) {
-    Basis basis{std::move(driver), {Points::Kind::fortnights}};
-    basis.points.n_fortnights =
-        static_cast<std::size_t>(
-            std::floor(*std::ranges::max_element(years) * fortnights_of_year)) +
-        1;
-    const auto n = static_cast<long>(basis.points.n_fortnights);
-    Covariance walk(n, n);
-    for (long i = 0; i < n; ++i)
-        for (long j = 0; j < n; ++j) walk(i, j) = static_cast<double>(std::min(i, j) + 1);
-    const Eigen::VectorXd shares =
-        shares_of(basis.points, {{years.begin(), years.end()}});
-    fill(basis, walk, centring(shares), shares);
-    return basis;
+    Points points{Points::Kind::fortnights};
+    points.n_fortnights = static_cast<std::size_t>(std::floor(
+                              *std::ranges::max_element(years) * fortnights_of_year)) +
+                          1;
+    return basis_at(std::move(driver), std::move(points), {{years.begin(), years.end()}});
 }
 
 }  // namespace bemcal::functions

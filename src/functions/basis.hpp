@@ -28,6 +28,9 @@ Matrix columns_of(const Basis& basis, const std::vector<std::vector<double>>& dr
 
 /// The constant.
 Basis constant();
+/// At points that are given. \param training  [n_drivers][steps]
+Basis basis_at(std::string driver, Points points,
+               const std::vector<std::vector<double>>& training);
 /// Points 0 to 71: 24 hours of working days, of Saturdays, of Sundays. Neighbouring hours
 /// are alike over some three hours, and day classes share half of their variance.
 Basis hours_of_week(std::string driver, std::span<const double> training);

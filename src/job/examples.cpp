@@ -347,6 +347,7 @@ name = "new tenant"
 hook = "gains"
 driver = "time elapsed"
 since = "2021-01-11"
+since_within = 5                      # [d] a posterior samples the day
 coefficient = 1                       # [W/m2]
 
 [[effect]]
@@ -365,6 +366,7 @@ coefficient = 1
 driver = "outdoor temperature"
 at = [-5, 5, 15]
 values = [1, 0.5, 0]
+spread = 0.4                          # [W/m2] a posterior samples the values
 
 [[parameter]]
 name = "infiltration"

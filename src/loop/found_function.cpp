@@ -3,6 +3,7 @@
 #include "loop/found_function.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -16,14 +17,21 @@ std::vector<double> FoundFunction::values() const {
     return all;
 }
 
+double FoundFunction::spread() const {
+    if (basis.points.kind == functions::Points::Kind::one || deviations.empty()) return 0;
+    double sum = 0;
+    for (const double deviation : deviations) sum += deviation * deviation;
+    return at.typical * std::sqrt(sum / static_cast<double>(deviations.size()));
+}
+
 std::vector<FunctionsAtHook> by_hook(const std::vector<FoundFunction>& found) {
     std::vector<FunctionsAtHook> all;
     for (const FoundFunction& function : found) {
         auto own = std::ranges::find_if(
             all, [&](const auto& one) { return one.at.name == function.at.name; });
         if (own == all.end()) own = all.insert(all.end(), {function.at, {}});
-        own->functions.push_back(
-            {function.basis.driver, function.basis.points, function.values()});
+        own->functions.push_back({function.basis.driver, function.basis.points,
+                                  function.values(), function.spread()});
     }
     return all;
 }

@@ -23,6 +23,9 @@ struct FoundFunction {
 
     /// Its value where its drivers are at each of the basis' points. [the hook's unit]
     std::vector<double> values() const;
+    /// Root mean square of their standard deviations; 0 of the constant, which has no
+    /// shape. [the hook's unit]
+    double spread() const;
 };
 
 /// All functions at a hook, which bring their sum.

@@ -75,6 +75,11 @@ bool is_fixed(const study::Coordinate& coordinate) {
             coordinate.prior.kind == stats::PriorKind::fixed);
 }
 
+/// What another unknown sizes has no belief of its own to compare with.
+bool is_compared(const study::Coordinate& coordinate) {
+    return !is_fixed(coordinate) && !coordinate.in;
+}
+
 ParameterMove unmoved(const study::Coordinate& coordinate) {
     ParameterMove move;
     move.name = coordinate.name;
@@ -82,7 +87,7 @@ ParameterMove unmoved(const study::Coordinate& coordinate) {
         coordinate.values.empty() ? coordinate.prior.mean() : coordinate.values.front();
     move.prior_mean = move.posterior_mean = value;
     move.contraction = move.shift = move.range_share = move.correlation = nan;
-    move.words = "fixed";
+    move.words = coordinate.in ? "" : "fixed";
     return move;
 }
 
@@ -125,9 +130,9 @@ class Partners {
         : best_(coordinates.size(), {0, nan}) {
         columns_.reserve(coordinates.size());
         for (std::size_t c = 0; c < coordinates.size(); ++c)
-            columns_.push_back(is_fixed(coordinates[c])
-                                   ? std::vector<double>(draws.rows, nan)
-                                   : standardised(draws.column(c)));
+            columns_.push_back(is_compared(coordinates[c])
+                                   ? standardised(draws.column(c))
+                                   : std::vector<double>(draws.rows, nan));
         for (std::size_t a = 0; a < coordinates.size(); ++a)
             for (std::size_t b = a + 1; b < coordinates.size(); ++b) compare(a, b);
     }
@@ -169,7 +174,7 @@ std::vector<ParameterMove> moves_of(const std::vector<study::Coordinate>& coordi
     std::vector<ParameterMove> moves;
     moves.reserve(coordinates.size());
     for (std::size_t c = 0; c < coordinates.size(); ++c) {
-        if (is_fixed(coordinates[c])) {
+        if (!is_compared(coordinates[c])) {
             moves.push_back(unmoved(coordinates[c]));
             continue;
         }

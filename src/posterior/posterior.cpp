@@ -7,6 +7,7 @@
 
 #include "kernel/response.hpp"
 #include "posterior/chain_stage.hpp"
+#include "posterior/function_results.hpp"
 #include "posterior/posterior_density.hpp"
 #include "posterior/posterior_results.hpp"
 #include "posterior/validation_results.hpp"
@@ -82,10 +83,14 @@ std::shared_ptr<PosteriorParts> parts_of(
 
 class DirectPosterior : public Posterior {
   public:
+    /// \param functions  that parameters of the buildings sample
     DirectPosterior(const std::vector<study::Case>& buildings,
                     const PosteriorOptions& options,
-                    const std::shared_ptr<const ResponseSource>& source)
-        : parts_(parts_of(buildings, options, source)), options_(options) {
+                    const std::shared_ptr<const ResponseSource>& source,
+                    std::vector<study::SampledFunction> functions = {})
+        : parts_(parts_of(buildings, options, source)),
+          options_(options),
+          functions_(std::move(functions)) {
         for (const study::Case& building : buildings)
             if (is_unseen(building, options)) unseen_.push_back(building);
         drop_errors(parts_->arrangement->reported());
@@ -112,6 +117,7 @@ class DirectPosterior : public Posterior {
             read(draws.positions.row(r), values.row(r));
         add_moves(moves_of(reported_, values), datasets);
         summaries[0].points = points_of(values, of_all());
+        add_functions(functions_, summaries[0].points, datasets);
         for (std::size_t b = 0; b < n_apart(); ++b) {
             study::Summary own;
             own.study = summaries[0].study;
@@ -170,6 +176,7 @@ class DirectPosterior : public Posterior {
 
     std::shared_ptr<const PosteriorParts> parts_;
     PosteriorOptions options_;
+    std::vector<study::SampledFunction> functions_;
     std::vector<study::Case> unseen_;
     std::vector<study::Coordinate> reported_;  ///< without the response's errors
     std::ptrdiff_t first_error_ = 0;           ///< in what the arrangement reports
@@ -180,13 +187,7 @@ class DirectPosterior : public Posterior {
 study::Case with_others_fixed(study::Case building,
                               const std::vector<std::string>& names) {
     if (names.empty()) return building;
-    if (building.priors.empty())
-        for (const physics::Parameter& parameter : building.parameters) {
-            study::ParameterPrior uniform;
-            uniform.prior.least = parameter.least;
-            uniform.prior.most = parameter.most;
-            building.priors.push_back(uniform);
-        }
+    building.priors = study::priors_of(building);
     for (std::size_t k = 0; k < building.parameters.size(); ++k) {
         const physics::Parameter& parameter = building.parameters[k];
         if (std::ranges::find(names, parameter.name) != names.end()) continue;
@@ -215,12 +216,14 @@ std::unique_ptr<study::Stage> make_posterior(std::string name,
                                              const PosteriorOptions& options) {
     check_differentiable(buildings, options);
     std::vector<study::Case> calibrated;
-    calibrated.reserve(buildings.size());
+    std::vector<study::SampledFunction> functions, others;
     for (const study::Case& building : buildings)
-        calibrated.push_back(with_others_fixed(building, options.parameters));
+        calibrated.push_back(
+            study::with_sampled_shapes(with_others_fixed(building, options.parameters),
+                                       calibrated.empty() ? functions : others));
     return make_chain_stage(
         std::move(name),
-        std::make_shared<DirectPosterior>(calibrated, options, own_model()),
+        std::make_shared<DirectPosterior>(calibrated, options, own_model(), functions),
         options.chains);
 }
 

@@ -12,18 +12,6 @@
 namespace bemcal::posterior {
 namespace {
 
-/// The prior of a parameter; without one, uniform in its range.
-study::Coordinate coordinate_of(const study::Case& building, std::size_t k) {
-    const physics::Parameter& parameter = building.parameters[k];
-    study::Coordinate coordinate{parameter.name, parameter.unit, {}};
-    coordinate.prior.least = parameter.least;
-    coordinate.prior.most = parameter.most;
-    if (building.priors.empty()) return coordinate;
-    coordinate.prior = building.priors[k].prior;
-    coordinate.values = building.priors[k].values;
-    return coordinate;
-}
-
 class PosteriorDensity : public sampling::Density {
   public:
     explicit PosteriorDensity(std::shared_ptr<const PosteriorParts> parts)
@@ -52,7 +40,7 @@ class PosteriorDensity : public sampling::Density {
     std::vector<BuildingModel::Work> works_;  ///< [buildings]
     BuildingModel::Points points_;
     BuildingModel::Likelihood likelihood_;
-    std::vector<double> own_, slopes_;
+    std::vector<double> own_;
 };
 
 void PosteriorDensity::write_points(const Matrix& positions, std::size_t building) {
@@ -65,18 +53,15 @@ void PosteriorDensity::write_points(const Matrix& positions, std::size_t buildin
 
 void PosteriorDensity::add_gradients(const Matrix& positions, std::size_t building,
                                      sampling::Evaluations& out) {
-    const std::size_t n = parts_->n_parameters(), n_free = own_.size();
-    slopes_.resize(n_free);
-    std::vector<double> gradient(n_free);
+    const std::size_t n = parts_->n_parameters();
+    std::vector<double> by_value(parts_->space->size()), gradient(own_.size());
     for (std::size_t r = 0; r < positions.rows; ++r) {
+        for (std::size_t k = 0; k < by_value.size(); ++k)
+            by_value[k] =
+                parts_->reading_weight * (k < n ? likelihood_.by_parameter(r, k)
+                                                : likelihood_.by_residual(r, k - n));
         parts_->arrangement->take(positions.row(r), building, own_);
-        parts_->space->slopes(own_, slopes_);
-        for (std::size_t f = 0; f < n_free; ++f) {
-            const std::size_t k = parts_->space->index_of(f);
-            gradient[f] = parts_->reading_weight * slopes_[f] *
-                          (k < n ? likelihood_.by_parameter(r, k)
-                                 : likelihood_.by_residual(r, k - n));
-        }
+        parts_->space->pull_back(own_, by_value, gradient);
         parts_->arrangement->give(gradient, building, out.likelihood_gradient.row(r));
     }
 }
@@ -116,9 +101,12 @@ void PosteriorParts::write_point(std::span<const double> own, std::size_t r,
 
 std::shared_ptr<const study::Space> space_of(const BuildingModel& model) {
     std::vector<study::Coordinate> coordinates;
-    coordinates.reserve(model.n_parameters());
-    for (std::size_t k = 0; k < model.n_parameters(); ++k)
-        coordinates.push_back(coordinate_of(model.building(), k));
+    const auto priors = study::priors_of(model.building());
+    for (std::size_t k = 0; k < model.n_parameters(); ++k) {
+        const physics::Parameter& parameter = model.building().parameters[k];
+        coordinates.push_back({parameter.name, parameter.unit, priors[k].prior,
+                               priors[k].values, priors[k].in, priors[k].step});
+    }
     for (const MeterModel& meter : model.meters())
         coordinates.insert(coordinates.end(), meter.unknowns.begin(),
                            meter.unknowns.end());

@@ -126,6 +126,45 @@ std::string plus_minus(double mean, double sd) {
     return fmt::format("{} +- {}", in_short(mean), in_short(sd));
 }
 
+/// "evenings by hour of the week 12": there may be fifty of a function.
+bool is_column(const std::string& unknown, const std::vector<std::string>& functions) {
+    return std::ranges::any_of(functions, [&](const std::string& function) {
+        return unknown.starts_with(function + " ");
+    });
+}
+
+/// Those that tell a reader something: without the columns that functions are made of.
+std::vector<Unknown> without_columns(std::vector<Unknown> unknowns, const Group& study) {
+    if (!study.has("function")) return unknowns;
+    std::erase_if(unknowns, [&](const Unknown& unknown) {
+        return is_column(unknown.name, study.texts("function"));
+    });
+    return unknowns;
+}
+
+/// Functions whose values were sampled, by their lowest and highest one.
+std::string function_table(const Group& study) {
+    if (!study.has("function")) return {};
+    const Numbers &of = study.values("function_point_of"),
+                  &value = study.values("function_point_value"),
+                  &least = study.values("function_point_least"),
+                  &most = study.values("function_point_most");
+    TextTable table({"function", "unit", "lowest value", "highest value", "90 % band"});
+    for (std::size_t f = 0; f < study.texts("function").size(); ++f) {
+        double low = nan, high = nan, width = 0, n = 0;
+        for (std::size_t p = 0; p < of.size(); ++p) {
+            if (of[p] != static_cast<double>(f)) continue;
+            low = std::fmin(low, value[p]);
+            high = std::fmax(high, value[p]);
+            width += most[p] - least[p];
+            n += 1;
+        }
+        table.add({study.texts("function")[f], study.texts("function_unit")[f],
+                   in_short(low), in_short(high), "+- " + in_short(width / (2 * n))});
+    }
+    return table.text(24);
+}
+
 std::string estimates_table(const std::vector<Unknown>& unknowns) {
     TextTable table({"unknown", "unit", "prior", "posterior", "5 %", "50 %", "95 %"});
     for (const Unknown& unknown : unknowns) {
@@ -179,10 +218,11 @@ std::string divergence_line(const Group& study) {
 
 std::string posterior_section(const Group& study) {
     const std::vector<Unknown> unknowns = unknowns_of(study);
+    const std::vector<Unknown> told = without_columns(unknowns, study);
     return fmt::format("\n{}: {}", study.path(), convergence_line(study, unknowns)) +
-           estimates_table(unknowns) + chains_table(unknowns) + divergence_line(study) +
-           words(study) + simulator_run_lines(study) + field_tables(study) +
-           validation_tables(study) + failure_lines(study);
+           estimates_table(told) + function_table(study) + chains_table(told) +
+           divergence_line(study) + words(study) + simulator_run_lines(study) +
+           field_tables(study) + validation_tables(study) + failure_lines(study);
 }
 
 }  // namespace bemcal::report

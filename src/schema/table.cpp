@@ -288,6 +288,9 @@ constexpr Key table[] = {
     {"effect", "until", Type::number, "", "0", -1e6, 1e6, "In the driver's unit."},
     {"effect", "since", Type::text, "", "", 0, 0,
      "Of an effect that follows the time elapsed: it begins then, \"2021-09-01\"."},
+    {"effect", "since_within", Type::integer, "d", "0", 0, 60,
+     "A posterior samples the day of `since`, so many days before and after. 0 = it is "
+     "known."},
     {"effect", "gate", Type::text, "", "always", 0, 0,
      "When it acts: always, occupied, unoccupied, day, night, weekend, weekday, heating "
      "season, cooling season, on days, EU summer time, US summer time."},
@@ -314,6 +317,9 @@ constexpr Key table[] = {
      "In the hook's unit. Of hours: 24 of working days, of Saturdays, of Sundays and "
      "holidays; of hour and temperature: at each hour of working days, then of other "
      "days, one for each `at`; of time: one a fortnight from the first day of training."},
+    {"effect.function", "spread", Type::number, "", "0", 0, 1e6,
+     "In the hook's unit: a posterior samples the values, which differ from those given by "
+     "about so much, and how much. Their mean over training stays. 0 = they are known."},
     {"effect", "series", Type::text, "", "", 0, 0,
      "Of driver = \"column\": the [[series]] that it follows."},
     // schedules

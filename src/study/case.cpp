@@ -94,6 +94,16 @@ Start start_of(const Case& building, const Period& period) {
 
 }  // namespace
 
+std::vector<ParameterPrior> priors_of(const Case& building) {
+    if (!building.priors.empty()) return building.priors;
+    std::vector<ParameterPrior> priors(building.parameters.size());
+    for (std::size_t k = 0; k < priors.size(); ++k) {
+        priors[k].prior.least = building.parameters[k].least;
+        priors[k].prior.most = building.parameters[k].most;
+    }
+    return priors;
+}
+
 physics::TimeAxis axis_of(const Case& building, const Period& period) {
     return {period.from, building.step_s,
             static_cast<int>((period.to - period.from).count() / building.step_s)};

@@ -8,8 +8,10 @@
 #include "physics/week_hours.hpp"
 #include "stats/prior.hpp"
 #include "study/decision.hpp"
+#include "study/step_share.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,10 @@ struct Meter {
 struct ParameterPrior {
     stats::Prior prior;
     std::vector<double> values;
+    /// The prior is of the quotient by this parameter, which stands before.
+    std::optional<std::size_t> in = std::nullopt;
+    /// It follows from two parameters and has no prior.
+    std::optional<StepShare> step = std::nullopt;
 };
 
 struct Period {
@@ -81,6 +87,9 @@ struct Case {
     physics::SkyModel sky = physics::SkyModel::perez;
     std::shared_ptr<physics::PlaneSource> planes;  ///< of the weather; may be empty
 };
+
+/// Of each parameter.
+std::vector<ParameterPrior> priors_of(const Case& building);
 
 /// The simulated steps of a period, without its warm-up.
 physics::TimeAxis axis_of(const Case& building, const Period& period);

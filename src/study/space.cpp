@@ -1,7 +1,8 @@
 /// Moves unknowns between their units and the real line: values, slopes, log priors with
 /// Jacobian and gradient, draws. Fixed ones have no coordinate, discrete ones an index.
 /// Follows from the transforms of `PriorDensity`.
-/// Unknowns are independent beforehand; discrete ones have no gradient.
+/// Unknowns are independent beforehand, but for those whose size is one of them;
+/// discrete ones have no gradient.
 #include "study/space.hpp"
 
 #include <algorithm>
@@ -28,6 +29,7 @@ Space::Space(std::vector<Coordinate> coordinates) : coordinates_(std::move(coord
     densities_.reserve(coordinates_.size());
     for (std::size_t k = 0; k < coordinates_.size(); ++k) {
         densities_.emplace_back(coordinates_[k].prior);
+        place_.push_back(free_.size());
         if (!is_fixed(coordinates_[k])) free_.push_back(k);
     }
 }
@@ -40,23 +42,53 @@ std::vector<int> Space::levels() const {
     return levels;
 }
 
+/// What a free one's prior is of; a discrete one has no slope.
+stats::Mapped Space::mapped(std::span<const double> position, std::size_t f) const {
+    const Coordinate& coordinate = coordinates_[free_[f]];
+    if (coordinate.values.empty())
+        return densities_[free_[f]].transform().at(position[f]);
+    return {coordinate.values.at(static_cast<std::size_t>(position[f])), 0};
+}
+
 void Space::read(std::span<const double> position, std::span<double> values) const {
     for (std::size_t k = 0; k < size(); ++k)
         if (is_fixed(coordinates_[k])) values[k] = coordinates_[k].prior.a;
-    for (std::size_t f = 0; f < free_.size(); ++f) {
-        const Coordinate& coordinate = coordinates_[free_[f]];
-        values[free_[f]] =
-            coordinate.values.empty()
-                ? densities_[free_[f]].transform().at(position[f]).x
-                : coordinate.values.at(static_cast<std::size_t>(position[f]));
-    }
+    for (std::size_t f = 0; f < free_.size(); ++f)
+        values[free_[f]] = mapped(position, f).x;
+    for (std::size_t k = 0; k < size(); ++k)
+        if (const auto& step = coordinates_[k].step)
+            values[k] = values[step->size] * step->share(values[step->moment]);
 }
 
-void Space::slopes(std::span<const double> position, std::span<double> slopes) const {
+void Space::pull_back(std::span<const double> position, std::span<const double> by_value,
+                      std::span<double> by_position) const {
+    std::vector<double> values(size()), by(by_value.begin(), by_value.end());
+    read(position, values);
+    for (std::size_t k = 0; k < size(); ++k)
+        if (const auto& step = coordinates_[k].step) {
+            by[step->size] += by_value[k] * step->share(values[step->moment]);
+            by[step->moment] +=
+                by_value[k] * values[step->size] * step->slope(values[step->moment]);
+        }
     for (std::size_t f = 0; f < free_.size(); ++f)
-        slopes[f] = coordinates_[free_[f]].values.empty()
-                        ? densities_[free_[f]].transform().at(position[f]).slope
-                        : 0;
+        by_position[f] = by[free_[f]] * mapped(position, f).slope;
+}
+
+stats::Mapped Space::scale_of(std::span<const double> position, std::size_t k) const {
+    return mapped(position, place_[*coordinates_[k].in]);
+}
+
+/// Of x, where x / scale has the prior, by x and by the scale.
+double Space::log_prior_in(std::span<const double> position, std::size_t f,
+                           std::span<double> gradient) const {
+    const std::size_t k = free_[f];
+    const stats::Mapped scale = scale_of(position, k);
+    const double own = position[f] / scale.x;
+    const stats::LogDensity at = densities_[k].at(own);
+    gradient[f] += at.derivative / scale.x;
+    gradient[place_[*coordinates_[k].in]] -=
+        (at.derivative * own + 1) / scale.x * scale.slope;
+    return at.value - std::log(scale.x);
 }
 
 double Space::log_prior(std::span<const double> position,
@@ -64,6 +96,10 @@ double Space::log_prior(std::span<const double> position,
     double sum = 0;
     for (std::size_t f = 0; f < free_.size(); ++f) {
         if (!coordinates_[free_[f]].values.empty()) continue;
+        if (coordinates_[free_[f]].in) {
+            sum += log_prior_in(position, f, gradient);
+            continue;
+        }
         const auto at = densities_[free_[f]].on_the_line(position[f]);
         sum += at.value;
         gradient[f] += at.derivative;
@@ -86,11 +122,13 @@ std::vector<double> Space::draw_position(Stream& random) const {
     position.reserve(free_.size());
     for (const std::size_t k : free_) {
         const Coordinate& coordinate = coordinates_[k];
-        if (coordinate.values.empty())
-            position.push_back(densities_[k].quantile_on_the_line(random.uniform()));
-        else
+        if (!coordinate.values.empty()) {
             position.push_back(
                 random.below(static_cast<std::uint32_t>(coordinate.values.size())));
+            continue;
+        }
+        const double own = densities_[k].quantile_on_the_line(random.uniform());
+        position.push_back(coordinate.in ? own * scale_of(position, k).x : own);
     }
     return position;
 }

@@ -5,7 +5,9 @@
 
 #include "base/random.hpp"
 #include "stats/prior.hpp"
+#include "study/step_share.hpp"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +18,10 @@ struct Coordinate {
     std::string name, unit;
     stats::Prior prior;
     std::vector<double> values{};  ///< discrete: one of these, all alike; else empty
+    /// The prior, without ends, is of the quotient by this one, which stands before: a
+    /// standard deviation that is unknown, too.
+    std::optional<std::size_t> in = std::nullopt;
+    std::optional<StepShare> step = std::nullopt;  ///< its value; the prior is fixed
 };
 
 class Space {
@@ -31,8 +37,10 @@ class Space {
 
     /// \param position  [n_free]   \param values  [size] in their units
     void read(std::span<const double> position, std::span<double> values) const;
-    /// d value / d position of the free ones; 0 for discrete ones. \param slopes [n_free]
-    void slopes(std::span<const double> position, std::span<double> slopes) const;
+    /// From d objective / d value to d objective / d position; 0 for discrete ones.
+    /// \param by_value  [size]   \param by_position  [n_free], written
+    void pull_back(std::span<const double> position, std::span<const double> by_value,
+                   std::span<double> by_position) const;
     /// Log prior density of the position (Jacobian included); adds its gradient.
     double log_prior(std::span<const double> position, std::span<double> gradient) const;
     /// A position for values. [size] -> [n_free]
@@ -40,9 +48,15 @@ class Space {
     std::vector<double> draw_position(Stream& random) const;
 
   private:
+    stats::Mapped mapped(std::span<const double> position, std::size_t f) const;
+    stats::Mapped scale_of(std::span<const double> position, std::size_t k) const;
+    double log_prior_in(std::span<const double> position, std::size_t f,
+                        std::span<double> gradient) const;
+
     std::vector<Coordinate> coordinates_;
     std::vector<stats::PriorDensity> densities_;  ///< [size]; of discrete ones unused
     std::vector<std::size_t> free_;
+    std::vector<std::size_t> place_;  ///< [size] of the free ones in a position
 };
 
 }  // namespace bemcal::study

@@ -56,6 +56,24 @@ TEST(Basis, FunctionsHaveMeanZeroAndMeanSquareOneInTraining) {
                                    0.01);
 }
 
+TEST(Basis, PointsThatAreGivenHaveTheSameColumns) {
+    const auto of_hours = hours(), slow = swinging(150);
+    const std::vector<double> years{0, 0.3, 0.7, 1.1, 1.9};
+    std::vector<double> of_day;
+    for (const double point : of_hours)
+        of_day.push_back(std::fmod(point, 24) + (point >= 24 ? 24 : 0));
+    const auto expect_same = [](const Basis& one,
+                                const std::vector<std::vector<double>>& drivers) {
+        const Basis again = basis_at(one.driver, one.points, drivers);
+        EXPECT_EQ(again.at_points.values, one.at_points.values) << one.driver;
+    };
+    expect_same(hours_of_week("hours", of_hours), {of_hours});
+    expect_same(smooth_of("slow", slow), {slow});
+    expect_same(hours_times("both", of_day, slow), {of_day, slow});
+    expect_same(wandering("time", years), {years});
+    EXPECT_EQ(basis_at("one", {}, {{0, 0}}).at_points.values, std::vector<double>{1});
+}
+
 TEST(Basis, InteractionsHaveNoMeanOverHoursOrOverTheOther) {
     const auto of_hours = hours(), slow = swinging(150);
     std::vector<double> of_day;

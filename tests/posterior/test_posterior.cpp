@@ -1,6 +1,8 @@
+#include "job/small_office.hpp"
 #include "posterior/posterior.hpp"
 #include "posterior/posterior_cases.hpp"
 #include "study/find.hpp"
+#include "study/sampled_shapes.hpp"
 
 #include <cmath>
 
@@ -52,6 +54,31 @@ Ran run_all(Stage& stage) {
     ran.found = std::move(conclusion.summaries);
     ran.shortfall = stage.shortfall(ran.answers);
     return ran;
+}
+
+/// A fortnight of another office, with heat that follows the weather as these values say.
+Case office_that_follows(const std::vector<double>& values, double spread) {
+    const job::Folder folder;
+    std::string text = job::small_office_text();
+    text.insert(
+        text.find("[[study]]"),
+        fmt::format("[[effect]]\nname = \"use\"\nhook = \"gains\"\ncoefficient = 1\n"
+                    "[[effect.function]]\ndriver = \"outdoor temperature\"\nat = [8, 13, "
+                    "16, 20]\nvalues = [{}]\nspread = {}\n",
+                    fmt::join(values, ", "), spread));
+    Case made = job::read_job(job::write_small_office(folder, text)).buildings.at(0);
+    made.periods = {{"training", physics::parse_time("2021-01-04"),
+                     physics::parse_time("2021-01-18")}};
+    made.meters = {test::empty_meter(made, physics::Quantity::heating),
+                   test::empty_meter(made, physics::Quantity::air_temperature)};
+    return made;
+}
+
+std::vector<double> nominal_of(const Case& building) {
+    std::vector<double> point;
+    for (const physics::Parameter& parameter : building.parameters)
+        point.push_back(parameter.nominal);
+    return point;
 }
 
 TEST(PosteriorDensity, AWeightIsAPowerOfTheLikelihoodAlone) {
@@ -288,6 +315,30 @@ TEST(Posterior, BuildingsThatShareMustHaveTheSameParameters) {
 TEST(Posterior, WithoutReadingsThereIsNothingToLearnFrom) {
     EXPECT_THROW(posterior::make_posterior("p", {fortnight()}, quick_options()),
                  std::invalid_argument);
+}
+
+/// Nothing is known of the function but that it is about 1 W/m2.
+TEST(Posterior, SamplesTheValuesOfAFunctionBesideParameters) {
+    Case made = office_that_follows({0, 0, 0, 0}, 1);
+    std::vector<SampledFunction> functions;
+    with_sampled_shapes(made, functions);
+    std::vector<double> truth;
+    for (std::size_t p = 0; p < 4; ++p)
+        truth.push_back(4 * functions.at(0).columns(p, 0));
+    const Case with_it = office_that_follows(truth, 0);
+    made.meters = with_readings(with_it, nominal_of(with_it)).meters;
+    posterior::PosteriorOptions options = quick_options();
+    options.chains.most_draws = 100;
+    const Ran ran = run_all(*posterior::make_posterior("p", {made}, options));
+    const auto& names = ran.found.at(0).points.parameters;
+    EXPECT_NE(std::ranges::find(names, functions[0].size_name()), names.end());
+    const auto& value = test::find(ran.datasets, "function_point_value").values;
+    const auto& least = test::find(ran.datasets, "function_point_least").values;
+    const auto& most = test::find(ran.datasets, "function_point_most").values;
+    for (std::size_t p = 0; p < 4; ++p) {
+        EXPECT_NEAR(value[p], truth[p], 0.5 * std::abs(truth[p]) + 0.5) << p;
+        EXPECT_LT(least[p], most[p]);
+    }
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 #include "study/space.hpp"
 
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
 
 #include <gtest/gtest.h>
 
@@ -48,13 +51,26 @@ TEST(Space, APositionOfValuesReadsBackAsTheValues) {
     for (std::size_t k = 0; k < 5; ++k) EXPECT_NEAR(again[k], values[k], 1e-12);
 }
 
-TEST(Space, GradientAndSlopesAreTheDerivatives) {
-    const Space space = mixed_space();
-    const std::vector<double> position{0.7, -1.4, 1, 2.5};
-    std::vector<double> gradient(4, 0), slopes(4), unused(4), above(5), below(5);
+/// sum_k weight_k value_k
+double weighted(const Space& space, const std::vector<double>& position,
+                const std::vector<double>& weights) {
+    std::vector<double> values(space.size());
+    space.read(position, values);
+    return std::inner_product(values.begin(), values.end(), weights.begin(), 0.0);
+}
+
+void expect_derivatives(const Space& space, const std::vector<double>& position,
+                        const std::vector<double>& weights) {
+    const std::size_t n = space.n_free();
+    std::vector<double> gradient(n, 0), by_position(n), unused(n);
     space.log_prior(position, gradient);
-    space.slopes(position, slopes);
-    for (const std::size_t f : {0u, 1u, 3u}) {
+    space.pull_back(position, weights, by_position);
+    for (std::size_t f = 0; f < n; ++f) {
+        if (space.levels()[f] > 0) {
+            EXPECT_EQ(gradient[f], 0);
+            EXPECT_EQ(by_position[f], 0);
+            continue;
+        }
         const double h = 1e-6;
         auto high = position, low = position;
         high[f] += h;
@@ -63,13 +79,88 @@ TEST(Space, GradientAndSlopesAreTheDerivatives) {
             gradient[f],
             (space.log_prior(high, unused) - space.log_prior(low, unused)) / (2 * h),
             1e-7);
-        space.read(high, above);
-        space.read(low, below);
-        const std::size_t k = space.index_of(f);
-        EXPECT_NEAR(slopes[f], (above[k] - below[k]) / (2 * h), 1e-8);
+        EXPECT_NEAR(
+            by_position[f],
+            (weighted(space, high, weights) - weighted(space, low, weights)) / (2 * h),
+            1e-7);
     }
-    EXPECT_EQ(gradient[2], 0);
-    EXPECT_EQ(slopes[2], 0);
+}
+
+TEST(Space, GradientsAreTheDerivatives) {
+    expect_derivatives(mixed_space(), {0.7, -1.4, 1, 2.5}, {0.3, 5, -2, 1, 0.8});
+}
+
+/// Two with a size that is unknown, too.
+Space sized_space() {
+    using stats::PriorKind;
+    const double inf = std::numeric_limits<double>::infinity();
+    const auto standard = made(PriorKind::normal, 0, 1, -inf, inf);
+    return Space({{"size", "K", made(PriorKind::lognormal, 0, 0.7, 0, inf)},
+                  {"first", "K", standard, {}, 0},
+                  {"second", "K", standard, {}, 0}});
+}
+
+TEST(Space, ThePriorIsOfTheQuotientByTheSize) {
+    const Space space = sized_space();
+    const std::vector<double> position{std::log(3), 1.5, -6};
+    std::vector<double> values(3), unused(3);
+    space.read(position, values);
+    EXPECT_NEAR(values[0], 3, 1e-12);
+    EXPECT_EQ(values[1], 1.5);
+    EXPECT_EQ(values[2], -6);
+    EXPECT_EQ(space.position_of(values), position);
+    const auto log_normal = [](double x, double sd) {
+        return -0.5 * (x / sd) * (x / sd) - std::log(sd) -
+               0.5 * std::log(2 * std::numbers::pi);
+    };
+    EXPECT_NEAR(space.log_prior(position, unused),
+                log_normal(std::log(3), 0.7) + log_normal(1.5, 3) + log_normal(-6, 3),
+                1e-12);
+    expect_derivatives(space, position, {0.2, -1, 0.7});
+}
+
+/// 4000 draws: a mean square is missed by 5 standard errors once in 100,000, if they were
+/// normal; of the quotient, which is.
+TEST(Space, DrawsHaveTheSizeThatWasDrawn) {
+    const Space space = sized_space();
+    Stream random(7, 1, 0);
+    double sum = 0;
+    std::vector<double> values(3);
+    for (int k = 0; k < 4000; ++k) {
+        space.read(space.draw_position(random), values);
+        sum += values[1] * values[1] / (values[0] * values[0]) / 4000;
+    }
+    EXPECT_NEAR(sum, 1, 5 * std::sqrt(2 / 4000.0));
+}
+
+/// A step of unknown size in three days, of which it leaves out some at the beginning.
+TEST(Space, AStepBringsToADayWhatLiesBehindIt) {
+    using stats::PriorKind;
+    const double inf = std::numeric_limits<double>::infinity();
+    const auto none = made(PriorKind::fixed, 0, 0, -inf, inf);
+    std::vector<Coordinate> all{{"size", "K", made(PriorKind::normal, 0, 1, -inf, inf)},
+                                {"day", "d", made(PriorKind::uniform, 0, 1, -2, 2)}};
+    for (const double at : {-1.0, 0.0, 1.0})
+        all.push_back({"part", "K", none, {}, std::nullopt, StepShare{0, 1, at}});
+    const Space space(std::move(all));
+    ASSERT_EQ(space.n_free(), 2U);
+    std::vector<double> values(5);
+    const auto at_day = [&](double day) {
+        std::vector<double> wanted{3, day, 0, 0, 0};
+        const auto position = space.position_of(wanted);
+        space.read(position, values);
+        return std::vector<double>(values.begin() + 2, values.end());
+    };
+    const auto expect_near = [](const std::vector<double>& a,
+                                const std::vector<double>& b) {
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(a[k], b[k], 1e-12);
+    };
+    expect_near(at_day(0), {0, 3, 3});
+    expect_near(at_day(-0.25), {0.75, 3, 3});
+    expect_near(at_day(0.5), {0, 1.5, 3});
+    expect_near(at_day(-1.5), {3, 3, 3});
+    expect_derivatives(space, space.position_of(std::vector<double>{3, 0.3, 0, 0, 0}),
+                       {0.2, -1, 0.7, 0.4, -0.9});
 }
 
 /// 4000 draws: the mean of a prior is missed by 4 standard errors once in 16,000.

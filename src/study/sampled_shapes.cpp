@@ -1,0 +1,256 @@
+/// Lets a posterior sample the shape of effects: each column of a function's basis, and
+/// each day on which a step may begin, enters as an effect of its own behind the others,
+/// with a parameter for its coefficient.
+/// Source: Papaspiliopoulos, Roberts and Skoeld 2007 (Stat. Sci. 22): coefficients are
+/// sampled as they are, not in units of their size, since readings tell them well. Left
+/// out: a function's mean over training, which its effect's coefficient or another
+/// parameter has.
+#include "study/sampled_shapes.hpp"
+
+#include "effects/steps.hpp"
+#include "functions/basis.hpp"
+#include "physics/derived.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace bemcal::study {
+namespace {
+
+using effects::DeclaredEffects;
+using effects::Effect;
+
+/// Of the logarithm of a size. Judgement: half to double.
+constexpr double sd_log_size = 0.7;
+/// Of the range that is said of a size, in spreads; its prior has none.
+constexpr double reach_of_size = 4;
+
+stats::Prior prior_of_size(double spread) {
+    stats::Prior prior;
+    prior.kind = stats::PriorKind::lognormal;
+    prior.a = std::log(spread);
+    prior.b = sd_log_size;
+    prior.least = 0;
+    return prior;
+}
+
+stats::Prior standard_normal() {
+    stats::Prior prior;
+    prior.kind = stats::PriorKind::normal;
+    return prior;
+}
+
+stats::Prior fixed_at(double value) {
+    stats::Prior prior;
+    prior.kind = stats::PriorKind::fixed;
+    prior.a = value;
+    return prior;
+}
+
+stats::Prior uniform_within(double reach) {
+    stats::Prior prior;
+    prior.least = -reach;
+    prior.most = reach;
+    return prior;
+}
+
+std::vector<double> column_of(const Matrix& of, std::size_t c) {
+    std::vector<double> values(of.rows);
+    for (std::size_t r = 0; r < of.rows; ++r) values[r] = of(r, c);
+    return values;
+}
+
+/// What is put behind the declared effects, and what samples it.
+struct Shapes {
+    struct Function {
+        std::size_t first;  ///< effect of its first column
+        double spread;
+    };
+    struct Day {
+        std::size_t parent, first;  ///< effects: the step's, that of its first day
+        int within;
+    };
+    DeclaredEffects declared;
+    std::vector<Function> functions{};
+    std::vector<Day> days{};
+
+    bool are_none() const { return functions.empty() && days.empty(); }
+    void add(Effect effect) {
+        declared.effects.push_back(std::move(effect));
+        declared.coefficients.push_back(0);
+    }
+};
+
+void add_columns(const SampledFunction& function, const Effect& parent, Shapes& shapes) {
+    for (std::size_t c = 0; c < function.columns.cols; ++c) {
+        Effect part = parent;
+        part.name = part.column = fmt::format("{} {}", function.name, c + 1);
+        shapes.declared.functions.push_back(
+            {parent.hook,
+             part.column,
+             {{function.driver, function.points, column_of(function.columns, c)}},
+             true});
+        shapes.add(std::move(part));
+    }
+}
+
+/// Functions of an effect that have a spread.
+void add_functions(const Effect& effect, const DeclaredEffects::Functions& at,
+                   const effects::FunctionDrivers& drivers, Shapes& shapes,
+                   std::vector<SampledFunction>& functions) {
+    for (const effects::DriverFunction& one : at.functions) {
+        if (one.spread == 0) continue;
+        functions.push_back(
+            {fmt::format("{} by {}", effect.name, one.driver),
+             effects::name_of(effect.hook), one.driver, effects::unit_of(effect.hook),
+             one.points, one.values,
+             functions::basis_at(one.driver, one.points, drivers.at(one.driver))
+                 .at_points});
+        shapes.functions.push_back({shapes.declared.effects.size(), one.spread});
+        add_columns(functions.back(), effect, shapes);
+    }
+}
+
+/// The step itself begins after the last day on which it may.
+void add_days(const DeclaredEffects::Day& day, Shapes& shapes) {
+    constexpr double day_in_years = physics::day_s / effects::elapsed_year_s;
+    const Effect step = shapes.declared.effects[day.effect];
+    shapes.declared.effects[day.effect].shape.at += day.within * day_in_years;
+    shapes.days.push_back({day.effect, shapes.declared.effects.size(), day.within});
+    for (int d = -day.within; d < day.within; ++d) {
+        Effect part = step;
+        part.name = fmt::format("{}: day {}", step.name, d);
+        part.shape.form = effects::Form::within;
+        part.shape.at = step.shape.at + d * day_in_years;
+        part.shape.until = step.shape.at + (d + 1) * day_in_years;
+        shapes.add(std::move(part));
+    }
+}
+
+Shapes shapes_of(const Case& building, const physics::Drive& drive,
+                 std::vector<SampledFunction>& functions) {
+    const DeclaredEffects& declared = *building.declared_effects;
+    Shapes shapes{declared};
+    const auto drivers = effects::function_drivers(
+        effects::surroundings_of(declared, drive, building.weather));
+    for (const Effect& effect : declared.effects)
+        for (const DeclaredEffects::Functions& at : declared.functions)
+            if (at.column == effect.column)
+                add_functions(effect, at, drivers, shapes, functions);
+    for (const DeclaredEffects::Day& day : declared.days) add_days(day, shapes);
+    return shapes;
+}
+
+/// Numbers that parameters have moved since the description was read stay.
+void keep_numbers(const Case& before, physics::Building& building) {
+    for (const physics::Parameter& parameter : before.parameters)
+        for (const physics::Target& target : parameter.targets)
+            physics::number_at(building, target) =
+                physics::number_at(before.building, target);
+    physics::derive(building);
+}
+
+/// \return its index
+std::size_t add_parameter(physics::Parameter parameter, ParameterPrior prior,
+                          Case& building) {
+    building.parameters.push_back(std::move(parameter));
+    building.priors.push_back(std::move(prior));
+    return building.parameters.size() - 1;
+}
+
+physics::Parameter led_to(const physics::Coefficient& effect, double nominal) {
+    return {
+        effect.name,    effect.unit, effect.least, effect.most, physics::Effect::replace,
+        effect.targets, nominal};
+}
+
+void sample(const SampledFunction& function, const Shapes::Function& shape,
+            Case& building) {
+    const std::size_t size = add_parameter({function.size_name(),
+                                            function.unit,
+                                            0,
+                                            reach_of_size * shape.spread,
+                                            physics::Effect::replace,
+                                            {},
+                                            shape.spread},
+                                           {prior_of_size(shape.spread), {}}, building);
+    for (std::size_t c = 0; c < function.columns.cols; ++c)
+        add_parameter(led_to(building.building.effects.at(shape.first + c), 0),
+                      {standard_normal(), {}, size}, building);
+}
+
+/// The parameter that has the coefficient of an effect; one that is fixed where none has.
+std::size_t parameter_of(const physics::Coefficient& effect, Case& building) {
+    for (std::size_t k = 0; k < building.parameters.size(); ++k) {
+        const physics::Parameter& parameter = building.parameters[k];
+        if (std::ranges::none_of(parameter.targets, [&](const physics::Target& target) {
+                return physics::is_same_number(target, effect.targets.at(0));
+            }))
+            continue;
+        if (parameter.effect != physics::Effect::replace)
+            throw std::invalid_argument(fmt::format(
+                "{} varies the coefficient of {} by a factor or an offset, and the day of "
+                "that effect is sampled; expected a parameter that is the coefficient",
+                parameter.name, effect.name));
+        return k;
+    }
+    const double value = physics::number_at(building.building, effect.targets.at(0)) /
+                         effect.targets[0].weight;
+    return add_parameter(led_to(effect, value), {fixed_at(value), {}}, building);
+}
+
+void sample(const Shapes::Day& day, Case& building) {
+    const physics::Coefficient parent = building.building.effects.at(day.parent);
+    const std::size_t size = parameter_of(parent, building);
+    const double coefficient = building.parameters[size].nominal;
+    const double reach = day.within;
+    const std::size_t moment = add_parameter(
+        {parent.name + ": day", "d", -reach, reach, physics::Effect::replace, {}, 0},
+        {uniform_within(reach), {}}, building);
+    for (int d = -day.within; d < day.within; ++d) {
+        const StepShare step{size, moment, static_cast<double>(d)};
+        const auto& part = building.building.effects.at(
+            day.first + static_cast<std::size_t>(d + day.within));
+        add_parameter(led_to(part, coefficient * step.share(0)),
+                      {fixed_at(0), {}, std::nullopt, step}, building);
+    }
+}
+
+void set_to_nominal(Case& building) {
+    std::vector<double> point;
+    for (const physics::Parameter& parameter : building.parameters)
+        point.push_back(parameter.nominal);
+    const physics::Building before = building.building;
+    physics::apply(before, building.parameters, point, building.building);
+}
+
+}  // namespace
+
+Case with_sampled_shapes(Case building, std::vector<SampledFunction>& functions) {
+    functions.clear();
+    if (!building.declared_effects) return building;
+    const physics::Drive drive = drive_of(building, building.periods.at(0));
+    Shapes shapes = shapes_of(building, drive, functions);
+    if (shapes.are_none()) return building;
+    const Case before = building;
+    DeclaredEffects& declared = shapes.declared;
+    building.building =
+        effects::building_with(declared, drive, building.weather, declared.n_rows);
+    keep_numbers(before, building.building);
+    building.profiles.resize(declared.first_row + declared.n_rows,
+                             effects::empty_row(building.weather));
+    building.declared_effects =
+        std::make_shared<const DeclaredEffects>(std::move(declared));
+    building.priors = priors_of(building);
+    for (std::size_t k = 0; k < functions.size(); ++k)
+        sample(functions[k], shapes.functions[k], building);
+    for (const Shapes::Day& day : shapes.days) sample(day, building);
+    set_to_nominal(building);
+    return building;
+}
+
+}  // namespace bemcal::study
