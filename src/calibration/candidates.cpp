@@ -1,6 +1,6 @@
 /// Writes the nominal and the best point side by side: metrics and series of every meter
 /// in every period, quantities by step, the outdoor temperature.
-/// Follows from a plain simulation of both (`look_closely`).
+/// Follows from a close look at both (`PeriodModel::look`).
 /// Which point is best is decided before; how sure it is, is not said.
 #include "calibration/candidates.hpp"
 
@@ -21,9 +21,9 @@ Looks look_at(const CandidateCase& plan, const Matrix& points) {
     for (std::size_t c = 0; c < 2; ++c) {
         looks[c].reserve(plan.models.size());
         for (std::size_t p = 0; p < plan.models.size(); ++p)
-            looks[c].push_back(study::look_closely(
-                plan.building, plan.building.periods[p], plan.models[p]->drive,
-                points.row(c), plan.hourly_outputs));
+            looks[c].push_back(plan.models[p]->look(plan.building,
+                                                    plan.building.periods[p],
+                                                    points.row(c), plan.hourly_outputs));
     }
     return looks;
 }
@@ -67,7 +67,7 @@ void add_meter_series(const CandidateCase& plan, const Looks& looks, std::size_t
 /// simulated with, so that other models can be fitted from the result alone.
 void add_hourly(const CandidateCase& plan, const Looks& looks, std::size_t p,
                 study::DatasetBuilder& datasets) {
-    const physics::Drive& drive = plan.models[p]->drive;
+    const physics::Drive& drive = plan.models[p]->drive();
     const std::string folder = plan.building.periods[p].name + "/hourly/";
     std::vector<physics::Seconds> begins;
     for (int step = drive.n_warm_up; step < drive.n_steps(); ++step)

@@ -92,10 +92,10 @@ MeterGoal::MeterGoal(const study::Case& building, const OptimisationOptions& opt
       period_(period_index(building_, options.period)) {
     models_.reserve(building_.periods.size());
     for (const study::Period& period : building_.periods)
-        models_.push_back(std::make_unique<PeriodModel>(building_, period));
-    const auto& readings = models_.at(period_)->request.readings;
+        models_.push_back(own_period_model(building_, period));
+    const auto& readings = models_.at(period_)->readings();
     meters_ = chosen_meters(building_, options.meters, readings);
-    for (const std::size_t m : meters_) request_.readings.push_back(readings[m]);
+    asked_ = models_[period_]->some(meters_);
     if (!options.meter_weights.empty() && options.meter_weights.size() != meters_.size())
         throw std::invalid_argument("expected a weight for each of the meters");
 }
@@ -137,8 +137,8 @@ std::vector<double> MeterGoal::objectives_of(const kernel::PointAnswer& answer) 
     std::vector<double> errors;
     double sum = 0;
     for (std::size_t m = 0; m < meters_.size(); ++m) {
-        const study::MeterFit fit = study::fit_of(request_.readings[m], answer.errors[m],
-                                                  answer.monthly_errors[m]);
+        const study::MeterFit fit = study::fit_of(
+            asked_.request.readings[m], answer.errors[m], answer.monthly_errors[m]);
         const bool is_monthly = options_.resolution == ObjectiveResolution::monthly;
         const stats::FitMetrics& metrics = is_monthly ? fit.monthly : fit.own;
         errors.push_back(error_of(metrics));
@@ -152,7 +152,7 @@ std::vector<double> MeterGoal::objectives_of(const kernel::PointAnswer& answer) 
 
 Matrix MeterGoal::evaluate(const Matrix& points,
                            std::vector<std::string>& failures) const {
-    const auto answers = models_[period_]->batch.evaluate(points, request_);
+    const auto answers = models_[period_]->evaluate(points, asked_);
     Matrix values(points.rows, objectives().size(), nan);
     failures.assign(points.rows, {});
     for (std::size_t r = 0; r < answers.size(); ++r) {

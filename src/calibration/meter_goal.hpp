@@ -42,7 +42,7 @@ class MeterGoal : public Goal {
     std::vector<std::unique_ptr<PeriodModel>> models_;  ///< [periods]
     std::size_t period_ = 0;
     std::vector<std::size_t> meters_;  ///< of the case
-    kernel::Request request_;          ///< readings of these in that period
+    AskedMeters asked_;                ///< these in that period
 };
 
 /// Paper 2, eq. 4, with its weights. A correlation that is not defined counts as none;

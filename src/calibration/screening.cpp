@@ -15,8 +15,8 @@ namespace {
 class Screening : public study::Stage {
   public:
     Screening(std::string name, const study::Case& building,
-              const ScreeningOptions& options)
-        : plan_(std::move(name), building, options) {}
+              const ScreeningOptions& options, const MakePeriodModel& model)
+        : plan_(std::move(name), building, options, model) {}
 
     std::string name() const override { return plan_.name; }
     int n_items() const override { return static_cast<int>(plan_.n_items()); }
@@ -34,6 +34,10 @@ class Screening : public study::Stage {
         const std::vector<study::ItemAnswer>& answers) const override {
         return conclude_screening(plan_, answers);
     }
+    std::vector<double> best_point(
+        const std::vector<study::ItemAnswer>& answers) const override {
+        return best_point_of(plan_, answers);
+    }
 
   private:
     void evaluate(std::size_t period, const Matrix& points, Matrix& rows,
@@ -46,8 +50,8 @@ class Screening : public study::Stage {
 void Screening::evaluate(std::size_t period, const Matrix& points, Matrix& rows,
                          std::vector<std::string>& reasons) const {
     const PeriodModel& model = *plan_.models[period];
-    const auto& readings = model.request.readings;
-    const auto answers = model.batch.evaluate(points, model.request);
+    const auto& readings = model.readings();
+    const auto answers = model.evaluate(points, model.all());
     std::vector<study::MeterFit> fits(readings.size());
     for (std::size_t r = 0; r < answers.size(); ++r) {
         const kernel::PointAnswer& answer = answers[r];
@@ -88,8 +92,9 @@ study::ItemAnswer Screening::run(int item) const {
 
 std::unique_ptr<study::Stage> make_screening(std::string name,
                                              const study::Case& building,
-                                             const ScreeningOptions& options) {
-    return std::make_unique<Screening>(std::move(name), building, options);
+                                             const ScreeningOptions& options,
+                                             const MakePeriodModel& model) {
+    return std::make_unique<Screening>(std::move(name), building, options, model);
 }
 
 }  // namespace bemcal::calibration

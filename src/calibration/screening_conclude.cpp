@@ -180,6 +180,13 @@ study::Summary summary_of(const ScreeningPlan& plan,
 
 }  // namespace
 
+std::vector<double> best_point_of(const ScreeningPlan& plan,
+                                  const std::vector<study::ItemAnswer>& answers) {
+    const Ranking ranking = ranking_of(plan, answers);
+    if (ranking.best().empty()) return {};
+    return plan.points(static_cast<std::size_t>(ranking.best()[0].point), 1).values;
+}
+
 study::Conclusion conclude_screening(const ScreeningPlan& plan,
                                      const std::vector<study::ItemAnswer>& answers) {
     study::DatasetBuilder datasets(plan.name);

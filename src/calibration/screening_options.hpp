@@ -15,7 +15,8 @@ struct ScreeningOptions {
     std::uint64_t seed = 0;
     bool keep_points = true;  ///< store every point with its errors, not the best only
     std::size_t n_best = 20;
-    bool close_look = true;  ///< nominal and best are simulated again for their series
+    int simulator_runs = 80;  ///< of another program, where there is one
+    bool close_look = true;   ///< nominal and best are simulated again for their series
     /// Of nominal and best, stored by step.
     std::vector<physics::Quantity> hourly_outputs;
 };

@@ -20,37 +20,15 @@ bool have_reading(const std::vector<kernel::Readings>& readings) {
 
 }  // namespace
 
-PeriodModel::PeriodModel(const study::Case& building, const study::Period& period)
-    : drive(study::drive_of(building, period)),
-      batch(building.building, building.parameters, drive),
-      request{{}, {}, study::readings_of(building, period)} {}
-
-std::vector<study::FoundFit> PeriodModel::fits_at(
-    std::span<const double> point, std::size_t period,
-    const std::vector<std::size_t>& meters) const {
-    Matrix points(1, point.size());
-    points.values.assign(point.begin(), point.end());
-    const kernel::PointAnswer answer = batch.evaluate(points, request).at(0);
-    std::vector<study::FoundFit> fits;
-    for (const std::size_t m : meters) {
-        if (!answer.failure.empty()) break;
-        const stats::FitMetrics own =
-            study::fit_of(request.readings[m], answer.errors[m], answer.monthly_errors[m])
-                .own;
-        fits.push_back({period, m, nan, own.cv_rmse, own.nmbe});
-    }
-    return fits;
-}
-
 ScreeningPlan::ScreeningPlan(std::string stage, const study::Case& given,
-                             const ScreeningOptions& chosen)
+                             const ScreeningOptions& chosen, const MakePeriodModel& model)
     : name(std::move(stage)),
       building(given),
       options(chosen),
       layout{given.periods.size(), given.meters.size()} {
     for (const study::Period& period : building.periods)
-        models.push_back(std::make_unique<PeriodModel>(building, period));
-    if (models.empty() || !have_reading(models[0]->request.readings))
+        models.push_back(model(building, period));
+    if (models.empty() || !have_reading(models[0]->readings()))
         throw std::invalid_argument("no meter has a reading in the first period");
 }
 

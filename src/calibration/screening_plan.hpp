@@ -1,6 +1,7 @@
 /// What running and concluding a screening share.
 #pragma once
 
+#include "calibration/period_model.hpp"
 #include "calibration/ranking.hpp"
 #include "calibration/screening_options.hpp"
 #include "study/points.hpp"
@@ -12,23 +13,9 @@
 
 namespace bemcal::calibration {
 
-/// A period made ready for the kernel.
-struct PeriodModel {
-    PeriodModel(const study::Case& building, const study::Period& period);
-    physics::Drive drive;
-    kernel::Batch batch;
-    kernel::Request request;
-
-    /// Errors of a point against some meters, as fits of that period of the case; empty
-    /// where it failed.
-    std::vector<study::FoundFit> fits_at(std::span<const double> point,
-                                         std::size_t period,
-                                         const std::vector<std::size_t>& meters) const;
-};
-
 struct ScreeningPlan {
     ScreeningPlan(std::string stage, const study::Case& building,
-                  const ScreeningOptions& chosen);
+                  const ScreeningOptions& chosen, const MakePeriodModel& model);
 
     std::string name;
     study::Case building;
@@ -48,5 +35,9 @@ struct ScreeningPlan {
 
 study::Conclusion conclude_screening(const ScreeningPlan& plan,
                                      const std::vector<study::ItemAnswer>& answers);
+
+/// The best point; empty where none succeeded.
+std::vector<double> best_point_of(const ScreeningPlan& plan,
+                                  const std::vector<study::ItemAnswer>& answers);
 
 }  // namespace bemcal::calibration

@@ -124,15 +124,15 @@ void check_validation(const study::Case& building, const StagedOptions& options)
     }
 }
 
-PeriodModels models_of(const study::Case& building, const StagedOptions& options) {
+PeriodModels models_of(const study::Case& building, const StagedOptions& options,
+                       const MakePeriodModel& model) {
     std::vector<std::string> names;
     for (const CalibrationStage& stage : options.stages) add_new(stage.periods, names);
     for (const ValidationPeriod& validation : options.validation)
         add_new({validation.period}, names);
     PeriodModels models;
     for (const std::string& name : names)
-        models[name] =
-            std::make_unique<PeriodModel>(building, exact_period(building, name));
+        models[name] = model(building, exact_period(building, name));
     return models;
 }
 
@@ -147,7 +147,7 @@ struct StagedHistory {
 class StagedCalibration : public study::Stage {
   public:
     StagedCalibration(std::string name, const study::Case& building,
-                      StagedOptions options);
+                      StagedOptions options, const MakePeriodModel& model);
 
     std::string name() const override { return name_; }
     void see(const std::vector<study::Summary>& found) override;
@@ -161,6 +161,13 @@ class StagedCalibration : public study::Stage {
     void begin_round(int first_item, const study::Round& round) override;
     study::Conclusion conclude(
         const std::vector<study::ItemAnswer>& answers) const override;
+    /// What the last stage ends with; all at once is no stage.
+    std::vector<double> best_point(
+        const std::vector<study::ItemAnswer>& answers) const override {
+        StagedHistory history = start();
+        follow(answers, history);
+        return history.path.found().at(options_.stages.size() - 1).value;
+    }
 
   private:
     static std::size_t items_of(std::size_t n_points) {
@@ -193,14 +200,14 @@ class StagedCalibration : public study::Stage {
 };
 
 StagedCalibration::StagedCalibration(std::string name, const study::Case& building,
-                                     StagedOptions options)
+                                     StagedOptions options, const MakePeriodModel& model)
     : name_(std::move(name)),
       building_(building),
       options_(std::move(options)),
       stages_(all_stages(options_)) {
     check_stages(building_, stages_);
     check_validation(building_, options_);
-    models_ = models_of(building_, options_);
+    models_ = models_of(building_, options_, model);
     goals_.reserve(stages_.size());
     for (const CalibrationStage& stage : stages_)
         goals_.emplace_back(building_, models_, stage);
@@ -427,9 +434,10 @@ study::Conclusion StagedCalibration::conclude(
 }  // namespace
 
 std::unique_ptr<study::Stage> make_staged(std::string name, const study::Case& building,
-                                          StagedOptions options) {
+                                          StagedOptions options,
+                                          const MakePeriodModel& model) {
     return std::make_unique<StagedCalibration>(std::move(name), building,
-                                               std::move(options));
+                                               std::move(options), model);
 }
 
 }  // namespace bemcal::calibration

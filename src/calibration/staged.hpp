@@ -8,6 +8,7 @@
 /// a period is then judged with the values of the stage it names.
 #pragma once
 
+#include "calibration/period_model.hpp"
 #include "calibration/staged_options.hpp"
 #include "study/case.hpp"
 #include "study/stage.hpp"
@@ -19,7 +20,9 @@ namespace bemcal::calibration {
 
 /// Throws std::invalid_argument for a name that is not there, a validation period that
 /// overlaps one that a stage sees, a range that is none, or no reading in a period.
-std::unique_ptr<study::Stage> make_staged(std::string name, const study::Case& building,
-                                          StagedOptions options);
+/// \param model  of each period
+std::unique_ptr<study::Stage> make_staged(
+    std::string name, const study::Case& building, StagedOptions options,
+    const MakePeriodModel& model = own_period_model);
 
 }  // namespace bemcal::calibration

@@ -23,37 +23,27 @@ void add(const kernel::ErrorSums& some, kernel::ErrorSums& all) {
         all.*part += some.*part;
 }
 
-bool is_read(const std::vector<kernel::Request>& requests, std::size_t meter) {
-    return std::ranges::any_of(requests, [&](const kernel::Request& request) {
-        return study::has_reading(request.readings[meter].values);
+bool is_read(const std::vector<const PeriodModel*>& models, std::size_t meter) {
+    return std::ranges::any_of(models, [&](const PeriodModel* model) {
+        return study::has_reading(model->readings()[meter].values);
     });
 }
 
 /// Meters of that name, or all that are read.
 std::vector<std::size_t> chosen_meters(const study::Case& building,
                                        const CalibrationStage& stage,
-                                       const std::vector<kernel::Request>& requests) {
+                                       const std::vector<const PeriodModel*>& models) {
     const auto& names = stage.fit.meters;
     std::vector<std::size_t> chosen;
     for (std::size_t m = 0; m < building.meters.size(); ++m)
         if (names.empty()
-                ? is_read(requests, m)
+                ? is_read(models, m)
                 : std::ranges::find(names, building.meters[m].name) != names.end())
             chosen.push_back(m);
     if (chosen.empty() || (!names.empty() && chosen.size() != names.size()))
         throw std::invalid_argument("the stage " + stage.name +
                                     " has no such meters in " + building.name);
     return chosen;
-}
-
-/// The requests for these meters only.
-std::vector<kernel::Request> cut(const std::vector<kernel::Request>& requests,
-                                 const std::vector<std::size_t>& meters) {
-    std::vector<kernel::Request> some(requests.size());
-    for (std::size_t p = 0; p < requests.size(); ++p)
-        for (const std::size_t m : meters)
-            some[p].readings.push_back(requests[p].readings[m]);
-    return some;
 }
 
 /// Of what the stage calibrates; the others have no part.
@@ -75,13 +65,10 @@ std::vector<stats::Prior> counted_priors(const study::Case& building,
 StageGoal::StageGoal(const study::Case& building, const PeriodModels& models,
                      const CalibrationStage& stage)
     : fit_(stage.fit), priors_(counted_priors(building, stage)) {
-    std::vector<kernel::Request> requests;
-    for (const std::string& name : stage.periods) {
-        batches_.push_back(&models.at(name)->batch);
-        requests.push_back(models.at(name)->request);
-    }
-    meters_ = chosen_meters(building, stage, requests);
-    requests_ = cut(requests, meters_);
+    for (const std::string& name : stage.periods)
+        models_.push_back(models.at(name).get());
+    meters_ = chosen_meters(building, stage, models_);
+    for (const PeriodModel* model : models_) asked_.push_back(model->some(meters_));
     for (const std::size_t m : meters_) {
         const double hours = hours_of(building.meters[m].interval, building.step_s);
         share_.push_back(stage.independent_hours > 0
@@ -90,7 +77,7 @@ StageGoal::StageGoal(const study::Case& building, const PeriodModels& models,
     }
     for (std::size_t p = 0; p < stage.periods.size(); ++p)
         for (std::size_t m = 0; m < meters_.size(); ++m)
-            if (!study::has_reading(requests_[p].readings[m].values))
+            if (!study::has_reading(asked_[p].request.readings[m].values))
                 throw std::invalid_argument("the meter " +
                                             building.meters[meters_[m]].name +
                                             " has no reading in " + stage.periods[p] +
@@ -109,7 +96,8 @@ double StageGoal::objective_of(
             add(answer->errors[m], own);
             add(answer->monthly_errors[m], monthly);
         }
-        const study::MeterFit fit = study::fit_of(requests_[0].readings[m], own, monthly);
+        const study::MeterFit fit =
+            study::fit_of(asked_[0].request.readings[m], own, monthly);
         const bool is_monthly = fit_.resolution == ObjectiveResolution::monthly;
         const double weight = fit_.meter_weights.empty() ? 1 : fit_.meter_weights[m];
         sum +=
@@ -129,9 +117,9 @@ double StageGoal::minus_log_prior(std::span<const double> point) const {
 std::vector<double> StageGoal::evaluate(const Matrix& points,
                                         std::vector<std::string>& failures) const {
     std::vector<std::vector<kernel::PointAnswer>> answers;
-    answers.reserve(batches_.size());
-    for (std::size_t p = 0; p < batches_.size(); ++p)
-        answers.push_back(batches_[p]->evaluate(points, requests_[p]));
+    answers.reserve(models_.size());
+    for (std::size_t p = 0; p < models_.size(); ++p)
+        answers.push_back(models_[p]->evaluate(points, asked_[p]));
     std::vector<double> values(points.rows, nan);
     failures.assign(points.rows, {});
     for (std::size_t r = 0; r < points.rows; ++r) {

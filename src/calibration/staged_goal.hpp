@@ -2,7 +2,7 @@
 /// of all parameters of the case.
 #pragma once
 
-#include "calibration/screening_plan.hpp"
+#include "calibration/period_model.hpp"
 #include "calibration/staged_options.hpp"
 #include "study/fit.hpp"
 
@@ -14,7 +14,7 @@
 
 namespace bemcal::calibration {
 
-/// Periods made ready for the kernel, by name.
+/// Models of periods, by name.
 using PeriodModels = std::map<std::string, std::unique_ptr<PeriodModel>>;
 
 class StageGoal {
@@ -38,8 +38,8 @@ class StageGoal {
     std::vector<stats::Prior> priors_;  ///< [parameters of the case]; fixed: no part
     std::vector<double> share_;         ///< [meters] independent errors per reading
     std::vector<std::size_t> meters_;
-    std::vector<const kernel::Batch*> batches_;  ///< [periods]
-    std::vector<kernel::Request> requests_;      ///< [periods]
+    std::vector<const PeriodModel*> models_;  ///< [periods]
+    std::vector<AskedMeters> asked_;          ///< [periods]
 };
 
 }  // namespace bemcal::calibration

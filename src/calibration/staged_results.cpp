@@ -104,8 +104,8 @@ std::vector<double> moved(std::vector<double> point, std::size_t parameter, doub
 
 study::CloseLook StagedJudge::look(const std::string& period,
                                    std::span<const double> point) const {
-    return study::look_closely(building_, study::period_of(building_, period),
-                               models_.at(period)->drive, point, {});
+    return models_.at(period)->look(building_, study::period_of(building_, period), point,
+                                    {});
 }
 
 void StagedJudge::compare(const Comparison& comparison,

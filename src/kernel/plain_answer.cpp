@@ -37,22 +37,6 @@ ErrorSums compare_months(const std::vector<double>& simulated, const Readings& r
     return sums;
 }
 
-void add_errors(const std::vector<double>& steps, const physics::TimeAxis& period,
-                const Readings& readings, PointAnswer& answer) {
-    const std::vector<int> bounds = physics::interval_bounds(period, readings.interval);
-    const std::vector<double> simulated =
-        physics::aggregate(steps, bounds, readings.quantity);
-    answer.errors.push_back(compare_all(simulated, readings.values));
-    answer.monthly_errors.emplace_back();
-    if (!is_finer_than_month(readings.interval)) return;
-    const std::vector<int> months = month_of_steps(period);
-    std::vector<int> month_of_interval;
-    for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
-        month_of_interval.push_back(months[static_cast<std::size_t>(bounds[k + 1] - 1)]);
-    answer.monthly_errors.back() =
-        compare_months(simulated, readings, month_of_interval, months.back() + 1);
-}
-
 }  // namespace
 
 void compare_one(double simulated, double measured, ErrorSums& sums) {
@@ -72,6 +56,20 @@ void compare_one(double simulated, double measured, ErrorSums& sums) {
 bool is_finer_than_month(physics::Interval interval) {
     return interval == physics::Interval::step || interval == physics::Interval::hourly ||
            interval == physics::Interval::daily;
+}
+
+void add_errors(const std::vector<double>& simulated, const physics::TimeAxis& period,
+                const Readings& readings, PointAnswer& answer) {
+    answer.errors.push_back(compare_all(simulated, readings.values));
+    answer.monthly_errors.emplace_back();
+    if (!is_finer_than_month(readings.interval)) return;
+    const std::vector<int> bounds = physics::interval_bounds(period, readings.interval);
+    const std::vector<int> months = month_of_steps(period);
+    std::vector<int> month_of_interval;
+    for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
+        month_of_interval.push_back(months[static_cast<std::size_t>(bounds[k + 1] - 1)]);
+    answer.monthly_errors.back() =
+        compare_months(simulated, readings, month_of_interval, months.back() + 1);
 }
 
 std::vector<int> month_of_steps(const physics::TimeAxis& period) {
@@ -103,7 +101,10 @@ PointAnswer plain_answer(const physics::Building& building, const physics::Drive
         answer.monthly.insert(answer.monthly.end(), totals.begin(), totals.end());
     }
     for (const Readings& readings : request.readings)
-        add_errors(shown(readings.quantity), period, readings, answer);
+        add_errors(physics::aggregate(shown(readings.quantity),
+                                      physics::interval_bounds(period, readings.interval),
+                                      readings.quantity),
+                   period, readings, answer);
     return answer;
 }
 

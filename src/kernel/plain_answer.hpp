@@ -14,6 +14,11 @@ PointAnswer plain_answer(const physics::Building& building, const physics::Drive
 /// Adds one pair to the sums; NaN readings are left out.
 void compare_one(double simulated, double measured, ErrorSums& sums);
 
+/// Adds the errors of a series against readings, at their interval and by month.
+/// \param simulated  at the readings' intervals
+void add_errors(const std::vector<double>& simulated, const physics::TimeAxis& period,
+                const Readings& readings, PointAnswer& answer);
+
 /// Whether errors are summed by month, too.
 bool is_finer_than_month(physics::Interval interval);
 

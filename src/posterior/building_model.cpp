@@ -143,18 +143,6 @@ stats::Prior residual_prior(const std::string& name, const study::Meter& meter,
 
 }  // namespace
 
-double noise_scale(physics::Quantity quantity, std::span<const double> values) {
-    if (physics::is_temperature(quantity)) return 1;
-    double sum = 0, n = 0;
-    for (const double value : values)
-        if (!std::isnan(value)) sum += std::abs(value), n += 1;
-    return sum > 0 ? sum / n : 1;
-}
-
-double usual_constant(physics::Quantity quantity) {
-    return physics::is_temperature(quantity) ? 0.5 : 0.1;
-}
-
 std::vector<study::Coordinate> residual_unknowns(const study::Meter& meter,
                                                  const stats::ResidualOptions& options) {
     std::vector<study::Coordinate> unknowns;

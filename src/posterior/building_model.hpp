@@ -6,6 +6,7 @@
 #include "posterior/meter_response.hpp"
 #include "stats/residual_model.hpp"
 #include "study/case.hpp"
+#include "study/reading_noise.hpp"
 #include "study/space.hpp"
 
 #include <memory>
@@ -97,12 +98,8 @@ class BuildingModel {
     std::unique_ptr<const MeterResponse> response_;
 };
 
-/// The mean size of values that are not missing; a temperature strays by kelvins,
-/// whatever it is.
-double noise_scale(physics::Quantity quantity, std::span<const double> values);
-
-/// The constant part of residuals before the data, as a share of that: its median.
-double usual_constant(physics::Quantity quantity);
+using study::noise_scale;
+using study::usual_constant;
 
 /// What is believed of a meter's residuals before the data.
 std::vector<study::Coordinate> residual_unknowns(const study::Meter& meter,

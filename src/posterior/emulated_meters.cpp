@@ -6,7 +6,6 @@
 #include "base/error.hpp"
 #include "emulator/eigen_views.hpp"
 #include "posterior/building_model.hpp"
-#include "study/simulated_hours.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -180,61 +179,7 @@ class EmulatedMeters : public ResponseSource {
     std::vector<double> variance_;
 };
 
-/// Of a reading's error before the data: medians of the priors of residuals.
-double usual_error(const study::Meter& meter) {
-    return noise_scale(meter.quantity, meter.values) * usual_constant(meter.quantity);
-}
-
 }  // namespace
-
-SeriesLayout::SeriesLayout(const study::Case& building, std::vector<std::size_t> meters)
-    : meters_(std::move(meters)) {
-    for (const study::Period& period : building.periods) {
-        const physics::TimeAxis axis = study::axis_of(building, period);
-        auto& ranges = ranges_.emplace_back();
-        for (const std::size_t m : meters_) {
-            const std::size_t n =
-                study::begins_of(axis, building.meters[m].interval).size();
-            ranges.push_back({size_, n});
-            size_ += n;
-        }
-    }
-}
-
-const std::vector<ChannelRange>& SeriesLayout::ranges(const study::Case& building,
-                                                      const study::Period& period) const {
-    const auto found =
-        std::ranges::find(building.periods, period.name, &study::Period::name);
-    return ranges_.at(static_cast<std::size_t>(found - building.periods.begin()));
-}
-
-std::vector<double> SeriesLayout::series(
-    const study::Case& building, const std::vector<std::vector<double>>& hours) const {
-    std::vector<double> series;
-    series.reserve(size_);
-    for (const study::Period& period : building.periods)
-        for (std::size_t c = 0; c < meters_.size(); ++c) {
-            const study::Meter& meter = building.meters[meters_[c]];
-            const auto own = study::readings_of_hours(
-                building, period, {meter.quantity, meter.interval}, hours[c]);
-            series.insert(series.end(), own.begin(), own.end());
-        }
-    return series;
-}
-
-std::vector<double> SeriesLayout::weights(const study::Case& building) const {
-    std::vector<double> weights(size_);
-    for (std::size_t c = 0; c < meters_.size(); ++c) {
-        double n = 0;
-        for (const auto& ranges : ranges_) n += static_cast<double>(ranges[c].size);
-        const double weight =
-            1 / (usual_error(building.meters[meters_[c]]) * std::sqrt(n));
-        for (const auto& ranges : ranges_)
-            for (std::size_t k = 0; k < ranges[c].size; ++k)
-                weights[ranges[c].first + k] = weight;
-    }
-    return weights;
-}
 
 study::Case with_parameters(study::Case building,
                             std::vector<physics::Parameter> parameters,

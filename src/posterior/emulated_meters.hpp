@@ -10,36 +10,14 @@
 
 #include "emulator/series_emulator.hpp"
 #include "posterior/meter_response.hpp"
+#include "study/series_layout.hpp"
 
 #include <memory>
 #include <vector>
 
 namespace bemcal::posterior {
 
-/// How readings of a building stand in a series: period after period, in each meter after
-/// meter.
-class SeriesLayout {
-  public:
-    /// \param meters  of the building, rising
-    SeriesLayout(const study::Case& building, std::vector<std::size_t> meters);
-
-    std::size_t size() const { return size_; }
-    const std::vector<std::size_t>& meters() const { return meters_; }
-    /// Of the period of that name. [meters]
-    const std::vector<emulator::ChannelRange>& ranges(const study::Case& building,
-                                                      const study::Period& period) const;
-    /// A run's readings. [size] \param hours  [meters][hours of all periods]
-    std::vector<double> series(const study::Case& building,
-                               const std::vector<std::vector<double>>& hours) const;
-    /// 1 / standard deviation of a reading before the data. All meters weigh alike,
-    /// however often they are read. [size]
-    std::vector<double> weights(const study::Case& building) const;
-
-  private:
-    std::vector<std::size_t> meters_;
-    std::vector<std::vector<emulator::ChannelRange>> ranges_;  ///< [periods][meters]
-    std::size_t size_ = 0;
-};
+using study::SeriesLayout;
 
 /// The building with the program's parameters in place of its own, uniform in their
 /// ranges, then an error for each of the emulator's components.

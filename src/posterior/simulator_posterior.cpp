@@ -21,6 +21,7 @@
 #include "study/datasets.hpp"
 #include "study/packed_matrix.hpp"
 #include "study/points.hpp"
+#include "study/runs_budget.hpp"
 #include "study/simulated_hours.hpp"
 #include "study/simulator_run.hpp"
 #include "study/some_draws.hpp"
@@ -37,25 +38,10 @@ namespace {
 
 using study::SimulatorRun;
 
-constexpr int n_rounds = 3;  ///< of runs after the design
 constexpr std::uint32_t reach_stream = 0x72656163;
 /// As a share of a parameter's range: next runs reach at least so far about a draw, or
 /// they would tell the emulator no slope.
 constexpr double least_reach = 0.02;
-
-/// How many runs each round has, of a budget.
-class Budget {
-  public:
-    explicit Budget(int n_runs)
-        : of_round_(std::max(2, n_runs / 8)),
-          design_(std::max(4, n_runs - n_rounds * of_round_)) {}
-    int design() const { return design_; }
-    int of_round() const { return of_round_; }
-    int all() const { return design_ + n_rounds * of_round_; }
-
-  private:
-    int of_round_, design_;
-};
 
 /// Of the runs' variance that is emulated: errors that remember each other let small
 /// changes from hour to hour speak, so a tenth of the usual is left out.
@@ -350,7 +336,7 @@ class SimulatorPosterior : public study::Stage {
     study::Case building_;
     std::shared_ptr<const study::HourlySimulator> simulator_;
     PosteriorOptions options_;
-    Budget budget_;
+    study::RunsBudget budget_;
     std::size_t n_hours_;
     std::unique_ptr<const SeriesLayout> layout_;
     std::vector<std::size_t> columns_;  ///< of the simulator's meters

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace bemcal::study {
 namespace {
@@ -95,11 +96,19 @@ class PlainRun {
 
 MeterSeries series_of(const PlainRun& run, const physics::TimeAxis& axis,
                       const kernel::Readings& readings) {
-    const std::vector<int> bounds = physics::interval_bounds(axis, readings.interval);
+    return compared(physics::aggregate(run.by_step(readings.quantity),
+                                       physics::interval_bounds(axis, readings.interval),
+                                       readings.quantity),
+                    axis, readings);
+}
+
+}  // namespace
+
+MeterSeries compared(std::vector<double> simulated, const physics::TimeAxis& period,
+                     const kernel::Readings& readings) {
     MeterSeries series;
-    series.begins = begins_of(axis, readings.interval);
-    series.simulated =
-        physics::aggregate(run.by_step(readings.quantity), bounds, readings.quantity);
+    series.begins = begins_of(period, readings.interval);
+    series.simulated = std::move(simulated);
     series.measured = readings.values;
     series.fit.own = stats::metrics_of(series.simulated, series.measured);
     series.fit.monthly = is_finer_than_month(readings.interval)
@@ -107,8 +116,6 @@ MeterSeries series_of(const PlainRun& run, const physics::TimeAxis& axis,
                              : series.fit.own;
     return series;
 }
-
-}  // namespace
 
 MeterFit fit_of(const kernel::Readings& readings, const kernel::ErrorSums& own,
                 const kernel::ErrorSums& monthly) {

@@ -49,6 +49,10 @@ struct MeterSeries {
     MeterFit fit;
 };
 
+/// With its metrics. \param simulated  at the readings' intervals
+MeterSeries compared(std::vector<double> simulated, const physics::TimeAxis& period,
+                     const kernel::Readings& readings);
+
 /// A building over a period by the plain simulation: every meter, and quantities by step.
 struct CloseLook {
     std::vector<MeterSeries> meters;
