@@ -139,7 +139,8 @@ def of_savings(study):
         k = max(shown, key=lambda output, s=s: middle[s, output])
         told.append(f"{scenario} {number(middle[s, k], 3)} {units[k]} of {names[k]} "
                     f"({number(low[s, k], 3)} to {number(high[s, k], 3)})")
-    return f"Saved{savings.period_words(study)}, with the {savings.intervals_words(study)}: {'; '.join(told)}."
+    sure = "" if savings.is_one_point(study) else f", with the {savings.intervals_words(study)}"
+    return f"Saved{savings.period_words(study)}{sure}: {'; '.join(told)}."
 
 
 BY_KIND = {"sensitivity": (of_indices, "parameter output total_order"),

@@ -50,7 +50,7 @@ KINDS = {
         part("Points", screening.parameters, "points score parameter meter"),
         part("Points", screening.best_points, "best_parameters parameter parameter_least parameter_most"),
         part("Points", screening.held_out, "cv_rmse score meter period"),
-        METERS)),
+        PROGRAM, METERS)),
     "grid": Kind("which combination of given values fits?", (
         part("Stages", grids.progress, "stage_distance stage_points ended_by"),
         part("Stages", grids.errors, "target"),
@@ -74,7 +74,7 @@ KINDS = {
         part("Errors", staged.share_table),
         part("Values in numbers", staged.table, "calibration_stage parameter parameter_unit calibration_start "
              "calibration_value calibration_sd calibration_least calibration_most calibration_at_bound"),
-        METERS)),
+        PROGRAM, METERS)),
     "posterior": Kind("what is known after the data?", (
         *KNOWN,
         part("Functions", chains.functions, "function function_point_value"),
@@ -96,5 +96,6 @@ KINDS = {
         part("Before and after", savings.before_and_after, "scenario output output_unit quantile before_quantile "
                                                            "after_quantile"),
         part("Before and after", savings.comfort, "scenario output output_unit quantile before_quantile "
-                                                  "after_quantile"))),
+                                                  "after_quantile"),
+        PROGRAM)),
 }

@@ -30,6 +30,11 @@ def is_of_draws(study):
     return study.kinds.get(study.text("points_of"), OF_DRAWS) == OF_DRAWS
 
 
+def is_one_point(study):
+    """A loop around another program ends at one point, which has no spread."""
+    return study.has("points") and len(study.numbers("points")) == 1
+
+
 def period_words(study):
     """" over 2015-01-01 to 2015-12-31 (365 days)"; "" where a result does not say."""
     ends = study.numbers("simulated_period").ravel() if study.has("simulated_period") else []
@@ -40,6 +45,8 @@ def period_words(study):
 
 
 def intervals_words(study):
+    if is_one_point(study):
+        return "one point, without an interval"
     levels = study.numbers("quantile").ravel()
     what = "quantile" if is_of_draws(study) else "of the best points"
     return f"{fixed(100 * levels[0], 0)} to {fixed(100 * levels[-1], 0)} % {what}" if levels.size else "interval"
@@ -126,6 +133,8 @@ def table(study):
                                              (intervals_words(study), True), ("unit", False),
                                              ("share of before", True)],
                 rows)
-    if not is_of_draws(study):
+    if is_one_point(study):
+        yield f"{study.text('points_of')} has one point: how sure the savings are, it does not say."
+    elif not is_of_draws(study):
         yield f"The points are the best ones of {study.text('points_of')}. They give a range, not a probability: the " \
               "saving may lie outside it more often than the percentages say."

@@ -72,6 +72,7 @@ std::vector<physics::Parameter> read_parameters(const schema::Section& simulator
                             [&] { read_limits(section, made); });
         made.nominal = (made.least + made.most) / 2;
         section.number_if("nominal", made.nominal);
+        read_scenario_limits(section, made);
         parameters.push_back(std::move(made));
     };
     if (!simulator.each("parameter", "simulator.parameter", read_one))
@@ -314,6 +315,18 @@ void check_folder(const schema::Section& simulator, const fs::path& folder) {
 
 }  // namespace
 
+std::pair<double, double> read_scenario_limits(const schema::Section& section,
+                                               const physics::Parameter& parameter) {
+    if (!section.has("limits")) return {parameter.least, parameter.most};
+    const std::vector<double> ends = section.numbers("limits");
+    if (ends.size() != 2 || ends[0] > parameter.least || ends[1] < parameter.most)
+        section.fail("limits", fmt::format("expected two numbers around min = {:g} and "
+                                           "max = {:g}, such as [{:g}, {:g}]",
+                                           parameter.least, parameter.most,
+                                           parameter.least, parameter.most));
+    return {ends[0], ends[1]};
+}
+
 CommandOptions read_simulator(const schema::Section& simulator, input::InputFiles& files,
                               const std::string& job) {
     CommandOptions options;
@@ -321,10 +334,9 @@ CommandOptions read_simulator(const schema::Section& simulator, input::InputFile
                           [&] { options.outputs = read_outputs(simulator); },
                           [&] { options.hours = read_hours(simulator); });
     if (options.outputs.empty() && options.hours.empty())
-        simulator.fail(
-            "output",
-            "is missing; expected sections [[simulator.output]], for a loop or "
-            "a posterior [[simulator.hourly]]");
+        simulator.fail("output",
+                       "is missing; expected sections [[simulator.output]], for a loop, "
+                       "posterior, stages, screening or retrofit [[simulator.hourly]]");
     options.places = read_places(simulator, options);
     simulator.attempt_all(
         [&] {

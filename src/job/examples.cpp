@@ -967,8 +967,10 @@ as = "house.json"
 
 [[simulator.parameter]]
 name = "u_value"
+unit = "W/(m2 K)"
 min = 0.4
 max = 1.6
+limits = [0.1, 1.6]                   # that a scenario may make of it
 
 [[simulator.hourly]]
 meter = "gas"
@@ -1003,6 +1005,35 @@ runs = 60
 [[study]]
 kind = "posterior"
 runs = 60
+
+[[study]]
+kind = "screening"
+runs = 60
+
+[[study]]
+kind = "stages"
+runs = 60
+
+[[study.stage]]
+name = "walls"
+periods = ["training"]
+parameters = ["u_value"]
+
+[[study]]
+kind = "retrofit"                     # the program runs before and after
+of = "loop"
+
+[[scenario]]
+name = "insulated and sealed"
+
+[[scenario.change]]
+target = "u_value"                    # a [[simulator.parameter]]
+insulation = 0.14                     # [m] more
+conductivity = 0.035
+
+[[scenario.change]]
+target = "effect.wind infiltration"   # that the loop found: struck, or scaled by factor
+value = 0
 )toml"},
 
 {"office_hour.toml", R"toml([[study]]

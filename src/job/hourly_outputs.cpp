@@ -4,6 +4,8 @@
 
 #include "description/words.hpp"
 
+#include <fmt/format.h>
+
 namespace bemcal::job {
 
 void check_hourly_outputs(const StudyPlace& place,
@@ -28,6 +30,19 @@ void check_hourly_outputs(const StudyPlace& place,
     for (const std::string& meter : meters)
         description::check_word(section, "meters", meter, known,
                                 "meter of a [[simulator.hourly]]");
+}
+
+void check_nominal(const StudyPlace& place, const char* why) {
+    const auto lines = place.root.table("simulator", "simulator")
+                           .tables("parameter", "simulator.parameter");
+    const auto& parameters = place.job.hourly_simulator->parameters();
+    for (std::size_t k = 0; k < parameters.size(); ++k)
+        if (parameters[k].nominal < parameters[k].least ||
+            parameters[k].nominal > parameters[k].most)
+            lines[k].fail_value(
+                "nominal",
+                fmt::format("{}; expected it between min = {:g} and max = {:g}", why,
+                            parameters[k].least, parameters[k].most));
 }
 
 void check_no_runs(const schema::Section& section) {

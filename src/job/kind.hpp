@@ -83,6 +83,7 @@ struct Kind {
     bool takes_twin = false;  ///< of a [simulator], with the building beside it as a twin
     bool calibrates_twin = false;  ///< and the twin's parameters are needed, too
     bool takes_stock = false;      ///< it can be done with every building of a stock
+    bool finds_effects = false;    ///< around a [simulator] it has one point, with these
     bool has_chains = false;       ///< it draws in rounds until it has converged
 
     /// Reads its keys: options, period. Throws UserError.
@@ -105,6 +106,9 @@ struct Kind {
     /// can take; left out: it finds none.
     std::string (*points_of)(const StudySpec& study,
                              const study::Case& building) = nullptr;
+    /// The same around a [simulator] with hours of the building's meters.
+    std::string (*points_around)(const StudySpec& study,
+                                 const study::Case& building) = nullptr;
     /// What it fits of a building; left out: it fits no meter.
     std::vector<Fitted> (*fitted)(const StudySpec& study,
                                   const study::Case& building) = nullptr;

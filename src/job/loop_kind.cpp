@@ -125,22 +125,9 @@ void check_building(const schema::Section& section, const LoopOptions& options,
     check_columns(section, options, building);
 }
 
-/// The first run is at the nominal point, which an emulator over the ranges must know.
-void check_nominal(const schema::Section& simulator, const Job& job) {
-    const auto lines = simulator.tables("parameter", "simulator.parameter");
-    const auto& parameters = job.hourly_simulator->parameters();
-    for (std::size_t k = 0; k < parameters.size(); ++k)
-        if (parameters[k].nominal < parameters[k].least ||
-            parameters[k].nominal > parameters[k].most)
-            lines[k].fail_value(
-                "nominal", fmt::format("a loop runs it first; expected it between min = "
-                                       "{:g} and max = {:g}",
-                                       parameters[k].least, parameters[k].most));
-}
-
 void check_simulator(const StudyPlace& place, const LoopOptions& options) {
     check_hourly_outputs(place, options.meters);
-    check_nominal(place.root.table("simulator", "simulator"), place.job);
+    check_nominal(place, "a loop runs it first");
 }
 
 void check(const StudyPlace& place, StudySpec& study) {
@@ -216,11 +203,13 @@ extern const Kind loop_kind{.word = "loop",
                             .takes_twin = true,
                             .calibrates_twin = true,
                             .takes_stock = true,
+                            .finds_effects = true,
                             .read = read,
                             .check = check,
                             .stages = stages,
                             .cost = cost,
                             .sentence = sentence,
+                            .points_around = stage_name,
                             .fitted = fitted};
 
 }  // namespace bemcal::job

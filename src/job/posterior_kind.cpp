@@ -257,6 +257,7 @@ extern const Kind posterior_kind{.word = "posterior",
                                  .stages = stages,
                                  .cost = cost,
                                  .points_of = points_of,
+                                 .points_around = stage_name,
                                  .fitted = fitted};
 
 }  // namespace bemcal::job

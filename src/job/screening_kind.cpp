@@ -1,8 +1,12 @@
 /// The kind "screening": a sample over the parameters' ranges, and the error of every
 /// point against every meter.
 /// Follows from `make_screening`.
-/// It sees every period, so it has no key for one.
+/// It sees every period, so it has no key for one. Of a [simulator] an emulator of its
+/// runs is screened.
+#include "calibration/emulated_calibration.hpp"
 #include "calibration/screening.hpp"
+#include "description/words.hpp"
+#include "job/hourly_outputs.hpp"
 #include "job/kind.hpp"
 
 #include <algorithm>
@@ -41,10 +45,34 @@ void read(const StudySource& source, StudySpec& study) {
         static_cast<std::size_t>(section.integer("points_per_item"));
     options.keep_points = section.flag("keep_points");
     options.n_best = static_cast<std::size_t>(section.integer("n_best"));
+    options.simulator_runs = static_cast<int>(section.integer("runs"));
     study.options = options;
 }
 
-void check(const StudyPlace& place, StudySpec&) {
+/// Runs come near what the first period, by which points are ranked, has.
+std::unique_ptr<study::Stage> screening_around(const StudySpec& study, const Job& job) {
+    const study::Case& building = job.buildings.at(0);
+    const std::string name = stage_name(study, building);
+    const auto& screened = study.as<ScreeningOptions>();
+    return calibration::make_emulated_calibration(
+        name, building, job.hourly_simulator,
+        {"screening", screened.simulator_runs, job.seed, {building.periods.at(0).name}},
+        [name, screened](const study::Case& of_program,
+                         const calibration::MakePeriodModel& model) {
+            return calibration::make_screening(name, of_program, screened, model);
+        });
+}
+
+void check_simulator(const StudyPlace& place, const StudySpec& study) {
+    check_hourly_outputs(place, {});
+    check_nominal(place, "a screening runs it first");
+    description::at_key(place.section, "kind",
+                        [&] { return screening_around(study, place.job); });
+}
+
+void check(const StudyPlace& place, StudySpec& study) {
+    if (place.job.simulator) return check_simulator(place, study);
+    check_no_runs(place.section);
     for (const study::Case& building : place.job.buildings)
         if (std::ranges::none_of(building.meters, [](const study::Meter& meter) {
                 return study::has_reading(meter.values);
@@ -55,6 +83,7 @@ void check(const StudyPlace& place, StudySpec&) {
 }
 
 Stages stages(const StudySpec& study, const Job& job) {
+    if (job.hourly_simulator) return only(screening_around(study, job));
     return for_each_building(study, job, [&](std::string name, const auto& building) {
         return calibration::make_screening(std::move(name), building,
                                            study.as<ScreeningOptions>());
@@ -63,6 +92,7 @@ Stages stages(const StudySpec& study, const Job& job) {
 
 /// A point is simulated over one period after the other.
 void cost(const StudyStage& stage, Effort& effort) {
+    if (stage.job.simulator) return;  // its runs are what takes time
     double hours = 0;
     for (const study::Period& period : stage.building->periods)
         hours += study::hours_of(period);
@@ -77,13 +107,15 @@ std::vector<Fitted> fitted(const StudySpec&, const study::Case&) {
 
 extern const Kind screening_kind{.word = "screening",
                                  .sections = {sections},
-                                 .keys = {keys},
+                                 .keys = {keys, emulated_hours_keys},
+                                 .takes_twin = true,
                                  .takes_stock = true,
                                  .read = read,
                                  .check = check,
                                  .stages = stages,
                                  .cost = cost,
                                  .points_of = stage_name,
+                                 .points_around = stage_name,
                                  .fitted = fitted};
 
 }  // namespace bemcal::job

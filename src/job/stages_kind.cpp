@@ -2,11 +2,13 @@
 /// validation periods; studies to compare with. Checks names and ranges.
 /// Source: paper 2.
 /// A stage has one objective, so NSGA-II is no method here. Rules among stages are
-/// checked by `make_staged`.
+/// checked by `make_staged`. Of a [simulator] an emulator of its runs is calibrated.
+#include "calibration/emulated_calibration.hpp"
 #include "calibration/staged.hpp"
 #include "description/result_names.hpp"
 #include "description/words.hpp"
 #include "job/fit_keys.hpp"
+#include "job/hourly_outputs.hpp"
 #include "job/kind.hpp"
 #include "job/names.hpp"
 
@@ -262,34 +264,76 @@ void read(const StudySource& source, StudySpec& study) {
             static_cast<std::size_t>(section.integer("at_once_evaluations"));
     options.accuracy = section.number("accuracy");
     options.beside = section.texts("beside");
+    options.simulator_runs = static_cast<int>(section.integer("runs"));
     study.options = std::move(options);
 }
 
-void check_building(const schema::Section& section, const StagedOptions& options,
-                    const study::Case& building) {
+std::unique_ptr<study::Stage> stage_around(std::string name, const StagedOptions& staged,
+                                           const Job& job) {
+    calibration::EmulatedOptions options{"stages", staged.simulator_runs, job.seed, {}};
+    for (const calibration::CalibrationStage& stage : staged.stages)
+        options.periods.insert(options.periods.end(), stage.periods.begin(),
+                               stage.periods.end());
+    return calibration::make_emulated_calibration(
+        name, job.buildings.at(0), job.hourly_simulator, options,
+        [name, staged](const study::Case& building,
+                       const calibration::MakePeriodModel& model) {
+            return calibration::make_staged(name, building, staged, model);
+        });
+}
+
+/// What stages name, and its ranges.
+void check_values(const schema::Section& section, const StagedOptions& options,
+                  const study::Case& building) {
     std::size_t next = 0;
     for (const schema::Section& stage : section.tables("stage", "study.stage")) {
         check_ranges(stage, options.stages[next], building);
         check_set(stage, options.stages[next++], building);
     }
+}
+
+void check_building(const schema::Section& section, const StagedOptions& options,
+                    const study::Case& building) {
+    check_values(section, options, building);
     description::at_key(section, "kind", [&] {
         return calibration::make_staged("checked", building, options);
     });
 }
 
+/// Its parameters are the program's, its meters those that the program has hours of.
+void check_simulator(const StudyPlace& place, const StagedOptions& staged) {
+    const schema::Section& section = place.section;
+    check_hourly_outputs(place, section.texts("meters"));
+    check_nominal(place, "stages start from it");
+    const study::Case building = calibration::case_of_simulator(
+        place.job.buildings[0], *place.job.hourly_simulator);
+    const BuildingNames names = names_of(building);
+    for (const schema::Section& stage : section.tables("stage", "study.stage"))
+        check_names_of_stage(stage, names);
+    check_values(section, staged, building);
+    description::at_key(section, "kind",
+                        [&] { return stage_around("checked", staged, place.job); });
+}
+
 void check(const StudyPlace& place, StudySpec& study) {
+    const auto& options = study.as<StagedOptions>();
+    if (place.job.simulator) return check_simulator(place, options);
+    check_no_runs(place.section);
     for (const study::Case& building : place.job.buildings)
-        check_building(place.section, study.as<StagedOptions>(), building);
+        check_building(place.section, options, building);
 }
 
 Stages stages(const StudySpec& study, const Job& job) {
+    const auto& options = study.as<StagedOptions>();
+    if (job.hourly_simulator)
+        return only(stage_around(stage_name(study, job.buildings.at(0)), options, job));
     return for_each_building(study, job, [&](std::string name, const auto& building) {
-        return calibration::make_staged(std::move(name), building,
-                                        study.as<StagedOptions>());
+        return calibration::make_staged(std::move(name), building, options);
     });
 }
 
 void cost(const StudyStage& stage, Effort& effort) {
+    if (stage.job.simulator) return;  // its runs are what takes time
     effort.rounds = effort.simulations /
                     (stage.stage.n_items() * calibration::points_per_staged_item);
 }
@@ -306,7 +350,8 @@ std::vector<Fitted> fitted(const StudySpec& study, const study::Case&) {
 
 extern const Kind stages_kind{.word = "stages",
                               .sections = {sections},
-                              .keys = {keys, fit_keys},
+                              .keys = {keys, fit_keys, emulated_hours_keys},
+                              .takes_twin = true,
                               .read = read,
                               .check_names = check_names,
                               .check = check,

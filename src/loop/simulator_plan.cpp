@@ -1,12 +1,12 @@
 /// Hands a plan from rank to rank as a conclusion's datasets, packed.
-/// Follows from `study::pack`. Factors are scaled as differences are: 1 + scale x value.
+/// Follows from `study::pack`.
+/// What an item does with its part is left to the loop.
 #include "loop/simulator_plan.hpp"
 
 #include "loop/stored_simulator.hpp"
 #include "study/datasets.hpp"
 #include "study/packed_conclusion.hpp"
 
-#include <algorithm>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -72,18 +72,6 @@ SimulatorPlan unpack_plan(std::span<const double> packed) {
     for (std::size_t c = 0; c < searched.rows; ++c)
         plan.searched.emplace_back(searched.row(c).begin(), searched.row(c).end());
     return plan;
-}
-
-std::vector<study::GivenEffect> scaled(const std::vector<study::GivenEffect>& effects,
-                                       std::span<const double> scales) {
-    std::vector<study::GivenEffect> all;
-    for (std::size_t k = 0; k < std::min(effects.size(), scales.size()); ++k) {
-        if (scales[k] == 0 || effects[k].at.empty()) continue;
-        all.push_back(effects[k]);
-        for (effects::HookSeries& at : all.back().at)
-            for (double& value : at.values) value *= scales[k];
-    }
-    return all;
 }
 
 }  // namespace bemcal::loop

@@ -35,8 +35,4 @@ std::vector<study::Dataset> datasets_of(const std::string& group,
 std::vector<study::GivenEffect> effects_in(const std::vector<study::Dataset>& datasets,
                                            const std::string& group);
 
-/// Times a scale each; those at 0 are left out.
-std::vector<study::GivenEffect> scaled(const std::vector<study::GivenEffect>& effects,
-                                       std::span<const double> scales);
-
 }  // namespace bemcal::loop

@@ -84,7 +84,19 @@ class Concluder {
         for (const study::Period& period : data.building.periods)
             periods.push_back(writer.add(period, hours_in_period(period)));
         all.summaries.push_back(summary_of(around_.stage, data, stored));
+        add_point(all.summaries.back());
         all.datasets = datasets_of(around_.stage, stored, periods);
+    }
+
+    /// The run that is after: the program's parameters, and what it was given.
+    void add_point(study::Summary& summary) const {
+        const auto& parameters = around_.simulator.parameters();
+        for (const physics::Parameter& parameter : parameters)
+            summary.points.parameters.push_back(parameter.name);
+        summary.points.rows = Matrix(0, parameters.size());
+        summary.points.rows.add_row(
+            study::values_at(run_of(StoredLoop::after).point, parameters));
+        summary.given = study::scaled(around_.effects, scales());
     }
 
     bool is_kept(std::size_t effect) const {

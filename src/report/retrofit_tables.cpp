@@ -4,12 +4,15 @@
 /// nothing before and after are left out; costs are not known.
 #include "physics/calendar.hpp"
 #include "report/sections.hpp"
+#include "report/simulator_tables.hpp"
 #include "report/text_table.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace bemcal::report {
 namespace {
@@ -41,6 +44,12 @@ std::string middle_and_ends(const Three& quantiles, double factor = 1) {
     if (std::isnan(low)) return "-";
     return fmt::format("{} ({} to {})", in_short(factor * middle), in_short(factor * low),
                        in_short(factor * high));
+}
+
+/// Whether it says how many hours are too cold or too warm.
+bool counts_hours(const Group& study) {
+    const Texts units = study.texts("output_unit");
+    return std::ranges::find(units, "h") != units.end();
 }
 
 std::string scenario_table(const Group& study, std::size_t scenario) {
@@ -85,8 +94,12 @@ std::string retrofit_section(const Group& study) {
         text += fmt::format("  energies and hours are of {} to {}, {:.0f} days\n",
                             date_of(ends[0]), date_of(ends[1] - 1),
                             (ends[1] - ends[0]) / physics::day_s);
+    if (const Texts given = study.texts("simulator_given"); !given.empty())
+        text += wrapped("the program has, before and after, what a loop found: " +
+                        fmt::format("{}", fmt::join(given, ", ")));
+    text += simulator_run_lines(study);
     const auto& limits = study.values("comfort_limit");
-    if (limits.size() == 2)
+    if (limits.size() == 2 && counts_hours(study))
         text += fmt::format(
             "  too_cold, too_warm: occupied hours below {:g} degC, above {:g} degC\n",
             limits[0], limits[1]);

@@ -5,6 +5,7 @@
 /// range.
 #include "base/nan.hpp"
 #include "report/sections.hpp"
+#include "report/simulator_tables.hpp"
 #include "report/text_table.hpp"
 #include "stats/metrics.hpp"
 
@@ -150,7 +151,7 @@ std::string staged_section(const Group& study) {
                        stage_tables(study) + comparison_table(study, "calibration");
     const std::string unseen = comparison_table(study, "validation");
     if (!unseen.empty()) text += "  periods that no stage has seen\n" + unseen;
-    return text + failure_lines(study);
+    return text + simulator_run_lines(study) + failure_lines(study);
 }
 
 }  // namespace bemcal::report

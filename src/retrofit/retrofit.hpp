@@ -7,6 +7,7 @@
 #pragma once
 
 #include "retrofit/scenario.hpp"
+#include "retrofit/setting.hpp"
 #include "study/stage.hpp"
 
 #include <memory>
@@ -15,22 +16,15 @@
 
 namespace bemcal::retrofit {
 
-struct RetrofitOptions {
+struct RetrofitOptions : Setting {
     std::vector<Scenario> scenarios;
-    std::string of;             ///< name of the stage whose points are taken
-    int n_points = 200;         ///< at most, evenly spread
-    int occupied_profile = -1;  ///< of the case; an hour counts from 0.5 on; -1 = all
-    double too_cold = 19;       ///< [degC] below it
-    double too_warm = 26;       ///< [degC] above it
 };
 
 std::unique_ptr<study::Stage> make_retrofit(std::string name, const study::Case& building,
                                             const study::Period& period,
                                             const RetrofitOptions& options);
 
-/// Points of the case's parameters that the stage `of` found: all draws of a posterior,
-/// or the best points of a screening or grid, best first. Parameters that were not
-/// calibrated are nominal. [0 x parameters] where there are none.
+/// Points of the case's parameters that the stage `of` found.
 Matrix found_points(const std::vector<study::Summary>& found, const std::string& of,
                     const study::Case& building);
 

@@ -12,16 +12,16 @@ namespace bemcal::retrofit {
 
 using physics::Target;
 
-double changed(double number, const ScenarioChange& change) {
-    switch (change.by) {
+double changed(double number, ChangeBy by, double amount) {
+    switch (by) {
         case ChangeBy::value:
-            return change.amount;
+            return amount;
         case ChangeBy::factor:
-            return number * change.amount;
+            return number * amount;
         case ChangeBy::offset:
-            return number + change.amount;
+            return number + amount;
         case ChangeBy::resistance:
-            return number / (1 + number * change.amount);
+            return number / (1 + number * amount);
     }
     return number;
 }
@@ -67,7 +67,7 @@ std::vector<double> ScenarioNumbers::after(std::vector<double> numbers,
     for (const ScenarioChange& change : scenario.changes)
         for (const Target& target : change.targets) {
             double& number = numbers[number_of(target)];
-            number = changed(number, change);
+            number = changed(number, change.by, change.amount);
         }
     return numbers;
 }

@@ -32,7 +32,7 @@ struct Scenario {
     std::optional<physics::Carrier> heating_carrier;  ///< another plant; none: as it is
 };
 
-double changed(double number, const ScenarioChange& change);
+double changed(double number, ChangeBy by, double amount);
 
 /// The numbers of a building that its parameters or some scenarios write to, each once: a
 /// point of a calibration, before and after, is a row of them.

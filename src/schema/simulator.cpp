@@ -27,10 +27,10 @@ constexpr Key simulator_table[] = {
     {"simulator", "parameter", Type::tables, "", required, 0, 0,
      "[[simulator.parameter]]"},
     {"simulator", "output", Type::tables, "", "", 0, 0,
-     "[[simulator.output]]: numbers; all studies but a loop and a posterior need them."},
+     "[[simulator.output]]: numbers; all studies but those of hours need them."},
     {"simulator", "hourly", Type::tables, "", "", 0, 0,
-     "[[simulator.hourly]]: hours of a building's meters, which a loop and a posterior "
-     "need."},
+     "[[simulator.hourly]]: hours of a building's meters, which a loop, posterior, stages, "
+     "screening and retrofit need."},
     {"simulator", "effect", Type::tables, "", "", 0, 0,
      "[[simulator.effect]]: places of templates that take what a loop finds, for a program "
      "that reads no effects.toml."},
@@ -47,6 +47,9 @@ constexpr Key simulator_table[] = {
     {"simulator.parameter", "unit", Type::text, "", "-", 0, 0, ""},
     {"simulator.parameter", "min", Type::number, "", required, -1e300, 1e300, ""},
     {"simulator.parameter", "max", Type::number, "", required, -1e300, 1e300, ""},
+    {"simulator.parameter", "limits", Type::numbers, "", "", -1e300, 1e300,
+     "[least, most] that a [[scenario]] may make of it, around min and max; default: "
+     "these."},
     {"simulator.parameter", "nominal", Type::number, "", "", -1e300, 1e300,
      "Where a study leaves it alone; default: the middle of the range."},
     {"simulator.output", "name", Type::text, "", required, 0, 0, ""},

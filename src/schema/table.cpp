@@ -84,8 +84,8 @@ constexpr SectionInfo section_table[] = {
     {"scenario", "[[scenario]]", "",
      "A retrofit, for a study of kind \"retrofit\"; the same for all buildings."},
     {"scenario.change", "[[scenario.change]]", "",
-     "A number of the building that it changes; value, factor, offset or insulation says "
-     "how."},
+     "A number of the building, or of a [simulator], that it changes; value, factor, offset "
+     "or insulation says how."},
     {"output", "[output]", "", "What is kept."},
     {"stock", "[stock]", "",
      "Many buildings in place of one, a line of a table each; a screening, posterior or "
@@ -102,7 +102,7 @@ constexpr SectionInfo section_table[] = {
      "A number that the program has written."},
     {"simulator.hourly", "[[simulator.hourly]]", "",
      "Hours of a meter that the program has written, of a building that stands in the "
-     "same job as its twin: for a loop. Effects that were found are handed to the program "
+     "same job as its twin: for all studies of its meters. Effects that were found are handed to the program "
      "as effects.toml and effects.csv in the point's folder; what it cannot take it says "
      "in effects_left_out.txt."},
     {"simulator.effect", "[[simulator.effect]]", "",
@@ -554,8 +554,10 @@ constexpr Key table[] = {
      "As of a [[parameter]]: \"construction.wall.u_value\", "
      "\"glazing.*.solar_transmittance\", \"zone.*.flow.infiltration.air_change\", "
      "\"zone.*.flow.ventilation.heat_recovery\", \"plant.heating_efficiency\", "
-     "\"zone.*.heating_set_point\"."},
-    {"scenario.change", "value", Type::number, "", "", -1e9, 1e9, "It becomes this."},
+     "\"zone.*.heating_set_point\". Of a [simulator] the name of a "
+     "[[simulator.parameter]], or \"effect.NAME\" that a loop around it found."},
+    {"scenario.change", "value", Type::number, "", "", -1e9, 1e9,
+     "It becomes this; 0 strikes an effect that a loop found."},
     {"scenario.change", "factor", Type::number, "-", "", 0, 1e6,
      "What is there is multiplied by it."},
     {"scenario.change", "offset", Type::number, "", "", -1e9, 1e9,

@@ -2,21 +2,15 @@
 /// description lacks as series at hooks.
 #pragma once
 
-#include "effects/hook_series.hpp"
 #include "physics/parameters.hpp"
 #include "study/case.hpp"
+#include "study/given_effects.hpp"
 
 #include <span>
 #include <string>
 #include <vector>
 
 namespace bemcal::study {
-
-/// An effect as another program is given it.
-struct GivenEffect {
-    std::string name;
-    std::vector<effects::HookSeries> at;  ///< all that it changes
-};
 
 /// Hours of the periods that were asked for, one period after the other.
 struct SimulatedHours {

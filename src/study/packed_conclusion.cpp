@@ -67,12 +67,26 @@ void visit(is_a<FoundPoints> auto& points, auto&& see) {
     see(points.rows.cols);
     see(points.rows.values);
 }
+void visit(is_a<effects::HookSeries> auto& at, auto&& see) {
+    see(at.hook);
+    see(at.unit);
+    see(at.is_factor);
+    see(at.facade);
+    see(at.meter);
+    see(at.values);
+    see(at.opens_above);
+}
+void visit(is_a<GivenEffect> auto& effect, auto&& see) {
+    see(effect.name);
+    see(effect.at);
+}
 void visit(is_a<Summary> auto& summary, auto&& see) {
     see(summary.study);
     see(summary.building);
     see(summary.values);
     see(summary.fits);
     see(summary.points);
+    see(summary.given);
     see(summary.findings);
     see(summary.parts);
     see(summary.undecided);

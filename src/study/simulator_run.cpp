@@ -66,21 +66,31 @@ void add_made_runs(const std::vector<physics::Parameter>& parameters, MadeRuns r
                    {n, parameters.size()}, std::move(runs.values));
 }
 
+SimulatedHours hours_of_run(const HourlySimulator& simulator,
+                            std::span<const double> values,
+                            std::vector<GivenEffect> effects,
+                            const std::vector<Period>& periods,
+                            const AskedPeriods& asked) {
+    for (GivenEffect& effect : effects)
+        for (effects::HookSeries& at : effect.at)
+            at.values = cut_to_asked(periods, asked, at.values);
+    SimulatedHours simulated =
+        simulator.hours(values, effects, periods_asked(periods, asked));
+    for (auto& meter : simulated.meters) meter = spread_asked(periods, asked, meter);
+    return simulated;
+}
+
 ItemAnswer simulate(const HourlySimulator& simulator, SimulatorRun run,
                     std::span<const double> values, std::vector<GivenEffect> effects,
                     std::span<const std::size_t> columns,
                     const std::vector<Period>& periods) {
-    for (GivenEffect& effect : effects)
-        for (effects::HookSeries& at : effect.at)
-            at.values = cut_to_asked(periods, run.asked, at.values);
     SimulatedHours simulated =
-        simulator.hours(values, effects, periods_asked(periods, run.asked));
+        hours_of_run(simulator, values, std::move(effects), periods, run.asked);
     ItemAnswer answer;
     run.left_out = std::move(simulated.left_out);
     if (simulated.failure.empty())
         for (const std::size_t column : columns)
-            run.hours.push_back(
-                spread_asked(periods, run.asked, simulated.meters[column]));
+            run.hours.push_back(simulated.meters[column]);
     else
         answer.failures.push_back({0, simulated.failure});
     answer.values = pack(run);

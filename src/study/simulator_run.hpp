@@ -38,6 +38,15 @@ std::size_t column_of(const HourlySimulator& simulator, const std::string& meter
 /// What a run costs, in years of hours that are simulated.
 double years_of_run(const std::vector<Period>& periods, const SimulatorRun& run);
 
+/// Runs the program at the numbers for the periods asked for. Its hours are those of all
+/// periods, NaN in the others.
+/// \param effects  with values for each hour of all periods
+SimulatedHours hours_of_run(const HourlySimulator& simulator,
+                            std::span<const double> values,
+                            std::vector<GivenEffect> effects,
+                            const std::vector<Period>& periods,
+                            const AskedPeriods& asked);
+
 /// Runs the program at the numbers; the answer holds the run with its hours, or a
 /// failure.
 /// \param run      its point, scales and the periods asked for

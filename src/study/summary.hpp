@@ -6,6 +6,7 @@
 #include "base/matrix.hpp"
 #include "base/nan.hpp"
 #include "study/decision.hpp"
+#include "study/given_effects.hpp"
 
 #include <limits>
 #include <string>
@@ -67,6 +68,8 @@ struct Summary {
     std::vector<FoundValue> values;
     std::vector<FoundFit> fits;
     FoundPoints points;
+    /// Of a loop around another program: what its point was given beside the parameters.
+    std::vector<GivenEffect> given;
     std::vector<DataDecision> findings;
     std::vector<FoundPart> parts;
     /// Of what was seen, and had no name that was probable enough.

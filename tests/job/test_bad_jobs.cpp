@@ -366,10 +366,10 @@ std::set<std::string> places_of(const std::filesystem::path& description) {
 /// Whether one makes another study of the screening that the other names.
 bool takes_named_study(const std::filesystem::path& one,
                        const std::filesystem::path& other) {
-    const auto has = [](const std::filesystem::path& file, const char* part) {
-        return text_of(file).find(part) != std::string::npos;
-    };
-    return has(one, "replace: kind = \"screening\"") && has(other, "of = \"screening\"");
+    const bool is_named = text_of(other).find("of = \"screening\"") != std::string::npos;
+    return is_named && std::ranges::any_of(places_of(one), [](const std::string& place) {
+               return place.find("kind = \"screening\"") != std::string::npos;
+           });
 }
 
 /// At one place, or in numbers that one has from the other, they may make a third; so

@@ -49,7 +49,7 @@ std::string message_of_study(const std::string& text) {
 TEST(Kinds, AKeyOfNoKindGetsTheKeysOfThisOneTheNearestFirst) {
     EXPECT_EQ(message_of_study("kind = \"screening\"\nn_bst = 5\n"),
               "job.toml:2: study.n_bst: is no key of kind \"screening\"; expected one of "
-              "n_best, name, kind, n_points, keep_points, points_per_item");
+              "n_best, name, runs, kind, n_points, keep_points, points_per_item");
     EXPECT_EQ(message_of_study("kind = \"hourly_sensitivity\"\nscrambel = true\n"),
               "job.toml:2: study.scrambel: is no key of kind \"hourly_sensitivity\"; "
               "expected one of scramble, name, n_base, period, kind, quantity");
@@ -58,7 +58,7 @@ TEST(Kinds, AKeyOfNoKindGetsTheKeysOfThisOneTheNearestFirst) {
 TEST(Kinds, AKeyOfAnotherKindIsSaidToBeOne) {
     EXPECT_EQ(message_of_study("kind = \"screening\"\nbudget = 5\n"),
               "job.toml:2: study.budget: is a key of kind \"grid\"; this study is of "
-              "kind \"screening\", whose keys are name, n_best, kind, n_points, "
+              "kind \"screening\", whose keys are name, n_best, runs, kind, n_points, "
               "keep_points, points_per_item");
     EXPECT_NE(message_of_study("kind = \"loop\"\nn_base = 5\n")
                   .find("is a key of kind \"sensitivity\", \"hourly_sensitivity\" and "

@@ -154,6 +154,8 @@ max_failed_share = 0.5
 class SmallHouse(unittest.TestCase):
     """Makes readings and runs the job. A test class has `STUDY`, a [[study]], and may have air that follows wind."""
     STUDY = ""
+    NAME = ""                     # of the study that is looked at; "" = the only one
+    JOB = JOB
     BY_WIND = 0.0                 # 1/h per m/s: what no description has
     PROGRAM_TEXT = HOUSE
     TEMPLATES = {"run.json.in": '{"u": @u@, "leaks": @leaks@}'}   # the first one is the job's
@@ -169,7 +171,7 @@ class SmallHouse(unittest.TestCase):
         (cls.folder / "periods.csv").write_text(PERIODS)
         for name, text in cls.TEMPLATES.items():
             (cls.folder / name).write_text(text)
-        (cls.folder / "job.toml").write_text(JOB.replace("STUDY", cls.SIMULATOR + cls.STUDY))
+        (cls.folder / "job.toml").write_text(cls.JOB.replace("STUDY", cls.SIMULATOR + cls.STUDY))
         cls.write_readings()
         cls.result = cls.run_job("one.h5")
 
@@ -178,19 +180,25 @@ class SmallHouse(unittest.TestCase):
         """Of the house as it stands: other values, and air that follows the wind."""
         with gzip.open(cls.folder / WEATHER, "rt") as file:
             wind = [float(line.split(",")[21]) for line in file.readlines()[8:8 + N_HOURS]]
-        truth = cls.folder / "truth"
-        truth.mkdir()
-        (truth / WEATHER).symlink_to(cls.folder / WEATHER)
-        (truth / "periods.csv").symlink_to(cls.folder / "periods.csv")
-        (truth / "run.json").write_text(json.dumps(TRUTH))
-        (truth / "effects.toml").write_text('[[effect]]\nhook = "infiltration"\n')
-        (truth / "effects.csv").write_text("effect_1\n" + "".join(f"{cls.BY_WIND * speed}\n" for speed in wind))
-        subprocess.run(["/usr/bin/python3", cls.folder / "house.py"], cwd=truth, check=True)
-        gas = np.loadtxt(truth / "hours.csv", skiprows=1)
+        gas = cls.gas_of(TRUTH, PERIODS, [cls.BY_WIND * speed for speed in wind])
         gas = np.maximum(gas + 0.03 * gas.mean() * np.random.default_rng(3).standard_normal(gas.size), 0)
         begin = np.datetime64("2021-01-01T00:00")
         (cls.folder / "measured.csv").write_text("time,gas\n" + "".join(
             f"{str(begin + np.timedelta64(k, 'h')).replace('T', ' ')},{value:.4f}\n" for k, value in enumerate(gas)))
+
+    @classmethod
+    def gas_of(cls, values, periods, air=()):
+        """By a run of the program made by hand, each hour [kWh]. `air`: more of it each hour [1/h]."""
+        with tempfile.TemporaryDirectory(dir=cls.folder) as name:
+            folder = pathlib.Path(name)
+            (folder / WEATHER).symlink_to(cls.folder / WEATHER)
+            (folder / "periods.csv").write_text(periods)
+            (folder / "run.json").write_text(json.dumps(values))
+            if len(air):
+                (folder / "effects.toml").write_text('[[effect]]\nhook = "infiltration"\n')
+                (folder / "effects.csv").write_text("effect_1\n" + "".join(f"{each}\n" for each in air))
+            subprocess.run(["/usr/bin/python3", cls.folder / "house.py"], cwd=folder, check=True)
+            return np.loadtxt(folder / "hours.csv", skiprows=1)
 
     @classmethod
     def run_job(cls, name, *words, ranks=1, codes=(0,)):
@@ -204,6 +212,8 @@ class SmallHouse(unittest.TestCase):
         """The job's study, open."""
         file = h5py.File(self.result)
         self.addCleanup(file.close)
+        if self.NAME:
+            return file["job"][self.NAME]
         (study,) = (group for name, group in file["job"].items() if name != "data")
         return study
 

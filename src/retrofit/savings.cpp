@@ -1,0 +1,115 @@
+/// Differences point by point, then quantiles of them over the points.
+/// Follows from paper 3: before and after, with uncertainty.
+/// A point that failed before or after has no difference. Costs are left out.
+#include "retrofit/savings.hpp"
+
+#include "base/nan.hpp"
+#include "stats/quantile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace bemcal::retrofit {
+namespace {
+
+constexpr double quantiles[] = {0.05, 0.5, 0.95};
+
+/// [columns] of the rows that have no NaN.
+std::vector<double> quantiles_of(const Matrix& values, double p) {
+    std::vector<double> result(values.cols, nan), column;
+    for (std::size_t k = 0; k < values.cols; ++k) {
+        column.clear();
+        for (std::size_t r = 0; r < values.rows; ++r)
+            if (!std::isnan(values(r, k))) column.push_back(values(r, k));
+        std::ranges::sort(column);
+        if (!column.empty()) result[k] = stats::quantile_of_sorted(column, p);
+    }
+    return result;
+}
+
+void append(std::vector<double>& to, const std::vector<double>& values) {
+    to.insert(to.end(), values.begin(), values.end());
+}
+
+/// The quantiles of all columns, one after the other.
+void append_quantiles(std::vector<double>& to, const Matrix& values) {
+    for (const double p : quantiles) append(to, quantiles_of(values, p));
+}
+
+/// The columns of one variant, of all rows but the first.
+Matrix columns_of(const Savings& savings, std::size_t variant) {
+    const std::size_t n_outputs = savings.outputs.size();
+    Matrix part(savings.rows.rows - 1, n_outputs);
+    for (std::size_t r = 0; r < part.rows; ++r)
+        for (std::size_t k = 0; k < n_outputs; ++k)
+            part(r, k) = savings.rows(r + 1, variant * n_outputs + k);
+    return part;
+}
+
+/// Before less after; or that over before, 0 where there was nothing to save.
+Matrix saving_of(const Matrix& before, const Matrix& after, bool is_share) {
+    Matrix saving(before.rows, before.cols);
+    for (std::size_t k = 0; k < saving.values.size(); ++k) {
+        const double saved = before.values[k] - after.values[k];
+        saving.values[k] = !is_share || saved == 0 ? saved : saved / before.values[k];
+    }
+    return saving;
+}
+
+void add_names(const Setting& setting, Savings& savings,
+               study::DatasetBuilder& datasets) {
+    std::vector<std::string> names, units;
+    for (const study::Output& output : savings.outputs) {
+        names.push_back(output.name);
+        units.push_back(output.unit);
+    }
+    datasets.texts("scenario", "scenario", savings.scenarios);
+    datasets.texts("output", "output", std::move(names));
+    datasets.texts("output_unit", "output", std::move(units));
+    datasets.text("points_of", setting.of);
+    datasets.vector("quantile", "quantile", {std::begin(quantiles), std::end(quantiles)});
+    datasets.vector("comfort_limit", "limit", {setting.too_cold, setting.too_warm});
+    datasets.times("simulated_period", {savings.period.start, savings.period.end()},
+                   "end");
+    datasets.parameters(savings.parameters);
+}
+
+}  // namespace
+
+void add_savings(const Setting& setting, Savings savings,
+                 study::DatasetBuilder& datasets) {
+    add_names(setting, savings, datasets);
+    const std::size_t n_scenarios = savings.scenarios.size(),
+                      n_outputs = savings.outputs.size(), n_q = std::size(quantiles),
+                      n = savings.points.rows;
+    const Matrix before = columns_of(savings, 0);
+    std::vector<double> after, after_q, saving_q, share_q, before_q;
+    for (std::size_t s = 1; s <= n_scenarios; ++s) {
+        const Matrix of_scenario = columns_of(savings, s);
+        append(after, of_scenario.values);
+        append_quantiles(after_q, of_scenario);
+        append_quantiles(saving_q, saving_of(before, of_scenario, false));
+        append_quantiles(share_q, saving_of(before, of_scenario, true));
+    }
+    append_quantiles(before_q, before);
+    const auto described = savings.rows.row(0);
+    datasets.array("described", {"variant", "output"}, {1 + n_scenarios, n_outputs},
+                   {described.begin(), described.end()});
+    datasets.array("before_quantile", {"quantile", "output"}, {n_q, n_outputs},
+                   std::move(before_q));
+    const std::vector<std::string> dims{"scenario", "quantile", "output"};
+    const std::vector<std::size_t> shape{n_scenarios, n_q, n_outputs};
+    datasets.array("after_quantile", dims, shape, std::move(after_q));
+    datasets.array("saving_quantile", dims, shape, std::move(saving_q));
+    datasets.array("saving_share_quantile", dims, shape, std::move(share_q));
+    if (n == 0) return;
+    datasets.array("points", {"point", "parameter"}, {n, savings.points.cols},
+                   std::move(savings.points.values));
+    datasets.array("before", {"point", "output"}, {n, n_outputs}, before.values);
+    datasets.array("after", {"scenario", "point", "output"}, {n_scenarios, n, n_outputs},
+                   std::move(after));
+}
+
+}  // namespace bemcal::retrofit
