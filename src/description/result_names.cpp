@@ -96,7 +96,11 @@ constexpr const char* of_screening[] = {"parameter",
                                         "candidate_parameters",
                                         "fit",
                                         "monthly_fit",
-                                        "n_points"};
+                                        "n_points",
+                                        "best_run_output",
+                                        "best_run_unit",
+                                        "best_run_value",
+                                        "best_run_foretold"};
 /// Beside the meters of a period.
 constexpr const char* of_period[] = {"hourly", "time", "month", "outdoor_temperature"};
 

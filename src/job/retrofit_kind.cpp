@@ -244,6 +244,11 @@ Stages stages(const StudySpec& study, const Job& job) {
     });
 }
 
+/// Of a program an item is a run.
+void cost(const StudyStage& stage, Effort& effort) {
+    if (stage.job.simulator) effort.rounds = effort.simulations / stage.stage.n_items();
+}
+
 }  // namespace
 
 extern const Kind retrofit_kind{.word = "retrofit",
@@ -253,6 +258,7 @@ extern const Kind retrofit_kind{.word = "retrofit",
                                 .read = read,
                                 .check_names = check_names,
                                 .check = check,
-                                .stages = stages};
+                                .stages = stages,
+                                .cost = cost};
 
 }  // namespace bemcal::job

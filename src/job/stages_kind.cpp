@@ -268,8 +268,8 @@ void read(const StudySource& source, StudySpec& study) {
     study.options = std::move(options);
 }
 
-std::unique_ptr<study::Stage> stage_around(std::string name, const StagedOptions& staged,
-                                           const Job& job) {
+std::unique_ptr<study::Stage> stage_around(const std::string& name,
+                                           const StagedOptions& staged, const Job& job) {
     calibration::EmulatedOptions options{"stages", staged.simulator_runs, job.seed, {}};
     for (const calibration::CalibrationStage& stage : staged.stages)
         options.periods.insert(options.periods.end(), stage.periods.begin(),

@@ -38,12 +38,20 @@ Three quantiles_of(const Group& study, const char* leaf, std::size_t scenario,
             values.at({scenario, 2, output})};
 }
 
-/// "120 (110 to 133)": the 50 % quantile between those of 5 and 95 %.
+/// "120 (110 to 133)": the 50 % quantile between those of 5 and 95 %; "120" where all
+/// points agree, or there is one.
 std::string middle_and_ends(const Three& quantiles, double factor = 1) {
     const auto& [low, middle, high] = quantiles;
     if (std::isnan(low)) return "-";
+    if (low == high) return in_short(factor * middle);
     return fmt::format("{} ({} to {})", in_short(factor * middle), in_short(factor * low),
                        in_short(factor * high));
+}
+
+/// How many, and what is told of them.
+std::string points_words(std::size_t n, const std::string& of) {
+    return n == 1 ? "the point of " + of
+                  : fmt::format("{} points of {}: medians (5 % to 95 %)", n, of);
 }
 
 /// Whether it says how many hours are too cold or too warm.
@@ -84,11 +92,10 @@ std::string retrofit_section(const Group& study) {
     const auto& of = study.texts("points_of");
     std::string text;
     for (std::size_t s = 0; s < scenarios.size(); ++s)
-        text +=
-            fmt::format("\n{}: {}, applied to {} points of {}: medians (5 % to 95 %)\n",
-                        study.path(), scenarios[s], shape.empty() ? 0 : shape[0],
-                        of.empty() ? "?" : of[0]) +
-            scenario_table(study, s);
+        text += fmt::format("\n{}: {}, applied to {}\n", study.path(), scenarios[s],
+                            points_words(shape.empty() ? 0 : shape[0],
+                                         of.empty() ? "?" : of[0])) +
+                scenario_table(study, s);
     const auto& ends = study.values("simulated_period");
     if (ends.size() == 2)
         text += fmt::format("  energies and hours are of {} to {}, {:.0f} days\n",

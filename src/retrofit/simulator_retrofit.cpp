@@ -266,6 +266,7 @@ study::Conclusion SimulatorRetrofit::conclude(
     add_savings(options_, savings_of(answers), datasets);
     study::add_made_runs(simulator_->parameters(), made_runs(answers), datasets);
     std::vector<std::string> given;
+    given.reserve(given_.size());
     for (const study::GivenEffect& effect : given_) given.push_back(effect.name);
     datasets.texts("simulator_given", "simulator_given", std::move(given));
     std::vector<study::Failure> failures;

@@ -62,7 +62,7 @@ factor = 0.5
     def test_the_cost_and_the_savings_are_told(self):
         plan = subprocess.run([PROGRAM, "check", "job.toml"], cwd=self.folder, env=ENVIRONMENT, capture_output=True,
                               text=True, check=True).stdout
-        self.assertRegex(plan, r"job/retrofit +\d+ +15 ")
+        self.assertRegex(plan, r"job/retrofit +15 +15 ")
         report = subprocess.run([PROGRAM, "report", self.result], capture_output=True, text=True, check=True).stdout
         self.assertIn("insulated, applied to 4 points of job/posterior", report)
         self.assertIn("15 runs of the program: 3 as described, 4 before, 8 after", report)

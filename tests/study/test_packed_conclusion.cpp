@@ -1,5 +1,7 @@
 #include "study/packed_conclusion.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 using namespace bemcal::study;
@@ -35,6 +37,7 @@ TEST(PackedConclusion, HasItsSummariesAsTheyWere) {
     given.fits = {{1, 2, 0.3, 0.2, -0.1}, {}};
     given.points.parameters = {"u_wall", "air"};
     given.points.rows = bemcal::Matrix(2, 2, 0.25);
+    given.given = {{"leaks", {{"aperture", "-", true, "south facade", "", {0.5, 1}}}}};
     given.findings = {{"loop", "found: wind", "accepted"}};
     given.score = 3.5;
     given.failure = "why";
@@ -61,6 +64,14 @@ TEST(PackedConclusion, HasItsSummariesAsTheyWere) {
     EXPECT_EQ(back.points.rows.rows, 2U);
     EXPECT_EQ(back.points.rows.cols, 2U);
     EXPECT_EQ(back.points.rows.values, given.points.rows.values);
+    ASSERT_EQ(back.given.size(), 1U);
+    EXPECT_EQ(back.given[0].name, "leaks");
+    const auto& at = back.given[0].at.at(0);
+    EXPECT_EQ(at.hook, "aperture");
+    EXPECT_TRUE(at.is_factor);
+    EXPECT_EQ(at.facade, "south facade");
+    EXPECT_EQ(at.values, (std::vector<double>{0.5, 1}));
+    EXPECT_TRUE(std::isnan(at.opens_above));
     ASSERT_EQ(back.findings.size(), 1U);
     EXPECT_EQ(back.findings[0].finding, "found: wind");
     EXPECT_EQ(back.findings[0].action, "accepted");
