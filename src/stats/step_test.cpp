@@ -3,8 +3,11 @@
 /// differ. Follows from least squares (matched filter); the statistic is scaled by what
 /// it shows over the known days, which hold no step, and judged by Student's t with
 /// Bonferroni's correction over patterns and lengths (Dunn 1961, JASA 56). It must also
-/// be above all that its pattern shows over those days, which need not be normal. Left
-/// out: steps that began more than four weeks ago, and slow drifts.
+/// be above all that its pattern shows over those days, which need not be normal.
+/// Behind a step that was told, the coefficient is a random walk (the local level of
+/// Harvey 1989, Forecasting, Structural Time Series Models), followed from day to day by
+/// Kalman's filter; with no wander this is the mean of the days before.
+/// Left out: steps that began more than four weeks ago, and slow drifts.
 #include "stats/step_test.hpp"
 
 #include "base/nan.hpp"
@@ -30,6 +33,9 @@ constexpr double most_deviation = 4;  ///< spreads; a day beyond counts as there
 /// What a model leaves of new days over what it left of those that it had learned from:
 /// sqrt((1 + p / n) / (1 - p / n)) of p = 35 numbers that were fitted to n = 365 days.
 constexpr double of_new_days = 1.1;
+/// In which what a step leaves may become another of its size: a season, with which it
+/// comes and goes.
+constexpr double days_of_a_season = 91;
 /// Known days for a degree of freedom of the scale: about the mean of the lengths.
 constexpr double days_of_freedom = 14;
 /// Of a pattern's share of information per day over the known days: less is no say.
@@ -90,6 +96,27 @@ Matrix spread_of(const Matrix& residuals, const Matrix& predicted, std::size_t n
         }
     }
     return spread;
+}
+
+std::vector<double> wander_behind(const Matrix& residuals, const Matrix& spread,
+                                  const std::vector<Told>& days) {
+    double square = 0, n = 0;
+    for (std::size_t d = 0; d < days.size(); ++d)
+        for (std::size_t f = 0; days[d] != Told::nothing && f < residuals.cols; ++f) {
+            if (std::isnan(residuals(d, f))) continue;
+            const double e = std::clamp(residuals(d, f) / spread(d, f), -most_deviation,
+                                        most_deviation);
+            square += e * e;
+            n += 1;
+        }
+    const double left = n > 0 ? std::max(0.0, square / n - 1) : 0;
+    std::vector<double> wander;
+    wander.reserve(days.size());
+    for (const Told told : days)
+        wander.push_back(told == Told::nothing     ? 0
+                         : told == Told::first_day ? left
+                                                   : left / days_of_a_season);
+    return wander;
 }
 
 StepTest::StepTest(const Matrix& residuals, const Matrix& spread,
@@ -160,11 +187,39 @@ std::optional<StepTest::Contrast> StepTest::contrast(
     const double usual = sums.square[options_.n_known] * static_cast<double>(n) /
                          static_cast<double>(std::max<std::size_t>(options_.n_known, 1));
     if (!(after > 0) || after < least_say * usual) return std::nullopt;
-    const double before = sums.square[begin] - sums.square[first];
-    const double known = 1 + sums.slow * before;
-    const double was = sums.slow * (product[begin] - product[first]) / known;
-    return Contrast{(product[end] - product[begin]) / after - was,
-                    std::sqrt(1 / after + sums.slow / known)};
+    // The scale is of the readings' errors, and no part of what wanders.
+    const double unit = static_cast<double>(n) / after /
+                        (of_new_days * of_new_days * sums.scale * sums.scale);
+    const Level was = level_at(sums, first, begin, unit, product);
+    return Contrast{
+        (product[end] - product[begin]) / after - was.mean,
+        std::sqrt(1 / after + was.variance + wandered(sums, begin, end, unit))};
+}
+
+StepTest::Level StepTest::level_at(const Sums& sums, std::size_t first, std::size_t end,
+                                   double unit,
+                                   const std::vector<double>& product) const {
+    Level level{0, sums.slow};
+    for (std::size_t d = first; d < end; ++d) {
+        if (!options_.wander.empty()) level.variance += unit * options_.wander[d];
+        const double says = sums.square[d + 1] - sums.square[d];
+        const double known = 1 + level.variance * says;
+        level.mean +=
+            level.variance * (product[d + 1] - product[d] - says * level.mean) / known;
+        level.variance /= known;
+    }
+    return level;
+}
+
+double StepTest::wandered(const Sums& sums, std::size_t begin, std::size_t end,
+                          double unit) const {
+    double variance = 0;
+    for (std::size_t d = begin; d < end && !options_.wander.empty(); ++d) {
+        const double share =
+            (sums.square[end] - sums.square[d]) / (sums.square[end] - sums.square[begin]);
+        variance += unit * options_.wander[d] * share * share;
+    }
+    return variance;
 }
 
 bool StepTest::is_told(const Step& step) const {

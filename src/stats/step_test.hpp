@@ -2,7 +2,9 @@
 ///
 /// Rows are days, columns features of a day, such as a meter's sums over its quarters. A
 /// pattern is what a unit of its coefficient would add. A step is a coefficient that
-/// differs, over the last days, from what it was in the four weeks before.
+/// differs, over the last days, from what it was in the four weeks before. Behind a step
+/// that was told, what the model leaves wanders, and a further one must stand out of
+/// that.
 #pragma once
 
 #include "base/matrix.hpp"
@@ -15,6 +17,9 @@ namespace bemcal::stats {
 struct StepOptions {
     std::size_t n_known = 0;     ///< first days, that the model has learned from
     double false_alarms = 1e-3;  ///< chance of one in a look, over all patterns together
+    /// [days] variance that comes to a pattern's coefficient on a day, where a day says a
+    /// square of a spread of it; empty = none.
+    std::vector<double> wander{};
 };
 
 struct Step {
@@ -33,6 +38,16 @@ inline constexpr std::size_t most_step_days = 28;
 /// as much more, and all that lies beyond 98 % of the known predictions, or below 2 %.
 /// [days x features], above 0.
 Matrix spread_of(const Matrix& residuals, const Matrix& predicted, std::size_t n_known);
+
+/// What is known of a day by the steps that were told.
+enum class Told { nothing, first_day, behind };
+
+/// StepOptions::wander behind steps whose patterns stand for a change of unknown shape:
+/// by how much the residuals' mean square there exceeds that of known days. So much comes
+/// with the first day, and again in a season.
+/// \param residuals  without the steps: all that the change does
+std::vector<double> wander_behind(const Matrix& residuals, const Matrix& spread,
+                                  const std::vector<Told>& days);
 
 class StepTest {
   public:
@@ -61,6 +76,16 @@ class StepTest {
     struct Contrast {
         double size, sd;
     };
+    struct Level {
+        double mean, variance;
+    };
+    /// Of the coefficient, by the days from first to end, as they follow each other.
+    /// \param unit  of wander
+    Level level_at(const Sums& sums, std::size_t first, std::size_t end, double unit,
+                   const std::vector<double>& product) const;
+    /// Of the coefficient's mean from begin to end against that of begin, by wander.
+    double wandered(const Sums& sums, std::size_t begin, std::size_t end,
+                    double unit) const;
     /// \param product  of sums
     std::optional<Contrast> contrast(const Sums& sums, std::size_t end, std::size_t n,
                                      const std::vector<double>& product) const;

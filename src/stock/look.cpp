@@ -9,6 +9,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
+#include <map>
+#include <span>
+#include <string_view>
 #include <utility>
 
 namespace bemcal::stock {
@@ -98,13 +102,43 @@ Matrix Look::residuals(const std::vector<StockRecord::Change>& changes) const {
     return left;
 }
 
+bool Look::has_name(const StockRecord::Change& change) const {
+    const auto effects = std::span(patterns_).first(n_effects_);
+    return std::ranges::find(effects, change.of, &Pattern::name) != effects.end();
+}
+
+std::vector<stats::Told> Look::told_days(
+    const std::vector<StockRecord::Change>& changes) const {
+    std::vector<stats::Told> days(sums_.n_days(), stats::Told::nothing);
+    for (std::size_t d = 0; d < days.size(); ++d) {
+        std::map<std::string_view, double> amounts;
+        bool begins = false;
+        for (const StockRecord::Change& change : changes) {
+            const std::size_t row = sums_.row_of(time_of(change.day));
+            if (row > d || has_name(change)) continue;
+            amounts[change.of] += change.size;
+            begins = begins || row == d;
+        }
+        const bool is_left = std::ranges::any_of(
+            amounts, [](const auto& amount) { return amount.second != 0; });
+        if (is_left) days[d] = begins ? stats::Told::first_day : stats::Told::behind;
+    }
+    return days;
+}
+
 std::optional<Look::Found> Look::next_step(
-    const std::vector<StockRecord::Change>& changes, double false_alarms) const {
+    const std::vector<StockRecord::Change>& changes,
+    const std::vector<StockRecord::Change>& told, double false_alarms) const {
     std::vector<Matrix> values;
     values.reserve(patterns_.size());
     for (const Pattern& pattern : patterns_) values.push_back(pattern.values);
-    const stats::StepTest test(residuals(changes), spread_, values,
-                               {n_known_, false_alarms});
+    std::vector<StockRecord::Change> named;
+    std::ranges::copy_if(changes, std::back_inserter(named),
+                         [&](const auto& change) { return has_name(change); });
+    const stats::StepTest test(
+        residuals(changes), spread_, values,
+        {n_known_, false_alarms,
+         stats::wander_behind(residuals(named), spread_, told_days(told))});
     std::optional<stats::Step> effect, any;
     const auto is_surer = [](const stats::Step& step, const auto& than) {
         return !than || std::abs(step.statistic) > std::abs(than->statistic);

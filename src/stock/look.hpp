@@ -36,7 +36,9 @@ class Look {
     };
     /// The step to be told next, if any: of an effect that explains nearly as much as
     /// any pattern does, else of the pattern that does most.
+    /// \param told  those of the changes that earlier nights have told
     std::optional<Found> next_step(const std::vector<StockRecord::Change>& changes,
+                                   const std::vector<StockRecord::Change>& told,
                                    double false_alarms) const;
 
     /// Sum of squares of what the changes leave from a day on, in usual spreads.
@@ -45,6 +47,10 @@ class Look {
     double misfit_from(double day, const DaySums& other) const;
 
   private:
+    bool has_name(const StockRecord::Change& change) const;
+    /// Of days on which the changes leave something of a pattern without a name.
+    std::vector<stats::Told> told_days(
+        const std::vector<StockRecord::Change>& changes) const;
     Matrix residuals(const std::vector<StockRecord::Change>& changes) const;
     double misfit_from(double day, const Matrix& residuals) const;
 

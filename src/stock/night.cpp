@@ -1,6 +1,7 @@
 /// A night in a building: tests, tells, and searches again only where a change has no
-/// name yet. A change that the search does not name stays as a pattern of a meter, so
-/// that it is told once.
+/// name yet. A change that the search does not name stays as a pattern of a meter. It has
+/// no known shape, so what it leaves from then on may wander; it is told again only where
+/// a step stands out of that.
 /// Follows from stats::StepTest, at the false alarms that the stock allows in a week.
 /// Left out: changes of readings in days that were known already, which only a search
 /// sees.
@@ -200,8 +201,8 @@ class Night {
         std::optional<Look::Found> unnamed;
         const double weeks = std::min(1.0, n_new() / days_a_week);
         for (int k = 0; k < most_steps; ++k) {
-            const auto found =
-                look_.next_step(record.changes, weeks * job_.stock->options.false_alarms);
+            const auto found = look_.next_step(record.changes, before_.changes,
+                                               weeks * job_.stock->options.false_alarms);
             if (!found) break;
             const bool is_known = has_effect(record, found->of);
             note(*found, record);

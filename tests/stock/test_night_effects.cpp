@@ -8,6 +8,8 @@
 #include "stock/look.hpp"
 #include "stock/night.hpp"
 
+#include <functional>
+
 #include <gtest/gtest.h>
 
 namespace bemcal::job {
@@ -15,7 +17,7 @@ namespace {
 
 using stock::StockRecord;
 
-constexpr int n_known = 224, n_new = 28;  // days
+constexpr int n_known = 224, n_new = 84;  // days
 constexpr const char* of_night = "warmth of the hall";
 constexpr const char* night_section =
     "[[effect]]\nname = \"warmth of the hall\"\nhook = \"meter addition\"\n"
@@ -60,8 +62,10 @@ class Hall {
     }
 
     /// Readings with so much of the effect before and from a day on, and with something
-    /// of the hour from it on, by the hour [kWh].
-    void make_readings(double before, double after, int from, double added = 0) const {
+    /// from it on, by the hour [kWh] on a day counted from it.
+    void make_readings(
+        double before, double after, int from,
+        const std::function<double(int)>& added = [](int) { return 0; }) const {
         std::vector<input::InputFile> log;
         const Job job = this->job();
         const StockRecord record = first_night();
@@ -75,7 +79,9 @@ class Hall {
         const auto& begins = with.series[0].begins;
         std::string text = "time,elec_kWh,T_air_C\n";
         for (std::size_t k = 0; k < begins.size(); ++k) {
-            const bool is_later = begins[k] >= day_at(from);
+            const auto day = static_cast<int>(
+                std::chrono::floor<std::chrono::days>(begins[k] - day_at(from)).count());
+            const bool is_later = day >= 0;
             const auto of = [&](std::size_t meter) {
                 const double base = without.series[meter].predicted[k];
                 const double share = is_later ? after : before;
@@ -84,7 +90,7 @@ class Hall {
             const double noise = stats::normal_quantile(random.uniform());
             text += fmt::format("{},{:.3f},{:.3f}\n",
                                 physics::format_time(begins[k] + std::chrono::hours(1)),
-                                of(0) + 0.7 * noise + (is_later ? added : 0),
+                                of(0) + 0.7 * noise + (day < 0 ? 0 : added(day)),
                                 of(1) + 0.2 * stats::normal_quantile(random.uniform()));
         }
         folder_.write("hall.csv", text);
@@ -157,7 +163,7 @@ TEST(NightEffects, ThatHalveHaveChanged) {
 
 TEST(NightEffects, ThatBeginAreSoughtAndToldOnce) {
     const Hall hall;
-    hall.make_readings(1, 1, n_known + 5, 4);
+    hall.make_readings(1, 1, n_known + 5, [](int) { return 4; });
     const StockRecord told = hall.night(Hall::first_night(), n_known + 14);
     EXPECT_EQ(told.searches, 1);
     EXPECT_EQ(told.told.find("new: electricity: "), 0U) << told.told;
@@ -165,6 +171,35 @@ TEST(NightEffects, ThatBeginAreSoughtAndToldOnce) {
     const StockRecord next = hall.night(told, n_known + 21);
     EXPECT_EQ(next.told, "");
     EXPECT_EQ(next.searches, 0);
+}
+
+/// What the nights that follow the first tell, week by week; empty if nothing.
+std::vector<std::string> told_in_weeks(const Hall& hall, int n_weeks) {
+    std::vector<std::string> told;
+    StockRecord record = Hall::first_night();
+    for (int week = 2; week <= n_weeks; ++week) {
+        record = hall.night(record, n_known + 7 * week);
+        told.push_back(record.told);
+    }
+    return told;
+}
+
+TEST(NightEffects, WithoutANameAreToldOnceThoughTheyFadeWithTheSeason) {
+    const Hall hall;
+    hall.make_readings(1, 1, n_known + 5, [](int day) { return 4 - 3 * day / 80.0; });
+    const auto told = told_in_weeks(hall, 12);
+    EXPECT_EQ(told[0].find("new: electricity: "), 0U) << told[0];
+    for (std::size_t k = 1; k < told.size(); ++k) EXPECT_EQ(told[k], "") << k;
+}
+
+TEST(NightEffects, WithoutANameAreToldToEnd) {
+    const Hall hall;
+    hall.make_readings(1, 1, n_known + 5, [](int day) { return day < 39 ? 4 : 0; });
+    const auto told = told_in_weeks(hall, 8);
+    EXPECT_EQ(told[0].find("new: electricity: "), 0U) << told[0];
+    for (std::size_t k = 1; k + 2 < told.size(); ++k) EXPECT_EQ(told[k], "") << k;
+    const std::string& end = told.back().empty() ? told[told.size() - 2] : told.back();
+    EXPECT_EQ(end.find("ended: electricity: "), 0U) << end;
 }
 
 TEST(NightEffects, AreSoughtAnewWhereNoDayIsNewOrTheDescriptionIsAnother) {
