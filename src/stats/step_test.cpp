@@ -29,7 +29,7 @@ constexpr double least_of_spread = 0.25;  ///< of a feature's overall spread
 /// Of the known predictions at each end: what is foretold beyond may all be wrong, for no
 /// day has shown it.
 constexpr double tail = 0.02;
-constexpr double most_deviation = 4;  ///< spreads; a day beyond counts as there
+constexpr double most_deviation = 4;  ///< spreads
 /// What a model leaves of new days over what it left of those that it had learned from:
 /// sqrt((1 + p / n) / (1 - p / n)) of p = 35 numbers that were fitted to n = 365 days.
 constexpr double of_new_days = 1.1;
@@ -47,6 +47,22 @@ double rms(const std::vector<double>& values) {
         std::accumulate(values.begin(), values.end(), 0.0,
                         [](double all, double value) { return all + value * value; });
     return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+/// A day that stands out further counts as there.
+double held_in(double deviation) {
+    return std::clamp(deviation, -most_deviation, most_deviation);
+}
+
+/// By how much the mean square of a feature, in spreads, exceeds that of known days.
+double left_behind(const Matrix& residuals, const Matrix& spread,
+                   const std::vector<Told>& days) {
+    std::vector<double> all;
+    for (std::size_t d = 0; d < days.size(); ++d)
+        for (std::size_t f = 0; days[d] != Told::nothing && f < residuals.cols; ++f)
+            if (!std::isnan(residuals(d, f)))
+                all.push_back(held_in(residuals(d, f) / spread(d, f)));
+    return std::max(0.0, rms(all) * rms(all) - 1);
 }
 
 /// Upper ends of the levels of a feature: quantiles of the known predictions.
@@ -100,16 +116,7 @@ Matrix spread_of(const Matrix& residuals, const Matrix& predicted, std::size_t n
 
 std::vector<double> wander_behind(const Matrix& residuals, const Matrix& spread,
                                   const std::vector<Told>& days) {
-    double square = 0, n = 0;
-    for (std::size_t d = 0; d < days.size(); ++d)
-        for (std::size_t f = 0; days[d] != Told::nothing && f < residuals.cols; ++f) {
-            if (std::isnan(residuals(d, f))) continue;
-            const double e = std::clamp(residuals(d, f) / spread(d, f), -most_deviation,
-                                        most_deviation);
-            square += e * e;
-            n += 1;
-        }
-    const double left = n > 0 ? std::max(0.0, square / n - 1) : 0;
+    const double left = left_behind(residuals, spread, days);
     std::vector<double> wander;
     wander.reserve(days.size());
     for (const Told told : days)
@@ -134,7 +141,7 @@ StepTest::StepTest(const Matrix& residuals, const Matrix& spread,
                 const double e = residuals(d, f) / spread(d, f);
                 const double g = pattern(d, f) / spread(d, f);
                 whole += g * e;
-                product += g * std::clamp(e, -most_deviation, most_deviation);
+                product += g * held_in(e);
                 square += g * g;
             }
             sums.whole[d + 1] = sums.whole[d] + whole;

@@ -107,23 +107,25 @@ bool Look::has_name(const StockRecord::Change& change) const {
     return std::ranges::find(effects, change.of, &Pattern::name) != effects.end();
 }
 
-std::vector<stats::Told> Look::told_days(
+std::vector<double> Look::wander_behind(
     const std::vector<StockRecord::Change>& changes) const {
+    std::vector<StockRecord::Change> named, unnamed;
+    for (const StockRecord::Change& change : changes)
+        (has_name(change) ? named : unnamed).push_back(change);
     std::vector<stats::Told> days(sums_.n_days(), stats::Told::nothing);
     for (std::size_t d = 0; d < days.size(); ++d) {
         std::map<std::string_view, double> amounts;
         bool begins = false;
-        for (const StockRecord::Change& change : changes) {
+        for (const StockRecord::Change& change : unnamed) {
             const std::size_t row = sums_.row_of(time_of(change.day));
-            if (row > d || has_name(change)) continue;
-            amounts[change.of] += change.size;
+            if (row <= d) amounts[change.of] += change.size;
             begins = begins || row == d;
         }
         const bool is_left = std::ranges::any_of(
             amounts, [](const auto& amount) { return amount.second != 0; });
         if (is_left) days[d] = begins ? stats::Told::first_day : stats::Told::behind;
     }
-    return days;
+    return stats::wander_behind(residuals(named), spread_, days);
 }
 
 std::optional<Look::Found> Look::next_step(
@@ -132,13 +134,8 @@ std::optional<Look::Found> Look::next_step(
     std::vector<Matrix> values;
     values.reserve(patterns_.size());
     for (const Pattern& pattern : patterns_) values.push_back(pattern.values);
-    std::vector<StockRecord::Change> named;
-    std::ranges::copy_if(changes, std::back_inserter(named),
-                         [&](const auto& change) { return has_name(change); });
-    const stats::StepTest test(
-        residuals(changes), spread_, values,
-        {n_known_, false_alarms,
-         stats::wander_behind(residuals(named), spread_, told_days(told))});
+    const stats::StepTest test(residuals(changes), spread_, values,
+                               {n_known_, false_alarms, wander_behind(told)});
     std::optional<stats::Step> effect, any;
     const auto is_surer = [](const stats::Step& step, const auto& than) {
         return !than || std::abs(step.statistic) > std::abs(than->statistic);

@@ -48,8 +48,8 @@ class Look {
 
   private:
     bool has_name(const StockRecord::Change& change) const;
-    /// Of days on which the changes leave something of a pattern without a name.
-    std::vector<stats::Told> told_days(
+    /// Of what changes without a name leave, as stats::StepOptions has it.
+    std::vector<double> wander_behind(
         const std::vector<StockRecord::Change>& changes) const;
     Matrix residuals(const std::vector<StockRecord::Change>& changes) const;
     double misfit_from(double day, const Matrix& residuals) const;
