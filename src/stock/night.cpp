@@ -85,7 +85,8 @@ void note(const Look::Found& found, StockRecord& record) {
     const double unsure = stats::z_90_two_sided * found.step.sd;
     const double usual = is_named ? 1 : std::abs(was);
     const bool is_new = !is_named && was == 0;
-    if (!is_new && std::abs(now) <= std::max(unsure, nearly_nothing * usual)) now = 0;
+    // What has ended already does not end again: what is left of it is followed.
+    if (was != 0 && std::abs(now) <= std::max(unsure, nearly_nothing * usual)) now = 0;
     record.changes.push_back({effect.name, found.day, now - was});
     effect.since = found.day;
     effect.state = now == 0 ? "ended" : is_new ? "new" : "changed";

@@ -151,6 +151,19 @@ TEST(NightEffects, ThatEndAreToldWithTheirDayAndOnce) {
     EXPECT_EQ(next.changes.size(), 1U);
 }
 
+// What is left of one that has ended is followed, and not told to end again.
+TEST(NightEffects, ThatLeaveALittleDoNotEndAgain) {
+    const Hall hall;
+    hall.make_readings(1, 0.24, n_known + 5);
+    StockRecord record = Hall::first_night();
+    record.effects[0].state = "ended";
+    record.changes = {{of_night, day_number(n_known + 5), -1}};
+    record = hall.night(record, n_known + 21);
+    EXPECT_EQ(record.told.find("changed: warmth of the hall, from "), 0U) << record.told;
+    EXPECT_EQ(record.told.find("; "), std::string::npos) << record.told;
+    EXPECT_EQ(hall.night(record, n_known + 28).told, "");
+}
+
 TEST(NightEffects, ThatHalveHaveChanged) {
     const Hall hall;
     hall.make_readings(1, 0.5, n_known + 3);
