@@ -111,7 +111,8 @@ study::Case office_with(const std::string& effects) {
     made.periods = {{"training", physics::parse_time("2021-01-04"),
                      physics::parse_time("2021-01-18")}};
     std::vector<study::SampledFunction> functions;
-    return study::with_sampled_shapes(with_empty_meters(std::move(made)), functions);
+    made = with_empty_meters(std::move(made));
+    return study::with_sampled_shapes(made, made.periods.at(0), functions);
 }
 
 posterior::PosteriorOptions options() {

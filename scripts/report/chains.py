@@ -22,7 +22,8 @@ MOST_METERS, MOST_FAILED = 6, 20
 
 def told(study, names):
     """Without the columns that functions are made of, "evenings by hour of the week 12"."""
-    return [name for name in names if not any(name.startswith(f"{function} ") for function in study.texts("function"))]
+    columns = [f"{function} " for function in study.texts("function")]
+    return [name for name in names if name.rstrip("0123456789") not in columns]
 
 
 def names_of(study):
@@ -247,7 +248,8 @@ def meanings(names):
 
 def functions(study):
     """Functions whose values were sampled, with their bands."""
-    begin = min((study.numbers(join(group, "time"))[0] for group in study.groups_with("time")), default=0)
+    begin = min((study.numbers(join(group, "time"))[0] for group in study.groups_with("time")
+                 if group.split("/")[0] in study.periods[:1]), default=0)
     fields = ("at", "and_at", "value", "least", "most")
     points = [SimpleNamespace(of=int(of), **dict(zip(fields, values))) for of, *values in
               zip(study.numbers("function_point_of"), *(study.numbers(f"function_point_{name}") for name in fields))]

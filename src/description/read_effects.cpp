@@ -242,13 +242,34 @@ void read_column(const Section& section, const study::Case& building, Effect& ef
                "[[series]]");
 }
 
+/// Of a function's spread, or of a step's day.
+void check_sampled(const Section& section, const char* key, const Effect& effect) {
+    if (!effects::adds_up(effect.hook))
+        section.fail(key,
+                     fmt::format("has no place at the hook \"{}\", where effects do not "
+                                 "add up; leave it out",
+                                 effects::name_of(effect.hook)));
+}
+
 /// Nothing of an effect without functions.
 std::optional<DeclaredEffects::Functions> read_functions(const Section& section,
                                                          const Effect& effect) {
     if (!section.has("function")) return std::nullopt;
     DeclaredEffects::Functions all{effect.hook, effect.column, {}};
-    for (const Section& each : section.tables("function", "effect.function"))
-        all.functions.push_back(read_function(each));
+    for (const Section& each : section.tables("function", "effect.function")) {
+        effects::DriverFunction function = read_function(each);
+        if (std::ranges::find(all.functions, function.driver,
+                              &effects::DriverFunction::driver) != all.functions.end())
+            each.fail_value("driver",
+                            "another function of this effect follows it; expected their "
+                            "sum as one");
+        if (function.spread > 0) check_sampled(each, "spread", effect);
+        if (function.spread > 0 && section.number("coefficient") != 1)
+            section.fail_value("coefficient",
+                               "expected 1 beside a function with spread, whose values "
+                               "have the hook's unit");
+        all.functions.push_back(std::move(function));
+    }
     return all;
 }
 
@@ -374,8 +395,9 @@ std::vector<effects::Surroundings> surroundings_in(
 }
 
 /// Of a step's day; 0 where it is known.
-int read_days_within(const Section& section) {
+int read_days_within(const Section& section, const Effect& effect) {
     if (!section.has("since_within")) return 0;
+    check_sampled(section, "since_within", effect);
     if (!section.has("since"))
         section.fail("since_within",
                      "is about the day of `since`, which is missing; expected both");
@@ -395,7 +417,7 @@ void declare(const Section& section, const study::Case& building,
         declared.functions.push_back(*functions);
     }
     check_entering(section, effect, periods, will_have_a_say(functions));
-    if (const int within = read_days_within(section); within > 0)
+    if (const int within = read_days_within(section, effect); within > 0)
         declared.days.push_back({declared.effects.size(), within});
     declared.effects.push_back(std::move(effect));
     declared.coefficients.push_back(section.number("coefficient"));

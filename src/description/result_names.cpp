@@ -17,6 +17,7 @@ namespace {
 constexpr const char* of_result[] = {"run", "inputs", "input_file"};
 /// Beside the periods of a posterior, and the buildings of a pooled one.
 constexpr const char* of_posterior[] = {"kind",
+                                        "function",
                                         "unknown",
                                         "unknown_unit",
                                         "posterior",

@@ -170,6 +170,10 @@ struct Effect {
 /// Whether they bring the same: hook, driver, shape, gate, days, hours, facade and meter.
 bool are_equal(const Effect& a, const Effect& b);
 
+/// Whether what two effects bring there is the sum of what each brings, so that parts of
+/// one can be sampled.
+bool adds_up(Hook hook);
+
 /// Whether it enters at one meter, which the others do not see.
 bool is_at_a_meter(Hook hook);
 

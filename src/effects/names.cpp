@@ -41,6 +41,10 @@ bool are_equal(const Effect& a, const Effect& b) {
                       });
 }
 
+bool adds_up(Hook hook) {
+    return row_of(hook).adds_up;
+}
+
 bool is_at_a_meter(Hook hook) {
     return row_of(hook).is_at_a_meter;
 }

@@ -11,6 +11,7 @@
 #include "job/learning.hpp"
 #include "posterior/posterior.hpp"
 #include "posterior/simulator_posterior.hpp"
+#include "study/sampled_shapes.hpp"
 
 #include <algorithm>
 
@@ -169,6 +170,23 @@ void check_simulator(const StudyPlace& place, const PosteriorOptions& options) {
                  place.job.buildings[0]);
 }
 
+/// Shapes of effects that it would sample.
+void check_shapes(const StudyPlace& place, const PosteriorOptions& options,
+                  const Case& building) {
+    if (!study::has_sampled_shapes(building)) return;
+    if (options.pooling != Pooling::none)
+        place.section.fail_value(
+            "pooling",
+            fmt::format("{} has an effect with spread or since_within, which is "
+                        "of one building alone; expected \"none\"",
+                        building.name));
+    std::vector<study::SampledFunction> functions;
+    description::at_key(place.section, "kind", [&] {
+        return study::with_sampled_shapes(
+            building, study::period_of(building, options.period), functions);
+    });
+}
+
 void check(const StudyPlace& place, StudySpec& study) {
     const auto& options = study.as<PosteriorOptions>();
     if (place.job.simulator) return check_simulator(place, options);
@@ -182,6 +200,8 @@ void check(const StudyPlace& place, StudySpec& study) {
     for (const Case& building : place.job.buildings)
         if (!is_unseen(options, building))
             check_meters(place.section, learning, building);
+    for (const Case& building : place.job.buildings)
+        check_shapes(place, options, building);
 }
 
 bool is_pooled(const StudySpec& study) {

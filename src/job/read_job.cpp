@@ -90,6 +90,7 @@ void read_buildings(const schema::Section& root, input::InputFiles& files, Job& 
 void skip_sections_of_buildings(const schema::Section& root) {
     for (const schema::Key& key : schema::job_table().keys_of("building"))
         root.skip(key.key);
+    root.skip("buildings");
 }
 
 /// The studies against what is simulated; of a job that could not be read whole their

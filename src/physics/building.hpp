@@ -16,8 +16,6 @@
 #include <string>
 #include <vector>
 
-#include <boost/container/small_vector.hpp>
-
 namespace bemcal::physics {
 
 /// How a change enters an input's value (Input::changes).
@@ -41,7 +39,7 @@ struct Input {
     double value = 0;
     double low = 0;
     int profile = -1;  ///< row of Drive::profiles, or -1
-    boost::container::small_vector<Change, 4> changes{};  ///< few: without allocation
+    std::vector<Change> changes{};
 
     bool is_changed() const { return !changes.empty(); }
     /// Whether it is 0 at all times, but for its changes.

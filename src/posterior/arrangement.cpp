@@ -35,6 +35,7 @@ class Shared : public Arrangement {
 
     std::size_t dimension() const override { return space_->n_free(); }
     std::vector<int> levels() const override { return space_->levels(); }
+    std::vector<char> held_in_climb() const override { return space_->sizes(); }
     double log_prior(std::span<const double> position,
                      std::span<double> gradient) const override {
         return space_->log_prior(position, gradient);

@@ -20,6 +20,9 @@ class Arrangement {
     virtual ~Arrangement() = default;
     virtual std::size_t dimension() const = 0;
     virtual std::vector<int> levels() const = 0;
+    virtual std::vector<char> held_in_climb() const {
+        return std::vector<char>(dimension(), 0);
+    }
     /// Adds the gradient. \param position, gradient  [dimension]
     virtual double log_prior(std::span<const double> position,
                              std::span<double> gradient) const = 0;

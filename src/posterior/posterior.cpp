@@ -216,11 +216,19 @@ std::unique_ptr<study::Stage> make_posterior(std::string name,
                                              const PosteriorOptions& options) {
     check_differentiable(buildings, options);
     std::vector<study::Case> calibrated;
-    std::vector<study::SampledFunction> functions, others;
-    for (const study::Case& building : buildings)
-        calibrated.push_back(
-            study::with_sampled_shapes(with_others_fixed(building, options.parameters),
-                                       calibrated.empty() ? functions : others));
+    std::vector<study::SampledFunction> functions;
+    for (const study::Case& building : buildings) {
+        study::Case own = with_others_fixed(building, options.parameters);
+        if (options.pooling == Pooling::none)
+            own =
+                study::with_sampled_shapes(own, training_period(own, options), functions);
+        else if (study::has_sampled_shapes(own))
+            throw std::invalid_argument(
+                own.name +
+                " has an effect with spread or since_within, which is of one building "
+                "alone; expected pooling = \"none\"");
+        calibrated.push_back(std::move(own));
+    }
     return make_chain_stage(
         std::move(name),
         std::make_shared<DirectPosterior>(calibrated, options, own_model(), functions),

@@ -22,6 +22,9 @@ class PosteriorDensity : public sampling::Density {
 
     std::size_t dimension() const override { return parts_->arrangement->dimension(); }
     std::vector<int> levels() const override { return parts_->arrangement->levels(); }
+    std::vector<char> held_in_climb() const override {
+        return parts_->arrangement->held_in_climb();
+    }
     std::size_t width() const override {
         return static_cast<std::size_t>(parts_->buildings.at(0)->lanes());
     }

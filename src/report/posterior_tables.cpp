@@ -128,9 +128,11 @@ std::string plus_minus(double mean, double sd) {
 
 /// "evenings by hour of the week 12": there may be fifty of a function.
 bool is_column(const std::string& unknown, const std::vector<std::string>& functions) {
-    return std::ranges::any_of(functions, [&](const std::string& function) {
-        return unknown.starts_with(function + " ");
-    });
+    const auto name_end = unknown.find_last_not_of("0123456789");
+    return name_end + 1 < unknown.size() &&
+           std::ranges::any_of(functions, [&](const std::string& function) {
+               return unknown.substr(0, name_end + 1) == function + " ";
+           });
 }
 
 /// Those that tell a reader something: without the columns that functions are made of.

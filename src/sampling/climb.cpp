@@ -1,7 +1,7 @@
 /// A chain's start: L-BFGS with backtracking up to a mode, and a metric from the
 /// curvature there, by central differences of the gradient; again, as long as that rises.
 /// Source: Nocedal and Wright 2006, algorithms 7.4 and 3.1. It finds the mode above its
-/// start only; whole numbers stand still.
+/// start only; whole numbers stand still, and so do sizes of others.
 #include "sampling/climb.hpp"
 
 #include "sampling/normal.hpp"
@@ -46,6 +46,13 @@ Vector gradient_of(const Walker& walker, const Point& point) {
                              walker.inverse_temperature * point.likelihood_gradient[c];
     }
     return gradient;
+}
+
+/// Without those that a climb leaves where they are.
+Vector let_move(const Walker& walker, Vector v) {
+    for (std::size_t k = 0; k < walker.metric.size(); ++k)
+        if (walker.coordinates.held[walker.metric.coordinates()[k]] != 0) v[index(k)] = 0;
+    return v;
 }
 
 /// The trial point becomes the current one, moved.
@@ -175,10 +182,11 @@ Task<> climb_on(Walker& walker) {
     int n_idle = 0;
     for (int k = 0; k < most_iterations && n_idle < patience; ++k) {
         const Vector x = position_of(walker, walker.current);
-        const Vector gradient = gradient_of(walker, walker.current);
+        const Vector gradient = let_move(walker, gradient_of(walker, walker.current));
         const double value = walker.log_density(walker.current);
         const bool is_first = moves.is_empty();
-        const Vector direction = moves.direction(gradient, walker.metric);
+        const Vector direction =
+            let_move(walker, moves.direction(gradient, walker.metric));
         const bool has_risen = co_await step_up(walker, bounded(direction, is_first));
         if (!has_risen && is_first) break;
         if (!has_risen) {
@@ -188,7 +196,7 @@ Task<> climb_on(Walker& walker) {
         }
         std::swap(walker.current, walker.trial);
         moves.add(position_of(walker, walker.current) - x,
-                  gradient - gradient_of(walker, walker.current));
+                  gradient - let_move(walker, gradient_of(walker, walker.current)));
         const double rise = walker.log_density(walker.current) - value;
         n_idle = rise < least_rise ? n_idle + 1 : 0;
     }

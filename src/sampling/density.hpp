@@ -26,6 +26,12 @@ class Density {
     /// [dimension] how many values a whole-number coordinate has: 0 ... n - 1; 0 for a
     /// real coordinate.
     virtual std::vector<int> levels() const { return std::vector<int>(dimension(), 0); }
+    /// [dimension] whether a climb to a mode leaves it where it starts: the size of other
+    /// coordinates, whose mode lies where all of them vanish, far from the density's
+    /// mass.
+    virtual std::vector<char> held_in_climb() const {
+        return std::vector<char>(dimension(), 0);
+    }
     /// How many points are best evaluated together.
     virtual std::size_t width() const { return 1; }
     /// A row's answer depends on that row only, bit for bit.

@@ -36,7 +36,8 @@ std::vector<double> first_scales(Method method, std::size_t n_real) {
 }  // namespace
 
 Coordinates coordinates_of(const Density& density) {
-    Coordinates coordinates{density.dimension(), {}, {}, density.levels()};
+    Coordinates coordinates{
+        density.dimension(), {}, {}, density.levels(), density.held_in_climb()};
     for (std::size_t i = 0; i < coordinates.dimension; ++i) {
         const bool is_real = coordinates.levels[i] == 0;
         (is_real ? coordinates.real : coordinates.whole).push_back(i);

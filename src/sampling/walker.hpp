@@ -17,6 +17,7 @@ struct Coordinates {
     std::size_t dimension = 0;
     std::vector<std::size_t> real, whole;
     std::vector<int> levels;  ///< [dimension]
+    std::vector<char> held;   ///< [dimension] of a climb
 };
 Coordinates coordinates_of(const Density& density);
 

@@ -28,6 +28,9 @@ using effects::Effect;
 constexpr double sd_log_size = 0.7;
 /// Of the range that is said of a size, in spreads; its prior has none.
 constexpr double reach_of_size = 4;
+/// Of a value from that given, in spreads: its largest standard deviation beforehand.
+/// Where training hardly comes, a function of mean square 1 could do anything.
+constexpr double most_deviation = 2;
 
 stats::Prior prior_of_size(double spread) {
     stats::Prior prior;
@@ -64,10 +67,23 @@ std::vector<double> column_of(const Matrix& of, std::size_t c) {
     return values;
 }
 
+/// Columns with which no point strays further.
+Matrix held_in(Matrix columns) {
+    double most = 0;
+    for (std::size_t p = 0; p < columns.rows; ++p) {
+        double variance = 0;
+        for (const double value : columns.row(p)) variance += value * value;
+        most = std::max(most, std::sqrt(variance));
+    }
+    for (double& value : columns.values)
+        value *= std::min(1.0, most_deviation / std::max(most, most_deviation));
+    return columns;
+}
+
 /// What is put behind the declared effects, and what samples it.
 struct Shapes {
     struct Function {
-        std::size_t first;  ///< effect of its first column
+        std::size_t parent, first;  ///< effects: its own, that of its first column
         double spread;
     };
     struct Day {
@@ -78,7 +94,6 @@ struct Shapes {
     std::vector<Function> functions{};
     std::vector<Day> days{};
 
-    bool are_none() const { return functions.empty() && days.empty(); }
     void add(Effect effect) {
         declared.effects.push_back(std::move(effect));
         declared.coefficients.push_back(0);
@@ -99,18 +114,19 @@ void add_columns(const SampledFunction& function, const Effect& parent, Shapes& 
 }
 
 /// Functions of an effect that have a spread.
-void add_functions(const Effect& effect, const DeclaredEffects::Functions& at,
+void add_functions(std::size_t parent, const DeclaredEffects::Functions& at,
                    const effects::FunctionDrivers& drivers, Shapes& shapes,
                    std::vector<SampledFunction>& functions) {
+    const Effect effect = shapes.declared.effects[parent];
     for (const effects::DriverFunction& one : at.functions) {
         if (one.spread == 0) continue;
         functions.push_back(
             {fmt::format("{} by {}", effect.name, one.driver),
              effects::name_of(effect.hook), one.driver, effects::unit_of(effect.hook),
              one.points, one.values,
-             functions::basis_at(one.driver, one.points, drivers.at(one.driver))
-                 .at_points});
-        shapes.functions.push_back({shapes.declared.effects.size(), one.spread});
+             held_in(functions::basis_at(one.driver, one.points, drivers.at(one.driver))
+                         .at_points)});
+        shapes.functions.push_back({parent, shapes.declared.effects.size(), one.spread});
         add_columns(functions.back(), effect, shapes);
     }
 }
@@ -131,16 +147,25 @@ void add_days(const DeclaredEffects::Day& day, Shapes& shapes) {
     }
 }
 
+/// Series of the steps behind the warm-up.
+effects::FunctionDrivers drivers_in(const Case& building, const physics::Drive& drive) {
+    effects::FunctionDrivers drivers = effects::function_drivers(
+        effects::surroundings_of(*building.declared_effects, drive, building.weather));
+    for (auto& [name, all] : drivers)
+        for (std::vector<double>& series : all)
+            series.erase(series.begin(), series.begin() + drive.n_warm_up);
+    return drivers;
+}
+
 Shapes shapes_of(const Case& building, const physics::Drive& drive,
                  std::vector<SampledFunction>& functions) {
     const DeclaredEffects& declared = *building.declared_effects;
     Shapes shapes{declared};
-    const auto drivers = effects::function_drivers(
-        effects::surroundings_of(declared, drive, building.weather));
-    for (const Effect& effect : declared.effects)
+    const effects::FunctionDrivers drivers = drivers_in(building, drive);
+    for (std::size_t k = 0; k < declared.effects.size(); ++k)
         for (const DeclaredEffects::Functions& at : declared.functions)
-            if (at.column == effect.column)
-                add_functions(effect, at, drivers, shapes, functions);
+            if (at.column == declared.effects[k].column)
+                add_functions(k, at, drivers, shapes, functions);
     for (const DeclaredEffects::Day& day : declared.days) add_days(day, shapes);
     return shapes;
 }
@@ -168,8 +193,27 @@ physics::Parameter led_to(const physics::Coefficient& effect, double nominal) {
         effect.targets, nominal};
 }
 
+/// The parameter that leads to the coefficient of an effect; their number where none
+/// does.
+std::size_t leading_to(const physics::Coefficient& effect, const Case& building) {
+    const auto leads = [&](const physics::Parameter& parameter) {
+        return std::ranges::any_of(parameter.targets, [&](const physics::Target& target) {
+            return physics::is_same_number(target, effect.targets.at(0));
+        });
+    };
+    const auto found = std::ranges::find_if(building.parameters, leads);
+    return static_cast<std::size_t>(found - building.parameters.begin());
+}
+
 void sample(const SampledFunction& function, const Shapes::Function& shape,
             Case& building) {
+    const physics::Coefficient& parent = building.building.effects.at(shape.parent);
+    if (const std::size_t k = leading_to(parent, building);
+        k < building.parameters.size())
+        throw std::invalid_argument(fmt::format(
+            "{} varies the coefficient of {}, whose values are sampled already, by their "
+            "spread; expected one of the two",
+            building.parameters[k].name, parent.name));
     const std::size_t size = add_parameter({function.size_name(),
                                             function.unit,
                                             0,
@@ -183,14 +227,11 @@ void sample(const SampledFunction& function, const Shapes::Function& shape,
                       {standard_normal(), {}, size}, building);
 }
 
-/// The parameter that has the coefficient of an effect; one that is fixed where none has.
+/// The parameter that has the coefficient of a step; one that is fixed where none has.
 std::size_t parameter_of(const physics::Coefficient& effect, Case& building) {
-    for (std::size_t k = 0; k < building.parameters.size(); ++k) {
+    if (const std::size_t k = leading_to(effect, building);
+        k < building.parameters.size()) {
         const physics::Parameter& parameter = building.parameters[k];
-        if (std::ranges::none_of(parameter.targets, [&](const physics::Target& target) {
-                return physics::is_same_number(target, effect.targets.at(0));
-            }))
-            continue;
         if (parameter.effect != physics::Effect::replace)
             throw std::invalid_argument(fmt::format(
                 "{} varies the coefficient of {} by a factor or an offset, and the day of "
@@ -222,6 +263,7 @@ void sample(const Shapes::Day& day, Case& building) {
 
 void set_to_nominal(Case& building) {
     std::vector<double> point;
+    point.reserve(building.parameters.size());
     for (const physics::Parameter& parameter : building.parameters)
         point.push_back(parameter.nominal);
     const physics::Building before = building.building;
@@ -230,12 +272,23 @@ void set_to_nominal(Case& building) {
 
 }  // namespace
 
-Case with_sampled_shapes(Case building, std::vector<SampledFunction>& functions) {
+bool has_sampled_shapes(const Case& building) {
+    if (!building.declared_effects) return false;
+    const auto is_sampled = [](const effects::DriverFunction& one) {
+        return one.spread > 0;
+    };
+    return !building.declared_effects->days.empty() ||
+           std::ranges::any_of(building.declared_effects->functions, [&](const auto& at) {
+               return std::ranges::any_of(at.functions, is_sampled);
+           });
+}
+
+Case with_sampled_shapes(Case building, const Period& period,
+                         std::vector<SampledFunction>& functions) {
     functions.clear();
-    if (!building.declared_effects) return building;
-    const physics::Drive drive = drive_of(building, building.periods.at(0));
+    if (!has_sampled_shapes(building)) return building;
+    const physics::Drive drive = drive_of(building, period);
     Shapes shapes = shapes_of(building, drive, functions);
-    if (shapes.are_none()) return building;
     const Case before = building;
     DeclaredEffects& declared = shapes.declared;
     building.building =

@@ -30,10 +30,16 @@ struct SampledFunction {
     std::string size_name() const { return name + ": size"; }
 };
 
+/// Whether a posterior of the building samples any.
+bool has_sampled_shapes(const Case& building);
+
 /// The case with parameters for all that is sampled of its effects' shapes, behind its
 /// own, each with a prior; at their nominal values it is the case. Throws
-/// std::invalid_argument where a step's coefficient is varied by a factor or an offset.
+/// std::invalid_argument where a step's coefficient is varied by a factor or an offset,
+/// or a sampled function's coefficient at all.
+/// \param period     that readings are of
 /// \param functions  set to those that are sampled
-Case with_sampled_shapes(Case building, std::vector<SampledFunction>& functions);
+Case with_sampled_shapes(Case building, const Period& period,
+                         std::vector<SampledFunction>& functions);
 
 }  // namespace bemcal::study

@@ -50,6 +50,13 @@ stats::Mapped Space::mapped(std::span<const double> position, std::size_t f) con
     return {coordinate.values.at(static_cast<std::size_t>(position[f])), 0};
 }
 
+std::vector<char> Space::sizes() const {
+    std::vector<char> sizes(free_.size(), 0);
+    for (const Coordinate& coordinate : coordinates_)
+        if (coordinate.in) sizes[place_[*coordinate.in]] = 1;
+    return sizes;
+}
+
 void Space::read(std::span<const double> position, std::span<double> values) const {
     for (std::size_t k = 0; k < size(); ++k)
         if (is_fixed(coordinates_[k])) values[k] = coordinates_[k].prior.a;
@@ -74,20 +81,14 @@ void Space::pull_back(std::span<const double> position, std::span<const double> 
         by_position[f] = by[free_[f]] * mapped(position, f).slope;
 }
 
-stats::Mapped Space::scale_of(std::span<const double> position, std::size_t k) const {
-    return mapped(position, place_[*coordinates_[k].in]);
-}
-
-/// Of x, where x / scale has the prior, by x and by the scale.
-double Space::log_prior_in(std::span<const double> position, std::size_t f,
-                           std::span<double> gradient) const {
-    const std::size_t k = free_[f];
-    const stats::Mapped scale = scale_of(position, k);
+/// Of x, where x / size has the prior, by x and by the size. \param size  its place
+double Space::log_prior_in(std::size_t size, std::span<const double> position,
+                           std::size_t f, std::span<double> gradient) const {
+    const stats::Mapped scale = mapped(position, size);
     const double own = position[f] / scale.x;
-    const stats::LogDensity at = densities_[k].at(own);
+    const stats::LogDensity at = densities_[free_[f]].at(own);
     gradient[f] += at.derivative / scale.x;
-    gradient[place_[*coordinates_[k].in]] -=
-        (at.derivative * own + 1) / scale.x * scale.slope;
+    gradient[size] -= (at.derivative * own + 1) / scale.x * scale.slope;
     return at.value - std::log(scale.x);
 }
 
@@ -96,8 +97,8 @@ double Space::log_prior(std::span<const double> position,
     double sum = 0;
     for (std::size_t f = 0; f < free_.size(); ++f) {
         if (!coordinates_[free_[f]].values.empty()) continue;
-        if (coordinates_[free_[f]].in) {
-            sum += log_prior_in(position, f, gradient);
+        if (const auto& in = coordinates_[free_[f]].in) {
+            sum += log_prior_in(place_[*in], position, f, gradient);
             continue;
         }
         const auto at = densities_[free_[f]].on_the_line(position[f]);
@@ -128,7 +129,8 @@ std::vector<double> Space::draw_position(Stream& random) const {
             continue;
         }
         const double own = densities_[k].quantile_on_the_line(random.uniform());
-        position.push_back(coordinate.in ? own * scale_of(position, k).x : own);
+        const auto& in = coordinate.in;
+        position.push_back(in ? own * mapped(position, place_[*in]).x : own);
     }
     return position;
 }

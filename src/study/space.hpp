@@ -34,6 +34,7 @@ class Space {
     /// Of the coordinate that is free number f.
     std::size_t index_of(std::size_t f) const { return free_[f]; }
     std::vector<int> levels() const;  ///< [n_free] see sampling::Density
+    std::vector<char> sizes() const;  ///< [n_free] whether priors of others are in it
 
     /// \param position  [n_free]   \param values  [size] in their units
     void read(std::span<const double> position, std::span<double> values) const;
@@ -49,8 +50,7 @@ class Space {
 
   private:
     stats::Mapped mapped(std::span<const double> position, std::size_t f) const;
-    stats::Mapped scale_of(std::span<const double> position, std::size_t k) const;
-    double log_prior_in(std::span<const double> position, std::size_t f,
+    double log_prior_in(std::size_t size, std::span<const double> position, std::size_t f,
                         std::span<double> gradient) const;
 
     std::vector<Coordinate> coordinates_;

@@ -185,7 +185,7 @@ TEST(ProcessAtTheEnd, AllThatRunIsEndedAndNoMoreStarts) {
     const Folder folder;
     std::jthread running(
         [&] { run_command(shell(folder, "echo $$ > child; sleep 600", 500)); });
-    while (folder.text("child").empty())
+    while (!folder.text("child").ends_with('\n'))
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     const std::string id = folder.text("child");
     end_commands();

@@ -321,7 +321,7 @@ TEST(Posterior, WithoutReadingsThereIsNothingToLearnFrom) {
 TEST(Posterior, SamplesTheValuesOfAFunctionBesideParameters) {
     Case made = office_that_follows({0, 0, 0, 0}, 1);
     std::vector<SampledFunction> functions;
-    with_sampled_shapes(made, functions);
+    with_sampled_shapes(made, made.periods.at(0), functions);
     std::vector<double> truth;
     for (std::size_t p = 0; p < 4; ++p)
         truth.push_back(4 * functions.at(0).columns(p, 0));

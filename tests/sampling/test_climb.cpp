@@ -92,6 +92,45 @@ TEST(Climb, GoesOnByTheCurvatureWhereOneClimbEndsTooEarly) {
     }
 }
 
+/// The logarithm of a size, and fifty numbers of that size that nothing is known of.
+class Sized : public test::PlainDensity {
+  public:
+    explicit Sized(bool holds)
+        : PlainDensity(51,
+                       [](std::span<const double> x, auto& values) {
+                           values.prior = -x[0] * x[0];
+                           values.prior_gradient[0] = -2 * x[0];
+                           for (std::size_t k = 1; k < x.size(); ++k) {
+                               const double z = x[k] / std::exp(x[0]);
+                               values.prior -= 0.5 * z * z + x[0];
+                               values.prior_gradient[k] = -z / std::exp(x[0]);
+                               values.prior_gradient[0] += z * z - 1;
+                           }
+                       }),
+          holds_(holds) {}
+    std::vector<char> held_in_climb() const override {
+        std::vector<char> held(dimension(), 0);
+        held[0] = holds_ ? 1 : 0;
+        return held;
+    }
+
+  private:
+    bool holds_;
+};
+
+/// The mode is at a logarithm of -25, where no draw of the density ever is.
+TEST(Climb, LeavesTheSizeOfOthersWhereItStarts) {
+    SamplerOptions options = quick(true);
+    options.n_warm_up = 0;
+    for (const bool holds : {true, false}) {
+        Sized density(holds);
+        for (const ChainPart& part : warm_up(options, density)) {
+            const double log_size = part.state.at(2);
+            EXPECT_EQ(std::abs(log_size) < 5, holds) << log_size;
+        }
+    }
+}
+
 TEST(ShareMetric, GivesAllChainsTheStepAndMetricOfOneAndLeavesTheRest) {
     auto density = narrow();
     const auto warm = warm_up(quick(true), density);

@@ -58,7 +58,7 @@ std::vector<double> nominal_values(const Case& building, const Space& space) {
 TEST(SampledShapes, WithoutASpreadTheCaseStays) {
     std::vector<SampledFunction> functions;
     const Case made = office("gains", at_knots({1, 0, 2, 1}, 0));
-    EXPECT_EQ(with_sampled_shapes(made, functions).parameters.size(),
+    EXPECT_EQ(with_sampled_shapes(made, made.periods.at(0), functions).parameters.size(),
               made.parameters.size());
     EXPECT_TRUE(functions.empty());
 }
@@ -66,7 +66,7 @@ TEST(SampledShapes, WithoutASpreadTheCaseStays) {
 TEST(SampledShapes, EachHasASizeAndItsColumnsBehindTheParameters) {
     std::vector<SampledFunction> functions;
     const Case made = office("gains", at_knots({1, 0, 2, 1}, 0.5));
-    const Case sampled = with_sampled_shapes(made, functions);
+    const Case sampled = with_sampled_shapes(made, made.periods.at(0), functions);
     ASSERT_EQ(functions.size(), 1U);
     const SampledFunction& one = functions[0];
     EXPECT_EQ(one.name, "use by outdoor temperature");
@@ -83,7 +83,7 @@ TEST(SampledShapes, EachHasASizeAndItsColumnsBehindTheParameters) {
 TEST(SampledShapes, AtNominalValuesTheBuildingStays) {
     std::vector<SampledFunction> functions;
     const Case made = office("gains", at_knots({1, 0, 2, 1}, 0.5));
-    const Case sampled = with_sampled_shapes(made, functions);
+    const Case sampled = with_sampled_shapes(made, made.periods.at(0), functions);
     EXPECT_EQ(readings(sampled, nominal(sampled)), readings(made, nominal(made)));
 }
 
@@ -93,7 +93,7 @@ TEST(SampledShapes, AColumnsCoefficientIsADeviationOfTheValues) {
         std::vector<SampledFunction> functions;
         const std::vector<double> values{0.2, 0, 0.4, 0.2};
         const Case made = office(hook, at_knots(values, 0.2));
-        const Case sampled = with_sampled_shapes(made, functions);
+        const Case sampled = with_sampled_shapes(made, made.periods.at(0), functions);
         std::vector<double> point = nominal(sampled), moved = values;
         for (std::size_t c = 0; c < functions[0].columns.cols; ++c) {
             const double coefficient = c == 0 ? 0.05 : -0.03;
@@ -144,7 +144,7 @@ std::vector<double> point_of_step(const Case& sampled, double day) {
 TEST(SampledShapes, AStepsDayIsThatOfTheStepDeclaredThen) {
     std::vector<SampledFunction> functions;
     const Case made = office_with_step("2021-01-12", 3, 2);
-    const Case sampled = with_sampled_shapes(made, functions);
+    const Case sampled = with_sampled_shapes(made, made.periods.at(0), functions);
     EXPECT_EQ(sampled.parameters.size(), made.parameters.size() + 2 + 6);
     EXPECT_EQ(readings(sampled, nominal(sampled)), readings(made, nominal(made)));
     for (const int day : {-2, 0, 2}) {
@@ -161,7 +161,7 @@ TEST(SampledShapes, NumbersThatHaveMovedSinceStay) {
     Case made = office("gains", at_knots({1, 0, 2, 1}, 0.5));
     std::vector<SampledFunction> functions;
     physics::set_nominal(made.parameters[0].most, made.parameters[0], made.building);
-    const Case sampled = with_sampled_shapes(made, functions);
+    const Case sampled = with_sampled_shapes(made, made.periods.at(0), functions);
     EXPECT_EQ(readings(sampled, nominal(sampled)), readings(made, nominal(made)));
 }
 
