@@ -104,10 +104,7 @@ prior = {kind = "normal", mean = 4, sd = 2}
 
 /// A fortnight of another one, read from a job with effects.
 study::Case office_with(const std::string& effects) {
-    const job::Folder folder;
-    std::string text = job::small_office_text();
-    text.insert(text.find("[[study]]"), effects);
-    study::Case made = job::read_job(job::write_small_office(folder, text)).buildings[0];
+    study::Case made = job::small_office_with(effects);
     made.periods = {{"training", physics::parse_time("2021-01-04"),
                      physics::parse_time("2021-01-18")}};
     std::vector<study::SampledFunction> functions;

@@ -114,7 +114,7 @@ def meters_of(study):
 def of_unknowns(study):
     """What the data tell of the inputs; the unknowns of the statistical model are left out."""
     own = [f"{meter}_{part}" for meter in meters_of(study) for part in OF_RESIDUALS]
-    names = [name for name in chains.told(study, study.texts("unknown"))
+    names = [name for name in chains.told(study)
              if name not in own and not name.startswith(OF_STATISTICS)]
     finding = dict(zip(study.texts("unknown"), study.texts("data_finding")))
     told = [(words, [name for name in names if finding.get(name) in of]) for words, of in OF_FINDINGS]

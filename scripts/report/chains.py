@@ -3,8 +3,6 @@
 Sources: rank histograms and R-hat of Vehtari et al. 2021, Bayesian Analysis 16; densities are Gaussian kernels of
 Scott's width. The log density is no unknown.
 """
-from types import SimpleNamespace
-
 import numpy as np
 
 from report import pictures, theme
@@ -20,15 +18,15 @@ TICKS = 12                     # characters that the numbers of a small axis hav
 MOST_METERS, MOST_FAILED = 6, 20
 
 
-def told(study, names):
-    """Without the columns that functions are made of, "evenings by hour of the week 12"."""
-    columns = [f"{function} " for function in study.texts("function")]
-    return [name for name in names if name.rstrip("0123456789") not in columns]
+def told(study):
+    """The unknowns without the columns that functions are made of, "evenings by hour of the week 12"."""
+    columns = [f"{function.name} " for function in study.functions]
+    return [name for name in study.texts("unknown") if name.rstrip("0123456789") not in columns]
 
 
 def names_of(study):
     """Unknowns with draws that are told, in the result's order."""
-    return [name for name in told(study, study.texts("unknown")) if name != LOG_DENSITY and draws_of(study, name).size]
+    return [name for name in told(study) if name != LOG_DENSITY and draws_of(study, name).size]
 
 
 def draws_of(study, name, group="posterior"):
@@ -220,7 +218,7 @@ def table(study):
                                                       "posterior_q95", "rhat_rank", "ess_bulk", "ess_tail")]
     units, words = units_of(study), dict(zip(study.texts("unknown"), study.texts("data_words")))
     rows = []
-    for name in told(study, study.texts("unknown")):
+    for name in told(study):
         mean, sd, low, high, rhat, bulk, tail = (column.get(name, np.nan) for column in columns)
         unit = units.get(name, "")
         rows.append([name, beside(mean, sd), beside(sd, sd), f"{beside(low, sd)} to {beside(high, sd)}",
@@ -250,15 +248,7 @@ def functions(study):
     """Functions whose values were sampled, with their bands."""
     begin = min((study.numbers(join(group, "time"))[0] for group in study.groups_with("time")
                  if group.split("/")[0] in study.periods[:1]), default=0)
-    fields = ("at", "and_at", "value", "least", "most")
-    points = [SimpleNamespace(of=int(of), **dict(zip(fields, values))) for of, *values in
-              zip(study.numbers("function_point_of"), *(study.numbers(f"function_point_{name}") for name in fields))]
-    yield from pictures.drawn([
-        SimpleNamespace(name=name, driver=driver, unit=unit, driver_unit=driver_unit,
-                        points=[point for point in points if point.of == k])
-        for k, (name, driver, unit, driver_unit) in enumerate(zip(*(
-            study.texts(leaf) for leaf in ("function", "function_driver", "function_unit", "function_driver_unit"))))],
-        begin)
+    yield from pictures.drawn(study.functions, begin)
 
 
 def program(study):

@@ -9,7 +9,7 @@ import h5py
 import numpy as np
 
 from report import guard, studies
-from report.result import Loop
+from report.result import Loop, functions_in
 
 # No picture shows them, and they are large.
 LEFT_OUT = {"sample_a", "sample_b", "design_output", "mape", "monthly_mape", "monthly_nmbe", "best_mape",
@@ -33,6 +33,7 @@ class Study:
     units: dict = field(default_factory=dict)
     damage: str = ""
     loop: Loop = None
+    functions: list = field(default_factory=list)  # whose values a posterior sampled
     outdoor: dict = field(default_factory=dict)    # of the building: period -> (time [s], temperature [degC])
     periods: list = field(default_factory=list)    # of the building, the first for training; [] = not known
     kinds: dict = field(default_factory=dict)      # of all studies of the result: path -> kind
@@ -143,6 +144,7 @@ def study_in(file, path, kind):
                 study.loop = Loop(file, path)
                 read_into(study, file[path], OF_ENDS)
             else:
+                study.functions = functions_in(file[path])
                 read_into(study, file[path])
     except guard.Refused as refused:
         return Study(path, kind, damage=str(refused))

@@ -35,8 +35,6 @@ namespace {
 
 using EmulatorPointer = std::shared_ptr<const emulator::SeriesEmulator>;
 
-/// Of the runs' variance that is emulated, as for a posterior.
-constexpr double share_emulated = 1 - 1e-6;
 /// A model's errors last: where the next runs pay, a week's readings count as one.
 constexpr double independent_hours = 168;
 /// A first emulator is not trusted at the ends of the ranges, where it has few runs.
@@ -192,7 +190,7 @@ class EmulatedCalibration : public study::Stage {
     }
     EmulatorPointer emulator_of(const GoodRuns& good) const {
         return std::make_shared<const emulator::SeriesEmulator>(
-            good.points, good.series, layout_.weights(building_), share_emulated);
+            good.points, good.series, layout_.weights(building_), study::share_emulated);
     }
     std::unique_ptr<study::Stage> calibration_on(EmulatorPointer emulator) const {
         return calibration_(

@@ -83,7 +83,7 @@ effects::DriverFunction read_function(const Section& section) {
             fmt::format("has {} numbers; expected {}, one for each point of \"{}\"",
                         function.values.size(), function.points.size(), function.driver));
     section.number_if("spread", function.spread);
-    if (function.spread > 0 && function.points.kind == functions::Points::Kind::one)
+    if (function.is_sampled() && function.points.kind == functions::Points::Kind::one)
         section.fail(
             "spread",
             "has no place in a function of \"one\", which has no shape; expected "
@@ -263,8 +263,8 @@ std::optional<DeclaredEffects::Functions> read_functions(const Section& section,
             each.fail_value("driver",
                             "another function of this effect follows it; expected their "
                             "sum as one");
-        if (function.spread > 0) check_sampled(each, "spread", effect);
-        if (function.spread > 0 && section.number("coefficient") != 1)
+        if (function.is_sampled()) check_sampled(each, "spread", effect);
+        if (function.is_sampled() && section.number("coefficient") != 1)
             section.fail_value("coefficient",
                                "expected 1 beside a function with spread, whose values "
                                "have the hook's unit");
@@ -302,23 +302,16 @@ void check_twice(const Section& section, const std::vector<Effect>& before,
     }
 }
 
-/// Values of functions that are 0 have none until a posterior samples them.
-bool will_have_a_say(const std::optional<DeclaredEffects::Functions>& functions) {
-    return functions && std::ranges::any_of(functions->functions, [](const auto& one) {
-               return one.spread > 0;
-           });
-}
-
-/// It can enter in every period, and has a say in one, if not `will_have` one.
+/// It can enter in every period, and has a say in one. What is sampled may be 0 as given.
 void check_entering(const Section& section, const Effect& effect,
-                    const std::vector<effects::Surroundings>& periods, bool will_have) {
+                    const std::vector<effects::Surroundings>& periods, bool is_sampled) {
     const std::string no_say = "it has no say";
     std::string why;
     for (const effects::Surroundings& around : periods) {
         const auto objection = effects::objection(effect, around);
         if (!objection) return;
         why = *objection;
-        if (will_have && why.starts_with(no_say)) return;
+        if (is_sampled && why.starts_with(no_say)) return;
         if (!why.starts_with(no_say)) break;
     }
     section.fail(
@@ -416,7 +409,7 @@ void declare(const Section& section, const study::Case& building,
         });
         declared.functions.push_back(*functions);
     }
-    check_entering(section, effect, periods, will_have_a_say(functions));
+    check_entering(section, effect, periods, functions && functions->are_sampled());
     if (const int within = read_days_within(section, effect); within > 0)
         declared.days.push_back({declared.effects.size(), within});
     declared.effects.push_back(std::move(effect));

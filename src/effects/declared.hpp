@@ -4,6 +4,7 @@
 
 #include "effects/driver_functions.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -29,6 +30,10 @@ struct DeclaredEffects {
         std::string column;
         std::vector<DriverFunction> functions;
         bool is_part = false;  ///< of another one: a deviation that is sampled
+
+        bool are_sampled() const {
+            return std::ranges::any_of(functions, &DriverFunction::is_sampled);
+        }
     };
     std::vector<Functions> functions{};
     /// A step whose day a posterior samples, so many days before and after the declared.

@@ -17,6 +17,8 @@ struct DriverFunction {
     functions::Points points{};
     std::vector<double> values{};  ///< [points.size()] [the hook's unit]
     double spread = 0;             ///< of its values in a posterior; 0 = they are known
+
+    bool is_sampled() const { return spread > 0; }
 };
 
 /// By the name of a driver: one series, or two of an interaction, of all steps of a

@@ -130,7 +130,7 @@ std::string function_lines(const DriverFunction& function) {
     if (!function.points.knots.empty())
         lines += fmt::format("at = {}\n", list_of(function.points.knots));
     lines += fmt::format("values = {}\n", list_of(function.values));
-    if (function.spread > 0) lines += fmt::format("spread = {:.3g}\n", function.spread);
+    if (function.is_sampled()) lines += fmt::format("spread = {:.3g}\n", function.spread);
     return lines;
 }
 

@@ -20,12 +20,7 @@ namespace {
 constexpr double median_spread = 0.3, sd_log_spread = 0.7;
 
 stats::Prior spread_prior() {
-    stats::Prior prior;
-    prior.kind = stats::PriorKind::lognormal;
-    prior.a = std::log(median_spread);
-    prior.b = sd_log_spread;
-    prior.least = 0;
-    return prior;
+    return stats::lognormal_prior(median_spread, sd_log_spread);
 }
 
 class Shared : public Arrangement {

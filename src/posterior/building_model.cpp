@@ -61,7 +61,7 @@ std::vector<MeterModel> meter_models(const study::Case& building,
             continue;
         const auto options = options_for(meter.interval, choice.residuals);
         const double scale = choice.scales.empty()
-                                 ? noise_scale(meter.quantity, readings[m].values)
+                                 ? study::noise_scale(meter.quantity, readings[m].values)
                                  : choice.scales.at(models.size());
         models.push_back(
             {m,
@@ -83,22 +83,6 @@ std::vector<std::size_t> numbers_of(const std::vector<MeterModel>& meters) {
     return numbers;
 }
 
-stats::Prior lognormal(double median, double sd_log, double least = 0) {
-    stats::Prior prior;
-    prior.kind = stats::PriorKind::lognormal;
-    prior.a = std::log(median);
-    prior.b = sd_log;
-    prior.least = least;
-    return prior;
-}
-
-stats::Prior fixed(double value) {
-    stats::Prior prior;
-    prior.kind = stats::PriorKind::fixed;
-    prior.a = value;
-    return prior;
-}
-
 stats::Prior beta(double a, double b) {
     stats::Prior prior;
     prior.kind = stats::PriorKind::beta;
@@ -117,13 +101,6 @@ constexpr double least_constant = 0.01;
 /// A larger one takes over the level that the parameters should explain.
 constexpr double largest_slow_share = 0.1;
 
-stats::Prior uniform(double least, double most) {
-    stats::Prior prior;
-    prior.least = least;
-    prior.most = most;
-    return prior;
-}
-
 /// A fortnight, in readings.
 double fortnight(physics::Interval interval) {
     return interval == physics::Interval::daily ? 14 : 14 * 24;
@@ -133,12 +110,14 @@ stats::Prior residual_prior(const std::string& name, const study::Meter& meter,
                             const stats::ResidualOptions& options) {
     const bool is_air = physics::is_temperature(meter.quantity);
     if (name == "constant")
-        return lognormal(usual_constant(meter.quantity), 1, least_constant);
+        return stats::lognormal_prior(study::usual_constant(meter.quantity), 1,
+                                      least_constant);
     if (name == "proportional")
-        return is_air || !options.proportional ? fixed(0) : lognormal(0.1, 1);
+        return is_air || !options.proportional ? stats::fixed_prior(0)
+                                               : stats::lognormal_prior(0.1, 1);
     if (name == "phi") return beta(1, 1);
-    if (name == "share") return uniform(0, largest_slow_share);
-    return lognormal(fortnight(meter.interval), 0.7);
+    if (name == "share") return stats::uniform_prior(0, largest_slow_share);
+    return stats::lognormal_prior(fortnight(meter.interval), 0.7);
 }
 
 }  // namespace

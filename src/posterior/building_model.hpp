@@ -98,9 +98,6 @@ class BuildingModel {
     std::unique_ptr<const MeterResponse> response_;
 };
 
-using study::noise_scale;
-using study::usual_constant;
-
 /// What is believed of a meter's residuals before the data.
 std::vector<study::Coordinate> residual_unknowns(const study::Meter& meter,
                                                  const stats::ResidualOptions& options);

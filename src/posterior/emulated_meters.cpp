@@ -196,10 +196,7 @@ study::Case with_parameters(study::Case building,
         error.name = fmt::format("emulator error {}", c + 1);
         error.unit = "-";
         error.nominal = 0;
-        study::ParameterPrior& normal = building.priors.emplace_back();
-        normal.prior.kind = stats::PriorKind::normal;
-        normal.prior.a = 0;
-        normal.prior.b = 1;
+        building.priors.push_back({stats::normal_prior(0, 1), {}});
     }
     return building;
 }

@@ -218,10 +218,8 @@ std::vector<study::Coordinate> simulator_coordinates(
     made.reserve(names.size());
     for (const std::size_t number : parameter_numbers(simulator, names)) {
         const physics::Parameter& parameter = simulator.parameters()[number];
-        stats::Prior prior;
-        prior.least = parameter.least;
-        prior.most = parameter.most;
-        made.push_back({parameter.name, parameter.unit, prior});
+        made.push_back({parameter.name, parameter.unit,
+                        stats::uniform_prior(parameter.least, parameter.most)});
     }
     return made;
 }

@@ -68,10 +68,7 @@ std::vector<study::Coordinate> office_hour_coordinates(const Names& names) {
     for (const std::string& name : names) {
         const auto& input =
             physics::office_hour_inputs()[physics::office_hour_input_number(name)];
-        stats::Prior prior;
-        prior.least = input.least;
-        prior.most = input.most;
-        made.push_back({name, input.unit, prior});
+        made.push_back({name, input.unit, stats::uniform_prior(input.least, input.most)});
     }
     return made;
 }

@@ -192,8 +192,7 @@ study::Case with_others_fixed(study::Case building,
         const physics::Parameter& parameter = building.parameters[k];
         if (std::ranges::find(names, parameter.name) != names.end()) continue;
         building.priors[k] = {};
-        building.priors[k].prior.kind = stats::PriorKind::fixed;
-        building.priors[k].prior.a = parameter.nominal;
+        building.priors[k].prior = stats::fixed_prior(parameter.nominal);
     }
     return building;
 }

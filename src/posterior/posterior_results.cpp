@@ -318,7 +318,7 @@ std::vector<double> nominal_scales(const BuildingModel& model) {
     const auto nominal = model.predict(study::nominal_row(model.building().parameters));
     for (std::size_t m = 0; m < nominal.size(); ++m) {
         const study::Meter& meter = model.building().meters[model.meters()[m].meter];
-        scales.push_back(noise_scale(meter.quantity, nominal[m].values));
+        scales.push_back(study::noise_scale(meter.quantity, nominal[m].values));
     }
     return scales;
 }

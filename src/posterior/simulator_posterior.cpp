@@ -43,9 +43,6 @@ constexpr std::uint32_t reach_stream = 0x72656163;
 /// they would tell the emulator no slope.
 constexpr double least_reach = 0.02;
 
-/// Of the runs' variance that is emulated: errors that remember each other let small
-/// changes from hour to hour speak, so a tenth of the usual is left out.
-constexpr double share_emulated = 1 - 1e-6;
 /// Points over which the emulator's variance is a mean, before anything is drawn.
 constexpr std::size_t n_first_points = 64;
 /// Times that the posterior and the emulator's variance over it are found anew.
@@ -266,7 +263,7 @@ class SimulatorPosterior : public study::Stage {
 
     EmulatorPointer emulator_of(const UsedRuns& used) const {
         return std::make_shared<const emulator::SeriesEmulator>(
-            used.points, used.series, layout_->weights(building_), share_emulated);
+            used.points, used.series, layout_->weights(building_), study::share_emulated);
     }
     PosteriorPointer posterior_of(EmulatorPointer emulator,
                                   std::vector<double> variance) const {

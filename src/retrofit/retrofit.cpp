@@ -106,7 +106,7 @@ class Retrofit : public study::Stage {
                      std::size_t first_column, Matrix& rows) const;
     bool is_occupied(int step) const {
         return options_.occupied_profile < 0 ||
-               drive_.profile_at(options_.occupied_profile, step) >= 0.5;
+               drive_.profile_at(options_.occupied_profile, step) >= occupied_from;
     }
     Matrix rows_of(const std::vector<study::ItemAnswer>& answers) const;
     Savings savings_of(const std::vector<study::ItemAnswer>& answers) const;

@@ -10,10 +10,13 @@
 
 namespace bemcal::retrofit {
 
+/// An hour counts as occupied from this value of the schedule on.
+inline constexpr double occupied_from = 0.5;
+
 struct Setting {
     std::string of;             ///< name of the stage whose points are taken
     int n_points = 200;         ///< at most, evenly spread
-    int occupied_profile = -1;  ///< of the case; an hour counts from 0.5 on; -1 = all
+    int occupied_profile = -1;  ///< of the case; -1 = all hours count
     double too_cold = 19;       ///< [degC] below it
     double too_warm = 26;       ///< [degC] above it
 };

@@ -22,9 +22,6 @@
 namespace bemcal::retrofit {
 namespace {
 
-/// An hour counts as occupied from this value of the schedule on.
-constexpr double occupied_from = 0.5;
-
 /// Which hours of a period count. [hours]
 std::vector<char> occupied_hours(const study::Case& building, const study::Period& period,
                                  int profile) {

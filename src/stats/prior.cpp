@@ -6,6 +6,7 @@
 #include "stats/prior_standard.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace bemcal::stats {
 
@@ -13,6 +14,37 @@ const char* name_of(PriorKind kind) {
     constexpr const char* names[] = {"fixed",     "uniform", "normal",
                                      "lognormal", "beta",    "gamma"};
     return names[static_cast<int>(kind)];
+}
+
+Prior fixed_prior(double value) {
+    Prior prior;
+    prior.kind = PriorKind::fixed;
+    prior.a = value;
+    return prior;
+}
+
+Prior uniform_prior(double least, double most) {
+    Prior prior;
+    prior.least = least;
+    prior.most = most;
+    return prior;
+}
+
+Prior normal_prior(double mean, double sd) {
+    Prior prior;
+    prior.kind = PriorKind::normal;
+    prior.a = mean;
+    prior.b = sd;
+    return prior;
+}
+
+Prior lognormal_prior(double median, double sd_log, double least) {
+    Prior prior;
+    prior.kind = PriorKind::lognormal;
+    prior.a = std::log(median);
+    prior.b = sd_log;
+    prior.least = least;
+    return prior;
 }
 
 double Prior::log_density(double x) const {

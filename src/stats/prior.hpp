@@ -33,6 +33,12 @@ struct Prior {
     double sd() const;
 };
 
+Prior fixed_prior(double value);
+Prior uniform_prior(double least, double most);
+Prior normal_prior(double mean, double sd);
+/// \param least  of its support; what is below has no mass
+Prior lognormal_prior(double median, double sd_log, double least = 0);
+
 /// What is wrong with a prior (no mass in its range, sd <= 0, ...); empty = nothing.
 std::string complaint_about(const Prior& prior);
 

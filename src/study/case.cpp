@@ -96,11 +96,10 @@ Start start_of(const Case& building, const Period& period) {
 
 std::vector<ParameterPrior> priors_of(const Case& building) {
     if (!building.priors.empty()) return building.priors;
-    std::vector<ParameterPrior> priors(building.parameters.size());
-    for (std::size_t k = 0; k < priors.size(); ++k) {
-        priors[k].prior.least = building.parameters[k].least;
-        priors[k].prior.most = building.parameters[k].most;
-    }
+    std::vector<ParameterPrior> priors;
+    priors.reserve(building.parameters.size());
+    for (const physics::Parameter& parameter : building.parameters)
+        priors.push_back({stats::uniform_prior(parameter.least, parameter.most), {}});
     return priors;
 }
 

@@ -10,6 +10,7 @@
 #include "effects/steps.hpp"
 #include "functions/basis.hpp"
 #include "physics/derived.hpp"
+#include "study/points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,35 +32,6 @@ constexpr double reach_of_size = 4;
 /// Of a value from that given, in spreads: its largest standard deviation beforehand.
 /// Where training hardly comes, a function of mean square 1 could do anything.
 constexpr double most_deviation = 2;
-
-stats::Prior prior_of_size(double spread) {
-    stats::Prior prior;
-    prior.kind = stats::PriorKind::lognormal;
-    prior.a = std::log(spread);
-    prior.b = sd_log_size;
-    prior.least = 0;
-    return prior;
-}
-
-stats::Prior standard_normal() {
-    stats::Prior prior;
-    prior.kind = stats::PriorKind::normal;
-    return prior;
-}
-
-stats::Prior fixed_at(double value) {
-    stats::Prior prior;
-    prior.kind = stats::PriorKind::fixed;
-    prior.a = value;
-    return prior;
-}
-
-stats::Prior uniform_within(double reach) {
-    stats::Prior prior;
-    prior.least = -reach;
-    prior.most = reach;
-    return prior;
-}
 
 std::vector<double> column_of(const Matrix& of, std::size_t c) {
     std::vector<double> values(of.rows);
@@ -119,7 +91,7 @@ void add_functions(std::size_t parent, const DeclaredEffects::Functions& at,
                    std::vector<SampledFunction>& functions) {
     const Effect effect = shapes.declared.effects[parent];
     for (const effects::DriverFunction& one : at.functions) {
-        if (one.spread == 0) continue;
+        if (!one.is_sampled()) continue;
         functions.push_back(
             {fmt::format("{} by {}", effect.name, one.driver),
              effects::name_of(effect.hook), one.driver, effects::unit_of(effect.hook),
@@ -171,11 +143,11 @@ Shapes shapes_of(const Case& building, const physics::Drive& drive,
 }
 
 /// Numbers that parameters have moved since the description was read stay.
-void keep_numbers(const Case& before, physics::Building& building) {
-    for (const physics::Parameter& parameter : before.parameters)
+void keep_numbers(const std::vector<physics::Parameter>& parameters,
+                  const physics::Building& before, physics::Building& building) {
+    for (const physics::Parameter& parameter : parameters)
         for (const physics::Target& target : parameter.targets)
-            physics::number_at(building, target) =
-                physics::number_at(before.building, target);
+            physics::number_at(building, target) = physics::number_at(before, target);
     physics::derive(building);
 }
 
@@ -214,17 +186,18 @@ void sample(const SampledFunction& function, const Shapes::Function& shape,
             "{} varies the coefficient of {}, whose values are sampled already, by their "
             "spread; expected one of the two",
             building.parameters[k].name, parent.name));
-    const std::size_t size = add_parameter({function.size_name(),
-                                            function.unit,
-                                            0,
-                                            reach_of_size * shape.spread,
-                                            physics::Effect::replace,
-                                            {},
-                                            shape.spread},
-                                           {prior_of_size(shape.spread), {}}, building);
+    const std::size_t size =
+        add_parameter({function.size_name(),
+                       function.unit,
+                       0,
+                       reach_of_size * shape.spread,
+                       physics::Effect::replace,
+                       {},
+                       shape.spread},
+                      {stats::lognormal_prior(shape.spread, sd_log_size), {}}, building);
     for (std::size_t c = 0; c < function.columns.cols; ++c)
         add_parameter(led_to(building.building.effects.at(shape.first + c), 0),
-                      {standard_normal(), {}, size}, building);
+                      {stats::normal_prior(0, 1), {}, size}, building);
 }
 
 /// The parameter that has the coefficient of a step; one that is fixed where none has.
@@ -241,7 +214,8 @@ std::size_t parameter_of(const physics::Coefficient& effect, Case& building) {
     }
     const double value = physics::number_at(building.building, effect.targets.at(0)) /
                          effect.targets[0].weight;
-    return add_parameter(led_to(effect, value), {fixed_at(value), {}}, building);
+    return add_parameter(led_to(effect, value), {stats::fixed_prior(value), {}},
+                         building);
 }
 
 void sample(const Shapes::Day& day, Case& building) {
@@ -251,36 +225,30 @@ void sample(const Shapes::Day& day, Case& building) {
     const double reach = day.within;
     const std::size_t moment = add_parameter(
         {parent.name + ": day", "d", -reach, reach, physics::Effect::replace, {}, 0},
-        {uniform_within(reach), {}}, building);
+        {stats::uniform_prior(-reach, reach), {}}, building);
     for (int d = -day.within; d < day.within; ++d) {
         const StepShare step{size, moment, static_cast<double>(d)};
         const auto& part = building.building.effects.at(
             day.first + static_cast<std::size_t>(d + day.within));
         add_parameter(led_to(part, coefficient * step.share(0)),
-                      {fixed_at(0), {}, std::nullopt, step}, building);
+                      {stats::fixed_prior(0), {}, std::nullopt, step}, building);
     }
 }
 
 void set_to_nominal(Case& building) {
-    std::vector<double> point;
-    point.reserve(building.parameters.size());
-    for (const physics::Parameter& parameter : building.parameters)
-        point.push_back(parameter.nominal);
     const physics::Building before = building.building;
-    physics::apply(before, building.parameters, point, building.building);
+    physics::apply(before, building.parameters, nominal_point(building.parameters),
+                   building.building);
 }
 
 }  // namespace
 
 bool has_sampled_shapes(const Case& building) {
     if (!building.declared_effects) return false;
-    const auto is_sampled = [](const effects::DriverFunction& one) {
-        return one.spread > 0;
-    };
-    return !building.declared_effects->days.empty() ||
-           std::ranges::any_of(building.declared_effects->functions, [&](const auto& at) {
-               return std::ranges::any_of(at.functions, is_sampled);
-           });
+    const DeclaredEffects& declared = *building.declared_effects;
+    return !declared.days.empty() ||
+           std::ranges::any_of(declared.functions,
+                               &DeclaredEffects::Functions::are_sampled);
 }
 
 Case with_sampled_shapes(Case building, const Period& period,
@@ -289,11 +257,11 @@ Case with_sampled_shapes(Case building, const Period& period,
     if (!has_sampled_shapes(building)) return building;
     const physics::Drive drive = drive_of(building, period);
     Shapes shapes = shapes_of(building, drive, functions);
-    const Case before = building;
+    const physics::Building before = building.building;
     DeclaredEffects& declared = shapes.declared;
     building.building =
         effects::building_with(declared, drive, building.weather, declared.n_rows);
-    keep_numbers(before, building.building);
+    keep_numbers(building.parameters, before, building.building);
     building.profiles.resize(declared.first_row + declared.n_rows,
                              effects::empty_row(building.weather));
     building.declared_effects =

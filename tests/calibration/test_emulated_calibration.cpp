@@ -5,6 +5,7 @@
 #include "sampling/normal.hpp"
 #include "stats/sobol_sequence.hpp"
 #include "study/find.hpp"
+#include "study/room_program.hpp"
 #include "study/simulated_hours.hpp"
 #include "study/simulator_run.hpp"
 #include "study/small_case.hpp"
@@ -21,63 +22,11 @@ namespace {
 using study::Case;
 using Texts = std::vector<std::string>;
 
-/// A program of one room: heat to a set-point, less a share of the sun, never below 0.
-class Room : public study::HourlySimulator {
+/// Whose sun heats within the hour.
+class Room : public test::Room {
   public:
     explicit Room(const Case& building, int fails_each = 0)
-        : building_(building), fails_each_(fails_each) {
-        add("u", 0.5, 2);
-        add("set_point", 18, 23);
-        add("sun", 0.1, 1);
-    }
-    const std::vector<physics::Parameter>& parameters() const override {
-        return parameters_;
-    }
-    const Texts& meters() const override { return meters_; }
-    study::SimulatedHours hours(std::span<const double> point,
-                                std::span<const study::GivenEffect>,
-                                std::span<const study::Period>) const override {
-        study::SimulatedHours simulated;
-        if (fails_each_ > 0 && std::lround(1e6 * point[0]) % fails_each_ == 0)
-            simulated.failure = "it was told to fail";
-        else
-            simulated.meters = {heat(point)};
-        return simulated;
-    }
-    /// [hours of all periods] kWh
-    std::vector<double> heat(std::span<const double> point) const {
-        std::vector<double> all;
-        const physics::Weather& weather = building_.weather;
-        for (const study::Period& period : building_.periods) {
-            const auto from =
-                static_cast<std::size_t>((period.from - test::day(0)).count() / 3600);
-            for (std::size_t k = 0; k < static_cast<std::size_t>(study::hours_of(period));
-                 ++k) {
-                const double loss =
-                                 0.2 * point[0] * (point[1] - weather.theta_e[from + k]),
-                             gain =
-                                 0.006 * point[2] * weather.global_horizontal[from + k];
-                // A thermostat's band rounds the corner at 0.
-                all.push_back(0.1 * std::log1p(std::exp((loss - gain) / 0.1)));
-            }
-        }
-        return all;
-    }
-
-  private:
-    void add(const char* name, double least, double most) {
-        physics::Parameter& parameter = parameters_.emplace_back();
-        parameter.name = name;
-        parameter.unit = "-";
-        parameter.least = least;
-        parameter.most = most;
-        parameter.nominal = (least + most) / 2;
-    }
-
-    Case building_;
-    int fails_each_;
-    std::vector<physics::Parameter> parameters_;
-    Texts meters_{"heating"};
+        : test::Room(building, fails_each, 1) {}
 };
 
 const std::vector<double> truth{1.2, 20, 0.5};

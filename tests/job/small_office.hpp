@@ -13,8 +13,10 @@
 #include <numbers>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace bemcal::job {
 
@@ -81,6 +83,30 @@ inline std::filesystem::path write_small_office(
     folder.write("weather.csv", small_weather());
     folder.write("measured.csv", small_readings());
     return folder.write("office.toml", text);
+}
+
+/// The sample's building with more sections, such as effects.
+inline study::Case small_office_with(const std::string& sections) {
+    const Folder folder;
+    std::string text = small_office_text();
+    text.insert(text.find("[[study]]"), sections);
+    return read_job(write_small_office(folder, text)).buildings.at(0);
+}
+
+/// Sections of an effect that follows a function of the outdoor temperature.
+inline std::string effect_that_follows(const std::string& hook,
+                                       const std::vector<double>& values, double spread) {
+    return fmt::format(R"([[effect]]
+name = "use"
+hook = "{}"
+coefficient = 1
+[[effect.function]]
+driver = "outdoor temperature"
+at = [8, 13, 16, 20]
+values = [{}]
+spread = {}
+)",
+                       hook, fmt::join(values, ", "), spread);
 }
 
 /// The message of the UserError that reading the job ends with; "" where it goes well.

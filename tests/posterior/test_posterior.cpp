@@ -2,6 +2,7 @@
 #include "posterior/posterior.hpp"
 #include "posterior/posterior_cases.hpp"
 #include "study/find.hpp"
+#include "study/points.hpp"
 #include "study/sampled_shapes.hpp"
 
 #include <cmath>
@@ -58,27 +59,12 @@ Ran run_all(Stage& stage) {
 
 /// A fortnight of another office, with heat that follows the weather as these values say.
 Case office_that_follows(const std::vector<double>& values, double spread) {
-    const job::Folder folder;
-    std::string text = job::small_office_text();
-    text.insert(
-        text.find("[[study]]"),
-        fmt::format("[[effect]]\nname = \"use\"\nhook = \"gains\"\ncoefficient = 1\n"
-                    "[[effect.function]]\ndriver = \"outdoor temperature\"\nat = [8, 13, "
-                    "16, 20]\nvalues = [{}]\nspread = {}\n",
-                    fmt::join(values, ", "), spread));
-    Case made = job::read_job(job::write_small_office(folder, text)).buildings.at(0);
+    Case made = job::small_office_with(job::effect_that_follows("gains", values, spread));
     made.periods = {{"training", physics::parse_time("2021-01-04"),
                      physics::parse_time("2021-01-18")}};
     made.meters = {test::empty_meter(made, physics::Quantity::heating),
                    test::empty_meter(made, physics::Quantity::air_temperature)};
     return made;
-}
-
-std::vector<double> nominal_of(const Case& building) {
-    std::vector<double> point;
-    for (const physics::Parameter& parameter : building.parameters)
-        point.push_back(parameter.nominal);
-    return point;
 }
 
 TEST(PosteriorDensity, AWeightIsAPowerOfTheLikelihoodAlone) {
@@ -326,7 +312,7 @@ TEST(Posterior, SamplesTheValuesOfAFunctionBesideParameters) {
     for (std::size_t p = 0; p < 4; ++p)
         truth.push_back(4 * functions.at(0).columns(p, 0));
     const Case with_it = office_that_follows(truth, 0);
-    made.meters = with_readings(with_it, nominal_of(with_it)).meters;
+    made.meters = with_readings(with_it, nominal_point(with_it.parameters)).meters;
     posterior::PosteriorOptions options = quick_options();
     options.chains.most_draws = 100;
     const Ran ran = run_all(*posterior::make_posterior("p", {made}, options));

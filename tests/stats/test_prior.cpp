@@ -331,5 +331,14 @@ TEST(PriorComplaints, SayWhatIsWrong) {
     for (const auto& [prior, words] : table) EXPECT_EQ(complaint_about(prior), words);
 }
 
+TEST(Prior, AreMadeByTheirNumbers) {
+    EXPECT_EQ(fixed_prior(3).quantile(0.2), 3);
+    EXPECT_DOUBLE_EQ(uniform_prior(2, 6).quantile(0.25), 3);
+    EXPECT_DOUBLE_EQ(normal_prior(5, 2).mean(), 5);
+    EXPECT_DOUBLE_EQ(normal_prior(5, 2).sd(), 2);
+    EXPECT_NEAR(lognormal_prior(3, 0.7).quantile(0.5), 3, 1e-12);
+    EXPECT_GT(lognormal_prior(3, 0.7, 1).quantile(0), 0.99);
+}
+
 }  // namespace
 }  // namespace bemcal::stats

@@ -1,6 +1,7 @@
 /// Functions that a posterior samples: their parameters, and what a column brings.
 #include "job/small_office.hpp"
 #include "posterior/posterior_density.hpp"
+#include "study/points.hpp"
 #include "study/sampled_shapes.hpp"
 
 #include <algorithm>
@@ -12,27 +13,12 @@ namespace bemcal::study {
 namespace {
 
 /// The office of the sample job with an effect that follows a function.
-Case office(const std::string& hook, const std::string& function) {
-    const job::Folder folder;
-    std::string text = job::small_office_text();
-    text.insert(text.find("[[study]]"), "[[effect]]\nname = \"use\"\nhook = \"" + hook +
-                                            "\"\ncoefficient = 1\n[[effect.function]]\n" +
-                                            function + "\n");
-    return job::read_job(job::write_small_office(folder, text)).buildings.at(0);
-}
-
-std::string at_knots(const std::vector<double>& values, double spread) {
-    return fmt::format(
-        "driver = \"outdoor temperature\"\nat = [8, 13, 16, 20]\nvalues = [{}]\nspread = "
-        "{}\n",
-        fmt::join(values, ", "), spread);
+Case office(const std::string& hook, const std::vector<double>& values, double spread) {
+    return job::small_office_with(job::effect_that_follows(hook, values, spread));
 }
 
 std::vector<double> nominal(const Case& building) {
-    std::vector<double> point;
-    for (const physics::Parameter& parameter : building.parameters)
-        point.push_back(parameter.nominal);
-    return point;
+    return nominal_point(building.parameters);
 }
 
 /// Of all meters in all periods.
@@ -57,7 +43,7 @@ std::vector<double> nominal_values(const Case& building, const Space& space) {
 
 TEST(SampledShapes, WithoutASpreadTheCaseStays) {
     std::vector<SampledFunction> functions;
-    const Case made = office("gains", at_knots({1, 0, 2, 1}, 0));
+    const Case made = office("gains", {1, 0, 2, 1}, 0);
     EXPECT_EQ(with_sampled_shapes(made, made.periods.at(0), functions).parameters.size(),
               made.parameters.size());
     EXPECT_TRUE(functions.empty());
@@ -65,7 +51,7 @@ TEST(SampledShapes, WithoutASpreadTheCaseStays) {
 
 TEST(SampledShapes, EachHasASizeAndItsColumnsBehindTheParameters) {
     std::vector<SampledFunction> functions;
-    const Case made = office("gains", at_knots({1, 0, 2, 1}, 0.5));
+    const Case made = office("gains", {1, 0, 2, 1}, 0.5);
     const Case sampled = with_sampled_shapes(made, made.periods.at(0), functions);
     ASSERT_EQ(functions.size(), 1U);
     const SampledFunction& one = functions[0];
@@ -82,7 +68,7 @@ TEST(SampledShapes, EachHasASizeAndItsColumnsBehindTheParameters) {
 
 TEST(SampledShapes, AtNominalValuesTheBuildingStays) {
     std::vector<SampledFunction> functions;
-    const Case made = office("gains", at_knots({1, 0, 2, 1}, 0.5));
+    const Case made = office("gains", {1, 0, 2, 1}, 0.5);
     const Case sampled = with_sampled_shapes(made, made.periods.at(0), functions);
     EXPECT_EQ(readings(sampled, nominal(sampled)), readings(made, nominal(made)));
 }
@@ -92,7 +78,7 @@ TEST(SampledShapes, AColumnsCoefficientIsADeviationOfTheValues) {
     for (const char* hook : {"gains", "infiltration", "aperture"}) {
         std::vector<SampledFunction> functions;
         const std::vector<double> values{0.2, 0, 0.4, 0.2};
-        const Case made = office(hook, at_knots(values, 0.2));
+        const Case made = office(hook, values, 0.2);
         const Case sampled = with_sampled_shapes(made, made.periods.at(0), functions);
         std::vector<double> point = nominal(sampled), moved = values;
         for (std::size_t c = 0; c < functions[0].columns.cols; ++c) {
@@ -101,7 +87,7 @@ TEST(SampledShapes, AColumnsCoefficientIsADeviationOfTheValues) {
             for (std::size_t p = 0; p < moved.size(); ++p)
                 moved[p] += coefficient * functions[0].columns(p, c);
         }
-        const Case declared = office(hook, at_knots(moved, 0));
+        const Case declared = office(hook, moved, 0);
         const auto expected = readings(declared, nominal(declared)),
                    found = readings(sampled, point);
         ASSERT_EQ(found.size(), expected.size());
@@ -113,15 +99,11 @@ TEST(SampledShapes, AColumnsCoefficientIsADeviationOfTheValues) {
 
 /// The office with heat that somebody brings from a moment on.
 Case office_with_step(const std::string& since, int within, double coefficient) {
-    const job::Folder folder;
-    std::string text = job::small_office_text();
-    text.insert(
-        text.find("[[study]]"),
+    return job::small_office_with(
         fmt::format("[[effect]]\nname = \"tenant\"\nhook = \"gains\"\ndriver = "
                     "\"time elapsed\"\nsince = \"{}\"\ncoefficient = {}\n{}\n",
                     since, coefficient,
                     within > 0 ? fmt::format("since_within = {}\n", within) : ""));
-    return job::read_job(job::write_small_office(folder, text)).buildings.at(0);
 }
 
 /// What chains would simulate: a day that is sampled and a coefficient, through the
@@ -158,7 +140,7 @@ TEST(SampledShapes, AStepsDayIsThatOfTheStepDeclaredThen) {
 
 /// A night that starts from what the last one found.
 TEST(SampledShapes, NumbersThatHaveMovedSinceStay) {
-    Case made = office("gains", at_knots({1, 0, 2, 1}, 0.5));
+    Case made = office("gains", {1, 0, 2, 1}, 0.5);
     std::vector<SampledFunction> functions;
     physics::set_nominal(made.parameters[0].most, made.parameters[0], made.building);
     const Case sampled = with_sampled_shapes(made, made.periods.at(0), functions);
