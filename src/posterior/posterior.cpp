@@ -6,6 +6,7 @@
 #include "posterior/posterior.hpp"
 
 #include "kernel/response.hpp"
+#include "posterior/centring.hpp"
 #include "posterior/chain_stage.hpp"
 #include "posterior/function_results.hpp"
 #include "posterior/posterior_density.hpp"
@@ -78,6 +79,7 @@ std::shared_ptr<PosteriorParts> parts_of(
     parts->space = space_of(*parts->buildings[0]);
     parts->arrangement = make_arrangement(options.pooling, parts->space, names);
     parts->reading_weight = options.reading_weight;
+    centre(parts);
     return parts;
 }
 

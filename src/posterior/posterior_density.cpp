@@ -108,7 +108,7 @@ std::shared_ptr<const study::Space> space_of(const BuildingModel& model) {
     for (std::size_t k = 0; k < model.n_parameters(); ++k) {
         const physics::Parameter& parameter = model.building().parameters[k];
         coordinates.push_back({parameter.name, parameter.unit, priors[k].prior,
-                               priors[k].values, priors[k].in, priors[k].step});
+                               priors[k].values, priors[k].in, 1, priors[k].step});
     }
     for (const MeterModel& meter : model.meters())
         coordinates.insert(coordinates.end(), meter.unknowns.begin(),

@@ -1,6 +1,7 @@
 /// Moves unknowns between their units and the real line: values, slopes, log priors with
 /// Jacobian and gradient, draws. Fixed ones have no coordinate, discrete ones an index.
-/// Follows from the transforms of `PriorDensity`.
+/// Follows from the transforms of `PriorDensity`; powers of a size between the centred and
+/// the non-centred form: Papaspiliopoulos, Roberts and Skoeld 2003 (Bayesian Statistics 7).
 /// Unknowns are independent beforehand, but for those whose size is one of them;
 /// discrete ones have no gradient.
 #include "study/space.hpp"
@@ -21,6 +22,11 @@ double level_of(const std::vector<double>& values, double x) {
         return std::abs(a - x) < std::abs(b - x);
     };
     return static_cast<double>(std::ranges::min_element(values, nearer) - values.begin());
+}
+
+/// A value over its place on the line, by its size.
+double stretch(const Coordinate& coordinate, double size) {
+    return std::pow(size, 1 - coordinate.centring);
 }
 
 }  // namespace
@@ -62,6 +68,9 @@ void Space::read(std::span<const double> position, std::span<double> values) con
         if (is_fixed(coordinates_[k])) values[k] = coordinates_[k].prior.a;
     for (std::size_t f = 0; f < free_.size(); ++f)
         values[free_[f]] = mapped(position, f).x;
+    for (const std::size_t k : free_)
+        if (const auto& in = coordinates_[k].in)
+            values[k] *= stretch(coordinates_[k], values[*in]);
     for (std::size_t k = 0; k < size(); ++k)
         if (const auto& step = coordinates_[k].step)
             values[k] = values[step->size] * step->share(values[step->moment]);
@@ -77,19 +86,27 @@ void Space::pull_back(std::span<const double> position, std::span<const double> 
             by[step->moment] +=
                 by_value[k] * values[step->size] * step->slope(values[step->moment]);
         }
+    for (const std::size_t k : free_)
+        if (const auto& in = coordinates_[k].in) {
+            const double size = values[*in];
+            by[*in] += by[k] * (1 - coordinates_[k].centring) * values[k] / size;
+            by[k] *= stretch(coordinates_[k], size);
+        }
     for (std::size_t f = 0; f < free_.size(); ++f)
         by_position[f] = by[free_[f]] * mapped(position, f).slope;
 }
 
-/// Of x, where x / size has the prior, by x and by the size. \param size  its place
+/// Of x, where x / size^centring has the prior, by x and by the size.
+/// \param size  its place
 double Space::log_prior_in(std::size_t size, std::span<const double> position,
                            std::size_t f, std::span<double> gradient) const {
     const stats::Mapped scale = mapped(position, size);
-    const double own = position[f] / scale.x;
+    const double power = coordinates_[free_[f]].centring,
+                 length = std::pow(scale.x, power), own = position[f] / length;
     const stats::LogDensity at = densities_[free_[f]].at(own);
-    gradient[f] += at.derivative / scale.x;
-    gradient[size] -= (at.derivative * own + 1) / scale.x * scale.slope;
-    return at.value - std::log(scale.x);
+    gradient[f] += at.derivative / length;
+    gradient[size] -= power * (at.derivative * own + 1) / scale.x * scale.slope;
+    return at.value - std::log(length);
 }
 
 double Space::log_prior(std::span<const double> position,
@@ -111,10 +128,15 @@ double Space::log_prior(std::span<const double> position,
 std::vector<double> Space::position_of(std::span<const double> values) const {
     std::vector<double> position;
     position.reserve(free_.size());
-    for (const std::size_t k : free_)
-        position.push_back(coordinates_[k].values.empty()
-                               ? densities_[k].transform().inverse(values[k])
-                               : level_of(coordinates_[k].values, values[k]));
+    for (const std::size_t k : free_) {
+        const Coordinate& one = coordinates_[k];
+        if (!one.values.empty())
+            position.push_back(level_of(one.values, values[k]));
+        else if (one.in)
+            position.push_back(values[k] / stretch(one, values[*one.in]));
+        else
+            position.push_back(densities_[k].transform().inverse(values[k]));
+    }
     return position;
 }
 
@@ -130,7 +152,9 @@ std::vector<double> Space::draw_position(Stream& random) const {
         }
         const double own = densities_[k].quantile_on_the_line(random.uniform());
         const auto& in = coordinate.in;
-        position.push_back(in ? own * mapped(position, place_[*in]).x : own);
+        position.push_back(
+            in ? own * std::pow(mapped(position, place_[*in]).x, coordinate.centring)
+               : own);
     }
     return position;
 }

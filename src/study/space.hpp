@@ -21,6 +21,9 @@ struct Coordinate {
     /// The prior, without ends, is of the quotient by this one, which stands before: a
     /// standard deviation that is unknown, too.
     std::optional<std::size_t> in = std::nullopt;
+    /// On the line this quotient times that power of the size: 1 is its own unit, which
+    /// suits what readings tell well, 0 the quotient, which suits what they do not tell.
+    double centring = 1;
     std::optional<StepShare> step = std::nullopt;  ///< its value; the prior is fixed
 };
 

@@ -91,13 +91,13 @@ TEST(Space, GradientsAreTheDerivatives) {
 }
 
 /// Two with a size that is unknown, too.
-Space sized_space() {
+Space sized_space(double centring = 1) {
     using stats::PriorKind;
     const double inf = std::numeric_limits<double>::infinity();
     const auto standard = made(PriorKind::normal, 0, 1, -inf, inf);
     return Space({{"size", "K", made(PriorKind::lognormal, 0, 0.7, 0, inf)},
-                  {"first", "K", standard, {}, 0},
-                  {"second", "K", standard, {}, 0}});
+                  {"first", "K", standard, {}, 0, centring},
+                  {"second", "K", standard, {}, 0, centring}});
 }
 
 TEST(Space, ThePriorIsOfTheQuotientByTheSize) {
@@ -119,18 +119,40 @@ TEST(Space, ThePriorIsOfTheQuotientByTheSize) {
     expect_derivatives(space, position, {0.2, -1, 0.7});
 }
 
+/// On the line it is the quotient times a power of the size: densities differ by the
+/// Jacobian alone.
+TEST(Space, AShareOfTheSizeIsLeftOnTheLine) {
+    const std::vector<double> values{3, 1.5, -6};
+    std::vector<double> again(3), unused(3);
+    const Space own = sized_space();
+    for (const double centring : {0.0, 0.3, 1.0}) {
+        const Space space = sized_space(centring);
+        const std::vector<double> position = space.position_of(values);
+        EXPECT_NEAR(position[1], 0.5 * std::pow(3, centring), 1e-12);
+        space.read(position, again);
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(again[k], values[k], 1e-12);
+        EXPECT_NEAR(space.log_prior(position, unused),
+                    own.log_prior(own.position_of(values), unused) +
+                        2 * (1 - centring) * std::log(3),
+                    1e-12);
+        expect_derivatives(space, position, {0.2, -1, 0.7});
+    }
+}
+
 /// 4000 draws: a mean square is missed by 5 standard errors once in 100,000, if they were
 /// normal; of the quotient, which is.
 TEST(Space, DrawsHaveTheSizeThatWasDrawn) {
-    const Space space = sized_space();
-    Stream random(7, 1, 0);
-    double sum = 0;
-    std::vector<double> values(3);
-    for (int k = 0; k < 4000; ++k) {
-        space.read(space.draw_position(random), values);
-        sum += values[1] * values[1] / (values[0] * values[0]) / 4000;
+    for (const double centring : {0.0, 0.3, 1.0}) {
+        const Space space = sized_space(centring);
+        Stream random(7, 1, 0);
+        double sum = 0;
+        std::vector<double> values(3);
+        for (int k = 0; k < 4000; ++k) {
+            space.read(space.draw_position(random), values);
+            sum += values[1] * values[1] / (values[0] * values[0]) / 4000;
+        }
+        EXPECT_NEAR(sum, 1, 5 * std::sqrt(2 / 4000.0)) << centring;
     }
-    EXPECT_NEAR(sum, 1, 5 * std::sqrt(2 / 4000.0));
 }
 
 /// A step of unknown size in three days, of which it leaves out some at the beginning.
@@ -141,7 +163,7 @@ TEST(Space, AStepBringsToADayWhatLiesBehindIt) {
     std::vector<Coordinate> all{{"size", "K", made(PriorKind::normal, 0, 1, -inf, inf)},
                                 {"day", "d", made(PriorKind::uniform, 0, 1, -2, 2)}};
     for (const double at : {-1.0, 0.0, 1.0})
-        all.push_back({"part", "K", none, {}, std::nullopt, StepShare{0, 1, at}});
+        all.push_back({"part", "K", none, {}, std::nullopt, 1, StepShare{0, 1, at}});
     const Space space(std::move(all));
     ASSERT_EQ(space.n_free(), 2U);
     std::vector<double> values(5);

@@ -1,14 +1,17 @@
 /// A fit to data that the model itself made, of unknowns drawn from their priors.
 #pragma once
 
+#include "posterior/centring.hpp"
 #include "posterior/posterior_density.hpp"
 #include "posterior/posterior_results.hpp"
 #include "sampling/normal.hpp"
 #include "study/points.hpp"
 #include "support/ranked_fit.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,13 +48,26 @@ class FitOfSimulatedData {
         parts->space = space;
         parts->arrangement =
             posterior::make_arrangement(posterior::Pooling::none, space, {});
+        posterior::centre(parts);
         const auto density = posterior::make_posterior_density(parts);
-        const Matrix draws = draws_of(*density, options_.chains.sampler,
-                                      {seed, options_.chains.n_chains, n_draws});
-        return ranked(names_of(*space), truth, draws, n_ranks);
+        Matrix draws = draws_of(*density, options_.chains.sampler,
+                                {seed, options_.chains.n_chains, n_draws});
+        for (std::size_t r = 0; r < draws.rows; ++r)
+            std::ranges::copy(values_at(*parts->space, draws.row(r)),
+                              draws.row(r).begin());
+        return ranked(names_of(*space), values_at(*space, truth), draws, n_ranks);
     }
 
   private:
+    /// Of the free ones. [n_free]
+    static std::vector<double> values_at(const study::Space& space,
+                                         std::span<const double> position) {
+        std::vector<double> all(space.size()), free;
+        space.read(position, all);
+        for (std::size_t f = 0; f < space.n_free(); ++f)
+            free.push_back(all[space.index_of(f)]);
+        return free;
+    }
     std::unique_ptr<posterior::BuildingModel> with_data(const study::Space& space,
                                                         const std::vector<double>& truth,
                                                         Stream& random) const {
