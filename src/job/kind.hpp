@@ -109,6 +109,8 @@ struct Kind {
     /// The same around a [simulator] with hours of the building's meters.
     std::string (*points_around)(const StudySpec& study,
                                  const study::Case& building) = nullptr;
+    /// The building with all that its points are of; left out: as the job has it.
+    study::Case (*case_of)(const StudySpec& study, const study::Case& building) = nullptr;
     /// What it fits of a building; left out: it fits no meter.
     std::vector<Fitted> (*fitted)(const StudySpec& study,
                                   const study::Case& building) = nullptr;

@@ -258,6 +258,14 @@ std::string points_of(const StudySpec& study, const Case& building) {
     return is_pooled(study) ? study.name : stage_name(study, building);
 }
 
+/// With the shapes that it samples.
+Case case_of(const StudySpec& study, const Case& building) {
+    std::vector<study::SampledFunction> functions;
+    return study::with_sampled_shapes(
+        building, study::period_of(building, study.as<PosteriorOptions>().period),
+        functions);
+}
+
 std::vector<Fitted> fitted(const StudySpec& study, const Case& building) {
     const auto& options = study.as<PosteriorOptions>();
     if (is_unseen(options, building)) return {};
@@ -278,6 +286,7 @@ extern const Kind posterior_kind{.word = "posterior",
                                  .cost = cost,
                                  .points_of = points_of,
                                  .points_around = stage_name,
+                                 .case_of = case_of,
                                  .fitted = fitted};
 
 }  // namespace bemcal::job

@@ -132,11 +132,16 @@ void check_names(const NamePlace& place) {
         "of", "no study above has this name; expected that of a " + kinds_with_points());
 }
 
-/// The stage whose points are taken.
-std::string stage_of(const StudyPlace& place, const study::Case& building) {
-    const StudySpec& study =
-        *std::ranges::find(place.job.studies, place.section.text("of"), &StudySpec::name);
-    return study.kind->points_of(study, building);
+/// The study whose points are taken.
+const StudySpec& study_of(const StudyPlace& place) {
+    return *std::ranges::find(place.job.studies, place.section.text("of"),
+                              &StudySpec::name);
+}
+
+/// The building that its points are of.
+study::Case case_of_points(const StudySpec& study, const study::Case& building) {
+    return study.kind->case_of == nullptr ? building
+                                          : study.kind->case_of(study, building);
 }
 
 /// The row of a schedule or series among the case's profiles.
@@ -165,7 +170,7 @@ RetrofitOptions options_of(const StudyPlace& place, const study::Case& building)
     const schema::Section& section = place.section;
     RetrofitOptions options;
     options.scenarios = read_scenarios(place.root, building);
-    options.of = stage_of(place, building);
+    options.of = study_of(place).kind->points_of(study_of(place), building);
     options.n_points = usual_points;
     read_setting(section, building, options);
     return options;
@@ -221,13 +226,20 @@ void check_simulator(const StudyPlace& place, StudySpec& study) {
 }
 
 /// Scenarios name numbers of a building, so each building has options of its own.
+struct BuildingRetrofit {
+    study::Case building;  ///< that the points are of
+    RetrofitOptions options;
+};
+
 void check(const StudyPlace& place, StudySpec& study) {
     if (place.job.simulator) return check_simulator(place, study);
-    std::vector<RetrofitOptions> options;
-    options.reserve(place.job.buildings.size());
-    for (const study::Case& building : place.job.buildings)
-        options.push_back(options_of(place, building));
-    study.options = std::move(options);
+    std::vector<BuildingRetrofit> retrofits;
+    retrofits.reserve(place.job.buildings.size());
+    for (const study::Case& building : place.job.buildings) {
+        const study::Case own = case_of_points(study_of(place), building);
+        retrofits.push_back({own, options_of(place, own)});
+    }
+    study.options = std::move(retrofits);
 }
 
 Stages stages(const StudySpec& study, const Job& job) {
@@ -237,10 +249,11 @@ Stages stages(const StudySpec& study, const Job& job) {
             stage_name(study, building), building, job.hourly_simulator,
             period_of(building, study.period), study.as<SimulatorRetrofitOptions>()));
     }
-    auto options = study.as<std::vector<RetrofitOptions>>().begin();
-    return for_each_building(study, job, [&](std::string name, const auto& building) {
+    auto next = study.as<std::vector<BuildingRetrofit>>().begin();
+    return for_each_building(study, job, [&](std::string name, const auto&) {
+        const auto& [building, options] = *next++;
         return retrofit::make_retrofit(std::move(name), building,
-                                       period_of(building, study.period), *options++);
+                                       period_of(building, study.period), options);
     });
 }
 

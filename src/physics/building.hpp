@@ -296,6 +296,8 @@ struct Coefficient {
     std::string unit;
     double least = 0, most = 1;  ///< within which it can be simulated
     std::vector<Target> targets;
+    /// The effect that it is a part of, by index: it is scaled as that one is.
+    std::optional<std::size_t> part_of = std::nullopt;
 };
 
 /// A number that the building's structure has elsewhere: what leads to the one place

@@ -120,6 +120,7 @@ class DirectPosterior : public Posterior {
         add_moves(moves_of(reported_, values), datasets);
         summaries[0].points = points_of(values, of_all());
         add_functions(functions_, summaries[0].points, datasets);
+        add_steps(draws.positions, summaries[0].points);
         for (std::size_t b = 0; b < n_apart(); ++b) {
             study::Summary own;
             own.study = summaries[0].study;
@@ -174,6 +175,24 @@ class DirectPosterior : public Posterior {
             for (std::size_t c = 0; c < columns.size(); ++c)
                 points.rows(r, c) = values(r, columns[c]);
         return points;
+    }
+    /// And what follows from draws of a step's moment: its share of each day.
+    void add_steps(const Matrix& positions, study::FoundPoints& points) const {
+        const study::Space& space = *parts_->space;
+        std::vector<std::size_t> days;
+        for (std::size_t k = 0; k < space.size(); ++k)
+            if (space.coordinates()[k].step) days.push_back(k);
+        if (days.empty()) return;
+        Matrix rows(positions.rows, points.rows.cols + days.size());
+        std::vector<double> all(space.size());
+        for (std::size_t r = 0; r < rows.rows; ++r) {
+            space.read(positions.row(r), all);
+            const auto to = std::ranges::copy(points.rows.row(r), rows.row(r).begin()).out;
+            std::ranges::transform(days, to, [&](std::size_t k) { return all[k]; });
+        }
+        for (const std::size_t k : days)
+            points.parameters.push_back(space.coordinates()[k].name);
+        points.rows = std::move(rows);
     }
 
     std::shared_ptr<const PosteriorParts> parts_;

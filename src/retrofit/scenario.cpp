@@ -1,5 +1,6 @@
 /// Applies a retrofit's changes to the numbers of a point: set, multiply, shift, or add a
-/// layer to a U-value, 1 / (1 / U + R). Says which number leaves its range.
+/// layer to a U-value, 1 / (1 / U + R). Parts of an effect, which a posterior has sampled,
+/// are scaled as it is. Says which number leaves its range.
 /// Source: ISO 6946, resistances in series.
 /// Numbers that links or layers set are refused before, by `read_scenarios`.
 #include "retrofit/scenario.hpp"
@@ -34,6 +35,18 @@ ScenarioNumbers::ScenarioNumbers(const study::Case& building,
     for (const Scenario& scenario : scenarios)
         for (const ScenarioChange& change : scenario.changes)
             for (const Target& target : change.targets) add(target);
+    find_parts();
+}
+
+void ScenarioNumbers::find_parts() {
+    const auto& effects = building_.effects;
+    for (const physics::Coefficient& part : effects)
+        if (part.part_of)
+            parts_.push_back({number_of(part.targets.at(0)),
+                              number_of(effects[*part.part_of].targets.at(0))});
+    std::erase_if(parts_, [&](const Part& part) {
+        return std::max(part.number, part.of) >= numbers_.size();
+    });
 }
 
 void ScenarioNumbers::add(const Target& target) {
@@ -66,8 +79,12 @@ std::vector<double> ScenarioNumbers::after(std::vector<double> numbers,
                                            const Scenario& scenario) const {
     for (const ScenarioChange& change : scenario.changes)
         for (const Target& target : change.targets) {
-            double& number = numbers[number_of(target)];
-            number = changed(number, change.by, change.amount);
+            const std::size_t k = number_of(target);
+            const double before = numbers[k];
+            numbers[k] = changed(before, change.by, change.amount);
+            for (const Part& part : parts_)
+                if (part.of == k && before != 0)
+                    numbers[part.number] *= numbers[k] / before;
         }
     return numbers;
 }

@@ -50,11 +50,17 @@ class ScenarioNumbers {
     std::string complaint(std::span<const double> numbers) const;
 
   private:
+    /// Numbers of an effect, and of one that it is a part of.
+    struct Part {
+        std::size_t number, of;
+    };
     void add(const physics::Target& target);
     std::size_t number_of(const physics::Target& target) const;
+    void find_parts();
 
     physics::Building building_;
     std::vector<physics::Parameter> parameters_, numbers_;
+    std::vector<Part> parts_;
 };
 
 /// The building with another plant, where the scenario has one.

@@ -1,8 +1,7 @@
 /// Lets a posterior sample the shape of effects: each column of a function's basis, and
 /// each day on which a step may begin, enters as an effect of its own behind the others,
 /// with a parameter for its coefficient.
-/// Source: Papaspiliopoulos, Roberts and Skoeld 2007 (Stat. Sci. 22): coefficients are
-/// sampled as they are, not in units of their size, since readings tell them well. Left
+/// Source: hierarchical normal coefficients (Gelman et al., Bayesian Data Analysis). Left
 /// out: a function's mean over training, which its effect's coefficient or another
 /// parameter has.
 #include "study/sampled_shapes.hpp"
@@ -195,9 +194,11 @@ void sample(const SampledFunction& function, const Shapes::Function& shape,
                        {},
                        shape.spread},
                       {stats::lognormal_prior(shape.spread, sd_log_size), {}}, building);
-    for (std::size_t c = 0; c < function.columns.cols; ++c)
-        add_parameter(led_to(building.building.effects.at(shape.first + c), 0),
-                      {stats::normal_prior(0, 1), {}, size}, building);
+    for (std::size_t c = 0; c < function.columns.cols; ++c) {
+        physics::Coefficient& column = building.building.effects.at(shape.first + c);
+        column.part_of = shape.parent;
+        add_parameter(led_to(column, 0), {stats::normal_prior(0, 1), {}, size}, building);
+    }
 }
 
 /// The parameter that has the coefficient of a step; one that is fixed where none has.
@@ -228,8 +229,9 @@ void sample(const Shapes::Day& day, Case& building) {
         {stats::uniform_prior(-reach, reach), {}}, building);
     for (int d = -day.within; d < day.within; ++d) {
         const StepShare step{size, moment, static_cast<double>(d)};
-        const auto& part = building.building.effects.at(
+        auto& part = building.building.effects.at(
             day.first + static_cast<std::size_t>(d + day.within));
+        part.part_of = day.parent;
         add_parameter(led_to(part, coefficient * step.share(0)),
                       {stats::fixed_prior(0), {}, std::nullopt, step}, building);
     }

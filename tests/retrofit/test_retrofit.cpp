@@ -1,5 +1,7 @@
 #include "retrofit/retrofit.hpp"
+#include "job/small_office.hpp"
 #include "study/find.hpp"
+#include "study/sampled_shapes.hpp"
 #include "study/small_case.hpp"
 
 #include <algorithm>
@@ -150,6 +152,64 @@ TEST(Retrofit, AScenarioWithoutChangesSavesExactlyNothing) {
         EXPECT_EQ(saved, 0);
     for (const double saved : test::find(results, "saving_share_quantile").values)
         EXPECT_EQ(saved, 0);
+}
+
+/// Of the first point, before and after half of an effect.
+std::vector<double> halved(const Case& building, const std::string& effect,
+                           const std::vector<Summary>& found) {
+    const retrofit::Scenario half{
+        "half", {change(building, effect.c_str(), retrofit::ChangeBy::factor, 0.5)}, {}};
+    const auto results = results_of(building, options_of({half}), found);
+    std::vector<double> both;
+    for (const char* name : {"before", "after"}) {
+        const auto& values = test::find(results, name).values;
+        both.insert(both.end(), values.begin(), values.begin() + n_outputs);
+    }
+    return both;
+}
+
+void expect_alike(const std::vector<double>& found, const std::vector<double>& expected) {
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t k = 0; k < found.size(); ++k)
+        EXPECT_NEAR(found[k], expected[k], 1e-9 * (1 + expected[k])) << k;
+    EXPECT_GT(std::abs(expected[cooling] - expected[n_outputs + cooling]), 1);
+}
+
+/// Names of parameters that stay are of no point.
+const std::vector<Summary> as_described{points({"none"}, {{0}})};
+
+/// A draw's function, and half of it, are those that are declared so.
+TEST(Retrofit, AFunctionThatWasSampledIsScaledAsAWhole) {
+    const auto office = [](const std::vector<double>& values, double spread) {
+        return job::small_office_with(job::effect_that_follows("gains", values, spread));
+    };
+    std::vector<double> values{1, 0, 2, 1};
+    const Case made = office(values, 0.5);
+    std::vector<SampledFunction> functions;
+    const Case sampled = with_sampled_shapes(made, made.periods.at(0), functions);
+    const std::string name = functions.at(0).name;
+    for (std::size_t p = 0; p < values.size(); ++p)
+        values[p] += 1.5 * functions[0].columns(p, 0) - 0.5 * functions[0].columns(p, 1);
+    expect_alike(
+        halved(sampled, "effect.use", {points({name + " 1", name + " 2"}, {{1.5, -0.5}})}),
+        halved(office(values, 0), "effect.use", as_described));
+}
+
+/// A step that began two days after the one declared brings nothing on them.
+TEST(Retrofit, AStepWhoseDayWasSampledIsScaledAsAWhole) {
+    const auto office = [](const char* since, const char* within) {
+        return job::small_office_with(fmt::format(
+            "[[effect]]\nname = \"tenant\"\nhook = \"gains\"\ndriver = \"time "
+            "elapsed\"\nsince = \"{}\"\ncoefficient = 8\n{}",
+            since, within));
+    };
+    const Case made = office("2021-01-12", "since_within = 2\n");
+    std::vector<SampledFunction> functions;
+    const Case sampled = with_sampled_shapes(made, made.periods.at(0), functions);
+    expect_alike(
+        halved(sampled, "effect.tenant",
+               {points({"tenant: day 0", "tenant: day 1"}, {{0, 0}})}),
+        halved(office("2021-01-14", ""), "effect.tenant", as_described));
 }
 
 TEST(Retrofit, AHeatPumpMovesHeatingToAnotherMeter) {
