@@ -36,9 +36,10 @@ Matrix moved_by_sizes(const Space& space) {
     Matrix positions(space.n_free() + 1, space.n_free());
     for (std::size_t r = 0; r <= space.n_free(); ++r) {
         std::vector<double> values = middle;
-        if (r > 0)
-            if (const std::size_t k = space.index_of(r - 1); space.coordinates()[k].in)
-                values[k] += middle[*space.coordinates()[k].in];
+        if (r > 0) {
+            const std::size_t k = space.index_of(r - 1);
+            if (const auto& size = space.coordinates()[k].in) values[k] += middle[*size];
+        }
         std::ranges::copy(space.position_of(values), positions.row(r).begin());
     }
     return positions;

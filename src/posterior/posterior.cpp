@@ -187,7 +187,8 @@ class DirectPosterior : public Posterior {
         std::vector<double> all(space.size());
         for (std::size_t r = 0; r < rows.rows; ++r) {
             space.read(positions.row(r), all);
-            const auto to = std::ranges::copy(points.rows.row(r), rows.row(r).begin()).out;
+            const auto to =
+                std::ranges::copy(points.rows.row(r), rows.row(r).begin()).out;
             std::ranges::transform(days, to, [&](std::size_t k) { return all[k]; });
         }
         for (const std::size_t k : days)

@@ -1,8 +1,8 @@
 /// Applies a retrofit's changes to the numbers of a point: set, multiply, shift, or add a
-/// layer to a U-value, 1 / (1 / U + R). Parts of an effect, which a posterior has sampled,
-/// are scaled as it is. Says which number leaves its range.
-/// Source: ISO 6946, resistances in series.
-/// Numbers that links or layers set are refused before, by `read_scenarios`.
+/// layer to a U-value, 1 / (1 / U + R). Parts of an effect, which a posterior has
+/// sampled, are scaled as it is. Says which number leaves its range. Source: ISO 6946,
+/// resistances in series. Numbers that links or layers set are refused before, by
+/// `read_scenarios`.
 #include "retrofit/scenario.hpp"
 
 #include <algorithm>

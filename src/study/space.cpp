@@ -1,9 +1,9 @@
 /// Moves unknowns between their units and the real line: values, slopes, log priors with
 /// Jacobian and gradient, draws. Fixed ones have no coordinate, discrete ones an index.
-/// Follows from the transforms of `PriorDensity`; powers of a size between the centred and
-/// the non-centred form: Papaspiliopoulos, Roberts and Skoeld 2003 (Bayesian Statistics 7).
-/// Unknowns are independent beforehand, but for those whose size is one of them;
-/// discrete ones have no gradient.
+/// Follows from the transforms of `PriorDensity`; powers of a size between the centred
+/// and the non-centred form: Papaspiliopoulos, Roberts and Skoeld 2003 (Bayesian
+/// Statistics 7). Unknowns are independent beforehand, but for those whose size is one of
+/// them; discrete ones have no gradient.
 #include "study/space.hpp"
 
 #include <algorithm>

@@ -15,8 +15,8 @@ namespace {
 /// The office of the sample job with a function at its gains that is sampled.
 std::shared_ptr<PosteriorParts> parts_with(double reading_weight, double spread = 0.5) {
     std::vector<study::SampledFunction> functions;
-    study::Case made = job::small_office_with(
-        job::effect_that_follows("gains", {1, 0, 2, 1}, spread));
+    study::Case made =
+        job::small_office_with(job::effect_that_follows("gains", {1, 0, 2, 1}, spread));
     const study::Period period = made.periods.at(0);
     made = study::with_sampled_shapes(std::move(made), period, functions);
     auto parts = std::make_shared<PosteriorParts>();
@@ -73,8 +73,8 @@ TEST(Centring, TheDensityOfValuesStays) {
     double jacobian = 0;
     for (std::size_t k = 0; k < space.size(); ++k)
         if (const auto& in = space.coordinates()[k].in)
-            jacobian += (1 - centred->space->coordinates()[k].centring) *
-                        std::log(middle[*in]);
+            jacobian +=
+                (1 - centred->space->coordinates()[k].centring) * std::log(middle[*in]);
     const auto density = [&](const auto& parts) {
         const std::vector<double> position = parts->space->position_of(middle);
         Matrix points(1, position.size());

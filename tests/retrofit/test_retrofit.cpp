@@ -1,5 +1,5 @@
-#include "retrofit/retrofit.hpp"
 #include "job/small_office.hpp"
+#include "retrofit/retrofit.hpp"
 #include "study/find.hpp"
 #include "study/sampled_shapes.hpp"
 #include "study/small_case.hpp"
@@ -190,9 +190,9 @@ TEST(Retrofit, AFunctionThatWasSampledIsScaledAsAWhole) {
     const std::string name = functions.at(0).name;
     for (std::size_t p = 0; p < values.size(); ++p)
         values[p] += 1.5 * functions[0].columns(p, 0) - 0.5 * functions[0].columns(p, 1);
-    expect_alike(
-        halved(sampled, "effect.use", {points({name + " 1", name + " 2"}, {{1.5, -0.5}})}),
-        halved(office(values, 0), "effect.use", as_described));
+    expect_alike(halved(sampled, "effect.use",
+                        {points({name + " 1", name + " 2"}, {{1.5, -0.5}})}),
+                 halved(office(values, 0), "effect.use", as_described));
 }
 
 /// A step that began two days after the one declared brings nothing on them.
@@ -206,10 +206,9 @@ TEST(Retrofit, AStepWhoseDayWasSampledIsScaledAsAWhole) {
     const Case made = office("2021-01-12", "since_within = 2\n");
     std::vector<SampledFunction> functions;
     const Case sampled = with_sampled_shapes(made, made.periods.at(0), functions);
-    expect_alike(
-        halved(sampled, "effect.tenant",
-               {points({"tenant: day 0", "tenant: day 1"}, {{0, 0}})}),
-        halved(office("2021-01-14", ""), "effect.tenant", as_described));
+    expect_alike(halved(sampled, "effect.tenant",
+                        {points({"tenant: day 0", "tenant: day 1"}, {{0, 0}})}),
+                 halved(office("2021-01-14", ""), "effect.tenant", as_described));
 }
 
 TEST(Retrofit, AHeatPumpMovesHeatingToAnotherMeter) {
