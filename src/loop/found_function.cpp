@@ -18,7 +18,9 @@ std::vector<double> FoundFunction::values() const {
 }
 
 double FoundFunction::spread() const {
-    if (basis.points.kind == functions::Points::Kind::one || deviations.empty()) return 0;
+    if (basis.points.kind == functions::Points::Kind::one || deviations.empty() ||
+        !effects::adds_up(at.hook))
+        return 0;
     double sum = 0;
     for (const double deviation : deviations) sum += deviation * deviation;
     return at.typical * std::sqrt(sum / static_cast<double>(deviations.size()));

@@ -23,8 +23,8 @@ struct FoundFunction {
 
     /// Its value where its drivers are at each of the basis' points. [the hook's unit]
     std::vector<double> values() const;
-    /// Root mean square of their standard deviations; 0 of the constant, which has no
-    /// shape. [the hook's unit]
+    /// Root mean square of their standard deviations; 0 where no posterior can sample
+    /// them: of the constant, and where effects do not add up. [the hook's unit]
     double spread() const;
 };
 

@@ -5,6 +5,7 @@
 #include "loop/job_parts.hpp"
 
 #include "effects/job_section.hpp"
+#include "effects/placement.hpp"
 
 #include <algorithm>
 
@@ -35,7 +36,8 @@ bool is_of_job(const LoopData& data, const physics::Parameter& parameter) {
                              &physics::Parameter::name) != data.building.parameters.end();
 }
 
-/// Parameters of the place that the job has not, and the effects of its structure.
+/// Parameters of the place that the job has not, and the effects of its structure; none
+/// that does nothing here, as a job could not say it.
 void add_structure(const LoopData& data, const Place& place, const Standing& last,
                    const std::vector<double>& deviations, Parts& parts) {
     const auto belief = [&](std::size_t k) {
@@ -49,10 +51,12 @@ void add_structure(const LoopData& data, const Place& place, const Standing& las
                              effects::parameter_section_of(
                                  parameter.name, paths_of(place, parameter), belief(k))});
     }
-    for (std::size_t k = 0; k < place.always.size(); ++k)
-        parts.push_back(
-            {"structure", effects::job_section_of(place.always[k].effect, belief(n + k),
-                                                  data.training().from)});
+    for (std::size_t k = 0; k < place.always.size(); ++k) {
+        const effects::Effect& effect = place.always[k].effect;
+        if (effects::objection(effect, *place.surroundings)) continue;
+        parts.push_back({"structure", effects::job_section_of(effect, belief(n + k),
+                                                              data.training().from)});
+    }
 }
 
 }  // namespace

@@ -1,0 +1,61 @@
+/// Sections of a job that carry on a model's structure and functions.
+#include "loop/baseline.hpp"
+#include "loop/job_parts.hpp"
+#include "loop/windy_model.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+namespace bemcal::loop {
+namespace {
+
+/// The model with rooms that reach their set-point late, which have hours or not.
+std::vector<StoredLoop::JobPart> parts_of_slow_start(bool cooling_has_hours) {
+    study::Case measured = test::WindyModel::measured();
+    physics::Thermostat& control = measured.building.zones[0].thermostat;
+    control.heating_set_point = {20, 15, 0};
+    control.cooling_set_point = {25, 30, cooling_has_hours ? 0 : -1};
+    const LoopData data(measured, test::WindyModel::options());
+    const auto& all = effects::refinements();
+    const auto slow =
+        static_cast<std::size_t>(std::ranges::find(all, std::string_view("slow start"),
+                                                   &effects::Refinement::name) -
+                                 all.begin());
+    const Place place = make_place(data, {slow}, data.drive);
+    const std::size_t n = place.unknowns.size() + place.always.size();
+    const Standing standing =
+        calibrate(data, place, {{slow}, {}}, std::vector<double>(n));
+    return job_parts_of(data, place, standing, std::vector<double>(n, 0.1), {}, {});
+}
+
+bool has(const std::vector<StoredLoop::JobPart>& parts, const char* words) {
+    return std::ranges::any_of(parts, [&](const auto& part) {
+        return part.section.find(words) != std::string::npos;
+    });
+}
+
+TEST(JobParts, AnEffectOfTheStructureThatDoesNothingHereIsLeftOut) {
+    for (const bool cooling_has_hours : {true, false}) {
+        const auto parts = parts_of_slow_start(cooling_has_hours);
+        EXPECT_TRUE(has(parts, "heating set-point in the first hour"));
+        EXPECT_EQ(has(parts, "cooling set-point in the first hour"), cooling_has_hours);
+    }
+}
+
+/// A job takes a spread only where effects add up.
+TEST(JobParts, AFunctionHasASpreadWhereEffectsAddUp) {
+    for (const auto& [hook, has_spread] :
+         {std::pair{effects::Hook::gains, true}, {effects::Hook::loads, false}}) {
+        FoundFunction function;
+        function.at = test::gains_of_the_morning();
+        function.at.hook = hook;
+        function.at.typical = 2;
+        function.deviations = {0.3, 0.3};
+        function.basis.points.kind = functions::Points::Kind::knots;
+        EXPECT_EQ(function.spread() > 0, has_spread);
+    }
+}
+
+}  // namespace
+}  // namespace bemcal::loop
