@@ -129,7 +129,7 @@ class Writer {
             for (std::size_t k = 0; k < standings[m]->built.first_effect(); ++k) {
                 const std::size_t at = index.at(own[k].name);
                 loop_.parameter_value.set({m, at},
-                                          own[k].value(standings[m]->fit.at.x[k]));
+                                          own[k].within(standings[m]->fit.at.x[k]));
                 loop_.parameter_sd.set({m, at}, sds[k]);
             }
         }

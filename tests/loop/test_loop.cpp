@@ -213,6 +213,9 @@ TEST(Loop, SaysWhichParametersEndAtTheEndOfTheirRange) {
     physics::Parameter& parameter = made.parameters[0];
     parameter.most = made.priors[0].prior.most = 0.9 * parameter.nominal;
     made.priors[0].prior.a = 0.8 * parameter.nominal;
-    const std::string said = end_stated_of(name, searched(made));
+    const auto found = searched(made);
+    const std::string said = end_stated_of(name, found);
     EXPECT_NE(said.find("at the upper end of its range"), std::string::npos) << said;
+    // A job takes the stored value: no rounding leads out of the range.
+    EXPECT_EQ(test::find(found, "parameter_value").values[0], parameter.most);
 }
