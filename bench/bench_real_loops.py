@@ -12,7 +12,8 @@ the reference; a temperature's RMSE with plain's. Before that the effects found,
 that a job took on two ranks. At the end, over series (a meter's or a room's held-out hours, all of
 them): in how many the hourly error fell or rose from plain to after, is higher than before by over
 1 % and two standard errors (of a bootstrap of fortnights), and lies at or near the regression's; and
-the median of after over the regression. Needs the readings in ../shared.
+the median of after over the regression; and the share of held-out hours and months within the 90 % intervals of after,
+as a mean over series and periods. Needs the readings in ../shared.
 
 jobs/cambridge_loops is a stock, which keeps errors only: here its template is filled in, and its
 buildings, and those of ../shared/meters, are run as those of another job.
@@ -166,6 +167,22 @@ def worse_of(result):
             if is_worse(squares_of(loop, channel))]
 
 
+def coverage_of(result):
+    """[(resolution, percent of held-out readings within the 90 % interval of `after`)], of each series and period."""
+    with h5py.File(result) as file:
+        loops = [stored.loop_in(file, path) for path in studies.of_kind(file, "loop")]
+    return [(fit.resolution, fit.within) for loop in loops for fit in loop.errors()
+            if fit.period != loop.periods[0] and math.isfinite(fit.within)]
+
+
+def print_coverage(shares):
+    for resolution in ("hourly", "monthly"):
+        of_resolution = [share for of, share in shares if of == resolution]
+        if of_resolution:
+            mean = statistics.mean(of_resolution)
+            print(f"real_series_{resolution}_coverage {mean:.1f} %_of_{len(of_resolution)} 90 {mean / 90:.3f}")
+
+
 def print_counts(series, worse=()):
     change = [of["after"] / of["plain"] - 1 for of in series]
     ratio = [of["after"] / of["regression"] for of in series if "regression" in of]
@@ -207,7 +224,7 @@ def main():
     if not DATA.exists():
         print(f"skipped: no readings in {DATA}")
         return
-    hourly, monthly, worse = [], [], []
+    hourly, monthly, worse, within = [], [], [], []
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         for job in jobs_in(folder, sys.argv[1:]):
@@ -221,8 +238,10 @@ def main():
             hourly += of_all_held_out(errors)
             monthly += of_all_held_out(errors, 2)
             worse += worse_of(result)
+            within += coverage_of(result)
     print_counts(hourly, worse)
     print_medians(hourly, monthly)
+    print_coverage(within)
 
 
 if __name__ == "__main__":
