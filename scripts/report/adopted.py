@@ -124,6 +124,10 @@ def believe_as_before(loop, row):
         row["prior"].update({"mean": before.mean, "sd": before.sd})
 
 
+def parameter_in(section):
+    return str(tomlkit.parse(section)["parameter"][0]["name"])
+
+
 def adopt_structure(loop, job, keeps_priors):
     """The refinements by name, their numbers as parameters, their effects."""
     names = [refinement.name for refinement in loop.refinements]
@@ -133,7 +137,7 @@ def adopt_structure(loop, job, keeps_priors):
     job["structure"] = names
     job["structure"].comment("chosen by the loop")
     for part in loop.job_parts:
-        if part.of == "structure":
+        if part.of == "structure" and parameter_in(part.section) not in own:   # else its value is set
             adopt_sections(part.section, "of the structure that the loop chose", job)
     for row in job["parameter"] if keeps_priors else []:
         if str(row["name"]) not in own:
@@ -163,10 +167,12 @@ def adopt_parameters(loop, job, keeps_priors):
 
 
 def adopt(loop, job, keeps_priors=False):
-    """Changes the job. What was adopted and what was left out, a line each."""
+    """Changes the job. What was adopted and what was left out, a line each. Functions stand first among the effects, as
+    they did in the loop: where effects do not add up, each acts on what stands before it."""
     check_same(loop, job)
+    functions = adopt_functions(loop, job)
     lines = [adopt_parameters(loop, job, keeps_priors)]
     lines += adopt_structure(loop, job, keeps_priors)
     lines += [adopt_hours(part.section, job) for part in loop.job_parts if part.of == "hours"]
     lines += [adopt_effect(loop, effect, job) for effect in loop.effects if effect.section]
-    return lines + adopt_functions(loop, job) + left_out(loop)
+    return lines + functions + left_out(loop)

@@ -31,13 +31,31 @@ std::vector<std::string> paths_of(const Place& place,
     return paths;
 }
 
+std::string_view name_of(const effects::Refinement::Number& number) {
+    return number.name;
+}
+std::string_view name_of(const effects::Refinement::Always& always) {
+    return always.effect.name;
+}
+
 bool is_of_job(const LoopData& data, const physics::Parameter& parameter) {
     return std::ranges::find(data.building.parameters, parameter.name,
                              &physics::Parameter::name) != data.building.parameters.end();
 }
 
-/// Parameters of the place that the job has not, and the effects of its structure; none
-/// that does nothing here, as a job could not say it.
+/// What a described structure has of that name: a number, or an effect.
+template <class Part>
+const Part* found_in(const study::Case& building,
+                     std::vector<Part> effects::Refinement::* parts,
+                     std::string_view name) {
+    for (const std::size_t index : building.structure)
+        for (const Part& part : effects::refinements()[index].*parts)
+            if (name_of(part) == name) return &part;
+    return nullptr;
+}
+
+/// Parameters of the place that the job has not in its lists, and the effects of its
+/// structure; none that does nothing here, as a job could not say it.
 void add_structure(const LoopData& data, const Place& place, const Standing& last,
                    const std::vector<double>& deviations, Parts& parts) {
     const auto belief = [&](std::size_t k) {
@@ -46,7 +64,12 @@ void add_structure(const LoopData& data, const Place& place, const Standing& las
     const std::size_t n = place.parameters.size();
     for (std::size_t k = 0; k < n; ++k) {
         const physics::Parameter& parameter = place.parameters[k];
-        if (!is_of_job(data, parameter))
+        if (const auto* own =
+                found_in(data.building, &effects::Refinement::effects, parameter.name))
+            parts.push_back({"structure", effects::job_section_of(own->effect, belief(k),
+                                                                  data.training().from)});
+        else if (!is_of_job(data, parameter) ||
+                 found_in(data.building, &effects::Refinement::numbers, parameter.name))
             parts.push_back({"structure",
                              effects::parameter_section_of(
                                  parameter.name, paths_of(place, parameter), belief(k))});

@@ -1,4 +1,5 @@
 /// Sections of a job that carry on a model's structure and functions.
+#include "job/small_office.hpp"
 #include "loop/baseline.hpp"
 #include "loop/job_parts.hpp"
 #include "loop/windy_model.hpp"
@@ -41,6 +42,26 @@ TEST(JobParts, AnEffectOfTheStructureThatDoesNothingHereIsLeftOut) {
         EXPECT_TRUE(has(parts, "heating set-point in the first hour"));
         EXPECT_EQ(has(parts, "cooling set-point in the first hour"), cooling_has_hours);
     }
+}
+
+/// Its numbers and effects are parameters of the building, and of no list of the job.
+TEST(JobParts, AStructureThatTheJobNamesIsWrittenAsWell) {
+    const job::Folder folder;
+    const std::string text =
+        "structure = [\"slow start\", \"surfaces\"]\n" + job::small_office_text();
+    const study::Case office =
+        job::read_job(job::write_small_office(folder, text)).buildings.at(0);
+    const LoopData data(office, test::WindyModel::options());
+    const Place place = make_place(data, {}, data.drive);
+    const std::size_t n = place.unknowns.size() + place.always.size();
+    const Standing standing = calibrate(data, place, {}, std::vector<double>(n));
+    const auto parts =
+        job_parts_of(data, place, standing, std::vector<double>(n, 0.1), {}, {});
+    for (const char* name : {"[[effect]]\nname = \"heating set-point in the first hour\"",
+                             "[[parameter]]\nname = \"surface_area_ratio\""})
+        EXPECT_TRUE(has(parts, name)) << name;
+    for (const char* name : {"\"infiltration\"", "\"heating_set_point\""})
+        EXPECT_FALSE(has(parts, name)) << name;
 }
 
 /// A job takes a spread only where effects add up.
