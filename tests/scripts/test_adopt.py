@@ -132,15 +132,15 @@ class Adopt(unittest.TestCase):
         self.assertNotIn("effect", job)
         self.assertIn('name = "plant"    # by hand', self.new.read_text())
 
-    def test_structure_and_functions_are_sections_with_the_structure_before_what_was_found(self):
+    def test_structure_and_functions_are_sections_with_functions_before_all_effects(self):
         write_result(self.result, [BY_WIND], parts=[("structure", OF_STRUCTURE), ("functions", FUNCTIONS)])
         printed = self.adopt("--keep-priors")
         job = tomllib.loads(self.new.read_text())
         self.assertEqual(job["structure"], ["surfaces", "wind in leaks"])
         self.assertLess(self.new.read_text().index("structure = "), self.new.read_text().index("[[schedule]]"))
         self.assertEqual([row["name"] for row in job["effect"]],
-                         ["share by wind", "wind infiltration", "functions at gains"])
-        self.assertEqual(job["effect"][2]["function"][0]["values"], [1, 2])
+                         ["functions at gains", "share by wind", "wind infiltration"])
+        self.assertEqual(job["effect"][0]["function"][0]["values"], [1, 2])
         # Of a parameter of the structure its prior, not what these readings have made of it.
         other = next(row for row in job["parameter"] if row["name"] == "other_0")
         loop = result.read(self.result)
@@ -149,6 +149,15 @@ class Adopt(unittest.TestCase):
         self.assertEqual(other["value"], 2.25)
         self.assertIn("structure: surfaces + wind in leaks", printed)
         self.assertIn("functions at gains: without a name, as values at points", printed)
+
+    def test_numbers_of_a_structure_that_the_job_has_already_keep_their_sections(self):
+        write_result(self.result, [], parts=[("structure", OF_STRUCTURE)])
+        self.job.write_text(JOB + OF_STRUCTURE)
+        self.adopt("--keep-priors")
+        job = tomllib.loads(self.new.read_text())
+        self.assertEqual([row["name"] for row in job["effect"]], ["share by wind"])
+        other, = (row for row in job["parameter"] if row["name"] == "other_0")
+        self.assertEqual(other["value"], result.read(self.result).value_of(result.AFTER, 1))
 
     def test_hours_that_were_learned_stand_in_place_of_learn(self):
         self.job.write_text(JOB.replace("weekdays = [0, 1]\nsaturday = 0\n", 'hours = "learn"\nuse = "office"\n'))
