@@ -1,7 +1,8 @@
 /// Writes the parts of a model as sections of a job, with the values at which it was
 /// calibrated.
 /// Follows from effects/job_section, which has the lines. The effects found are not here:
-/// each has its own section, with what speaks for it.
+/// each has its own section, with what speaks for it. Functions come first, as in the
+/// model: where effects do not add up, each acts on what stands before it.
 #include "loop/job_parts.hpp"
 
 #include "effects/job_section.hpp"
@@ -89,12 +90,12 @@ Parts job_parts_of(const LoopData& data, const Place& place, const Standing& las
                    const std::vector<LearnedHours>& hours,
                    const std::vector<FoundFunction>& functions) {
     Parts parts;
+    for (const FunctionsAtHook& one : by_hook(functions))
+        parts.push_back({"functions", effects::job_section_of(one.at, one.functions)});
     add_structure(data, place, last, deviations, parts);
     for (const LearnedHours& learned : hours)
         parts.push_back(
             {"hours", effects::schedule_section_of(learned.name, learned.hours())});
-    for (const FunctionsAtHook& one : by_hook(functions))
-        parts.push_back({"functions", effects::job_section_of(one.at, one.functions)});
     std::erase_if(parts, [](const auto& part) { return part.section.empty(); });
     return parts;
 }

@@ -12,7 +12,8 @@ namespace bemcal::loop {
 namespace {
 
 /// The model with rooms that reach their set-point late, which have hours or not.
-std::vector<StoredLoop::JobPart> parts_of_slow_start(bool cooling_has_hours) {
+std::vector<StoredLoop::JobPart> parts_of_slow_start(
+    bool cooling_has_hours, const std::vector<FoundFunction>& functions = {}) {
     study::Case measured = test::WindyModel::measured();
     physics::Thermostat& control = measured.building.zones[0].thermostat;
     control.heating_set_point = {20, 15, 0};
@@ -27,7 +28,8 @@ std::vector<StoredLoop::JobPart> parts_of_slow_start(bool cooling_has_hours) {
     const std::size_t n = place.unknowns.size() + place.always.size();
     const Standing standing =
         calibrate(data, place, {{slow}, {}}, std::vector<double>(n));
-    return job_parts_of(data, place, standing, std::vector<double>(n, 0.1), {}, {});
+    return job_parts_of(data, place, standing, std::vector<double>(n, 0.1), {},
+                        functions);
 }
 
 bool has(const std::vector<StoredLoop::JobPart>& parts, const char* words) {
@@ -42,6 +44,18 @@ TEST(JobParts, AnEffectOfTheStructureThatDoesNothingHereIsLeftOut) {
         EXPECT_TRUE(has(parts, "heating set-point in the first hour"));
         EXPECT_EQ(has(parts, "cooling set-point in the first hour"), cooling_has_hours);
     }
+}
+
+TEST(JobParts, FunctionsComeFirst) {
+    FoundFunction constant;
+    constant.at = test::gains_of_the_morning();
+    constant.basis.driver = "one";
+    constant.basis.at_points = Matrix(1, 1, 1.0);
+    constant.mean = {0.5};
+    const auto parts = parts_of_slow_start(true, {constant});
+    ASSERT_EQ(parts.size(), 3U);
+    EXPECT_STREQ(parts[0].of.c_str(), "functions");
+    EXPECT_STREQ(parts[1].of.c_str(), "structure");
 }
 
 /// Its numbers and effects are parameters of the building, and of no list of the job.
