@@ -62,25 +62,25 @@ void add_structure(const LoopData& data, const Place& place, const Standing& las
     const auto belief = [&](std::size_t k) {
         return belief_of(last.built.unknowns[k], last.fit.at.x[k], deviations[k]);
     };
+    const auto add_effect = [&](const effects::Effect& effect, std::size_t k) {
+        if (!effects::objection(effect, *place.surroundings))
+            parts.push_back({"structure", effects::job_section_of(effect, belief(k),
+                                                                  data.training().from)});
+    };
     const std::size_t n = place.parameters.size();
     for (std::size_t k = 0; k < n; ++k) {
         const physics::Parameter& parameter = place.parameters[k];
         if (const auto* own =
                 found_in(data.building, &effects::Refinement::effects, parameter.name))
-            parts.push_back({"structure", effects::job_section_of(own->effect, belief(k),
-                                                                  data.training().from)});
+            add_effect(own->effect, k);
         else if (!is_of_job(data, parameter) ||
                  found_in(data.building, &effects::Refinement::numbers, parameter.name))
             parts.push_back({"structure",
                              effects::parameter_section_of(
                                  parameter.name, paths_of(place, parameter), belief(k))});
     }
-    for (std::size_t k = 0; k < place.always.size(); ++k) {
-        const effects::Effect& effect = place.always[k].effect;
-        if (effects::objection(effect, *place.surroundings)) continue;
-        parts.push_back({"structure", effects::job_section_of(effect, belief(n + k),
-                                                              data.training().from)});
-    }
+    for (std::size_t k = 0; k < place.always.size(); ++k)
+        add_effect(place.always[k].effect, n + k);
 }
 
 }  // namespace

@@ -11,6 +11,19 @@
 namespace bemcal::loop {
 namespace {
 
+/// Of a model with this structure, beside what the job names, as it was calibrated.
+std::vector<StoredLoop::JobPart> parts_of(
+    const study::Case& building, const std::vector<std::size_t>& structure,
+    const std::vector<FoundFunction>& functions = {}) {
+    const LoopData data(building, test::WindyModel::options());
+    const Place place = make_place(data, structure, data.drive);
+    const std::size_t n = place.unknowns.size() + place.always.size();
+    const Standing standing =
+        calibrate(data, place, {structure, {}}, std::vector<double>(n));
+    return job_parts_of(data, place, standing, std::vector<double>(n, 0.1), {},
+                        functions);
+}
+
 /// The model with rooms that reach their set-point late, which have hours or not.
 std::vector<StoredLoop::JobPart> parts_of_slow_start(
     bool cooling_has_hours, const std::vector<FoundFunction>& functions = {}) {
@@ -18,18 +31,20 @@ std::vector<StoredLoop::JobPart> parts_of_slow_start(
     physics::Thermostat& control = measured.building.zones[0].thermostat;
     control.heating_set_point = {20, 15, 0};
     control.cooling_set_point = {25, 30, cooling_has_hours ? 0 : -1};
-    const LoopData data(measured, test::WindyModel::options());
     const auto& all = effects::refinements();
     const auto slow =
         static_cast<std::size_t>(std::ranges::find(all, std::string_view("slow start"),
                                                    &effects::Refinement::name) -
                                  all.begin());
-    const Place place = make_place(data, {slow}, data.drive);
-    const std::size_t n = place.unknowns.size() + place.always.size();
-    const Standing standing =
-        calibrate(data, place, {{slow}, {}}, std::vector<double>(n));
-    return job_parts_of(data, place, standing, std::vector<double>(n, 0.1), {},
-                        functions);
+    return parts_of(measured, {slow}, functions);
+}
+
+/// The office whose job names a structure.
+std::vector<StoredLoop::JobPart> parts_of_office(const std::string& text) {
+    const job::Folder folder;
+    const std::string named = "structure = [\"slow start\", \"surfaces\"]\n" + text;
+    return parts_of(job::read_job(job::write_small_office(folder, named)).buildings.at(0),
+                    {});
 }
 
 bool has(const std::vector<StoredLoop::JobPart>& parts, const char* words) {
@@ -60,22 +75,20 @@ TEST(JobParts, FunctionsComeFirst) {
 
 /// Its numbers and effects are parameters of the building, and of no list of the job.
 TEST(JobParts, AStructureThatTheJobNamesIsWrittenAsWell) {
-    const job::Folder folder;
-    const std::string text =
-        "structure = [\"slow start\", \"surfaces\"]\n" + job::small_office_text();
-    const study::Case office =
-        job::read_job(job::write_small_office(folder, text)).buildings.at(0);
-    const LoopData data(office, test::WindyModel::options());
-    const Place place = make_place(data, {}, data.drive);
-    const std::size_t n = place.unknowns.size() + place.always.size();
-    const Standing standing = calibrate(data, place, {}, std::vector<double>(n));
-    const auto parts =
-        job_parts_of(data, place, standing, std::vector<double>(n, 0.1), {}, {});
+    const auto parts = parts_of_office(job::small_office_text());
     for (const char* name : {"[[effect]]\nname = \"heating set-point in the first hour\"",
                              "[[parameter]]\nname = \"surface_area_ratio\""})
         EXPECT_TRUE(has(parts, name)) << name;
     for (const char* name : {"\"infiltration\"", "\"heating_set_point\""})
         EXPECT_FALSE(has(parts, name)) << name;
+}
+
+TEST(JobParts, AnEffectOfAStructureThatTheJobNamesIsLeftOutWhereItDoesNothing) {
+    const std::string hours = "{value = 25, low = 28, schedule = \"plant\"}";
+    const char* cooling = "cooling set-point in the first hour";
+    EXPECT_TRUE(has(parts_of_office(job::small_office_text()), cooling));
+    EXPECT_FALSE(has(
+        parts_of_office(job::replaced(job::small_office_text(), hours, "25")), cooling));
 }
 
 /// A job takes a spread only where effects add up.
