@@ -8,10 +8,8 @@ BEMCAL_BENCH_LOOPS names a folder that scripts/run_case has written for these ca
 `name value unit reference ratio`: of each case and meter, then of all meters of a folder of cases, each case's meter
 counting once. A month is the sum of its hours with a reading, a room's temperature their mean.
 """
-import os
 import pathlib
 import statistics
-import subprocess
 import sys
 import tempfile
 
@@ -21,8 +19,10 @@ import pandas
 
 sys.dont_write_bytecode = True
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-sys.path.insert(0, str(ROOT / "scripts"))
-from cases.meters import CHANNELS  # noqa: E402
+sys.path[:0] = [str(ROOT / "bench"), str(ROOT / "scripts")]
+from bench_adopt import first_loops      # noqa: E402
+from cases.meters import CHANNELS        # noqa: E402
+from loop_scores import held_out         # noqa: E402
 
 SHARED = ROOT.parent / "shared"
 FOLDERS = (SHARED / "energyplus", SHARED / "cases" / "dev")
@@ -33,16 +33,6 @@ IS_TEMPERATURE = "air"
 def cases_in(folders):
     return [path for folder in folders if folder.exists() for path in sorted(folder.iterdir())
             if (path / "measured_test.csv").exists()]
-
-
-def loops_of(cases, folder):
-    """The result of all cases."""
-    given = os.environ.get("BEMCAL_BENCH_LOOPS")
-    if given:
-        return next(pathlib.Path(given).glob("*.h5"))
-    subprocess.run([ROOT / "scripts" / "run_case", *cases, folder, "--ranks", "2"], check=True,
-                   stdout=subprocess.DEVNULL)
-    return next(folder.glob("*.h5"))
 
 
 def hours_within(series, readings):
@@ -59,8 +49,6 @@ def months_within(period, series, readings, is_mean):
     hours = pandas.to_datetime(period["time"][:], unit="s")
     n = min(len(hours), len(readings))
     months = pandas.Series(readings[:n], hours[:n].to_period("M")).groupby(level=0)
-    if n == 0:
-        return np.nan
     read = (months.mean() if is_mean else months.mean() * months.size())[months.count() > 0.9 * months.size()]
     bands = pandas.DataFrame({"low": series["month_q05"][:], "high": series["month_q95"][:]},
                              pandas.to_datetime(period["month"][:], unit="s").to_period("M"))
@@ -70,8 +58,7 @@ def months_within(period, series, readings, is_mean):
 
 def coverage_of(loop, case):
     """{meter: (percent of hours, of months)}"""
-    table = pandas.read_csv(case / "measured_test.csv", index_col=0)
-    meters = {CHANNELS[column][0]: table[column].to_numpy(float) for column in table if column in CHANNELS}
+    meters = {CHANNELS[column][0]: readings for column, readings in held_out(case).items() if column in CHANNELS}
     period = loop["held_out"]
     return {meter: (hours_within(period[meter], readings),
                     months_within(period, period[meter], readings, meter == IS_TEMPERATURE))
@@ -94,15 +81,16 @@ def main():
     if not cases:
         print(f"skipped: no cases in {SHARED}")
         return
-    with tempfile.TemporaryDirectory() as folder, h5py.File(loops_of(cases, pathlib.Path(folder))) as file:
-        rows = {}
+    rows = {}
+    with tempfile.TemporaryDirectory() as folder, \
+            h5py.File(next(first_loops(cases, pathlib.Path(folder)).glob("*.h5"))) as file:
         for case in cases:
             for meter, (hours, months) in coverage_of(file[case.name]["loop"], case).items():
                 line(f"coverage_{case.name}_{meter}_hours", hours)
                 line(f"coverage_{case.name}_{meter}_months", months)
                 rows.setdefault(case.parent.name, []).append((hours, months))
-        for name, of_folder in rows.items():
-            print_all(name, of_folder)
+    for name, of_folder in rows.items():
+        print_all(name, of_folder)
 
 
 if __name__ == "__main__":

@@ -159,18 +159,19 @@ def squares_of(loop, channel):
     return np.concatenate(rows)
 
 
-def worse_of(result):
-    """Names of the series of a result that are worse after than before."""
+def loops_in(result):
     with h5py.File(result) as file:
-        loops = [stored.loop_in(file, path) for path in studies.of_kind(file, "loop")]
+        return [stored.loop_in(file, path) for path in studies.of_kind(file, "loop")]
+
+
+def worse_of(loops):
+    """Names of the series that are worse after than before."""
     return [f"{loop.building} {channel}" for loop in loops for channel in loop.channels
             if is_worse(squares_of(loop, channel))]
 
 
-def coverage_of(result):
+def coverage_of(loops):
     """[(resolution, percent of held-out readings within the 90 % interval of `after`)], of each series and period."""
-    with h5py.File(result) as file:
-        loops = [stored.loop_in(file, path) for path in studies.of_kind(file, "loop")]
     return [(fit.resolution, fit.within) for loop in loops for fit in loop.errors()
             if fit.period != loop.periods[0] and math.isfinite(fit.within)]
 
@@ -237,8 +238,9 @@ def main():
             print_errors(errors)
             hourly += of_all_held_out(errors)
             monthly += of_all_held_out(errors, 2)
-            worse += worse_of(result)
-            within += coverage_of(result)
+            loops = loops_in(result)
+            worse += worse_of(loops)
+            within += coverage_of(loops)
     print_counts(hourly, worse)
     print_medians(hourly, monthly)
     print_coverage(within)

@@ -170,6 +170,13 @@ void check_simulator(const StudyPlace& place, const PosteriorOptions& options) {
                  place.job.buildings[0]);
 }
 
+/// With the shapes that it samples.
+Case with_shapes(const PosteriorOptions& options, const Case& building) {
+    std::vector<study::SampledFunction> functions;
+    return study::with_sampled_shapes(
+        building, study::period_of(building, options.period), functions);
+}
+
 /// Shapes of effects that it would sample.
 void check_shapes(const StudyPlace& place, const PosteriorOptions& options,
                   const Case& building) {
@@ -180,11 +187,8 @@ void check_shapes(const StudyPlace& place, const PosteriorOptions& options,
             fmt::format("{} has an effect with spread or since_within, which is "
                         "of one building alone; expected \"none\"",
                         building.name));
-    std::vector<study::SampledFunction> functions;
-    description::at_key(place.section, "kind", [&] {
-        return study::with_sampled_shapes(
-            building, study::period_of(building, options.period), functions);
-    });
+    description::at_key(place.section, "kind",
+                        [&] { return with_shapes(options, building); });
 }
 
 void check(const StudyPlace& place, StudySpec& study) {
@@ -258,12 +262,8 @@ std::string points_of(const StudySpec& study, const Case& building) {
     return is_pooled(study) ? study.name : stage_name(study, building);
 }
 
-/// With the shapes that it samples.
 Case case_of(const StudySpec& study, const Case& building) {
-    std::vector<study::SampledFunction> functions;
-    return study::with_sampled_shapes(
-        building, study::period_of(building, study.as<PosteriorOptions>().period),
-        functions);
+    return with_shapes(study.as<PosteriorOptions>(), building);
 }
 
 std::vector<Fitted> fitted(const StudySpec& study, const Case& building) {

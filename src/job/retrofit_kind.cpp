@@ -133,9 +133,8 @@ void check_names(const NamePlace& place) {
 }
 
 /// The study whose points are taken.
-const StudySpec& study_of(const StudyPlace& place) {
-    return *std::ranges::find(place.job.studies, place.section.text("of"),
-                              &StudySpec::name);
+const StudySpec& study_named(const std::string& name, const Job& job) {
+    return *std::ranges::find(job.studies, name, &StudySpec::name);
 }
 
 /// The building that its points are of.
@@ -166,11 +165,12 @@ void read_setting(const schema::Section& section, const study::Case& building,
     setting.too_warm = section.number("too_warm");
 }
 
-RetrofitOptions options_of(const StudyPlace& place, const study::Case& building) {
+RetrofitOptions options_of(const StudyPlace& place, const StudySpec& of,
+                           const study::Case& building) {
     const schema::Section& section = place.section;
     RetrofitOptions options;
     options.scenarios = read_scenarios(place.root, building);
-    options.of = study_of(place).kind->points_of(study_of(place), building);
+    options.of = of.kind->points_of(of, building);
     options.n_points = usual_points;
     read_setting(section, building, options);
     return options;
@@ -226,19 +226,18 @@ void check_simulator(const StudyPlace& place, StudySpec& study) {
 }
 
 /// Scenarios name numbers of a building, so each building has options of its own.
-struct BuildingRetrofit {
-    study::Case building;  ///< that the points are of
-    RetrofitOptions options;
+struct Retrofits {
+    std::string of;  ///< name of the study whose points are taken
+    std::vector<RetrofitOptions> options;
 };
 
 void check(const StudyPlace& place, StudySpec& study) {
     if (place.job.simulator) return check_simulator(place, study);
-    std::vector<BuildingRetrofit> retrofits;
-    retrofits.reserve(place.job.buildings.size());
-    for (const study::Case& building : place.job.buildings) {
-        const study::Case own = case_of_points(study_of(place), building);
-        retrofits.push_back({own, options_of(place, own)});
-    }
+    Retrofits retrofits{place.section.text("of"), {}};
+    const StudySpec& of = study_named(retrofits.of, place.job);
+    retrofits.options.reserve(place.job.buildings.size());
+    for (const study::Case& building : place.job.buildings)
+        retrofits.options.push_back(options_of(place, of, case_of_points(of, building)));
     study.options = std::move(retrofits);
 }
 
@@ -249,11 +248,12 @@ Stages stages(const StudySpec& study, const Job& job) {
             stage_name(study, building), building, job.hourly_simulator,
             period_of(building, study.period), study.as<SimulatorRetrofitOptions>()));
     }
-    auto next = study.as<std::vector<BuildingRetrofit>>().begin();
-    return for_each_building(study, job, [&](std::string name, const auto&) {
-        const auto& [building, options] = *next++;
-        return retrofit::make_retrofit(std::move(name), building,
-                                       period_of(building, study.period), options);
+    const auto& retrofits = study.as<Retrofits>();
+    const StudySpec& of = study_named(retrofits.of, job);
+    auto options = retrofits.options.begin();
+    return for_each_building(study, job, [&](std::string name, const auto& building) {
+        return retrofit::make_retrofit(std::move(name), case_of_points(of, building),
+                                       period_of(building, study.period), *options++);
     });
 }
 

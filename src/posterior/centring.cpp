@@ -15,9 +15,12 @@ namespace {
 using study::Coordinate;
 using study::Space;
 
-bool has_sizes(const Space& space) {
-    return std::ranges::any_of(space.coordinates(),
-                               [](const Coordinate& one) { return one.in.has_value(); });
+/// Free unknowns that have a size, by their free numbers.
+std::vector<std::size_t> sized(const Space& space) {
+    std::vector<std::size_t> found;
+    for (std::size_t f = 0; f < space.n_free(); ++f)
+        if (space.coordinates()[space.index_of(f)].in) found.push_back(f);
+    return found;
 }
 
 /// In their own units.
@@ -30,17 +33,16 @@ std::vector<double> middle_of(const Space& space) {
     return values;
 }
 
-/// The middle of the priors, and it with each free unknown that has a size moved by that.
-Matrix moved_by_sizes(const Space& space) {
+/// The middle of the priors, and it with each of these unknowns moved by its size.
+Matrix moved_by_sizes(const Space& space, const std::vector<std::size_t>& of) {
     const std::vector<double> middle = middle_of(space);
-    Matrix positions(space.n_free() + 1, space.n_free());
-    for (std::size_t r = 0; r <= space.n_free(); ++r) {
+    Matrix positions(0, space.n_free());
+    positions.add_row(space.position_of(middle));
+    for (const std::size_t f : of) {
         std::vector<double> values = middle;
-        if (r > 0) {
-            const std::size_t k = space.index_of(r - 1);
-            if (const auto& size = space.coordinates()[k].in) values[k] += middle[*size];
-        }
-        std::ranges::copy(space.position_of(values), positions.row(r).begin());
+        const std::size_t k = space.index_of(f);
+        if (const auto& size = space.coordinates()[k].in) values[k] += middle[*size];
+        positions.add_row(space.position_of(values));
     }
     return positions;
 }
@@ -49,25 +51,24 @@ Matrix moved_by_sizes(const Space& space) {
 
 std::vector<double> shares_of_readings(
     const std::shared_ptr<const PosteriorParts>& parts) {
-    const Space& space = *parts->space;
-    std::vector<double> shares(space.n_free(), 1);
-    if (!has_sizes(space)) return shares;
-    const Matrix positions = moved_by_sizes(space);
+    const std::vector<std::size_t> of = sized(*parts->space);
+    std::vector<double> shares(parts->space->n_free(), 1);
+    if (of.empty()) return shares;
+    const Matrix positions = moved_by_sizes(*parts->space, of);
     sampling::Evaluations at;
     make_posterior_density(parts)->evaluate(positions, true, at);
-    for (std::size_t f = 0; f < shares.size(); ++f) {
-        if (!space.coordinates()[space.index_of(f)].in) continue;
-        const double size = positions(f + 1, f) - positions(0, f),
-                     by_size =
-                         at.likelihood_gradient(0, f) - at.likelihood_gradient(f + 1, f),
-                     told = std::max(by_size * size, 0.0);
+    const Matrix& slopes = at.likelihood_gradient;
+    for (std::size_t k = 0; k < of.size(); ++k) {
+        const std::size_t f = of[k];
+        const double size = positions(k + 1, f) - positions(0, f),
+                     told = std::max((slopes(0, f) - slopes(k + 1, f)) * size, 0.0);
         shares[f] = told / (1 + told);
     }
     return shares;
 }
 
 void centre(const std::shared_ptr<PosteriorParts>& parts) {
-    if (parts->buildings.size() != 1 || !has_sizes(*parts->space)) return;
+    if (parts->buildings.size() != 1 || sized(*parts->space).empty()) return;
     const std::vector<double> shares = shares_of_readings(parts);
     std::vector<Coordinate> coordinates = parts->space->coordinates();
     for (std::size_t f = 0; f < shares.size(); ++f)

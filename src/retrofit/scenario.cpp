@@ -1,8 +1,8 @@
 /// Applies a retrofit's changes to the numbers of a point: set, multiply, shift, or add a
-/// layer to a U-value, 1 / (1 / U + R). Parts of an effect, which a posterior has
-/// sampled, are scaled as it is. Says which number leaves its range. Source: ISO 6946,
-/// resistances in series. Numbers that links or layers set are refused before, by
-/// `read_scenarios`.
+/// layer to a U-value, 1 / (1 / U + R). Says which number leaves its range.
+/// Parts of an effect, which a posterior has sampled, are scaled as it is.
+/// Source: ISO 6946, resistances in series.
+/// Numbers that links or layers set are refused before, by `read_scenarios`.
 #include "retrofit/scenario.hpp"
 
 #include <algorithm>
@@ -39,14 +39,15 @@ ScenarioNumbers::ScenarioNumbers(const study::Case& building,
 }
 
 void ScenarioNumbers::find_parts() {
-    const auto& effects = building_.effects;
-    for (const physics::Coefficient& part : effects)
-        if (part.part_of)
-            parts_.push_back({number_of(part.targets.at(0)),
-                              number_of(effects[*part.part_of].targets.at(0))});
-    std::erase_if(parts_, [&](const Part& part) {
-        return std::max(part.number, part.of) >= numbers_.size();
-    });
+    const auto number_of_effect = [&](const physics::Coefficient& effect) {
+        return number_of(effect.targets.at(0));
+    };
+    for (const physics::Coefficient& effect : building_.effects) {
+        if (!effect.part_of) continue;
+        const Part part{number_of_effect(effect),
+                        number_of_effect(building_.effects[*effect.part_of])};
+        if (std::max(part.number, part.of) < numbers_.size()) parts_.push_back(part);
+    }
 }
 
 void ScenarioNumbers::add(const Target& target) {

@@ -1,9 +1,10 @@
 /// Moves unknowns between their units and the real line: values, slopes, log priors with
 /// Jacobian and gradient, draws. Fixed ones have no coordinate, discrete ones an index.
 /// Follows from the transforms of `PriorDensity`; powers of a size between the centred
-/// and the non-centred form: Papaspiliopoulos, Roberts and Skoeld 2003 (Bayesian
-/// Statistics 7). Unknowns are independent beforehand, but for those whose size is one of
-/// them; discrete ones have no gradient.
+/// and the non-centred form: Papaspiliopoulos, Roberts and Skoeld 2003, Bayesian
+/// Statistics 7.
+/// Unknowns are independent beforehand, but for those whose size is one of them;
+/// discrete ones have no gradient.
 #include "study/space.hpp"
 
 #include <algorithm>
@@ -24,7 +25,10 @@ double level_of(const std::vector<double>& values, double x) {
     return static_cast<double>(std::ranges::min_element(values, nearer) - values.begin());
 }
 
-/// A value over its place on the line, by its size.
+/// A place on the line over the quotient by the size, and a value over its place.
+double length(const Coordinate& coordinate, double size) {
+    return std::pow(size, coordinate.centring);
+}
 double stretch(const Coordinate& coordinate, double size) {
     return std::pow(size, 1 - coordinate.centring);
 }
@@ -101,12 +105,12 @@ void Space::pull_back(std::span<const double> position, std::span<const double> 
 double Space::log_prior_in(std::size_t size, std::span<const double> position,
                            std::size_t f, std::span<double> gradient) const {
     const stats::Mapped scale = mapped(position, size);
-    const double power = coordinates_[free_[f]].centring,
-                 length = std::pow(scale.x, power), own = position[f] / length;
+    const Coordinate& one = coordinates_[free_[f]];
+    const double unit = length(one, scale.x), own = position[f] / unit;
     const stats::LogDensity at = densities_[free_[f]].at(own);
-    gradient[f] += at.derivative / length;
-    gradient[size] -= power * (at.derivative * own + 1) / scale.x * scale.slope;
-    return at.value - std::log(length);
+    gradient[f] += at.derivative / unit;
+    gradient[size] -= one.centring * (at.derivative * own + 1) / scale.x * scale.slope;
+    return at.value - std::log(unit);
 }
 
 double Space::log_prior(std::span<const double> position,
@@ -152,9 +156,8 @@ std::vector<double> Space::draw_position(Stream& random) const {
         }
         const double own = densities_[k].quantile_on_the_line(random.uniform());
         const auto& in = coordinate.in;
-        position.push_back(
-            in ? own * std::pow(mapped(position, place_[*in]).x, coordinate.centring)
-               : own);
+        position.push_back(in ? own * length(coordinate, mapped(position, place_[*in]).x)
+                              : own);
     }
     return position;
 }

@@ -3,6 +3,7 @@
 #include "job/small_office.hpp"
 #include "posterior/centring.hpp"
 #include "study/sampled_shapes.hpp"
+#include "support/simulated_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,13 +20,8 @@ std::shared_ptr<PosteriorParts> parts_with(double reading_weight, double spread 
         job::small_office_with(job::effect_that_follows("gains", {1, 0, 2, 1}, spread));
     const study::Period period = made.periods.at(0);
     made = study::with_sampled_shapes(std::move(made), period, functions);
-    auto parts = std::make_shared<PosteriorParts>();
-    parts->buildings.push_back(
-        std::make_unique<BuildingModel>(made, period, MeterChoice{}));
-    parts->space = space_of(*parts->buildings[0]);
-    parts->arrangement = make_arrangement(Pooling::none, parts->space, {});
-    parts->reading_weight = reading_weight;
-    return parts;
+    return test::parts_of(std::make_unique<BuildingModel>(made, period, MeterChoice{}),
+                          reading_weight);
 }
 
 std::vector<double> odds_by_weight(double weight) {

@@ -70,16 +70,12 @@ Case office_that_follows(const std::vector<double>& values, double spread) {
 TEST(PosteriorDensity, AWeightIsAPowerOfTheLikelihoodAlone) {
     const Case made = with_readings(fortnight(), {0.7, 0.45, 20.6});
     const auto density_of = [&](double weight) {
-        auto parts = std::make_shared<posterior::PosteriorParts>();
         const posterior::PosteriorOptions options;
-        parts->buildings.push_back(std::make_unique<posterior::BuildingModel>(
-            made, made.periods[0],
-            posterior::training_choice(made, made.periods[0], options)));
-        parts->space = posterior::space_of(*parts->buildings[0]);
-        parts->arrangement =
-            posterior::make_arrangement(posterior::Pooling::none, parts->space, {});
-        parts->reading_weight = weight;
-        return posterior::make_posterior_density(parts);
+        return posterior::make_posterior_density(test::parts_of(
+            std::make_unique<posterior::BuildingModel>(
+                made, made.periods[0],
+                posterior::training_choice(made, made.periods[0], options)),
+            weight));
     };
     const auto whole = density_of(1), part = density_of(0.25);
     Stream random(2, 1, 1);
@@ -97,16 +93,12 @@ TEST(PosteriorDensity, AWeightIsAPowerOfTheLikelihoodAlone) {
 
 TEST(PosteriorDensity, GradientIsTheDerivative) {
     const Case made = with_readings(fortnight(), {0.7, 0.45, 20.6});
-    auto parts = std::make_shared<posterior::PosteriorParts>();
     posterior::PosteriorOptions options;
     options.residuals.discrepancy = true;
-    parts->buildings.push_back(std::make_unique<posterior::BuildingModel>(
-        made, made.periods[0],
-        posterior::training_choice(made, made.periods[0], options)));
-    parts->space = posterior::space_of(*parts->buildings[0]);
-    parts->arrangement =
-        posterior::make_arrangement(posterior::Pooling::none, parts->space, {});
-    const auto density = posterior::make_posterior_density(parts);
+    const auto density = posterior::make_posterior_density(
+        test::parts_of(std::make_unique<posterior::BuildingModel>(
+            made, made.periods[0],
+            posterior::training_choice(made, made.periods[0], options))));
     Stream random(2, 1, 1);
     const std::size_t d = density->dimension();
     const std::vector<double> start = density->draw_start(random);

@@ -28,6 +28,18 @@ inline study::Meter empty_meter(const study::Case& building, physics::Quantity q
     return meter;
 }
 
+/// Of a building that is alone, with all unknowns in their own units.
+inline std::shared_ptr<posterior::PosteriorParts> parts_of(
+    std::unique_ptr<posterior::BuildingModel> model, double reading_weight = 1) {
+    auto parts = std::make_shared<posterior::PosteriorParts>();
+    parts->space = posterior::space_of(*model);
+    parts->arrangement =
+        posterior::make_arrangement(posterior::Pooling::none, parts->space, {});
+    parts->reading_weight = reading_weight;
+    parts->buildings.push_back(std::move(model));
+    return parts;
+}
+
 class FitOfSimulatedData {
   public:
     /// The case has meters without readings.
@@ -43,11 +55,7 @@ class FitOfSimulatedData {
         Stream random(seed, 1, 0);
         const auto space = posterior::space_of(model());
         const std::vector<double> truth = space->draw_position(random);
-        auto parts = std::make_shared<posterior::PosteriorParts>();
-        parts->buildings.push_back(with_data(*space, truth, random));
-        parts->space = space;
-        parts->arrangement =
-            posterior::make_arrangement(posterior::Pooling::none, space, {});
+        const auto parts = parts_of(with_data(*space, truth, random));
         posterior::centre(parts);
         const auto density = posterior::make_posterior_density(parts);
         Matrix draws = draws_of(*density, options_.chains.sampler,
