@@ -2,15 +2,13 @@
 
 Effects become sections [[effect]], each with a [[parameter]] for its coefficient; so do functions, which have values
 in its place. The structure that was chosen stands in `structure`, hours in their [[schedule]]. What the loop made of
-a parameter becomes its value and its prior. Left out, and told: what follows the model's own loads.
+a parameter becomes its value and its prior. Left out, and told: an effect that its result has no section of.
 """
 import math
 
 import tomlkit
 
 from . import result, words
-
-OWN_LOADS = ("heating load", "cooling load")   # drivers that no job can declare
 
 
 class Mismatch(Exception):
@@ -152,9 +150,8 @@ def adopt_functions(loop, job):
 
 
 def left_out(loop):
-    lines = [f"effect {effect.name}" for effect in loop.effects if not effect.section]
-    lines += [f"function {function.name}" for function in loop.functions if function.driver in OWN_LOADS]
-    return [f"left out: {line}: it follows the model's own loads" for line in lines]
+    return [f"left out: effect {effect.name}: the result has no section of it; run its loop again"
+            for effect in loop.effects if not effect.section]
 
 
 def adopt_parameters(loop, job, keeps_priors):

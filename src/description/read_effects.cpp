@@ -4,12 +4,14 @@
 /// coefficient is fixed unless a [[parameter]] has the target "effect.NAME". Left out:
 /// other hours than declared (a [[schedule]] says them) and what corrects readings
 /// ([[meter]] does).
+#include "base/units.hpp"
 #include "description/building_readers.hpp"
 #include "description/read_holidays.hpp"
 #include "effects/catalogue.hpp"
 #include "effects/drivers.hpp"
 #include "effects/hooks.hpp"
 #include "effects/job_section.hpp"
+#include "effects/loads.hpp"
 #include "effects/placement.hpp"
 #include "effects/refinements.hpp"
 #include "effects/steps.hpp"
@@ -104,6 +106,19 @@ Effect of_functions(const Section& section, const Effect& given) {
     return effect;
 }
 
+/// What follows a load must not change it.
+void check_leaves_loads(const Section& section, const Effect& effect) {
+    std::vector<std::string> hooks;
+    for (const effects::HookRow& row : effects::hook_rows())
+        if (row.leaves_loads) hooks.emplace_back(row.name);
+    if (!effects::leaves_loads(effect.hook))
+        section.fail_value(
+            "driver", fmt::format("cannot be followed at \"{}\", which changes the "
+                                  "load itself; expected a hook behind it, one of "
+                                  "{}, or another driver",
+                                  effects::name_of(effect.hook), fmt::join(hooks, ", ")));
+}
+
 /// Hook and driver of an effect that the catalogue does not have.
 Effect of_grammar(const Section& section) {
     constexpr double any = 1e9;  ///< the hook's own limits hold
@@ -120,10 +135,7 @@ Effect of_grammar(const Section& section) {
     if (section.has("function")) return of_functions(section, effect);
     effect.driver =
         enum_at<effects::Driver>(section, "driver", effects::driver_rows().size());
-    if (effects::follows_loads(effect.driver))
-        section.fail_value("driver",
-                           "is the model's own load, known only after a simulation; "
-                           "expected \"outdoor temperature\" or another series");
+    if (effects::follows_loads(effect.driver)) check_leaves_loads(section, effect);
     return effect;
 }
 
@@ -179,6 +191,22 @@ void read_shape(const Section& section, physics::Seconds from, Effect& effect) {
     // A step begins with the hour of that time.
     effect.shape.at =
         (static_cast<double>((since - from).count()) - 1) / effects::elapsed_year_s;
+}
+
+/// The load that counts as 1.
+void read_full_load(const Section& section, Effect& effect) {
+    const bool follows = effects::follows_loads(effect.driver);
+    if (follows && !section.has("full_load"))
+        section.fail("full_load",
+                     fmt::format("is missing; \"{}\" follows the {} as a share of this: "
+                                 "expected the plant's full load in kW",
+                                 effect.name, name_of(effect.driver)));
+    if (!follows && section.has("full_load"))
+        section.fail("full_load",
+                     fmt::format("is of the heating load or the cooling load, but \"{}\" "
+                                 "follows {}; leave it out",
+                                 effect.name, name_of(effect.driver)));
+    if (follows) effect.full_load = section.number("full_load") * W_per_kW;
 }
 
 void read_gate(const Section& section, Effect& effect) {
@@ -258,6 +286,7 @@ std::optional<DeclaredEffects::Functions> read_functions(const Section& section,
     DeclaredEffects::Functions all{effect.hook, effect.column, {}};
     for (const Section& each : section.tables("function", "effect.function")) {
         effects::DriverFunction function = read_function(each);
+        if (effects::follows_loads(function.driver)) check_leaves_loads(each, effect);
         if (std::ranges::find(all.functions, function.driver,
                               &effects::DriverFunction::driver) != all.functions.end())
             each.fail_value("driver",
@@ -283,6 +312,7 @@ Effect read_effect(const Section& section, const study::Case& building,
     const Entry* row = effects::entry_named(name);
     Effect effect = row != nullptr ? of_catalogue(section, *row) : of_grammar(section);
     read_shape(section, around.from, effect);
+    read_full_load(section, effect);
     read_gate(section, effect);
     read_place(section, around, effect);
     read_column(section, building, effect);
@@ -353,7 +383,7 @@ void enter(const Section& section, const char* key, DeclaredEffects declared,
         for (physics::Drive& drive : drives) {
             drive.profiles.rows += declared.n_rows;
             drive.profiles.values.resize(drive.profiles.rows * drive.profiles.cols);
-            write_profiles(declared, building.weather, drive);
+            write_profiles(declared, building.building, building.weather, drive);
         }
     });
     building.profiles.insert(building.profiles.end(), declared.n_rows,
@@ -397,11 +427,27 @@ int read_days_within(const Section& section, const Effect& effect) {
     return static_cast<int>(section.integer("since_within"));
 }
 
+/// As the building is described, for the check of what follows them.
+void know_loads(const Section& section, std::vector<effects::Surroundings>& periods) {
+    at_key(section, "name", [&] {
+        for (effects::Surroundings& around : periods)
+            if (around.model.heating.empty())
+                around.model = effects::loads_of(*around.building, *around.drive);
+    });
+}
+
+bool follow_loads(const Effect& effect,
+                  const std::optional<DeclaredEffects::Functions>& functions) {
+    return effects::follows_loads(effect.driver) ||
+           (functions && functions->follow_loads());
+}
+
 void declare(const Section& section, const study::Case& building,
              std::vector<effects::Surroundings>& periods, DeclaredEffects& declared) {
     Effect effect = read_effect(section, building, periods[0]);
     check_twice(section, declared.effects, effect);
     const auto functions = read_functions(section, effect);
+    if (follow_loads(effect, functions)) know_loads(section, periods);
     if (functions) {
         at_key(section, "function", [&] {
             for (effects::Surroundings& around : periods)

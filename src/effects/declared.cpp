@@ -1,12 +1,14 @@
 /// Puts declared effects into their building once, and their profiles into the drive of
 /// every period: rows that the case keeps for them.
 /// Follows from physics::Change. What an effect is rounded to (levels) is found in each
-/// period by itself, as a loop finds it.
-/// Left out: effects that follow the model's own loads, and other hours than declared,
-/// which a schedule can say.
+/// period by itself, as a loop finds it. An effect that follows loads leaves them as they
+/// are, so that one simulation without it tells what it follows.
+/// Left out: other hours than declared, which a schedule can say; loads of a sample,
+/// which follow from the nominal building.
 #include "effects/declared.hpp"
 
 #include "base/error.hpp"
+#include "effects/loads.hpp"
 #include "effects/make_surroundings.hpp"
 #include "effects/placement.hpp"
 #include "effects/placer.hpp"
@@ -31,6 +33,19 @@ physics::Coefficient coefficient_of(const physics::Parameter& parameter) {
 }
 
 }  // namespace
+
+bool DeclaredEffects::Functions::follow_loads() const {
+    return std::ranges::any_of(functions, [](const DriverFunction& function) {
+        return follows_loads(function.driver);
+    });
+}
+
+bool DeclaredEffects::follow_loads() const {
+    return std::ranges::any_of(
+               effects,
+               [](const Effect& effect) { return follows_loads(effect.driver); }) ||
+           std::ranges::any_of(functions, &Functions::follow_loads);
+}
 
 void add_columns(const std::vector<DeclaredEffects::Functions>& functions,
                  Surroundings& around) {
@@ -58,6 +73,18 @@ Surroundings surroundings_of(const DeclaredEffects& declared, const physics::Dri
         around.columns[column.name].assign(row.begin(), row.end());
     }
     around.clock = declared.clock;
+    if (declared.follow_loads()) around.model = no_loads(drive);
+    add_columns(declared.functions, around);
+    return around;
+}
+
+Surroundings surroundings_of(const DeclaredEffects& declared,
+                             const physics::Building& building,
+                             const physics::Drive& drive,
+                             const physics::Weather& weather) {
+    Surroundings around = surroundings_of(declared, drive, weather);
+    if (!declared.follow_loads()) return around;
+    around.model = loads_of(building, drive);
     add_columns(declared.functions, around);
     return around;
 }
@@ -86,9 +113,10 @@ physics::Profile empty_row(const physics::Weather& weather) {
     return row;
 }
 
-void write_profiles(const DeclaredEffects& declared, const physics::Weather& weather,
-                    physics::Drive& drive) {
-    const Surroundings around = surroundings_of(declared, drive, weather);
+namespace {
+
+void write_rows(const DeclaredEffects& declared, const Surroundings& around,
+                physics::Drive& drive) {
     const Placer placer = placed_in(around, declared);
     if (placer.rows().size() != declared.n_rows)
         throw CannotSimulate(fmt::format(
@@ -98,6 +126,15 @@ void write_profiles(const DeclaredEffects& declared, const physics::Weather& wea
     for (std::size_t k = 0; k < declared.n_rows; ++k)
         std::ranges::copy(placer.rows()[k],
                           drive.profiles.row(declared.first_row + k).begin());
+}
+
+}  // namespace
+
+void write_profiles(const DeclaredEffects& declared, const physics::Building& building,
+                    const physics::Weather& weather, physics::Drive& drive) {
+    write_rows(declared, surroundings_of(declared, drive, weather), drive);
+    if (declared.follow_loads())
+        write_rows(declared, surroundings_of(declared, building, drive, weather), drive);
 }
 
 }  // namespace bemcal::effects

@@ -34,6 +34,7 @@ struct DeclaredEffects {
         bool are_sampled() const {
             return std::ranges::any_of(functions, &DriverFunction::is_sampled);
         }
+        bool follow_loads() const;
     };
     std::vector<Functions> functions{};
     /// A step whose day a posterior samples, so many days before and after the declared.
@@ -43,6 +44,8 @@ struct DeclaredEffects {
     };
     std::vector<Day> days{};
     WallClock clock{};  ///< of their hours
+
+    bool follow_loads() const;
 };
 
 /// The building with them: Building::effects has a row for each. Throws CannotSimulate
@@ -58,16 +61,22 @@ physics::Profile empty_row(const physics::Weather& weather);
 
 /// Writes what they follow into their rows of a period's drive. Throws CannotSimulate
 /// where this period lacks what one follows, or where it enters other inputs than before.
-void write_profiles(const DeclaredEffects& declared, const physics::Weather& weather,
-                    physics::Drive& drive);
+/// \param building  with them; simulated where one follows its loads
+void write_profiles(const DeclaredEffects& declared, const physics::Building& building,
+                    const physics::Weather& weather, physics::Drive& drive);
 
 /// Gives a period the columns of functions. Throws CannotSimulate where it lacks what one
 /// follows.
 void add_columns(const std::vector<DeclaredEffects::Functions>& functions,
                  Surroundings& around);
 
-/// What they follow in a period.
+/// What they follow in a period. Loads that one follows are 0.
 Surroundings surroundings_of(const DeclaredEffects& declared, const physics::Drive& drive,
+                             const physics::Weather& weather);
+/// The same with the loads of a building that has them, in a drive that has all else.
+Surroundings surroundings_of(const DeclaredEffects& declared,
+                             const physics::Building& building,
+                             const physics::Drive& drive,
                              const physics::Weather& weather);
 
 }  // namespace bemcal::effects

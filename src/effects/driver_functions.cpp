@@ -4,6 +4,7 @@
 /// out.
 #include "effects/driver_functions.hpp"
 
+#include "base/units.hpp"
 #include "effects/decisions.hpp"
 #include "effects/drivers.hpp"
 #include "effects/hooks.hpp"
@@ -89,10 +90,6 @@ constexpr DriverOfFunctions rows[] = {
      Driver::theta_e, 24},
     {"time", Points::Kind::fortnights}};
 
-bool follows_loads(const DriverOfFunctions& row) {
-    return row.driver == Driver::heating_load || row.driver == Driver::cooling_load;
-}
-
 const DriverOfFunctions& row_named(const std::string& name) {
     return *std::ranges::find(rows, name, &DriverOfFunctions::name);
 }
@@ -101,6 +98,7 @@ Effect following(const DriverOfFunctions& row) {
     Effect effect;
     effect.driver = row.driver;
     if (row.lag_hours > 0) effect.shape = {Form::lagged, row.lag_hours, 0};
+    effect.full_load = W_per_kW;
     return effect;
 }
 
@@ -142,13 +140,12 @@ FunctionDrivers function_drivers(const Surroundings& around) {
 
 std::vector<std::string> function_driver_names() {
     std::vector<std::string> names;
-    for (const DriverOfFunctions& row : rows)
-        if (!follows_loads(row)) names.emplace_back(row.name);
+    for (const DriverOfFunctions& row : rows) names.emplace_back(row.name);
     return names;
 }
 
-bool follows_loads(const DriverFunction& function) {
-    return follows_loads(row_named(function.driver));
+bool follows_loads(const std::string& driver) {
+    return follows_loads(row_named(driver).driver);
 }
 
 Points::Kind points_of_driver(const std::string& name) {
@@ -159,6 +156,7 @@ std::string unit_of_driver(const std::string& name) {
     const DriverOfFunctions& row = row_named(name);
     if (row.points == Points::Kind::hours) return "h";
     if (row.points == Points::Kind::fortnights) return "a";
+    if (follows_loads(row.driver)) return "kW";
     return row.points == Points::Kind::one ? "" : unit_of_values(row.driver);
 }
 

@@ -28,9 +28,9 @@ using FunctionDrivers = std::map<std::string, std::vector<std::vector<double>>>;
 /// Those that the weather and the model know.
 FunctionDrivers function_drivers(const Surroundings& around);
 
-/// Those that a job can declare: without the model's own loads.
 std::vector<std::string> function_driver_names();
-bool follows_loads(const DriverFunction& function);
+/// Whether a driver is the model's own heating or cooling load.
+bool follows_loads(const std::string& driver);
 
 /// What kind of points a function of it has.
 functions::Points::Kind points_of_driver(const std::string& name);

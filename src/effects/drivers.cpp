@@ -338,16 +338,20 @@ constexpr DriverRow driver_table[] = {
      .unit = "",
      .first_move = 0,
      .of_steps =
-         [](const Effect&, const Surroundings& around) {
-             return over(around.model.heating, around.model.most_heating);
+         [](const Effect& effect, const Surroundings& around) {
+             return over(around.model.heating, effect.full_load > 0
+                                                   ? effect.full_load
+                                                   : around.model.most_heating);
          }},
     {.driver = Driver::cooling_load,
      .name = "cooling load",
      .unit = "",
      .first_move = 0,
      .of_steps =
-         [](const Effect&, const Surroundings& around) {
-             return over(around.model.cooling, around.model.most_cooling);
+         [](const Effect& effect, const Surroundings& around) {
+             return over(around.model.cooling, effect.full_load > 0
+                                                   ? effect.full_load
+                                                   : around.model.most_cooling);
          }},
     {.driver = Driver::another_day,
      .name = "another day's schedule",

@@ -83,7 +83,7 @@ enum class Driver {
     day_of_year,   ///< 0 to 366
     elapsed,       ///< years since the first step of the period
     bright,        ///< sun on the facade [W/m2]: for blinds
-    heating_load,  ///< heating power of the calibrated model over its largest [-]
+    heating_load,  ///< heating power of the model over Effect::full_load [-]
     cooling_load,  ///< cooling power, likewise [-]
     another_day,   ///< hook operation: schedules of the weekday in Shape::at (0 = Monday)
     shifted_hours,         ///< hook operation: schedules Shape::at hours later
@@ -162,6 +162,7 @@ struct Effect {
     int weekday = -1;            ///< only on this one, 0 = Monday; -1 = on all
     Hours hours{};               ///< only in these
     bool is_smooth = false;      ///< its profile is not rounded to few levels
+    double full_load = 0;        ///< of a load that it follows [W]; 0 = the place's own
     std::optional<OtherHours> other_hours{};  ///< then nothing else of it has a say
 
     bool is_named() const { return number != 0; }
@@ -173,6 +174,12 @@ bool are_equal(const Effect& a, const Effect& b);
 /// Whether what two effects bring there is the sum of what each brings, so that parts of
 /// one can be sampled.
 bool adds_up(Hook hook);
+
+/// Whether heating and cooling loads stay as they are where it changes something, so that
+/// what enters there may follow them.
+bool leaves_loads(Hook hook);
+/// Whether it is the model's own heating or cooling load.
+bool follows_loads(Driver driver);
 
 /// Whether it enters at one meter, which the others do not see.
 bool is_at_a_meter(Hook hook);

@@ -34,6 +34,7 @@ struct HookRow {
     void (*sites)(const Effect&, Sites&) = nullptr;
     const char* lack = "the building has nothing that it could change";  ///< without any
     bool is_at_a_meter = false;  ///< which the others do not see
+    bool leaves_loads = false;   ///< what it changes comes behind what rooms need
     /// What two effects bring is the sum of what each brings.
     bool adds_up = true;
     /// The coefficient is per unit of the driver; not where the driver is a temperature

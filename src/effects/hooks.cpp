@@ -258,6 +258,7 @@ constexpr HookRow rows[] = {
      .kind = ChangeKind::factor,
      .sites = [](const Effect&, Sites& sites) { sites.of_heating_plant(); },
      .lack = no_heating,
+     .leaves_loads = true,
      .grammar = {Follows::hours | Follows::seasons | Follows::temperature, 0.5, 0.15}},
     {.hook = Hook::cooling_cop,
      .name = "cooling COP",
@@ -266,6 +267,7 @@ constexpr HookRow rows[] = {
      .kind = ChangeKind::factor,
      .sites = [](const Effect&, Sites& sites) { sites.of_cooling_plant(); },
      .lack = no_cooling,
+     .leaves_loads = true,
      .grammar = {Follows::hours | Follows::seasons | Follows::temperature | Follows::wind,
                  0.5, 0.15}},
     {.hook = Hook::meter_addition,
@@ -273,6 +275,7 @@ constexpr HookRow rows[] = {
      .unit = "W/m2",
      .enter = add_to_meter,
      .is_at_a_meter = true,
+     .leaves_loads = true,
      .grammar = {(anything & ~unsigned{Follows::columns}) | Follows::trend, 15, 3}},
     {.hook = Hook::meter_factor,
      .name = "meter factor",
@@ -282,6 +285,7 @@ constexpr HookRow rows[] = {
      .sites = [](const Effect& effect, Sites& sites) { sites.of_meter(effect.meter); },
      .lack = "it needs a meter of energy as its place",
      .is_at_a_meter = true,
+     .leaves_loads = true,
      .grammar = {Follows::seasons | Follows::trend, 0.5, 0.15}},
 };
 

@@ -3,6 +3,7 @@
 /// Plain text without a source; the reader is description/read_effects.
 #include "effects/job_section.hpp"
 
+#include "base/units.hpp"
 #include "effects/catalogue.hpp"
 #include "effects/decisions.hpp"
 #include "effects/steps.hpp"
@@ -50,6 +51,12 @@ std::string shape_lines(const Effect& effect, const Effect& row, physics::Second
     if (shape.at != row.shape.at) lines += line("at", shape.at);
     if (shape.until != row.shape.until) lines += line("until", shape.until);
     return lines;
+}
+
+/// The load that counts as 1 [kW].
+std::string load_line(const Effect& effect) {
+    return follows_loads(effect.driver) ? line("full_load", effect.full_load / W_per_kW)
+                                        : "";
 }
 
 /// "2021-05-03/2021-05-07", "12-24/01-02" of every year.
@@ -172,14 +179,9 @@ std::string facade_key(const Effect& effect) {
     return effect.place_name.substr(0, effect.place_name.find(" facade"));
 }
 
-bool follows_loads(Driver driver) {
-    return driver == Driver::heating_load || driver == Driver::cooling_load;
-}
-
 std::string job_section_of(const Effect& effect, const CoefficientBelief& coefficient,
                            physics::Seconds from) {
     if (effect.other_hours) return schedule_lines(*effect.other_hours);
-    if (follows_loads(effect.driver)) return "";
     const Effect* row = row_of_name(effect);
     const std::string name = name_in_job(effect);
     std::string lines = "[[effect]]\n" + line("name", name);
@@ -188,17 +190,16 @@ std::string job_section_of(const Effect& effect, const CoefficientBelief& coeffi
             line("hook", name_of(effect.hook)) + line("driver", name_of(effect.driver));
     const Effect plain;
     const Effect& given = row != nullptr ? *row : plain;
-    lines += shape_lines(effect, given, from) + gate_lines(effect, given) +
-             place_lines(effect) + line("coefficient", coefficient.mean);
+    lines += shape_lines(effect, given, from) + load_line(effect) +
+             gate_lines(effect, given) + place_lines(effect) +
+             line("coefficient", coefficient.mean);
     return coefficient.sd > 0 ? lines + parameter_lines(name, coefficient) : lines;
 }
 
 std::string job_section_of(const Effect& at,
                            const std::vector<DriverFunction>& functions) {
     std::string lines;
-    for (const DriverFunction& function : functions)
-        if (!follows_loads(function)) lines += function_lines(function);
-    if (lines.empty()) return lines;
+    for (const DriverFunction& function : functions) lines += function_lines(function);
     return "[[effect]]\n" + line("name", "functions at " + without_dots(at.name)) +
            line("hook", name_of(at.hook)) + place_lines(at) + "coefficient = 1\n" + lines;
 }

@@ -14,8 +14,6 @@ inline constexpr std::array weekday_keys{"monday", "tuesday",  "wednesday", "thu
                                          "friday", "saturday", "sunday"};
 /// "south", "roof": the effect's only facade.
 std::string facade_key(const Effect& effect);
-/// Whether it follows the model's own loads, which no job can declare.
-bool follows_loads(Driver driver);
 
 /// What is believed of a coefficient.
 struct CoefficientBelief {
@@ -25,14 +23,12 @@ struct CoefficientBelief {
 
 /// [[effect]] with this coefficient, and its [[parameter]] with a prior unless it is
 /// fixed, in TOML, which a reader makes the same effect of; of other hours than declared
-/// the lines of their [[schedule]]. Empty of an effect that follows the model's own
-/// loads, which no job can declare.
+/// the lines of their [[schedule]].
 /// \param from  where `elapsed` is 0: the first step of training
 std::string job_section_of(const Effect& effect, const CoefficientBelief& coefficient,
                            physics::Seconds from);
 
-/// [[effect]] that brings functions at a hook, with a coefficient of 1. Those that follow
-/// the model's own loads are left out; empty where none is left.
+/// [[effect]] that brings functions at a hook, with a coefficient of 1.
 std::string job_section_of(const Effect& at,
                            const std::vector<DriverFunction>& functions);
 

@@ -45,6 +45,14 @@ bool adds_up(Hook hook) {
     return row_of(hook).adds_up;
 }
 
+bool leaves_loads(Hook hook) {
+    return row_of(hook).leaves_loads;
+}
+
+bool follows_loads(Driver driver) {
+    return driver == Driver::heating_load || driver == Driver::cooling_load;
+}
+
 bool is_at_a_meter(Hook hook) {
     return row_of(hook).is_at_a_meter;
 }

@@ -10,10 +10,10 @@
 
 namespace bemcal::effects {
 
-/// Series that only a calibrated model knows, of the drive's steps.
+/// Series that only a simulation knows, of the drive's steps.
 struct ModelSeries {
     std::vector<double> heating, cooling;       ///< [n_steps] W; empty = not known yet
-    double most_heating = 0, most_cooling = 0;  ///< in training [W]: one scale for all
+    double most_heating = 0, most_cooling = 0;  ///< the largest in training [W]
 };
 
 /// By which people live: days off and summer time.

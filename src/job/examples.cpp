@@ -351,6 +351,11 @@ since_within = 5                      # [d] a posterior samples the day
 coefficient = 1                       # [W/m2]
 
 [[effect]]
+name = "part-load efficiency of heating"
+full_load = 12                        # [kW] the heating load that counts as 1
+coefficient = -0.3
+
+[[effect]]
 name = "wet air"
 hook = "infiltration"
 driver = "column"

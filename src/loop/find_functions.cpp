@@ -250,4 +250,10 @@ Place with_functions(Place place, const std::vector<FoundFunction>& found,
     return place;
 }
 
+void add_functions(Place& place, const std::vector<FoundFunction>& found) {
+    if (found.empty()) return;
+    const auto drivers = effects::function_drivers(surroundings_of(place));
+    place = with_functions(std::move(place), found, drivers);
+}
+
 }  // namespace bemcal::loop

@@ -31,5 +31,7 @@ bool spares_meters(const LoopData& data, const Standing& without, const Standing
 /// \param drivers  of that period
 Place with_functions(Place place, const std::vector<FoundFunction>& found,
                      const effects::FunctionDrivers& drivers);
+/// The same with what its surroundings know.
+void add_functions(Place& place, const std::vector<FoundFunction>& found);
 
 }  // namespace bemcal::loop

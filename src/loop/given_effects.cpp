@@ -62,8 +62,8 @@ std::vector<study::GivenEffect> given_effects(const LoopData& data,
     if (!result.functions.empty()) given.push_back({"functions", {}});
     std::size_t n_before = 0;
     for (const study::Period& period : data.building.periods) {
-        const Place place = place_in(data, result.baseline, result.last.model,
-                                     result.functions, data.drive_over(period));
+        const Place place =
+            place_in(data, result.last, result.functions, data.drive_over(period));
         const BuiltModel built = place_only(place, found);
         const std::vector<double> values = values_in(built, result.last);
         const auto n_hours = static_cast<std::size_t>(study::hours_of(period));

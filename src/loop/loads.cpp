@@ -1,55 +1,88 @@
-/// Gives effects of part load what they follow: heating and cooling of the calibrated
-/// model over a period, scaled by the largest in training.
-/// Follows from a simulation without effects: no series may depend on what follows it.
-/// How effects change the load is left out. The warm-up repeats the first steps.
+/// Gives effects and functions of part load what they follow: heating and cooling of the
+/// standing model over a period.
+/// Follows from `effects::loads_of`. What follows loads leaves them as they are, so they
+/// are simulated with everything placed, those of before.
+/// Parameters move once more with new loads; what the loads do then is not asked again.
 #include "loop/loads.hpp"
 
 #include "base/error.hpp"
-#include "physics/simulate.hpp"
+#include "effects/loads.hpp"
+#include "loop/find_functions.hpp"
 
 #include <algorithm>
 
 namespace bemcal::loop {
 namespace {
 
-/// Sums over zones. The warm-up, of which no trajectory tells, repeats the first steps.
-std::vector<double> on_all_steps(const physics::Trajectory& trajectory,
-                                 std::vector<double> physics::ZoneTrajectory::* power,
-                                 const physics::Drive& drive) {
-    const auto n = static_cast<std::size_t>(drive.n_steps()),
-               before = static_cast<std::size_t>(drive.n_warm_up);
-    std::vector<double> sums(n, 0.0);
-    for (const physics::ZoneTrajectory& zone : trajectory.zones)
-        for (std::size_t k = 0; k < n; ++k)
-            sums[k] += (zone.*power)[k < before ? k % (n - before) : k - before];
-    return sums;
+effects::ModelSeries loads_in(const Place& place, const Standing& standing) {
+    try {
+        const BuiltModel built = place_only(place, standing.model.effects);
+        return effects::loads_of(building_at(built, values_in(built, standing)),
+                                 built.placed->drive);
+    } catch (const CannotSimulate&) {
+        return {};
+    }
+}
+
+bool follows_loads(const effects::Effect& effect) {
+    return effects::follows_loads(effect.driver);
+}
+
+bool follows_loads(const FoundFunction& function) {
+    return effects::follows_loads(function.basis.driver);
+}
+
+/// The model in its place with its own loads; as it is where it cannot be.
+void place_with_loads(const LoopData& data, const study::FitOptions& options,
+                      const std::vector<FoundFunction>& functions, Place& place,
+                      Standing& last) {
+    Place moved = place;
+    moved.surroundings = std::make_shared<effects::Surroundings>(*place.surroundings);
+    know_loads(moved, last, functions);
+    Standing there = last;
+    try {
+        there.built = build(moved, there.model.effects);
+    } catch (const CannotSimulate&) {
+        return;
+    }
+    refit(data, there, last.fit.at.x, options);
+    if (there.fit.failed) return;
+    place = std::move(moved);
+    last = std::move(there);
 }
 
 }  // namespace
 
-void know_loads(Place& place, const Standing& calibrated) {
-    const BuiltModel built = place_only(place, {});
-    effects::ModelSeries& series = place.surroundings->model;
-    try {
-        const auto trajectory = physics::simulate(
-            building_at(built, values_in(built, calibrated)), built.placed->drive);
-        series.heating = on_all_steps(trajectory, &physics::ZoneTrajectory::heating,
-                                      built.placed->drive);
-        series.cooling = on_all_steps(trajectory, &physics::ZoneTrajectory::cooling,
-                                      built.placed->drive);
-    } catch (const CannotSimulate&) {
-        series = {};
-        return;
-    }
-    series.most_heating = *std::ranges::max_element(series.heating);
-    series.most_cooling = *std::ranges::max_element(series.cooling);
+void know_loads(Place& place, const Standing& standing,
+                const std::vector<FoundFunction>& functions) {
+    const effects::ModelSeries before = place.surroundings->model;
+    if (before.heating.empty())
+        place.surroundings->model = effects::no_loads(*place.drive);
+    add_functions(place, functions);
+    effects::ModelSeries series = loads_in(place, standing);
+    if (before.most_heating > 0) series.most_heating = before.most_heating;
+    if (before.most_cooling > 0) series.most_cooling = before.most_cooling;
+    place.surroundings->model = std::move(series);
+    add_functions(place, functions);
 }
 
-void know_loads(Place& place, const Standing& calibrated,
-                const effects::ModelSeries& in_training) {
-    know_loads(place, calibrated);
-    place.surroundings->model.most_heating = in_training.most_heating;
-    place.surroundings->model.most_cooling = in_training.most_cooling;
+bool follow_loads(const LoopModel& model, const std::vector<FoundFunction>& functions) {
+    const auto follows = [](const auto& one) { return follows_loads(one); };
+    return std::ranges::any_of(model.effects, follows) ||
+           std::ranges::any_of(functions, follows);
+}
+
+void settle_loads(const LoopData& data, const std::vector<FoundFunction>& functions,
+                  Place& place, Standing& last) {
+    if (!follow_loads(last.model, functions)) return;
+    const effects::ModelSeries& scale = place.surroundings->model;
+    for (effects::Effect& effect : last.model.effects)
+        if (effect.driver == effects::Driver::heating_load)
+            effect.full_load = scale.most_heating;
+        else if (effect.driver == effects::Driver::cooling_load)
+            effect.full_load = scale.most_cooling;
+    place_with_loads(data, to_settle, functions, place, last);
+    place_with_loads(data, only_derivatives, functions, place, last);
 }
 
 }  // namespace bemcal::loop

@@ -1,16 +1,25 @@
-/// What the plant of a calibrated model delivers: series that effects of its part load
+/// What the plant of a standing model delivers: series that effects of its part load
 /// follow.
 #pragma once
 
 #include "loop/baseline.hpp"
+#include "loop/found_function.hpp"
 
 namespace bemcal::loop {
 
-/// Fills the surroundings' series from the model, simulated over the place's period, with
-/// its own largest powers as the scale. Once it is known in training, the scale is handed
-/// on to the other periods. Leaves them empty where the model cannot be simulated.
-void know_loads(Place& place, const Standing& calibrated);
-void know_loads(Place& place, const Standing& calibrated,
-                const effects::ModelSeries& in_training);
+/// Fills the surroundings' series from the standing model, with these functions,
+/// simulated over the place's period; the place has the functions then. The scale is the
+/// largest in the first simulation of the place, and stays. Leaves the series empty where
+/// the model cannot be simulated.
+void know_loads(Place& place, const Standing& standing,
+                const std::vector<FoundFunction>& functions);
+
+bool follow_loads(const LoopModel& model, const std::vector<FoundFunction>& functions);
+
+/// Where a last model follows loads: those of itself at the parameters that it ends with,
+/// as a job that declares it would find them.
+/// \param place  of the model, with these functions
+void settle_loads(const LoopData& data, const std::vector<FoundFunction>& functions,
+                  Place& place, Standing& last);
 
 }  // namespace bemcal::loop

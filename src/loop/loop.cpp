@@ -159,7 +159,7 @@ Ended search_from(const LoopData& data, Baseline baseline,
     result.hours_late = hours_late;
     result.baseline = std::move(baseline);
     result.hours = std::move(hours);
-    know_loads(result.baseline.place, result.baseline.chosen);
+    know_loads(result.baseline.place, result.baseline.chosen, {});
     const Place& place = result.baseline.place;
     under_way.begin("power of the readings");
     result.power = power_of(data, place, result.baseline.chosen);
@@ -172,6 +172,7 @@ Ended search_from(const LoopData& data, Baseline baseline,
     if (ended.late_clock) return ended;
     if (result.last.model.effects.empty()) result.last = result.baseline.chosen;
     if (data.options.functions) search_functions(data, result, under_way);
+    settle_loads(data, result.functions, result.baseline.place, result.last);
     under_way.begin("intervals");
     result.after = localise(data, place, result.last);
     result.unexplained = unexplained_of(data, result.last);

@@ -21,26 +21,22 @@ void say_why_impossible(const BuiltModel& built, const std::vector<double>& valu
 
 }  // namespace
 
-Place place_in(const LoopData& data, const Baseline& baseline, const LoopModel& model,
+Place place_in(const LoopData& data, const Standing& standing,
                const std::vector<FoundFunction>& functions,
                std::shared_ptr<const physics::Drive> drive) {
-    Place place = make_place(data, model.structure, std::move(drive));
-    if (!model.effects.empty() || !functions.empty()) {
-        // The effects follow the loads of the structure that they were searched in.
-        Place searched = make_place(data, baseline.chosen.model.structure, place.drive);
-        know_loads(searched, baseline.chosen, baseline.place.surroundings->model);
-        place.surroundings->model = searched.surroundings->model;
-    }
-    if (functions.empty()) return place;
-    const auto drivers = effects::function_drivers(surroundings_of(place));
-    return with_functions(std::move(place), functions, drivers);
+    Place place = make_place(data, standing.model.structure, std::move(drive));
+    if (follow_loads(standing.model, functions))
+        know_loads(place, standing, functions);
+    else
+        add_functions(place, functions);
+    return place;
 }
 
 std::vector<std::vector<double>> hours_of(
-    const LoopData& data, const Baseline& baseline, const Standing& standing,
+    const LoopData& data, const Standing& standing,
     const std::vector<FoundFunction>& functions,
     const std::shared_ptr<const physics::Drive>& drive) {
-    Place place = place_in(data, baseline, standing.model, functions, drive);
+    Place place = place_in(data, standing, functions, drive);
     for (kernel::Channel& channel : place.channels)
         channel.interval = physics::Interval::hourly;
     const BuiltModel built = build(place, standing.model.effects);

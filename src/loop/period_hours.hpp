@@ -13,14 +13,14 @@ namespace bemcal::loop {
 
 /// The place of a model in any period: with its structure, the loads that effects follow,
 /// the columns of functions.
-Place place_in(const LoopData& data, const Baseline& baseline, const LoopModel& model,
+Place place_in(const LoopData& data, const Standing& standing,
                const std::vector<FoundFunction>& functions,
                std::shared_ptr<const physics::Drive> drive);
 
 /// Predictions of every hour of a drive's period. [channels x hours] Throws
 /// CannotSimulate with the hour and what is impossible there.
 std::vector<std::vector<double>> hours_of(
-    const LoopData& data, const Baseline& baseline, const Standing& standing,
+    const LoopData& data, const Standing& standing,
     const std::vector<FoundFunction>& functions,
     const std::shared_ptr<const physics::Drive>& drive);
 

@@ -154,9 +154,11 @@ std::vector<functions::Pair> Remainder::pairs() const {
     std::vector<functions::Pair> pairs;
     pairs.reserve(n_pairs());
     for (std::size_t id = 0; id < n_pairs(); ++id)
-        pairs.push_back({id, effects::is_at_a_meter(hook_of(id).hook)
-                                 ? decisions::log_odds_of_meter
-                                 : decisions::log_odds_of_hook});
+        if (!effects::follows_loads(basis_of(id).driver) ||
+            effects::leaves_loads(hook_of(id).hook))
+            pairs.push_back({id, effects::is_at_a_meter(hook_of(id).hook)
+                                     ? decisions::log_odds_of_meter
+                                     : decisions::log_odds_of_hook});
     return pairs;
 }
 

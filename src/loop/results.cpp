@@ -397,7 +397,7 @@ class Writer {
         std::size_t model, const study::Period& period,
         const std::shared_ptr<const physics::Drive>& drive, std::size_t n_hours) {
         try {
-            return hours_of(data_, result_.baseline, *standings_of(result_)[model],
+            return hours_of(data_, *standings_of(result_)[model],
                             model == StoredLoop::after ? result_.functions
                                                        : std::vector<FoundFunction>{},
                             drive);

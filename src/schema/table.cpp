@@ -291,6 +291,9 @@ constexpr Key table[] = {
     {"effect", "since_within", Type::integer, "d", "0", 0, 60,
      "A posterior samples the day of `since`, so many days before and after. 0 = it is "
      "known."},
+    {"effect", "full_load", Type::number, "kW", "", 1e-6, 1e6,
+     "Of an effect that follows the heating or the cooling load: the load that counts as "
+     "1, of all zones. The load is that of the nominal building with its other effects."},
     {"effect", "gate", Type::text, "", "always", 0, 0,
      "When it acts: always, occupied, unoccupied, day, night, weekend, weekday, heating "
      "season, cooling season, on days, EU summer time, US summer time."},
@@ -308,8 +311,9 @@ constexpr Key table[] = {
      "[[effect.function]]: in place of a driver, it follows the sum of these."},
     {"effect.function", "driver", Type::text, "", required, 0, 0,
      "\"one\", \"hour of the week\", \"outdoor temperature\" (also \"of three days\", \"of a "
-     "month\"), \"sun\", \"wind\", \"moisture\", \"hour and outdoor temperature of a day\" "
-     "or \"time\"."},
+     "month\"), \"sun\", \"wind\", \"moisture\", \"hour and outdoor temperature of a "
+     "day\", \"time\", and at efficiencies and meters \"heating load\" or \"cooling load\" "
+     "in kW."},
     {"effect.function", "at", Type::numbers, "", "", -1e6, 1e6,
      "Where the driver is at each of the values, rising; between them it is straight. Not "
      "of hours, time and one."},

@@ -158,7 +158,8 @@ physics::Drive drive_of(const Case& building, const physics::Building& variant,
         building.step_s, start.warm_up_hours, building.sky, building.planes.get());
     drive.theta_start = start.theta;
     if (building.declared_effects)
-        effects::write_profiles(*building.declared_effects, building.weather, drive);
+        effects::write_profiles(*building.declared_effects, variant, building.weather,
+                                drive);
     return drive;
 }
 

@@ -120,8 +120,8 @@ void add_days(const DeclaredEffects::Day& day, Shapes& shapes) {
 
 /// Series of the steps behind the warm-up.
 effects::FunctionDrivers drivers_in(const Case& building, const physics::Drive& drive) {
-    effects::FunctionDrivers drivers = effects::function_drivers(
-        effects::surroundings_of(*building.declared_effects, drive, building.weather));
+    effects::FunctionDrivers drivers = effects::function_drivers(effects::surroundings_of(
+        *building.declared_effects, building.building, drive, building.weather));
     for (auto& [name, all] : drivers)
         for (std::vector<double>& series : all)
             series.erase(series.begin(), series.begin() + drive.n_warm_up);

@@ -2,6 +2,7 @@
 #include "base/error.hpp"
 #include "effects/declared.hpp"
 #include "effects/hooks.hpp"
+#include "effects/loads.hpp"
 #include "office.hpp"
 
 #include <gtest/gtest.h>
@@ -59,7 +60,7 @@ std::vector<std::vector<double>> shown_by(const DeclaredEffects& declared,
     Placed placed;
     placed.building = building_with(own, period.drive, period.weather, own.n_rows);
     placed.drive = with_rows(period.drive, own.n_rows);
-    write_profiles(own, period.weather, placed.drive);
+    write_profiles(own, placed.building, period.weather, placed.drive);
     return test::all_shown(placed, {});
 }
 
@@ -116,9 +117,10 @@ TEST(Declared, CoefficientsAreNumbersWithAPathAndARange) {
 
 TEST(Declared, EffectsNeedWhatTheyFollowInEveryPeriod) {
     const Office office;
-    Effect effect{.name = "with the load",
+    Effect effect{.name = "with the rain",
                   .hook = Hook::gains,
-                  .driver = Driver::heating_load,
+                  .driver = Driver::column,
+                  .column = "rain",
                   .most = 1};
     DeclaredEffects declared = declared_in(office, {effect}, 0.1);
     EXPECT_THROW(building_with(declared, office.drive, office.weather, declared.n_rows),
@@ -126,7 +128,44 @@ TEST(Declared, EffectsNeedWhatTheyFollowInEveryPeriod) {
     declared.effects[0].driver = Driver::wind;
     declared.n_rows = 2;  // of a period with another input
     physics::Drive drive = with_rows(office.drive, 2);
-    EXPECT_THROW(write_profiles(declared, office.weather, drive), CannotSimulate);
+    EXPECT_THROW(write_profiles(declared, office.building, office.weather, drive),
+                 CannotSimulate);
+}
+
+// The boiler's part load is that of the building with its other effects; 1 is full_load.
+TEST(Declared, LoadsAreThoseOfTheBuildingWithItsOtherEffects) {
+    const Office office;
+    const Effect part_load{.name = "part load",
+                           .hook = Hook::heating_efficiency,
+                           .driver = Driver::heating_load,
+                           .shape = {Form::below, 0.3},
+                           .least = -1,
+                           .most = 1,
+                           .is_smooth = true,
+                           .full_load = 20'000};
+    const Effect warmth{.name = "warmth", .hook = Hook::gains, .least = -9, .most = 9};
+    DeclaredEffects declared = declared_in(office, {part_load, warmth}, -0.5);
+    declared.coefficients[1] = 4;
+    EXPECT_TRUE(declared.follow_loads());
+    const physics::Building building =
+        building_with(declared, office.drive, office.weather, declared.n_rows);
+    physics::Drive drive = with_rows(office.drive, declared.n_rows);
+    write_profiles(declared, building, office.weather, drive);
+
+    DeclaredEffects other = declared_in(office, {warmth}, 4);
+    const physics::Building warmed =
+        building_with(other, office.drive, office.weather, other.n_rows);
+    physics::Drive of_warmed = with_rows(office.drive, other.n_rows);
+    write_profiles(other, warmed, office.weather, of_warmed);
+    const ModelSeries loads = loads_of(warmed, of_warmed);
+    const auto row = drive.profiles.row(declared.first_row);
+    double most = 0;
+    for (std::size_t k = 0; k < row.size(); ++k) {
+        EXPECT_NEAR(row[k], std::max(0.0, 0.3 - loads.heating[k] / 20'000), 1e-12);
+        most = std::max(most, loads.heating[k]);
+    }
+    EXPECT_GT(most, 6'000);
+    EXPECT_LT(most, loads_of(office.building, office.drive).most_heating);
 }
 
 }  // namespace

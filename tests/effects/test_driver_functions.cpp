@@ -53,12 +53,13 @@ TEST(DriverFunctions, HolidaysAreSundaysByTheWallClock) {
     EXPECT_EQ(at("2021-07-05T23:00"), 0);       // Tuesday has begun
 }
 
-TEST(DriverFunctions, NoJobDeclaresThoseOfTheModelsOwnLoads) {
+TEST(DriverFunctions, DriversHaveNamesAndUnits) {
     const auto names = function_driver_names();
-    EXPECT_EQ(std::ranges::count(names, "heating load"), 0);
+    EXPECT_EQ(std::ranges::count(names, "heating load"), 1);
     EXPECT_EQ(std::ranges::count(names, "wind"), 1);
-    EXPECT_TRUE(follows_loads({"cooling load", {}, {}}));
-    EXPECT_FALSE(follows_loads({"time", {}, {}}));
+    EXPECT_TRUE(follows_loads("cooling load"));
+    EXPECT_FALSE(follows_loads("time"));
+    EXPECT_EQ(unit_of_driver("heating load"), "kW");
     EXPECT_EQ(unit_of_driver("time"), "a");
     EXPECT_EQ(unit_of_driver("one"), "");
     EXPECT_EQ(unit_of_driver("hour and outdoor temperature of a day"), "degC");

@@ -389,6 +389,7 @@ bool are_apart(const std::filesystem::path& one, const std::filesystem::path& ot
            !(is_of(one, "layer_") && is_of(other, "same_name_")) &&
            !(is_of(one, "hours_of_") && is_of(other, "use_of_")) &&
            !(is_of(one, "holidays_") && is_of(other, "structure_")) &&
+           !(is_of(one, "structure_") && is_of(other, "holidays_")) &&
            !(is_of(one, "link") && (is_of(other, "values_") || is_of(other, "target_")));
 }
 

@@ -1,6 +1,7 @@
 /// [[effect]]: what a job says of effects that its building has, in every study.
 #include "effects/catalogue.hpp"
 #include "effects/job_section.hpp"
+#include "effects/loads.hpp"
 #include "effects/make_surroundings.hpp"
 #include "job/small_office.hpp"
 #include "physics/numbers.hpp"
@@ -76,10 +77,13 @@ TEST(DeclaredEffects, AreSaidByHookDriverFormAndGate) {
 std::vector<effects::Effect> candidates() {
     const study::Case office = office_with("");
     const physics::Drive drive = study::drive_of(office, office.periods[0]);
-    const effects::Surroundings around = effects::make_surroundings(
+    effects::Surroundings around = effects::make_surroundings(
         office.building, drive, office.weather, office.periods[0].from);
+    around.model = effects::loads_of(office.building, drive);
     const std::vector<physics::Quantity> meters = {physics::Quantity::electricity};
     std::vector<effects::Effect> all = effects::named_candidates(around, meters);
+    for (effects::Effect& effect : all)
+        if (effects::follows_loads(effect.driver)) effect.full_load = 4500;
     const auto others = effects::generic_candidates(around, meters);
     all.insert(all.end(), others.begin(), others.end());
     return all;
@@ -88,11 +92,15 @@ std::vector<effects::Effect> candidates() {
 /// A loop writes them so that the job has the same effect.
 TEST(DeclaredEffects, AreReadAsTheyAreWritten) {
     constexpr std::size_t every = 3;
+    int n_of_loads = 0;
     const physics::Seconds from = physics::parse_time("2021-01-01");
     const std::vector<effects::Effect> all = candidates();
     ASSERT_GT(all.size(), 300U);
-    for (std::size_t k = 0; k < all.size(); k += every) {
+    for (std::size_t k = 0; k < all.size(); ++k) {
         const effects::Effect& effect = all[k];
+        const bool is_of_load = effects::follows_loads(effect.driver);
+        if (k % every != 0 && !is_of_load) continue;
+        n_of_loads += is_of_load ? 1 : 0;
         const double typical = std::abs(effect.typical) / 3;
         const std::string section =
             effects::job_section_of(effect, {typical, typical / 9, -1e9, 1e9}, from);
@@ -102,11 +110,13 @@ TEST(DeclaredEffects, AreReadAsTheyAreWritten) {
         const effects::Effect& own = office.declared_effects->effects.at(0);
         EXPECT_EQ(sentence_of(own), sentence_of(effect));
         EXPECT_TRUE(own.driver == effects::Driver::elapsed || are_equal(own, effect));
+        EXPECT_EQ(own.full_load, effect.full_load);
         EXPECT_EQ(office.declared_effects->coefficients[0], typical);
         EXPECT_EQ(office.parameters.at(0).targets.size(),
                   office.building.effects.at(0).targets.size());
         EXPECT_NEAR(office.parameters[0].nominal, typical, 1e-12);
     }
+    EXPECT_GE(n_of_loads, 3);  // reheat, part load of heating and of cooling
 }
 
 TEST(DeclaredEffects, OtherHoursAreLinesOfTheirSchedule) {
@@ -143,16 +153,15 @@ TEST(DeclaredEffects, FollowFunctionsAsTheyAreWritten) {
         {"one", {}, {1.5}},
         {"hour of the week", {Kind::hours}, std::vector<double>(72, 0.25)},
         {"wind", {Kind::knots, {1, 2.5, 9}}, {0, 1.0 / 3, -1}},
-        {"heating load", {Kind::knots, {0, 1}}, {5, 5}},
         {"time", {Kind::fortnights, {}, 3}, {0, 2, 4}}};
     const study::Case office = office_with(effects::job_section_of(at, all));
     const effects::DeclaredEffects& declared = *office.declared_effects;
     EXPECT_EQ(declared.coefficients, std::vector<double>{1});
     EXPECT_TRUE(declared.effects[0].is_smooth);
     const auto& read = declared.functions.at(0).functions;
-    ASSERT_EQ(read.size(), 4U);  // without the load's
+    ASSERT_EQ(read.size(), 4U);
     for (std::size_t k = 0; k < read.size(); ++k) {
-        const effects::DriverFunction& written = all[k < 3 ? k : k + 1];
+        const effects::DriverFunction& written = all[k];
         EXPECT_EQ(read[k].driver, written.driver);
         EXPECT_EQ(read[k].values, written.values);
         EXPECT_EQ(read[k].points.knots, written.points.knots);
@@ -166,7 +175,29 @@ TEST(DeclaredEffects, FollowFunctionsAsTheyAreWritten) {
     const double by_wind = sum - 2 - 1.5 - 0.25;
     EXPECT_GE(by_wind, -1);
     EXPECT_LE(by_wind, 1.0 / 3);
-    EXPECT_TRUE(effects::job_section_of(at, {all[3]}).empty());
+}
+
+/// In kW of the nominal building: a parameter's value moves them.
+TEST(DeclaredEffects, FollowTheLoadOfTheNominalBuilding) {
+    effects::Effect at;
+    at.name = "heating efficiency";
+    at.hook = effects::Hook::heating_efficiency;
+    const effects::DriverFunction by_load{
+        "heating load", {functions::Points::Kind::knots, {0, 20}}, {-0.2, 0.2}};
+    const std::string section = effects::job_section_of(at, {by_load});
+    const auto row_of = [&](const std::string& sections) {
+        const study::Case office = office_with(section + sections);
+        const physics::Drive drive = study::drive_of(office, office.periods[0]);
+        const auto row = drive.profiles.row(office.declared_effects->first_row);
+        const effects::ModelSeries loads = effects::loads_of(office.building, drive);
+        for (std::size_t k = 0; k < row.size(); ++k)
+            EXPECT_NEAR(row[k], -0.2 + 0.02 * std::min(loads.heating[k] / 1000, 20.0),
+                        1e-12);
+        return std::vector<double>(row.begin(), row.end());
+    };
+    EXPECT_NE(row_of(""), row_of("[[parameter]]\nname = \"air\"\n"
+                                 "target = \"zone.office.sky_temperature_difference\"\n"
+                                 "min = 0\nmax = 20\nvalue = 15\n"));
 }
 
 study::Case office_of(const std::string& structure, const std::string& sections = "") {

@@ -70,7 +70,7 @@ TEST(BesideFunctions, AnEffectWithoutWhichFunctionsForetellMoreLeaves) {
     EXPECT_EQ(
         found(-40, "early start", true),
         std::pair(none, std::string("taken out: functions foretell more without it")));
-    EXPECT_EQ(found(-20, "early start", true).first, early) << "a name is worth some";
+    EXPECT_EQ(found(-24, "early start", true).first, early) << "a name is worth some";
     EXPECT_EQ(found(-20, "exhaust fan", true).first, fan);
 }
 

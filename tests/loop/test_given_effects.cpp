@@ -45,8 +45,7 @@ std::vector<study::GivenEffect> given_with(const std::vector<FoundFunction>& fun
     result.functions = functions;
     result.last = result.baseline.chosen;
     result.last.model.effects = {gas_of_the_morning()};
-    const Place place =
-        place_in(data, result.baseline, result.last.model, functions, data.drive);
+    const Place place = place_in(data, result.last, functions, data.drive);
     result.last.built = build(place, result.last.model.effects);
     result.last.fit.at.x.push_back(10 / result.last.built.unknowns.back().scale);
     return given_effects(data, result);

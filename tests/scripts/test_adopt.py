@@ -166,8 +166,8 @@ class Adopt(unittest.TestCase):
         schedule = tomllib.loads(self.new.read_text())["schedule"][0]
         self.assertEqual(schedule, {"name": "plant", "saturday": [1, 0]})
 
-    def test_what_no_job_can_say_is_told(self):
-        self.assertIn("left out: effect wind infiltration: it follows the model's own loads",
+    def test_what_the_result_has_no_section_of_is_told(self):
+        self.assertIn("left out: effect wind infiltration: the result has no section of it",
                       self.adopt(sections=("",)))
 
     def test_nothing_is_written_over(self):
