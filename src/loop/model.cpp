@@ -289,18 +289,40 @@ std::vector<std::size_t> whole_structure(const LoopData& data,
     return whole;
 }
 
+namespace {
+
+void change_structure(const std::vector<std::size_t>& structure,
+                      physics::Building& building) {
+    for (const std::size_t index : structure)
+        if (const auto change = effects::refinements()[index].change)
+            if (!change(building))
+                throw CannotSimulate(fmt::format("nothing for '{}' to change",
+                                                 effects::refinements()[index].name));
+}
+
+/// Declared effects follow what the structure shows them: the sun through other glass.
+std::shared_ptr<const physics::Drive> drive_of_structure(
+    const LoopData& data, const std::vector<std::size_t>& structure,
+    const physics::Building& building, std::shared_ptr<const physics::Drive> drive) {
+    if (!data.building.declared_effects || structure.empty()) return drive;
+    effects::DeclaredEffects declared = *data.building.declared_effects;
+    declared.building.planes = data.building.building.planes;  // of every refinement
+    change_structure(structure, declared.building);
+    physics::Drive changed = *drive;
+    effects::write_profiles(declared, building, data.building.weather, changed);
+    return std::make_shared<physics::Drive>(std::move(changed));
+}
+
+}  // namespace
+
 Place make_place(const LoopData& data, const std::vector<std::size_t>& structure,
                  std::shared_ptr<const physics::Drive> drive) {
     auto described = std::make_shared<physics::Building>(data.building.building);
-    for (const std::size_t index : structure)
-        if (const auto change = effects::refinements()[index].change)
-            if (!change(*described))
-                throw CannotSimulate(fmt::format("nothing for '{}' to change",
-                                                 effects::refinements()[index].name));
+    change_structure(structure, *described);
     Place place;
     place.building = *described;
     place.described = described;
-    place.drive = std::move(drive);
+    place.drive = drive_of_structure(data, structure, *described, std::move(drive));
     add_parameters(data, place);
     add_structure(structure, place);
     place.surroundings =

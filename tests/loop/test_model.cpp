@@ -1,4 +1,5 @@
 #include "base/error.hpp"
+#include "job/small_office.hpp"
 #include "loop/model.hpp"
 #include "loop/windy_case.hpp"
 
@@ -274,6 +275,31 @@ TEST(LoopModel, SharesAreOfEnergyByTheHour) {
              noise_of(data, std::vector<double>(data.targets.size(), 1)))
             EXPECT_EQ(noise.share, 1);
     }
+}
+
+// As in a job that has the effect and the structure.
+TEST(Model, DeclaredEffectsFollowTheSunThroughTheGlassOfTheStructure) {
+    const auto office = [](const std::string& structure) {
+        const job::Folder folder;
+        const std::string text = job::replaced(
+            job::small_office_text(), "[[parameter]]",
+            "[[effect]]\nname = \"less sun\"\nhook = \"gains\"\n"
+            "driver = \"sun on the sunniest window\"\ncoefficient = -0.01\n\n"
+            "[[parameter]]");
+        return job::read_job(job::write_small_office(folder, structure + text))
+            .buildings.at(0);
+    };
+    const auto row_in = [](const Case& made, const physics::Drive& drive) {
+        const auto row = drive.profiles.row(made.declared_effects->first_row);
+        return std::vector<double>(row.begin(), row.end());
+    };
+    const Case plain = office(""),
+               with_glass = office("structure = [\"glass by angle\"]\n");
+    const LoopData data(plain, LoopOptions{});
+    const Place place = make_place(data, {refinement("glass by angle")}, data.drive);
+    EXPECT_EQ(row_in(plain, *place.drive),
+              row_in(with_glass, study::drive_of(with_glass, with_glass.periods[0])));
+    EXPECT_NE(row_in(plain, *place.drive), row_in(plain, *data.drive));
 }
 
 TEST(LoopModel, ARefinementWithNothingToRefineIsRefusedByName) {
