@@ -29,9 +29,12 @@ constexpr std::size_t n_outputs = n_energies + 2;  ///< and hours too cold, too 
 /// A variant of the building over the period.
 struct Variant {
     Variant(physics::Building of, const std::vector<physics::Parameter>& numbers,
-            const physics::Drive& drive)
-        : building(std::move(of)), batch(building, numbers, drive) {}
+            std::shared_ptr<const physics::Drive> over)
+        : building(std::move(of)),
+          drive(std::move(over)),
+          batch(building, numbers, *drive) {}
     physics::Building building;
+    std::shared_ptr<const physics::Drive> drive;
     kernel::Batch batch;
 };
 
@@ -43,10 +46,11 @@ class Retrofit : public study::Stage {
           building_(building),
           options_(options),
           numbers_(building, options.scenarios),
-          drive_(study::drive_of(building, period)) {
-        add_variant(building.building);
+          drive_(std::make_shared<physics::Drive>(study::drive_of(building, period))) {
+        add_variant(building.building, drive_);
         for (const Scenario& scenario : options_.scenarios)
-            add_variant(with_plant(building.building, scenario));
+            add_variant(with_plant(building.building, scenario),
+                        drive_after(scenario, period));
         points_ = study::nominal_row(building.parameters);
     }
 
@@ -85,10 +89,13 @@ class Retrofit : public study::Stage {
     }
 
   private:
-    void add_variant(physics::Building building) {
-        variants_.push_back(
-            std::make_unique<Variant>(std::move(building), numbers_.numbers(), drive_));
+    void add_variant(physics::Building building,
+                     std::shared_ptr<const physics::Drive> drive) {
+        variants_.push_back(std::make_unique<Variant>(
+            std::move(building), numbers_.numbers(), std::move(drive)));
     }
+    std::shared_ptr<const physics::Drive> drive_after(const Scenario& scenario,
+                                                      const study::Period& period) const;
     /// Numbers of a point's answer.
     std::size_t width() const { return n_outputs * variants_.size(); }
     /// Point 0 is the description.
@@ -106,7 +113,7 @@ class Retrofit : public study::Stage {
                      std::size_t first_column, Matrix& rows) const;
     bool is_occupied(int step) const {
         return options_.occupied_profile < 0 ||
-               drive_.profile_at(options_.occupied_profile, step) >= occupied_from;
+               drive_->profile_at(options_.occupied_profile, step) >= occupied_from;
     }
     Matrix rows_of(const std::vector<study::ItemAnswer>& answers) const;
     Savings savings_of(const std::vector<study::ItemAnswer>& answers) const;
@@ -115,11 +122,24 @@ class Retrofit : public study::Stage {
     study::Case building_;
     RetrofitOptions options_;
     ScenarioNumbers numbers_;
-    physics::Drive drive_;
+    std::shared_ptr<const physics::Drive> drive_;     ///< before
     std::vector<std::unique_ptr<Variant>> variants_;  ///< before, then the scenarios
     Matrix found_;                                    ///< rank 0's
     Matrix points_;  ///< the description, then those of the round
 };
+
+/// Loads that effects follow are those of the nominal building after a scenario; nothing
+/// else of a drive changes.
+std::shared_ptr<const physics::Drive> Retrofit::drive_after(
+    const Scenario& scenario, const study::Period& period) const {
+    if (!building_.declared_effects || !building_.declared_effects->follow_loads())
+        return drive_;
+    const auto before = numbers_.before(study::nominal_row(building_.parameters).row(0));
+    physics::Building after = building_.building;
+    physics::apply(building_.building, numbers_.numbers(),
+                   numbers_.after(before, scenario), after);
+    return std::make_shared<physics::Drive>(study::drive_of(building_, after, period));
+}
 
 Matrix Retrofit::numbers_of(std::size_t variant, const Matrix& before) const {
     if (variant == 0) return before;
@@ -136,17 +156,17 @@ Matrix Retrofit::numbers_of(std::size_t variant, const Matrix& before) const {
 /// Adds the hours in which the zones are too cold and too warm.
 void Retrofit::count_hours(const Variant& variant, const Matrix& numbers,
                            std::size_t first_column, Matrix& rows) const {
-    const double hours = drive_.axis.step_s / 3600.0;
+    const double hours = drive_->axis.step_s / 3600.0;
     const auto count_row = [&](std::size_t row, const study::LaneSeries& temperature) {
         ComfortHours outside;
         for (std::size_t step = 0; step < temperature.size(); ++step)
-            if (is_occupied(drive_.n_warm_up + static_cast<int>(step)))
+            if (is_occupied(drive_->n_warm_up + static_cast<int>(step)))
                 count(options_, temperature[step], hours, outside);
         rows(row, first_column) = outside.too_cold;
         rows(row, first_column + 1) = outside.too_warm;
     };
     study::for_each_series(variant.batch, numbers, Quantity::air_temperature,
-                           drive_.n_steps() - drive_.n_warm_up, count_row);
+                           drive_->n_steps() - drive_->n_warm_up, count_row);
 }
 
 void Retrofit::evaluate(std::size_t variant, const Matrix& numbers, Matrix& rows,
@@ -206,7 +226,7 @@ Savings Retrofit::savings_of(const std::vector<study::ItemAnswer>& answers) cons
     savings.rows = rows_of(answers);
     savings.parameters = building_.parameters;
     if (answers.size() > 1) savings.points = found_;
-    savings.period = drive_.period();
+    savings.period = drive_->period();
     return savings;
 }
 

@@ -211,6 +211,32 @@ TEST(Retrofit, AStepWhoseDayWasSampledIsScaledAsAWhole) {
                  halved(office("2021-01-14", ""), "effect.tenant", as_described));
 }
 
+/// A boiler's part load after a measure is that of the building after it.
+TEST(Retrofit, LoadsThatAnEffectFollowsAreThoseOfEachSide) {
+    Case made = job::small_office_with(
+        "[[effect]]\nname = \"part-load efficiency of heating\"\nfull_load = 30\n"
+        "form = \"linear\"\ncoefficient = 0.8\n");
+    std::erase_if(made.parameters,
+                  [](const auto& one) { return one.name == "infiltration"; });
+    made.priors.clear();
+    const char* leaks = "zone.office.flow.infiltration.air_change";
+    const retrofit::ScenarioChange tight =
+        change(made, leaks, retrofit::ChangeBy::value, 0.3);
+    const auto results =
+        results_of(made, options_of({{"tight", {tight}, {}}}), as_described);
+    Case after = made;
+    physics::number_at(after.building, tight.targets.at(0)) = 0.3;
+    const auto of_after =
+        results_of(after, options_of({{"nothing", {}, {}}}), as_described);
+    const auto &found = test::find(results, "after").values,
+               &expected = test::find(of_after, "before").values;
+    for (std::size_t k = 0; k < n_outputs; ++k)
+        EXPECT_NEAR(found[k], expected[k], 1e-9 * (1 + expected[k])) << k;
+    const auto& before = test::find(results, "before").values;
+    EXPECT_GT(before[heating], 1.1 * found[heating]);
+    EXPECT_LT(found[heating] / found[gas], 0.99 * before[heating] / before[gas]);
+}
+
 TEST(Retrofit, AHeatPumpMovesHeatingToAnotherMeter) {
     const Case house = steady_case();
     retrofit::Scenario pump{
