@@ -83,6 +83,39 @@ def differences(result, screened, buildings):
                 for building in buildings}
 
 
+def judge(result, jobs, names):
+    """Adopts each building's file of a folder and runs the new jobs: {building: (found, sections of that, found by a
+    second loop, difference)}, the last two None where the new job was refused."""
+    new = {building: adopt(result, jobs, building) for building in names}
+    adopted = [building for building in names if new[building]]
+    jobs_of_adopted = [new[building] for building in adopted]
+    differs = differences(result, run_study(jobs, jobs_of_adopted, "screening", "n_points = 1"), adopted)
+    again = run_study(jobs, jobs_of_adopted, "loop")
+    judged = {}
+    for building in names:
+        found, sections = effects_in(result, building)
+        is_adopted = building in adopted
+        more = effects_in(again, building)[0] if is_adopted else None
+        judged[building] = found, sections, more, differs.get(building)
+        if is_adopted:
+            print(f"# {building}: {'; '.join(found) or 'nothing'}; then {'; '.join(more) or 'nothing more'}; "
+                  f"predictions differ by {differs[building]:.1e}", flush=True)
+    return judged
+
+
+def print_judged(judged):
+    sections = [section for _, own, _, _ in judged.values() for section in own]
+    differs = [differs for *_, differs in judged.values() if differs is not None]
+    quiet = sum(more == [] for _, _, more, _ in judged.values())
+    n = len(differs)
+    print(f"adopt_jobs_read {n} jobs {len(judged)} {n / len(judged):.2f}")
+    print(f"adopt_effects_declared {sum(map(bool, sections))} effects {len(sections)} -")
+    same = sum(d <= SAME for d in differs)
+    print(f"adopt_predicts_the_same {same} jobs {n} {same / n:.2f}")
+    print(f"adopt_largest_difference {max(differs):.1e} - {SAME} {max(differs) / SAME:.2g}")
+    print(f"adopt_nothing_more {quiet} jobs {n} {quiet / n:.2f}")
+
+
 def main():
     cases = case_folders()
     if not cases:
@@ -93,26 +126,7 @@ def main():
         out = first_loops(cases, folder)
         jobs = folder / "jobs"
         shutil.copytree(out / "job", jobs)
-        result = next(out.glob("*.h5"))
-        names = [case.name for case in cases]
-        new = {building: adopt(result, jobs, building) for building in names}
-        adopted = [building for building in names if new[building]]
-        jobs_of_adopted = [new[building] for building in adopted]
-        differs = differences(result, run_study(jobs, jobs_of_adopted, "screening", "n_points = 1"), adopted)
-        again = run_study(jobs, jobs_of_adopted, "loop")
-        first = {building: effects_in(result, building) for building in names}
-        second = {building: effects_in(again, building)[0] for building in adopted}
-        for building in adopted:
-            print(f"# {building}: {'; '.join(first[building][0]) or 'nothing'}; then "
-                  f"{'; '.join(second[building]) or 'nothing more'}; predictions differ by {differs[building]:.1e}")
-        sections = [section for found in first.values() for section in found[1]]
-        quiet = sum(not second[building] for building in adopted)
-        print(f"adopt_jobs_read {len(adopted)} jobs {len(names)} {len(adopted) / len(names):.2f}")
-        print(f"adopt_effects_declared {sum(map(bool, sections))} effects {len(sections)} -")
-        same = sum(d <= SAME for d in differs.values())
-        print(f"adopt_predicts_the_same {same} jobs {len(adopted)} {same / len(adopted):.2f}")
-        print(f"adopt_largest_difference {max(differs.values()):.1e} - {SAME} {max(differs.values()) / SAME:.2g}")
-        print(f"adopt_nothing_more {quiet} jobs {len(adopted)} {quiet / len(adopted):.2f}")
+        print_judged(judge(next(out.glob("*.h5")), jobs, [case.name for case in cases]))
 
 
 if __name__ == "__main__":
