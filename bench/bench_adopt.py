@@ -88,6 +88,8 @@ def judge(result, jobs, names):
     second loop, difference)}, the last two None where the new job was refused."""
     new = {building: adopt(result, jobs, building) for building in names}
     adopted = [building for building in names if new[building]]
+    if not adopted:
+        return {building: (*effects_in(result, building), None, None) for building in names}
     jobs_of_adopted = [new[building] for building in adopted]
     differs = differences(result, run_study(jobs, jobs_of_adopted, "screening", "n_points = 1"), adopted)
     again = run_study(jobs, jobs_of_adopted, "loop")
@@ -109,6 +111,8 @@ def print_judged(judged):
     quiet = sum(more == [] for _, _, more, _ in judged.values())
     n = len(differs)
     print(f"adopt_jobs_read {n} jobs {len(judged)} {n / len(judged):.2f}")
+    if not n:
+        return
     print(f"adopt_effects_declared {sum(map(bool, sections))} effects {len(sections)} -")
     same = sum(d <= SAME for d in differs)
     print(f"adopt_predicts_the_same {same} jobs {n} {same / n:.2f}")

@@ -25,17 +25,21 @@ def copied(job, folder):
     own = folder / f"{job.parent.name}_{job.stem}"
     shutil.copytree(job.parent, own)
     for text in own.glob("*.toml"):
-        text.write_text(RELATIVE.sub(lambda found: f'"{(job.parent / found[1]).resolve()}"', text.read_text()))
+        text.write_text(with_whole_paths(text.read_text(), job.parent))
     return own / job.name
+
+
+def with_whole_paths(text, folder):
+    return RELATIVE.sub(lambda found: f'"{(folder / found[1]).resolve()}"', text)
 
 
 def by_name(job):
     """Writes each building's file anew as NAME.toml beside the job, without a study. The names."""
-    job_keys = tomllib.loads(job.read_text())
     names = []
-    for file in job_keys.get("buildings", [job.name]):
-        text = (job.parent / file).read_text().split("[[study]]")[0]
-        names.append(tomllib.loads(text).get("name", pathlib.Path(file).stem))
+    for file in tomllib.loads(job.read_text()).get("buildings", [job.name]):
+        path = job.parent / file
+        text = with_whole_paths(path.read_text(), path.parent).split("[[study]]")[0]
+        names.append(tomllib.loads(text).get("name", path.stem))
         (job.parent / f"{names[-1]}.toml").write_text(text)
     return names
 

@@ -235,7 +235,7 @@ void add_status(CLI::App& app, CommandLine& line) {
 
 void add_others(CLI::App& app, CommandLine& line) {
     CLI::App* check =
-        app.add_subcommand("check", "read everything, simulate nothing, print the plan");
+        app.add_subcommand("check", "read everything, start no study, print the plan");
     check->add_option("JOB", line.job, "job file, or a folder NAME with NAME.toml")
         ->required();
     auto* slurm = check->add_flag("--slurm", line.slurm,

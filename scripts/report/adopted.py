@@ -150,8 +150,12 @@ def adopt_functions(loop, job):
 
 
 def left_out(loop):
-    return [f"left out: effect {effect.name}: the result has no section of it; run its loop again"
-            for effect in loop.effects if not effect.section]
+    """What an older result found and has no section of: effects and functions of the model's own loads."""
+    said = "".join(part.section for part in loop.job_parts if part.of == "functions")
+    lines = [f"effect {effect.name}" for effect in loop.effects if not effect.section]
+    lines += [f"function {function.name}" for function in loop.functions
+              if function.driver in ("heating load", "cooling load") and f'"{function.driver}"' not in said]
+    return [f"left out: {line}: the result has no section of it; run its loop again" for line in lines]
 
 
 def adopt_parameters(loop, job, keeps_priors):

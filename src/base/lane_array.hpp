@@ -26,9 +26,10 @@ class LaneArray {
     std::size_t size() const { return size_; }
     bool empty() const { return size_ == 0; }
     void clear() { std::fill_n(data(), size_, 0.0); }
-    void clear_lane(int lane) {
+    void clear_lane(int lane) { fill_lane(lane, 0); }
+    void fill_lane(int lane, double value) {
         for (std::size_t k = static_cast<std::size_t>(lane); k < size_; k += lanes_)
-            values_[k] = 0;
+            values_[k] = value;
     }
     void copy_lane(int from, int to) {
         for (std::size_t k = 0; k < size_; k += lanes_)

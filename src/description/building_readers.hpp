@@ -97,6 +97,8 @@ void check_building(const Sources& sources, const study::Case& building);
 /// [[effect]], and those of the structure that no section has, into the case, which has
 /// all but parameters and meters.
 void read_effects(const Sources& sources, study::Case& building);
+/// Whether loads that effects follow can be simulated, with the parameters' values.
+void check_loads(const Sources& sources, const study::Case& building);
 
 /// Parameters and their priors, into the case.
 void read_parameters(const Sources& sources, study::Case& building);

@@ -103,9 +103,10 @@ study::Case read_case(const Sources& sources, input::InputFiles& files) {
         sources.attempt([&] { read_parameters(sources, building); }, {"parameter"});
     else
         sources.skip({"parameter"});
-    if (is_whole())
+    if (is_whole()) {
         add_parameters_of_structure(building);
-    else if (sources.has("structure"))
+        sources.attempt([&] { check_loads(sources, building); });
+    } else if (sources.has("structure"))
         own.mistakes()->lose("parameter");  // it brings some that no section names
     sources.attempt([&] { read_meters(sources, files, is_placed, building); }, {"meter"});
     if (is_whole()) sources.attempt([&] { check_meter_steps(sources, building); });

@@ -201,6 +201,10 @@ void read_full_load(const Section& section, Effect& effect) {
                      fmt::format("is missing; \"{}\" follows the {} as a share of this: "
                                  "expected the plant's full load in kW",
                                  effect.name, name_of(effect.driver)));
+    if (!follows && section.has("full_load") && section.has("function"))
+        section.fail("full_load",
+                     "has no place beside [[effect.function]], whose `at` is in kW; "
+                     "leave it out");
     if (!follows && section.has("full_load"))
         section.fail("full_load",
                      fmt::format("is of the heating load or the cooling load, but \"{}\" "
@@ -324,7 +328,7 @@ void check_twice(const Section& section, const std::vector<Effect>& before,
     for (const Effect& other : before) {
         if (other.name == effect.name)
             section.fail_value("name", "another effect has this name");
-        if (are_equal(other, effect))
+        if (are_equal(other, effect) && other.full_load == effect.full_load)
             section.fail("name",
                          fmt::format("enters as \"{}\" does: the same hook, "
                                      "driver, shape and gate; expected one of them",
@@ -332,16 +336,17 @@ void check_twice(const Section& section, const std::vector<Effect>& before,
     }
 }
 
-/// It can enter in every period, and has a say in one. What is sampled may be 0 as given.
+/// It can enter in every period, and has a say in one.
+/// \param may_be_idle  of what is sampled, and of what follows loads, not known yet
 void check_entering(const Section& section, const Effect& effect,
-                    const std::vector<effects::Surroundings>& periods, bool is_sampled) {
+                    const std::vector<effects::Surroundings>& periods, bool may_be_idle) {
     const std::string no_say = "it has no say";
     std::string why;
     for (const effects::Surroundings& around : periods) {
         const auto objection = effects::objection(effect, around);
         if (!objection) return;
         why = *objection;
-        if (is_sampled && why.starts_with(no_say)) return;
+        if (may_be_idle && why.starts_with(no_say)) return;
         if (!why.starts_with(no_say)) break;
     }
     section.fail(
@@ -406,14 +411,17 @@ void declare_structure(const std::vector<Section>& sections, const study::Case& 
         }
 }
 
-/// What effects follow in each of the case's periods, of which the drives are the first.
+/// What effects follow in each of the case's periods, of which the drives are the first;
+/// of loads nothing, until there are parameters' values.
 std::vector<effects::Surroundings> surroundings_in(
     const DeclaredEffects& declared, const study::Case& building,
     const std::vector<physics::Drive>& drives) {
     std::vector<effects::Surroundings> periods;
     periods.reserve(drives.size());
-    for (const physics::Drive& drive : drives)
+    for (const physics::Drive& drive : drives) {
         periods.push_back(surroundings_of(declared, drive, building.weather));
+        periods.back().model = effects::no_loads(drive);
+    }
     return periods;
 }
 
@@ -427,15 +435,6 @@ int read_days_within(const Section& section, const Effect& effect) {
     return static_cast<int>(section.integer("since_within"));
 }
 
-/// As the building is described, for the check of what follows them.
-void know_loads(const Section& section, std::vector<effects::Surroundings>& periods) {
-    at_key(section, "name", [&] {
-        for (effects::Surroundings& around : periods)
-            if (around.model.heating.empty())
-                around.model = effects::loads_of(*around.building, *around.drive);
-    });
-}
-
 bool follow_loads(const Effect& effect,
                   const std::optional<DeclaredEffects::Functions>& functions) {
     return effects::follows_loads(effect.driver) ||
@@ -447,7 +446,6 @@ void declare(const Section& section, const study::Case& building,
     Effect effect = read_effect(section, building, periods[0]);
     check_twice(section, declared.effects, effect);
     const auto functions = read_functions(section, effect);
-    if (follow_loads(effect, functions)) know_loads(section, periods);
     if (functions) {
         at_key(section, "function", [&] {
             for (effects::Surroundings& around : periods)
@@ -455,7 +453,9 @@ void declare(const Section& section, const study::Case& building,
         });
         declared.functions.push_back(*functions);
     }
-    check_entering(section, effect, periods, functions && functions->are_sampled());
+    check_entering(
+        section, effect, periods,
+        (functions && functions->are_sampled()) || follow_loads(effect, functions));
     if (const int within = read_days_within(section, effect); within > 0)
         declared.days.push_back({declared.effects.size(), within});
     declared.effects.push_back(std::move(effect));
@@ -487,6 +487,32 @@ void read_effects(const Sources& sources, study::Case& building) {
     for (std::size_t k = 0; k < sections.size(); ++k)
         check_coefficient(sections[k], building.building.effects[n_of_structure + k],
                           building.declared_effects->coefficients[n_of_structure + k]);
+}
+
+void check_loads(const Sources& sources, const study::Case& building) {
+    if (!building.declared_effects || !building.declared_effects->follow_loads()) return;
+    const DeclaredEffects& declared = *building.declared_effects;
+    for (const Section& section : sources.with("effect").tables("effect", "effect")) {
+        const std::string name = section.text("name");
+        const auto effect = std::ranges::find(declared.effects, name, &Effect::name);
+        const auto functions = std::ranges::find(declared.functions, effect->column,
+                                                 &DeclaredEffects::Functions::column);
+        if (!effects::follows_loads(effect->driver) &&
+            (functions == declared.functions.end() || !functions->follow_loads()))
+            continue;
+        try {
+            for (const study::Period& period : building.periods)
+                effects::loads_of(building.building, drive_of(building, period));
+        } catch (const CannotSimulate& error) {
+            section.fail_value(
+                "name",
+                fmt::format("follows a load of the nominal building, which cannot "
+                            "be simulated: {}; expected values of its parameters "
+                            "with which it can",
+                            error.what()));
+        }
+        return;
+    }
 }
 
 }  // namespace bemcal::description

@@ -14,6 +14,7 @@
 #include "effects/placer.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -66,6 +67,13 @@ void add_columns(const std::vector<DeclaredEffects::Functions>& functions,
 
 Surroundings surroundings_of(const DeclaredEffects& declared, const physics::Drive& drive,
                              const physics::Weather& weather) {
+    const ModelSeries loads = declared.follow_loads() ? no_loads(drive) : ModelSeries{};
+    return surroundings_of(declared, loads, drive, weather);
+}
+
+Surroundings surroundings_of(const DeclaredEffects& declared, const ModelSeries& loads,
+                             const physics::Drive& drive,
+                             const physics::Weather& weather) {
     Surroundings around =
         make_surroundings(declared.building, drive, weather, declared.from);
     for (const DeclaredEffects::Column& column : declared.columns) {
@@ -73,35 +81,46 @@ Surroundings surroundings_of(const DeclaredEffects& declared, const physics::Dri
         around.columns[column.name].assign(row.begin(), row.end());
     }
     around.clock = declared.clock;
-    if (declared.follow_loads()) around.model = no_loads(drive);
+    around.model = loads;
     add_columns(declared.functions, around);
     return around;
 }
 
-Surroundings surroundings_of(const DeclaredEffects& declared,
-                             const physics::Building& building,
-                             const physics::Drive& drive,
-                             const physics::Weather& weather) {
-    Surroundings around = surroundings_of(declared, drive, weather);
-    if (!declared.follow_loads()) return around;
-    around.model = loads_of(building, drive);
-    add_columns(declared.functions, around);
-    return around;
+namespace {
+
+/// The building with effects at their coefficients.
+physics::Building building_of(Placer placer, const DeclaredEffects& declared) {
+    physics::Building building = std::move(placer.building());
+    for (const physics::Parameter& parameter : placer.parameters())
+        building.effects.push_back(coefficient_of(parameter));
+    const physics::Building at_zero = building;
+    physics::apply(at_zero, placer.parameters(), declared.coefficients, building);
+    return building;
 }
+
+ModelSeries loads_or_none(const physics::Building& building,
+                          const physics::Drive& drive) {
+    try {
+        return loads_of(building, drive);
+    } catch (const CannotSimulate&) {
+        return no_loads(drive);
+    }
+}
+
+}  // namespace
 
 physics::Building building_with(const DeclaredEffects& declared,
                                 const physics::Drive& drive,
                                 const physics::Weather& weather, std::size_t& n_rows) {
     const Surroundings around = surroundings_of(declared, drive, weather);
-    Placer placer = placed_in(around, declared);
-    physics::Building building = placer.building();
-    const auto& parameters = placer.parameters();
-    for (const physics::Parameter& parameter : parameters)
-        building.effects.push_back(coefficient_of(parameter));
-    const physics::Building at_zero = building;
-    physics::apply(at_zero, parameters, declared.coefficients, building);
+    const Placer placer = placed_in(around, declared);
     n_rows = placer.rows().size();
-    return building;
+    physics::Building building = building_of(placer, declared);
+    if (!declared.follow_loads()) return building;
+    // Limits of a coefficient come from what its effect follows.
+    const Surroundings loaded = surroundings_of(
+        declared, loads_or_none(building, placer.drive()), drive, weather);
+    return building_of(placed_in(loaded, declared), declared);
 }
 
 physics::Profile empty_row(const physics::Weather& weather) {
@@ -113,10 +132,9 @@ physics::Profile empty_row(const physics::Weather& weather) {
     return row;
 }
 
-namespace {
-
-void write_rows(const DeclaredEffects& declared, const Surroundings& around,
-                physics::Drive& drive) {
+void write_profiles(const DeclaredEffects& declared, const ModelSeries& loads,
+                    const physics::Weather& weather, physics::Drive& drive) {
+    const Surroundings around = surroundings_of(declared, loads, drive, weather);
     const Placer placer = placed_in(around, declared);
     if (placer.rows().size() != declared.n_rows)
         throw CannotSimulate(fmt::format(
@@ -128,13 +146,13 @@ void write_rows(const DeclaredEffects& declared, const Surroundings& around,
                           drive.profiles.row(declared.first_row + k).begin());
 }
 
-}  // namespace
-
 void write_profiles(const DeclaredEffects& declared, const physics::Building& building,
                     const physics::Weather& weather, physics::Drive& drive) {
-    write_rows(declared, surroundings_of(declared, drive, weather), drive);
-    if (declared.follow_loads())
-        write_rows(declared, surroundings_of(declared, building, drive, weather), drive);
+    const bool follow_loads = declared.follow_loads();
+    write_profiles(declared, follow_loads ? no_loads(drive) : ModelSeries{}, weather,
+                   drive);
+    if (follow_loads)
+        write_profiles(declared, loads_or_none(building, drive), weather, drive);
 }
 
 }  // namespace bemcal::effects

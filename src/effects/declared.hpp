@@ -61,8 +61,12 @@ physics::Profile empty_row(const physics::Weather& weather);
 
 /// Writes what they follow into their rows of a period's drive. Throws CannotSimulate
 /// where this period lacks what one follows, or where it enters other inputs than before.
-/// \param building  with them; simulated where one follows its loads
+/// \param building  with them; simulated where one follows its loads, which are 0 where
+///                  it cannot be
 void write_profiles(const DeclaredEffects& declared, const physics::Building& building,
+                    const physics::Weather& weather, physics::Drive& drive);
+/// The same with loads that are known.
+void write_profiles(const DeclaredEffects& declared, const ModelSeries& loads,
                     const physics::Weather& weather, physics::Drive& drive);
 
 /// Gives a period the columns of functions. Throws CannotSimulate where it lacks what one
@@ -73,9 +77,8 @@ void add_columns(const std::vector<DeclaredEffects::Functions>& functions,
 /// What they follow in a period. Loads that one follows are 0.
 Surroundings surroundings_of(const DeclaredEffects& declared, const physics::Drive& drive,
                              const physics::Weather& weather);
-/// The same with the loads of a building that has them, in a drive that has all else.
-Surroundings surroundings_of(const DeclaredEffects& declared,
-                             const physics::Building& building,
+/// The same with these loads.
+Surroundings surroundings_of(const DeclaredEffects& declared, const ModelSeries& loads,
                              const physics::Drive& drive,
                              const physics::Weather& weather);
 

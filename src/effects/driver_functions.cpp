@@ -1,5 +1,5 @@
 /// Makes the series that functions follow: hours by the wall clock, means of the weather,
-/// loads of a calibrated model, time. Functions at one hook add up.
+/// loads of the model, time. Functions at one hook add up.
 /// Holidays are those of any schedule, and count as Sundays. School holidays are left
 /// out.
 #include "effects/driver_functions.hpp"

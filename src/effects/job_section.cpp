@@ -166,24 +166,28 @@ const Effect* row_of_name(const Effect& effect) {
     return says_all ? &entry->effect : nullptr;
 }
 
-/// A part of an effect of the catalogue has not all of its name.
+}  // namespace
+
+// A part of an effect of the catalogue has not all of its name.
 std::string name_in_job(const Effect& effect) {
     const bool is_part = effect.is_named() && row_of_name(effect) == nullptr;
     return without_dots(is_part ? fmt::format("{}: {}", effect.name, name_of(effect.hook))
                                 : effect.name);
 }
 
-}  // namespace
-
 std::string facade_key(const Effect& effect) {
     return effect.place_name.substr(0, effect.place_name.find(" facade"));
 }
 
 std::string job_section_of(const Effect& effect, const CoefficientBelief& coefficient,
-                           physics::Seconds from) {
+                           physics::Seconds from, std::span<const std::string> taken) {
     if (effect.other_hours) return schedule_lines(*effect.other_hours);
     const Effect* row = row_of_name(effect);
-    const std::string name = name_in_job(effect);
+    std::string name = name_in_job(effect);
+    if (std::ranges::find(taken, name) != taken.end()) {
+        name = without_dots(fmt::format("{}: {}", name, sentence_of(effect)));
+        row = nullptr;
+    }
     std::string lines = "[[effect]]\n" + line("name", name);
     if (row == nullptr)
         lines +=

@@ -5,6 +5,7 @@
 #include "physics/calendar.hpp"
 
 #include <array>
+#include <span>
 #include <string>
 
 namespace bemcal::effects {
@@ -24,9 +25,13 @@ struct CoefficientBelief {
 /// [[effect]] with this coefficient, and its [[parameter]] with a prior unless it is
 /// fixed, in TOML, which a reader makes the same effect of; of other hours than declared
 /// the lines of their [[schedule]].
-/// \param from  where `elapsed` is 0: the first step of training
+/// \param from   where `elapsed` is 0: the first step of training
+/// \param taken  names that the job's effects have already: it gets another one
 std::string job_section_of(const Effect& effect, const CoefficientBelief& coefficient,
-                           physics::Seconds from);
+                           physics::Seconds from,
+                           std::span<const std::string> taken = {});
+/// What the section calls it, as long as that is not taken.
+std::string name_in_job(const Effect& effect);
 
 /// [[effect]] that brings functions at a hook, with a coefficient of 1.
 std::string job_section_of(const Effect& at,

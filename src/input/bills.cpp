@@ -101,6 +101,14 @@ void check_bill(const Csv& csv, const std::vector<Bill>& bills, std::size_t k) {
                          format_date(bill.from), format_date(bills[k - 1].to)));
 }
 
+/// Bills of quarters begin on days on which months do, too, and last until the next.
+bool most_follow_one_another(const std::vector<Bill>& bills) {
+    std::size_t n = 0;
+    for (std::size_t k = 1; k < bills.size(); ++k)
+        n += bills[k].from == bills[k - 1].to ? 1 : 0;
+    return 2 * n + 1 >= bills.size();
+}
+
 /// One row for each interval of the calendar.
 std::optional<std::vector<Bill>> on_calendar(const Stamps& stamps,
                                              const std::vector<double>& values,
@@ -115,6 +123,7 @@ std::optional<std::vector<Bill>> on_calendar(const Stamps& stamps,
         if (!bills.empty() && begin < bills.back().to) return std::nullopt;
         bills.push_back({begin, end, values[row], false, row});
     }
+    if (!most_follow_one_another(bills)) return std::nullopt;
     return bills;
 }
 

@@ -197,6 +197,18 @@ PowerRows BatchGroup::run(int begin, int end, Show show) {
     return add ? of_building_.pointers() : of_zone;
 }
 
+/// A lane whose efficiency is not above 0 somewhere shows nothing, and has failed.
+void BatchGroup::write_meter(const MeterPlan& meter, physics::Quantity quantity, int lane,
+                             LaneArray& table) {
+    try {
+        write_meter_rows(meter, buildings[static_cast<std::size_t>(lane)], plan.drive,
+                         quantity, lane, table);
+    } catch (const CannotSimulate&) {
+        table.fill_lane(lane, nan);
+        is_broken_[static_cast<std::size_t>(lane)] = 1;
+    }
+}
+
 MeterLanes BatchGroup::meter(physics::Quantity quantity) {
     const MeterPlan& meter = plan.meter(quantity);
     const auto q = static_cast<std::size_t>(quantity);
@@ -204,8 +216,7 @@ MeterLanes BatchGroup::meter(physics::Quantity quantity) {
     LaneArray& table = meters_[q];
     if (table.empty()) table = LaneArray(3 * n_rows, plan.table.lanes);
     for (std::size_t lane = 0; lane < buildings.size() && !meter_is_made_[q]; ++lane)
-        write_meter_rows(meter, buildings[lane], plan.drive, quantity,
-                         static_cast<int>(lane), table);
+        write_meter(meter, quantity, static_cast<int>(lane), table);
     meter_is_made_[q] = true;
     return {table.data(), meter.row_offset.data()};
 }

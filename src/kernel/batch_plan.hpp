@@ -108,6 +108,8 @@ struct BatchGroup {
     void write_zone(std::size_t zone, std::vector<std::string>& failures);
     void repeat_lane(int from, int to);
     void clear_lane(int lane);
+    void write_meter(const MeterPlan& meter, physics::Quantity quantity, int lane,
+                     LaneArray& table);
     void write_mixed(physics::Quantity quantity);
 
     std::vector<physics::Network> networks_;  ///< [lanes] of the last regime

@@ -69,7 +69,10 @@ std::vector<PointAnswer> evaluate_plain(const BatchPlan& batch, const Matrix& po
 std::string why_not_finite(const physics::Building& building,
                            const physics::Drive& drive) {
     try {
-        physics::simulate(building, drive);
+        const physics::Trajectory trajectory = physics::simulate(building, drive);
+        for (std::size_t q = 0; q < n_quantities; ++q)
+            physics::predict(building, drive, trajectory,
+                             static_cast<physics::Quantity>(q));
         return not_finite;
     } catch (const CannotSimulate& error) {
         return error.what();

@@ -2,7 +2,8 @@
 /// standing model over a period.
 /// Follows from `effects::loads_of`. What follows loads leaves them as they are, so they
 /// are simulated with everything placed, those of before.
-/// Parameters move once more with new loads; what the loads do then is not asked again.
+/// While a search goes on, loads stay those of the model before effects, and those that
+/// declared effects follow stay the nominal building's.
 #include "loop/loads.hpp"
 
 #include "base/error.hpp"
@@ -32,13 +33,18 @@ bool follows_loads(const FoundFunction& function) {
     return effects::follows_loads(function.basis.driver);
 }
 
+bool declares_loads(const LoopData& data) {
+    return data.building.declared_effects &&
+           data.building.declared_effects->follow_loads();
+}
+
 /// The model in its place with its own loads; as it is where it cannot be.
 void place_with_loads(const LoopData& data, const study::FitOptions& options,
                       const std::vector<FoundFunction>& functions, Place& place,
                       Standing& last) {
     Place moved = place;
     moved.surroundings = std::make_shared<effects::Surroundings>(*place.surroundings);
-    know_loads(moved, last, functions);
+    know_its_loads(data, moved, last, functions);
     Standing there = last;
     try {
         there.built = build(moved, there.model.effects);
@@ -66,23 +72,43 @@ void know_loads(Place& place, const Standing& standing,
     add_functions(place, functions);
 }
 
-bool follow_loads(const LoopModel& model, const std::vector<FoundFunction>& functions) {
+void know_its_loads(const LoopData& data, Place& place, const Standing& standing,
+                    const std::vector<FoundFunction>& functions) {
+    know_loads(place, standing, functions);
+    const effects::ModelSeries& loads = place.surroundings->model;
+    if (!declares_loads(data) || loads.heating.empty()) return;
+    physics::Drive drive = *place.drive;
+    effects::write_profiles(declared_in(data, standing.model.structure), loads,
+                            data.building.weather, drive);
+    place.drive = std::make_shared<physics::Drive>(std::move(drive));
+}
+
+bool follow_loads(const LoopData& data, const LoopModel& model,
+                  const std::vector<FoundFunction>& functions) {
     const auto follows = [](const auto& one) { return follows_loads(one); };
-    return std::ranges::any_of(model.effects, follows) ||
+    return declares_loads(data) || std::ranges::any_of(model.effects, follows) ||
            std::ranges::any_of(functions, follows);
 }
 
 void settle_loads(const LoopData& data, const std::vector<FoundFunction>& functions,
                   Place& place, Standing& last) {
-    if (!follow_loads(last.model, functions)) return;
+    if (!follow_loads(data, last.model, functions)) return;
     const effects::ModelSeries& scale = place.surroundings->model;
     for (effects::Effect& effect : last.model.effects)
         if (effect.driver == effects::Driver::heating_load)
             effect.full_load = scale.most_heating;
         else if (effect.driver == effects::Driver::cooling_load)
             effect.full_load = scale.most_cooling;
-    place_with_loads(data, to_settle, functions, place, last);
+    if (functions.empty()) {
+        // Loads and parameters move each other: what the second round leaves is small.
+        place_with_loads(data, to_settle, functions, place, last);
+        place_with_loads(data, to_settle, functions, place, last);
+    }
     place_with_loads(data, only_derivatives, functions, place, last);
+    if (functions.empty()) {
+        last.noise = noise_of(data, last.residuals);
+        score_unseen(data, last);
+    }
 }
 
 }  // namespace bemcal::loop

@@ -301,19 +301,31 @@ void change_structure(const std::vector<std::size_t>& structure,
 }
 
 /// Declared effects follow what the structure shows them: the sun through other glass.
+/// Where it brings inputs that they would enter, too, they follow what the description
+/// shows.
 std::shared_ptr<const physics::Drive> drive_of_structure(
     const LoopData& data, const std::vector<std::size_t>& structure,
     const physics::Building& building, std::shared_ptr<const physics::Drive> drive) {
     if (!data.building.declared_effects || structure.empty()) return drive;
-    effects::DeclaredEffects declared = *data.building.declared_effects;
-    declared.building.planes = data.building.building.planes;  // of every refinement
-    change_structure(structure, declared.building);
     physics::Drive changed = *drive;
-    effects::write_profiles(declared, building, data.building.weather, changed);
+    try {
+        effects::write_profiles(declared_in(data, structure), building,
+                                data.building.weather, changed);
+    } catch (const CannotSimulate&) {
+        return drive;
+    }
     return std::make_shared<physics::Drive>(std::move(changed));
 }
 
 }  // namespace
+
+effects::DeclaredEffects declared_in(const LoopData& data,
+                                     const std::vector<std::size_t>& structure) {
+    effects::DeclaredEffects declared = *data.building.declared_effects;
+    declared.building.planes = data.building.building.planes;  // of every refinement
+    change_structure(structure, declared.building);
+    return declared;
+}
 
 Place make_place(const LoopData& data, const std::vector<std::size_t>& structure,
                  std::shared_ptr<const physics::Drive> drive) {

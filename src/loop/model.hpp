@@ -104,6 +104,10 @@ struct Place {
     std::vector<kernel::Channel> channels;
 };
 
+/// What the description declares, of a building with the structure. It must declare some.
+effects::DeclaredEffects declared_in(const LoopData& data,
+                                     const std::vector<std::size_t>& structure);
+
 /// The building with the structure over a period, ready for effects. Throws
 /// CannotSimulate where a refinement has nothing to refine.
 Place make_place(const LoopData& data, const std::vector<std::size_t>& structure,

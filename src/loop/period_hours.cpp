@@ -25,8 +25,8 @@ Place place_in(const LoopData& data, const Standing& standing,
                const std::vector<FoundFunction>& functions,
                std::shared_ptr<const physics::Drive> drive) {
     Place place = make_place(data, standing.model.structure, std::move(drive));
-    if (follow_loads(standing.model, functions))
-        know_loads(place, standing, functions);
+    if (follow_loads(data, standing.model, functions))
+        know_its_loads(data, place, standing, functions);
     else
         add_functions(place, functions);
     return place;

@@ -224,7 +224,18 @@ class Writer {
         stored.adequate = found.doubt.empty() ? 1 : 0;
         stored.section = effects::job_section_of(
             effect, belief_of(k, {c, half / stats::z_90_two_sided}),
-            data_.training().from);
+            data_.training().from, names_before(k));
+    }
+
+    /// In a job that has the effects found before.
+    std::vector<std::string> names_before(std::size_t effect) const {
+        std::vector<std::string> names;
+        if (data_.building.declared_effects)
+            for (const effects::Effect& own : data_.building.declared_effects->effects)
+                names.push_back(own.name);
+        for (std::size_t k = 0; k < effect; ++k)
+            names.push_back(effects::name_in_job(result_.last.model.effects[k]));
+        return names;
     }
 
     /// An effect of one sign keeps it.
@@ -416,7 +427,7 @@ class Writer {
                                        study::name_of(decision.kind)});
     }
 
-    /// What a job may adopt. An effect that no job can declare has no section.
+    /// What a job may adopt.
     std::vector<study::FoundPart> parts() const {
         std::vector<study::FoundPart> parts;
         const auto structure = structure_line();

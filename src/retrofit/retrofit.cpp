@@ -5,7 +5,9 @@
 /// are made in `scenario`, quantiles in `savings`.
 #include "retrofit/retrofit.hpp"
 
+#include "base/error.hpp"
 #include "base/nan.hpp"
+#include "effects/loads.hpp"
 #include "retrofit/savings.hpp"
 #include "study/failures.hpp"
 #include "study/points.hpp"
@@ -128,8 +130,8 @@ class Retrofit : public study::Stage {
     Matrix points_;  ///< the description, then those of the round
 };
 
-/// Loads that effects follow are those of the nominal building after a scenario; nothing
-/// else of a drive changes.
+/// Loads that effects follow are those of the nominal building after a scenario, where
+/// that can be simulated; nothing else of a drive changes.
 std::shared_ptr<const physics::Drive> Retrofit::drive_after(
     const Scenario& scenario, const study::Period& period) const {
     if (!building_.declared_effects || !building_.declared_effects->follow_loads())
@@ -138,6 +140,11 @@ std::shared_ptr<const physics::Drive> Retrofit::drive_after(
     physics::Building after = building_.building;
     physics::apply(building_.building, numbers_.numbers(),
                    numbers_.after(before, scenario), after);
+    try {
+        effects::loads_of(after, *drive_);
+    } catch (const CannotSimulate&) {
+        return drive_;
+    }
     return std::make_shared<physics::Drive>(study::drive_of(building_, after, period));
 }
 

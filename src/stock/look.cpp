@@ -1,7 +1,7 @@
 /// Makes residuals of a model that was adopted, and what each effect adds: the model with
 /// it less the model without.
 /// Follows from job::lay_adopted, by which both are read as any job is.
-/// An effect that no job can declare has no pattern; what it does stays in the residual.
+/// An effect without a section has no pattern; what it does stays in the residual.
 #include "stock/look.hpp"
 
 #include "stock/calibration.hpp"

@@ -72,7 +72,7 @@ struct StockRecord {
     struct Effect {
         std::string name, unit;
         std::string state;    ///< new, holds, changed, ended
-        std::string section;  ///< of a job; empty: it has no name, or none can declare it
+        std::string section;  ///< of a job; empty: it has no name
         double coefficient = nan, low = nan, high = nan;  ///< as it was found
         double since = nan;  ///< first day of this state, where one is known [d]
         /// What the stock makes of it: its likeliest name and how probable that is, and

@@ -125,7 +125,7 @@ constexpr LayoutRow own_rows[] = {
     {"stock_effect_state", "stock_effects", text, "",
      "new in this night; holds; changed; ended"},
     {"stock_effect_section", "stock_effects", text, "",
-     "it as sections of a job; empty = none can declare it"},
+     "it as sections of a job; empty = it has no name"},
     {"stock_effect_coefficient", "stock_effects", number, own, "as it was found"},
     {"stock_effect_low", "stock_effects", number, own, "5 % quantile"},
     {"stock_effect_high", "stock_effects", number, own, "95 % quantile"},

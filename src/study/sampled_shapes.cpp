@@ -6,6 +6,7 @@
 /// parameter has.
 #include "study/sampled_shapes.hpp"
 
+#include "effects/loads.hpp"
 #include "effects/steps.hpp"
 #include "functions/basis.hpp"
 #include "physics/derived.hpp"
@@ -120,8 +121,12 @@ void add_days(const DeclaredEffects::Day& day, Shapes& shapes) {
 
 /// Series of the steps behind the warm-up.
 effects::FunctionDrivers drivers_in(const Case& building, const physics::Drive& drive) {
-    effects::FunctionDrivers drivers = effects::function_drivers(effects::surroundings_of(
-        *building.declared_effects, building.building, drive, building.weather));
+    const DeclaredEffects& declared = *building.declared_effects;
+    const auto loads = declared.follow_loads()
+                           ? effects::loads_of(building.building, drive)
+                           : effects::ModelSeries{};
+    effects::FunctionDrivers drivers = effects::function_drivers(
+        effects::surroundings_of(declared, loads, drive, building.weather));
     for (auto& [name, all] : drivers)
         for (std::vector<double>& series : all)
             series.erase(series.begin(), series.begin() + drive.n_warm_up);

@@ -52,6 +52,20 @@ StampRules unsaid() {
     return rules;
 }
 
+// A quarter is no month with two months missing behind it.
+TEST(Bills, OfQuartersLastUntilTheNext) {
+    const Read quarters = read(
+        "t,x\n2021-01-01,1\n2021-04-01,2\n2021-07-01,3\n2021-10-01,4\n", {}, unsaid());
+    EXPECT_EQ(
+        quarters.bills,
+        "2021-01-01 2021-04-01 1; 2021-04-01 2021-07-01 2; 2021-07-01 2021-10-01 3; ");
+    EXPECT_EQ(quarters.notes.at(0).finding, "when its last bill ends is not in the file");
+    // Half of the months: most follow one another, and the others are missing.
+    EXPECT_EQ(
+        read("t,x\n2021-01-01,1\n2021-02-01,2\n2021-05-01,3\n", {}, unsaid()).bills,
+        "2021-01-01 2021-02-01 1; 2021-02-01 2021-03-01 2; 2021-05-01 2021-06-01 3; ");
+}
+
 TEST(Bills, OfCalendarMonthsAreTheMonths) {
     EXPECT_EQ(read("t,x\n2021-01-01,1\n2021-02-01,2\n").bills,
               "2021-01-01 2021-02-01 1; 2021-02-01 2021-03-01 2; ");
@@ -162,7 +176,7 @@ TEST(Bills, EstimatedReadsAreMergedWithTheNextThatWasRead) {
 
 TEST(Bills, OfTheCalendarAreKnown) {
     std::vector<TimeNote> notes;
-    const std::string text = "t,x\n2021-01-01,1\n2021-03-01,2\n";
+    const std::string text = "t,x\n2021-01-01,1\n2021-02-01,2\n";
     const Csv csv = parse_csv(text, "x.csv");
     const auto bills =
         bills_by_calendar(stamps_in(csv, 0, {}), {1, 2}, Interval::monthly, true, notes);

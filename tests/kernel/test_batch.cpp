@@ -271,6 +271,30 @@ TEST(FastWithSeasons, RefusesLimitsBeyondTheRanges) {
     EXPECT_NE(answers[1].failure.find("heating_limit = 21 degC"), std::string::npos);
 }
 
+// Of one zone, whose meter is read at once, and of two, whose powers add up.
+TEST(FastAgainstPlain, AnEfficiencyThatIsNotAboveZeroIsTheFailureOfItsPoint) {
+    for (const unsigned seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+        RandomCase made = random_case(seed);
+        made.building.plant.heating_carrier = Carrier::gas;
+        made.building.plant.heating_efficiency = {0.9, 0, -1};
+        made.parameters = {test::parameter(made.building, "plant.heating_efficiency", -1,
+                                           1, Effect::replace)};
+        const kernel::Batch batch(made.building, made.parameters, made.drive);
+        Matrix points(3, 1);
+        points.values = {0.8, -0.1, 0.8};
+        kernel::Request request;
+        request.annual = {Quantity::gas, Quantity::heating};
+        request.monthly = {Quantity::gas};
+        const auto answers = batch.evaluate(points, request);
+        EXPECT_EQ(answers[0].failure, "");
+        EXPECT_NE(answers[1].failure.find("heating_efficiency = -0.1 is not above 0"),
+                  std::string::npos)
+            << answers[1].failure;
+        EXPECT_EQ(answers[2].failure, "");
+        EXPECT_EQ(answers[2].annual, answers[0].annual);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(RandomBuildings, FastWithSeasonsAgainstPlain,
                          testing::Range(1U, 41U));
 INSTANTIATE_TEST_SUITE_P(RandomBuildings, FastWithAirSystemsAgainstPlain,
