@@ -14,7 +14,7 @@ from new_job import exports, tables, times, workbook
 from new_job.refused import NO_INPUT, USAGE, Refused
 from new_job.weather import keys_of
 from new_job.words import (OF_GAS, POWERS, QUANTITY_NAMES, READ_DATE, TEMPERATURES, UNIT_NAMES, is_other,
-                           kwh_per_unit, quantity_of, says, unit_of)
+                           kwh_per_unit, named_unit, quantity_of, says, unit_of)
 
 DAY, YEAR = 86400, 365.25 * 86400
 USUAL = {"gas": 150, "electricity": 100, "district": 120, "cooling": 80, "heating": 120}  # kWh/(m2 a), middling
@@ -167,7 +167,7 @@ def refuse_texts(table, column):
 
 def of_unit(name):
     """The quantity that a unit alone says."""
-    found = unit_of(name)
+    found = named_unit(name)
     return "gas" if found and found[0] in OF_GAS else None
 
 
@@ -364,8 +364,9 @@ def quantity_by_unit(table, column, told):
 
 
 def unit_said(table, column, quantity):
-    """(unit, factor) by the names of column, file and what stands beside; None where they do not say it."""
-    said = (column, os.path.basename(table.path), tables.said_beside(table))
+    """(unit, factor) by the name of the column, the line of units, the file's name and what stands beside; None where
+    they do not say it."""
+    said = (column, table.units.get(column, ""), os.path.basename(table.path), tables.said_beside(table))
     return next(filter(None, (unit_of(text, quantity) for text in said)), None)
 
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 
 from new_job import times
 from new_job.refused import NO_INPUT, Refused
-from new_job.words import END, START, UNITS, says, spaced
+from new_job.words import END, PER_HOUR, START, UNITS, says, spaced
 
 SEPARATORS = ";\t|,"         # a comma may be a decimal mark, and comes last
 LOOKED_AT = 60                 # lines before the table
@@ -97,6 +97,7 @@ class Table:
     is_guess: bool = False     # day and month
     has_offset: bool = False   # stamps say theirs; times are then of standard time
     per_day: int = 0           # readings of a line that is a day
+    units: dict = field(default_factory=dict)  # {name: cell} of a line below the names
 
     def column(self, name):
         k = self.names.index(name)
@@ -175,8 +176,8 @@ def is_row_of_times(row, next_row):
 
 
 def is_line_of_units(row):
-    """-, kWh, [degC]: nothing but units and dashes."""
-    words = [spaced(cell) for cell in row]
+    """-, kWh, [degC], m3/h: nothing but units and dashes."""
+    words = [spaced(PER_HOUR.sub("", cell)) for cell in row]
     return any(words) and all(not word or word in UNIT_CELLS or any(re.fullmatch(pattern, word)
                                                                     for pattern, _, _ in UNITS) for word in words)
 
@@ -268,6 +269,7 @@ def read_table(path, country="", utc_offset=0):
         rows.pop()                                    # a total, a note
     check_widths(path, names, rows, separator)
     table = Table(os.fspath(path), names, rows, separator)
+    table.units = next((dict(zip(names, row)) for row in cells[names_at + 1:first] if is_line_of_units(row)), {})
     set_time(table, country)
     if table.has_offset:
         table.times = [time + dt.timedelta(hours=utc_offset) for time in table.times]

@@ -26,7 +26,8 @@ COLUMNS = (
     ("relative_humidity", r"rh2m|rh|relative hum|humidity"),
     ("cloud_cover", r"cloud"),
 )
-NOT_THESE = r"dew|t2mdew|wet|t2mwet|dir|direction|gust|soil|ground|pressure"
+NOT_THESE = r"dew|t2mdew|wet|t2mwet|dir\b|direction|gust|soil|ground|pressure"
+NOT_GLOBAL = r"direct|direkt|diffus|normal|beam|dni|dhi"
 # What an EPW file says of its source where its year was put together: a typical one, of whatever years.
 TYPICAL_SOURCE = re.compile(r"\b(TMYx?|TMY\d?|IWEC\d?|IGDG|CSWD|CWEC\d*|SWEC|SWERA|TRY|CTZ\d*|CZ\d+|ISHRAE|RMY|NIWE|"
                             r"INETI|CityUHK|KISR|IMGW|CTYW|ETMY|MSI|DSY)\b")
@@ -219,6 +220,8 @@ def weather_columns(table):
     found = {}
     for key, pattern in COLUMNS:
         free = [name for name in table.values if name not in found.values() and not says(NOT_THESE, name)]
+        if key == "global_horizontal":
+            free = [name for name in free if not says(NOT_GLOBAL, name)]
         named = (name for word in pattern.split("|") for name in free if says(word, name, whole=len(word) < 4))
         if (name := next(named, None)) is not None:
             found[key] = name

@@ -29,6 +29,7 @@ UNITS = (
     (r"kw|kilowatts?", "kW", 1), (r"mw|megawatts?", "MW", 1), (r"w|watts?", "W", 1),
     (r"degc|celsius|c", "degC", 1), (r"degf|fahrenheit|f", "degF", 1), (r"kelvin", "K", 1),
 )
+PER_HOUR = re.compile(r"(?:/\s*|\bper |\bpro )(?:h|hrs?|hours?|std|stunden?)\b", re.IGNORECASE)
 UNIT_NAMES = tuple(dict.fromkeys(unit for _, unit, _ in UNITS))
 TEMPERATURES, POWERS = ("degC", "degF", "K"), ("kW", "MW", "W")
 VOLUMES = ("m3", "ft3", "100 ft3")     # energies of gas alone
@@ -72,7 +73,7 @@ def says(pattern, name, whole=False):
 
 def is_other(name):
     """Whether it is no energy and no room temperature, by its name."""
-    unit, factor = unit_of(name) or ("", 1)
+    unit, factor = named_unit(name) or ("", 1)
     if says(WATER, name) and (unit in VOLUMES or factor == OF_OIL):
         return True                                   # litres and gallons of water
     is_energy = unit and unit not in (*TEMPERATURES, *POWERS)
@@ -85,7 +86,15 @@ def quantity_of(name):
 
 
 def unit_of(name, quantity=None):
-    """(unit, factor) or None. A letter alone is a unit of temperature only of one."""
+    """(unit, factor) or None. An energy per hour is a power."""
+    found = named_unit(name, quantity)
+    if found and found[0] not in (*TEMPERATURES, *POWERS) and PER_HOUR.search(name):
+        return "kW", found[1] * kwh_per_unit(found[0])
+    return found
+
+
+def named_unit(name, quantity=None):
+    """The same without a word on the time. A letter alone is a unit of temperature only of one."""
     for pattern, unit, factor in UNITS:
         is_temperature = unit in TEMPERATURES
         if quantity is not None and is_temperature != (quantity == "air_temperature"):

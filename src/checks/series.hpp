@@ -47,6 +47,9 @@ std::vector<Finding> check_days(input::RegularSeries& series, physics::Quantity 
 /// schedules and the declared electrical loads; stated only.
 void check_clocks(study::Case& building);
 
+/// Days without any sun though it is up at noon; stated.
+void check_weather_sun(study::Case& building);
+
 /// Measured sunshine against the sun; stated where it is half an hour off or more.
 void check_weather_clock(study::Case& building);
 

@@ -131,7 +131,8 @@ class MeterReader {
                                   column_,
                                   meter_.interval > Interval::hourly,
                                   section_.text("from"),
-                                  section_.text("to")};
+                                  section_.text("to"),
+                                  counts()};
         for (const std::string& file : section_.texts("file")) {
             sources.push_back(open_csv(section_, "file", file, files_,
                                        building_.weather.site, options));

@@ -476,6 +476,19 @@ void read_any_weather(const schema::Section& section, const schema::Section* sit
 
 namespace {
 
+/// Of a CSV file; of an EPW file it is done.
+void drop_absent_parts(study::Case& building) {
+    const auto days = physics::drop_absent_parts(building.weather);
+    if (days.empty()) return;
+    building.decisions.push_back(
+        {"weather",
+         fmt::format("global, direct or diffuse irradiance is 0 all day on {} day{} on "
+                     "which another is not, the first {}",
+                     days.size(), days.size() == 1 ? "" : "s",
+                     physics::format_date(days.front())),
+         "made of the other parts"});
+}
+
 void read_weather_now(const schema::Section& section,
                       const std::optional<schema::Section>& site,
                       input::InputFiles& files, study::Case& building) {
@@ -486,8 +499,10 @@ void read_weather_now(const schema::Section& section,
     cut(building.weather, building);
     fill(building.weather, static_cast<int>(section.integer("fill_gaps")),
          building.decisions);
+    drop_absent_parts(building);
     check_hours(section, building);
     at_key(section, "files", [&] { physics::complete_irradiance(building.weather); });
+    checks::check_weather_sun(building);
     checks::check_weather_clock(building);
 }
 

@@ -115,6 +115,7 @@ TimedCsv open_csv(const schema::Section& section, const char* key,
     source.csv = &files.csv(section.path(file), section.where(key), csv_form(section));
     source.rules = stamp_rules(section, site);
     source.rules.is_mean = options.is_mean;
+    source.rules.is_count = options.is_count;
     if (!options.from.empty() || !options.to.empty()) {
         source.rules.is_said = true;
         source.rules.at_end = options.from.empty();

@@ -34,6 +34,7 @@ struct OpenOptions {
     std::string days_of;         ///< column that may be the first of a day's; "" = none
     bool days_by_clock = false;  ///< only where it is named after a time of day
     std::string from, to;        ///< columns of begins and ends; "" = the key time
+    bool is_count = false;       ///< rows are what a register shows
 };
 
 /// What can be seen of the files at `key` without the site's clock: that they are there

@@ -101,12 +101,24 @@ void check_bill(const Csv& csv, const std::vector<Bill>& bills, std::size_t k) {
                          format_date(bill.from), format_date(bills[k - 1].to)));
 }
 
-/// Bills of quarters begin on days on which months do, too, and last until the next.
-bool most_follow_one_another(const std::vector<Bill>& bills) {
-    std::size_t n = 0;
-    for (std::size_t k = 1; k < bills.size(); ++k)
-        n += bills[k].from == bills[k - 1].to ? 1 : 0;
-    return 2 * n + 1 >= bills.size();
+int months_of(Seconds time) {
+    const physics::CalendarStep step = physics::calendar_step(time);
+    return 12 * step.year + step.month;
+}
+
+/// How many months each row is of, where none follows the next month: quarters begin on
+/// days on which months do, too. 1 of rows of which some are months apart by chance.
+int months_of_each(const std::vector<Bill>& months) {
+    constexpr std::size_t fewest_rows = 3;
+    if (months.size() < fewest_rows) return 1;
+    int least = 12;
+    for (std::size_t k = 1; k < months.size(); ++k)
+        least =
+            std::min(least, months_of(months[k].from) - months_of(months[k - 1].from));
+    for (std::size_t k = 1; k < months.size(); ++k)
+        if ((months_of(months[k].from) - months_of(months[k - 1].from)) % least != 0)
+            return 1;
+    return least;
 }
 
 /// One row for each interval of the calendar.
@@ -123,7 +135,6 @@ std::optional<std::vector<Bill>> on_calendar(const Stamps& stamps,
         if (!bills.empty() && begin < bills.back().to) return std::nullopt;
         bills.push_back({begin, end, values[row], false, row});
     }
-    if (!most_follow_one_another(bills)) return std::nullopt;
     return bills;
 }
 
@@ -216,8 +227,16 @@ std::optional<std::vector<Bill>> bills_by_calendar(const Stamps& stamps,
                                                    std::vector<TimeNote>& notes) {
     if (stamps.at_end || is_said)
         return on_calendar(stamps, values, interval, stamps.at_end);
-    if (auto bills = on_calendar(stamps, values, interval, false)) return bills;
+    if (auto bills = on_calendar(stamps, values, interval, false)) {
+        const int n = interval == Interval::monthly ? months_of_each(*bills) : 1;
+        if (n == 1) return bills;
+        notes.push_back({fmt::format("its rows begin {} months apart", n),
+                         "each read as of as many; stamp = \"start\" makes them months"});
+        return std::nullopt;
+    }
     auto bills = on_calendar(stamps, values, interval, true);
+    if (bills && interval == Interval::monthly && months_of_each(*bills) > 1)
+        return std::nullopt;
     if (bills)
         notes.push_back({fmt::format("its stamps are the last days of {}",
                                      interval == Interval::monthly ? "months" : "years"),

@@ -124,21 +124,16 @@ void fill_irradiance(Chain& chain) {
     report_gaps(chain, gaps, global_field, "all irradiance");
 }
 
-/// Some files write 0 for parts that they do not have.
-void drop_empty_parts(Chain& chain) {
-    Weather& weather = chain.weather;
-    const auto any = [](const std::vector<double>& series) {
-        return std::any_of(series.begin(), series.end(), [](double v) { return v > 0; });
+void say_no_sun(Chain& chain) {
+    const Weather& weather = chain.weather;
+    const auto is_dark = [](const std::vector<double>& series) {
+        return std::ranges::none_of(series, [](double v) { return v > 0; });
     };
-    if (any(weather.direct_normal) || any(weather.diffuse_horizontal)) return;
-    if (!any(weather.global_horizontal)) {
-        if (!missing_steps(weather.global_horizontal).empty()) return;
+    if (is_dark(weather.global_horizontal) && is_dark(weather.direct_normal) &&
+        is_dark(weather.diffuse_horizontal) &&
+        missing_steps(weather.global_horizontal).empty())
         chain.decisions.push_back(
             fmt::format("{}: all irradiance is 0", chain.place_of(0, global_field)));
-        return;
-    }
-    for (auto series : {&Weather::direct_normal, &Weather::diffuse_horizontal})
-        (weather.*series).assign((weather.*series).size(), nan);
 }
 
 void complete(Chain& chain) {
@@ -249,7 +244,8 @@ void drop_empty_series(Weather& weather) {
 
 EpwFile finish(Chain chain, const EpwOptions& options) {
     fill_temperature(chain);
-    drop_empty_parts(chain);
+    say_no_sun(chain);
+    physics::drop_absent_parts(chain.weather);  // `complete` tells what it derives
     fill_irradiance(chain);
     complete(chain);
     if (options.temperature == TemperatureConvention::hour_mean)

@@ -358,8 +358,28 @@ class Reader {
         }
     }
 
+    /// Readings of days, each written just before midnight, are those of the days that
+    /// they stand in.
+    bool are_last_minutes(const std::vector<Seconds>& times, std::size_t first,
+                          std::size_t last, int step) const {
+        constexpr int last_minutes = 1800;  // [s]
+        return step == day_s && !rules_.is_said && !rules_.at_end && !rules_.is_count &&
+               std::all_of(times.begin() + static_cast<std::ptrdiff_t>(first),
+                           times.begin() + static_cast<std::ptrdiff_t>(last),
+                           [](Seconds time) {
+                               return phase_of(time, day_s) >= day_s - last_minutes;
+                           });
+    }
+
     void settle_rows(std::vector<Seconds>& times, std::size_t first, std::size_t last,
                      int step) {
+        if (are_last_minutes(times, first, last, step)) {
+            for (std::size_t row = first; row < last; ++row)
+                times[row] -= seconds(phase_of(times[row], day_s));
+            note("its stamps are the last minutes of days",
+                 "each read as of the day that it stands in; stamp overrules it");
+            return;
+        }
         const Phase phase = settle(times, first, last, step);
         if (phase.n_moved > 0)
             note(fmt::format("{} of {} stamps lie up to {} beside their step of {}",

@@ -28,6 +28,7 @@ struct StampRules {
     bool is_said = true;
     /// Rows are means or instants: a stamp inside of its step stands for that step.
     bool is_mean = false;
+    bool is_count = false;  ///< rows are what a register shows, at an instant
 };
 
 /// What was found in the stamps, and what was done about it.

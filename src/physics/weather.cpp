@@ -83,7 +83,64 @@ void fill_parts(Weather& weather, const StepSun& sun, std::size_t k) {
     if (!diffuse_known) diffuse = std::max(global - direct * height, 0.0);
 }
 
+/// A day's hours in which a series and global irradiance are known.
+struct DaySums {
+    double global = 0, part = 0;  ///< [Wh/m2]
+    bool is_absent(double least_share) const {
+        return global > 0 && part <= least_share * global;
+    }
+};
+
+DaySums sums_of(const Weather& weather, const std::vector<double>& part,
+                std::size_t first, std::size_t last) {
+    DaySums sums;
+    for (std::size_t k = first; k < last; ++k) {
+        if (!known(weather.global_horizontal, k) || !known(part, k)) continue;
+        sums.global += weather.global_horizontal[k];
+        sums.part += part[k];
+    }
+    return sums;
+}
+
+void drop(std::vector<double>& series, std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) series[k] = nan;
+}
+
+/// Whether a part of the day was made missing. Of an overcast day direct irradiance is 0
+/// and diffuse nearly the global.
+bool drop_absent_of_day(Weather& weather, std::size_t first, std::size_t last) {
+    constexpr double overcast = 0.9;  // share of the diffuse part without any direct
+    auto &direct = weather.direct_normal, &diffuse = weather.diffuse_horizontal;
+    const DaySums beam = sums_of(weather, direct, first, last),
+                  sky = sums_of(weather, diffuse, first, last);
+    const bool no_diffuse = sky.is_absent(0);
+    const bool no_direct =
+        beam.is_absent(0) && (sky.global == 0 || sky.is_absent(overcast));
+    const bool no_global = beam.global == 0 && beam.part > 0 && sky.part > 0;
+    if (no_direct) drop(direct, first, last);
+    if (no_diffuse) drop(diffuse, first, last);
+    if (no_global) drop(weather.global_horizontal, first, last);
+    return no_direct || no_diffuse || no_global;
+}
+
 }  // namespace
+
+std::vector<Seconds> drop_absent_parts(Weather& weather) {
+    std::vector<Seconds> days;
+    const auto n = static_cast<std::size_t>(weather.axis.n_steps);
+    const auto day = static_cast<std::size_t>(day_s / weather.axis.step_s);
+    const auto since_midnight =
+        weather.axis.start - std::chrono::floor<std::chrono::days>(weather.axis.start);
+    const auto start =
+        static_cast<std::size_t>(since_midnight.count() / weather.axis.step_s);
+    for (std::size_t first = 0; first < n;) {
+        const std::size_t last = std::min(n, (first + start) / day * day + day - start);
+        if (drop_absent_of_day(weather, first, last))
+            days.push_back(weather.axis.begin_of(static_cast<int>(first)));
+        first = last;
+    }
+    return days;
+}
 
 std::vector<int> unknown_irradiance(const Weather& weather) {
     return unknown_steps(weather,

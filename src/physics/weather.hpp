@@ -25,6 +25,12 @@ struct Weather {
 /// Steps with the sun up whose irradiance complete_irradiance cannot fill.
 std::vector<int> unknown_irradiance(const Weather& weather);
 
+/// Makes parts missing on days on which they are 0 and cannot be: some files write 0 for
+/// what they do not have. Direct and diffuse where there is global irradiance, direct
+/// where the diffuse part is well below the global; global where there are both parts.
+/// \return the begins of these days
+std::vector<Seconds> drop_absent_parts(Weather& weather);
+
 /// Fills global, direct and diffuse irradiance where they are missing: two of them give
 /// the third, global alone is split by a decomposition model, and where there is nothing,
 /// clear-sky irradiance is scaled by cloud cover. With the sun down a missing value is 0.

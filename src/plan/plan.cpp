@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "job/kind.hpp"
 #include "job/stages.hpp"
+#include "plan/meter_text.hpp"
 #include "plan/stock_text.hpp"
 
 #include <algorithm>
@@ -58,6 +59,7 @@ std::string building_lines(const job::Job& job) {
             text += fmt::format("  {}: {} to {}\n", period.name,
                                 physics::format_time(period.from),
                                 physics::format_time(period.to));
+        text += meter_lines(building);
         const auto& effects = building.building.effects;
         for (std::size_t k = 0; k < effects.size(); ++k)
             text +=

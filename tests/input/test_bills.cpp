@@ -59,11 +59,18 @@ TEST(Bills, OfQuartersLastUntilTheNext) {
     EXPECT_EQ(
         quarters.bills,
         "2021-01-01 2021-04-01 1; 2021-04-01 2021-07-01 2; 2021-07-01 2021-10-01 3; ");
-    EXPECT_EQ(quarters.notes.at(0).finding, "when its last bill ends is not in the file");
-    // Half of the months: most follow one another, and the others are missing.
-    EXPECT_EQ(
-        read("t,x\n2021-01-01,1\n2021-02-01,2\n2021-05-01,3\n", {}, unsaid()).bills,
-        "2021-01-01 2021-02-01 1; 2021-02-01 2021-03-01 2; 2021-05-01 2021-06-01 3; ");
+    EXPECT_EQ(quarters.notes.at(0).finding, "its rows begin 3 months apart");
+    EXPECT_EQ(read("t,x\n2021-01-01,1\n2021-04-01,2\n2021-07-01,3\n").bills.substr(0, 22),
+              "2021-01-01 2021-02-01 ")
+        << "stamp = start";
+}
+
+TEST(Bills, OfMonthsWithGapsAreOfMonths) {
+    for (const char* months :
+         {"2021-01-01,1\n2021-02-01,2\n2021-05-01,3\n", "2021-01-01,1\n2021-03-01,2\n",
+          "2021-01-01,1\n2021-03-01,2\n2021-06-01,3\n"})
+        EXPECT_EQ(read(std::string("t,x\n") + months, {}, unsaid()).bills.substr(0, 22),
+                  "2021-01-01 2021-02-01 ");
 }
 
 TEST(Bills, OfCalendarMonthsAreTheMonths) {

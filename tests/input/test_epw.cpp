@@ -224,6 +224,20 @@ TEST(Epw, PartsOfZeroBesideGlobalIrradianceAreDerived) {
               std::string::npos);
 }
 
+// Of days alone, too: a file that was put together from two.
+TEST(Epw, PartsThatAreZeroOnSomeDaysAreDerivedThere) {
+    std::map<int, Changes> changes;
+    for (int k = 24 * 100; k < 24 * 110; ++k) changes[k] = {{15, "0"}, {16, "0"}};
+    const input::EpwFile file =
+        test::parse_epw(header + rows(2021, 2021, changes), "w.epw");
+    const input::EpwFile whole = test::parse_epw(header + rows(2021, 2021), "w.epw");
+    EXPECT_GT(file.weather.diffuse_horizontal[24 * 105 + 12], 0);
+    EXPECT_EQ(file.weather.diffuse_horizontal[24 * 99 + 12],
+              whole.weather.diffuse_horizontal[24 * 99 + 12]);
+    EXPECT_NE(decisions(file).find("direct normal irradiance derived"), std::string::npos)
+        << decisions(file);
+}
+
 TEST(Epw, OddValuesOfUnneededColumnsAreIgnoredAndReported) {
     const input::EpwFile file =
         test::parse_epw(header + rows(2021, 2021, {{5, {{23, "11"}}}}), "w.epw");

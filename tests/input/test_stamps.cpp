@@ -175,6 +175,28 @@ TEST(Stamps, StampsThatCloseWholeDaysAreEnds) {
     EXPECT_FALSE(are_ends("2021-01-01 00:00", 3600, 72, 1));
 }
 
+// A day's sum written just before midnight is of that day.
+TEST(Stamps, LastMinutesOfDaysAreOfTheDaysThatTheyStandIn) {
+    for (const std::string clock : {"23:59", "23:59:59", "23:30"}) {
+        std::string text = "t,x\n";
+        for (const char* day : {"04", "05", "06"})
+            text += std::string("2021-01-") + day + " " + clock + ",1\n";
+        input::StampRules rules;
+        rules.is_said = false;
+        EXPECT_EQ(begins(text, rules),
+                  (Times{"2021-01-04 00:00", "2021-01-05 00:00", "2021-01-06 00:00"}))
+            << clock;
+        const input::Csv csv = input::parse_csv(text, "x.csv");
+        EXPECT_EQ(input::stamps_in(csv, 0, rules).notes.at(0).finding,
+                  "its stamps are the last minutes of days");
+        rules.is_count = true;  // a register at the end of the 4th
+        EXPECT_EQ(begins(text, rules)[0], "2021-01-05 00:00");
+        rules.is_count = false;
+        rules.is_said = true;  // as begins
+        EXPECT_EQ(begins(text, rules)[0], "2021-01-05 00:00");
+    }
+}
+
 TEST(Stamps, AnHourThatTheWallClockSkipsIsAnError) {
     input::StampRules rules;
     rules.clock = input::Clock::eu;

@@ -37,6 +37,50 @@ TEST(HourMeans, OfValuesAtTheHoursEnds) {
     EXPECT_EQ(hour_means({}), Series{});
 }
 
+/// Three days of an hour's sun each.
+Weather three_days(double global, double direct, double diffuse) {
+    Weather weather;
+    weather.site = {50, 10, 1, 100, 0.2};
+    weather.axis = {parse_time("2021-06-01"), 3600, 72};
+    for (auto [series, noon] : {std::pair{&Weather::global_horizontal, global},
+                                {&Weather::direct_normal, direct},
+                                {&Weather::diffuse_horizontal, diffuse}}) {
+        (weather.*series).assign(72, 0);
+        for (const int day : {0, 1, 2})
+            (weather.*series)[static_cast<std::size_t>(24 * day + 12)] =
+                day == 1 ? noon : 90;
+    }
+    return weather;
+}
+
+// Of the second day: the others have all parts.
+TEST(AbsentParts, AreThoseThatCannotBeZero) {
+    Weather both = three_days(500, 0, 0);
+    EXPECT_EQ(drop_absent_parts(both), std::vector<Seconds>{parse_time("2021-06-02")});
+    EXPECT_TRUE(std::isnan(both.direct_normal[36]) &&
+                std::isnan(both.diffuse_horizontal[36]));
+    EXPECT_EQ(both.direct_normal[12], 90);
+
+    Weather direct = three_days(500, 0, 449);  // 0.9 of the global is overcast
+    EXPECT_EQ(drop_absent_parts(direct).size(), 1U);
+    EXPECT_TRUE(std::isnan(direct.direct_normal[36]));
+    EXPECT_EQ(direct.diffuse_horizontal[36], 449);
+    Weather overcast = three_days(500, 0, 451);
+    EXPECT_TRUE(drop_absent_parts(overcast).empty());
+
+    Weather diffuse = three_days(500, 400, 0);
+    EXPECT_EQ(drop_absent_parts(diffuse).size(), 1U);
+    EXPECT_TRUE(std::isnan(diffuse.diffuse_horizontal[36]));
+    // Known at night alone, where it is 0.
+    Weather unknown = three_days(500, 400, nan);
+    EXPECT_TRUE(drop_absent_parts(unknown).empty());
+    Weather global = three_days(0, 400, 100);
+    EXPECT_EQ(drop_absent_parts(global).size(), 1U);
+    EXPECT_TRUE(std::isnan(global.global_horizontal[36]));
+    Weather dark = three_days(0, 0, 0);
+    EXPECT_TRUE(drop_absent_parts(dark).empty());
+}
+
 TEST(ClearSky, ValueOfPvlib) {
     // pvlib tests/test_clearsky.py, test_ineichen_scalar_input: zenith 10, air mass 1,
     // turbidity 3, extraterrestrial irradiance 1364 (its default), sea level.

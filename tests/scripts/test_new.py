@@ -318,6 +318,28 @@ class New(unittest.TestCase):
         for name in ("Peak demand (kW)", "Cold water (m3)", "hot water m3", "Electricity export kWh", "reactive kVArh"):
             self.assertTrue(words.is_other(name), name)
 
+    def test_a_line_of_units_says_them(self):
+        file = self.written("usage.csv", ["Zeit;Strom", ";kW", *(f"{t:%d.%m.%Y %H:%M};{electricity(t):.2f}".replace(
+            ".", ",").replace(",", ".", 2) for t in hours(2021, 2022))])
+        self.assertNotIn("nothing says its unit", self.new(file).stdout)
+        self.assertEqual(self.meter("electricity")["unit"], "kW")
+
+    def test_a_power_of_gas_is_of_gas(self):
+        for name in ("Verbrauch m3/h", "use m³/hr", "Usage therms per hour"):
+            self.assertEqual(meters.of_unit(name), "gas", name)
+        self.assertEqual(words.unit_of("m³/Stunde")[0], "kW")
+        self.assertTrue(tables.is_line_of_units(["", "kWh/Std", "m3/hr"]))
+
+    def test_sun_by_its_whole_names(self):
+        table = tables.Table("open.csv", ["time", "temperature_2m", "direct_normal_irradiance", "diffuse_radiation"],
+                             [], ",", time=["time"])
+        self.assertEqual(weather.weather_columns(table),
+                         {"outdoor_temperature": "temperature_2m", "direct_normal": "direct_normal_irradiance",
+                          "diffuse_horizontal": "diffuse_radiation"})
+        table.names = ["time", "temperature_2m", "diffuse_radiation", "shortwave_radiation", "wind_dir"]
+        self.assertEqual(weather.weather_columns(table), {"outdoor_temperature": "temperature_2m",
+                                                          "global_horizontal": "shortwave_radiation"})
+
     def test_electricity_of_what_heats_or_cools_is_electricity(self):
         for name in ("Heat pump electricity (kWh)", "Water heater electricity (kWh)", "Cooling electricity (kWh)"):
             self.assertEqual(words.quantity_of(name), "electricity", name)
@@ -403,10 +425,15 @@ class New(unittest.TestCase):
                                              ("steam klb", "district", "kBtu", 1194),
                                              ("Fernwärme MWh", "district", "MWh", 1), ("heat_kW", "district", "kW", 1),
                                              ("chilled water ton hours", "cooling", "kBtu", 12),
+                                             ("Gas m³/h", "gas", "kW", words.kwh_per_unit("m3")),
+                                             ("Electricity kWh/h", "electricity", "kW", 1),
+                                             ("gas kBtu per hour", "gas", "kW", words.KWH_PER_KBTU),
+                                             ("gas kWh / heating", "gas", "kWh", 1),
                                              ("T_room_C", "air_temperature", "degC", 1)):
             with self.subTest(head=head):
                 made = words.quantity_of(head) or meters.of_unit(head)
                 self.assertEqual((made, *words.unit_of(head, made)), (quantity, unit, factor))
+        self.assertFalse(words.is_other("Gas use per hour (kWh)"))
         for head in ("T_out_C", "RH_pct", "GHI_Wm2", "energy_cum_kWh", "Cost ($)", "wind_ms"):
             self.assertTrue(words.is_other(head), head)
 
