@@ -119,6 +119,25 @@ TEST(DeclaredEffects, AreReadAsTheyAreWritten) {
     EXPECT_GE(n_of_loads, 3);  // reheat, part load of heating and of cooling
 }
 
+/// A row of the catalogue may be found twice, with two thresholds.
+TEST(DeclaredEffects, ATakenNameSaysTheShape) {
+    const auto& rows = effects::catalogue();
+    effects::Effect effect =
+        std::ranges::find(rows, "part-load efficiency of heating", [](const auto& row) {
+            return row.effect.name;
+        })->effect;
+    effect.shape.at = 0.5;
+    effect.full_load = 4000;
+    const std::vector<std::string> taken{effects::name_in_job(effect)};
+    const std::string section =
+        effects::job_section_of(effect, {-0.2, 0, -1, 1}, {}, taken);
+    const study::Case office = office_with(section);
+    const effects::Effect& own = office.declared_effects->effects.at(0);
+    EXPECT_EQ(own.name, "part-load efficiency of heating: heating load below 0,5");
+    EXPECT_TRUE(are_equal(own, effect));
+    EXPECT_EQ(own.full_load, 4000);
+}
+
 TEST(DeclaredEffects, OtherHoursAreLinesOfTheirSchedule) {
     effects::OtherHours other;
     other.schedule = "plant";
