@@ -75,6 +75,7 @@ std::string head_of(const study::Meter& meter) {
 std::string meter_lines(const study::Case& building) {
     const double area = building.building.floor_area();
     std::vector<std::string> lines;
+    lines.reserve(building.meters.size());
     for (const study::Meter& meter : building.meters) lines.push_back(head_of(meter));
     for (const study::Period& period : building.periods) {
         const physics::TimeAxis axis = study::axis_of(building, period);
