@@ -108,15 +108,15 @@ Effect of_functions(const Section& section, const Effect& given) {
 
 /// What follows a load must not change it.
 void check_leaves_loads(const Section& section, const Effect& effect) {
+    if (effects::leaves_loads(effect.hook)) return;
     std::vector<std::string> hooks;
     for (const effects::HookRow& row : effects::hook_rows())
         if (row.leaves_loads) hooks.emplace_back(row.name);
-    if (!effects::leaves_loads(effect.hook))
-        section.fail_value(
-            "driver", fmt::format("cannot be followed at \"{}\", which changes the "
-                                  "load itself; expected a hook behind it, one of "
-                                  "{}, or another driver",
-                                  effects::name_of(effect.hook), fmt::join(hooks, ", ")));
+    section.fail_value(
+        "driver", fmt::format("cannot be followed at \"{}\", which changes the load "
+                              "itself; expected a hook behind it, one of {}, or another "
+                              "driver",
+                              effects::name_of(effect.hook), fmt::join(hooks, ", ")));
 }
 
 /// Hook and driver of an effect that the catalogue does not have.
@@ -388,7 +388,7 @@ void enter(const Section& section, const char* key, DeclaredEffects declared,
         for (physics::Drive& drive : drives) {
             drive.profiles.rows += declared.n_rows;
             drive.profiles.values.resize(drive.profiles.rows * drive.profiles.cols);
-            write_profiles(declared, building.building, building.weather, drive);
+            write_profiles(declared, effects::no_loads(drive), building.weather, drive);
         }
     });
     building.profiles.insert(building.profiles.end(), declared.n_rows,
@@ -418,10 +418,8 @@ std::vector<effects::Surroundings> surroundings_in(
     const std::vector<physics::Drive>& drives) {
     std::vector<effects::Surroundings> periods;
     periods.reserve(drives.size());
-    for (const physics::Drive& drive : drives) {
+    for (const physics::Drive& drive : drives)
         periods.push_back(surroundings_of(declared, drive, building.weather));
-        periods.back().model = effects::no_loads(drive);
-    }
     return periods;
 }
 
@@ -462,6 +460,20 @@ void declare(const Section& section, const study::Case& building,
     declared.coefficients.push_back(section.number("coefficient"));
 }
 
+/// Sections come behind effects of the structure, which follow no load.
+const Section& first_of_loads(const std::vector<Section>& sections,
+                              const DeclaredEffects& declared) {
+    const auto follows = [&](const Section& section) {
+        const auto effect =
+            std::ranges::find(declared.effects, section.text("name"), &Effect::name);
+        return effects::follows_loads(effect->driver) ||
+               std::ranges::any_of(declared.functions, [&](const auto& one) {
+                   return one.column == effect->column && one.follow_loads();
+               });
+    };
+    return *std::ranges::find_if(sections, follows);
+}
+
 }  // namespace
 
 void read_effects(const Sources& sources, study::Case& building) {
@@ -491,27 +503,16 @@ void read_effects(const Sources& sources, study::Case& building) {
 
 void check_loads(const Sources& sources, const study::Case& building) {
     if (!building.declared_effects || !building.declared_effects->follow_loads()) return;
-    const DeclaredEffects& declared = *building.declared_effects;
-    for (const Section& section : sources.with("effect").tables("effect", "effect")) {
-        const std::string name = section.text("name");
-        const auto effect = std::ranges::find(declared.effects, name, &Effect::name);
-        const auto functions = std::ranges::find(declared.functions, effect->column,
-                                                 &DeclaredEffects::Functions::column);
-        if (!effects::follows_loads(effect->driver) &&
-            (functions == declared.functions.end() || !functions->follow_loads()))
-            continue;
-        try {
-            for (const study::Period& period : building.periods)
-                effects::loads_of(building.building, drive_of(building, period));
-        } catch (const CannotSimulate& error) {
-            section.fail_value(
-                "name",
-                fmt::format("follows a load of the nominal building, which cannot "
-                            "be simulated: {}; expected values of its parameters "
-                            "with which it can",
-                            error.what()));
-        }
-        return;
+    try {
+        for (const study::Period& period : building.periods) drive_of(building, period);
+    } catch (const CannotSimulate& error) {
+        const auto sections = sources.with("effect").tables("effect", "effect");
+        first_of_loads(sections, *building.declared_effects)
+            .fail_value("name",
+                        fmt::format("follows a load of the nominal building, which "
+                                    "cannot be simulated: {}; expected values of its "
+                                    "parameters with which it can",
+                                    error.what()));
     }
 }
 

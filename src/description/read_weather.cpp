@@ -476,7 +476,6 @@ void read_any_weather(const schema::Section& section, const schema::Section* sit
 
 namespace {
 
-/// Of a CSV file; of an EPW file it is done.
 void drop_absent_parts(study::Case& building) {
     const auto days = physics::drop_absent_parts(building.weather);
     if (days.empty()) return;
@@ -499,7 +498,7 @@ void read_weather_now(const schema::Section& section,
     cut(building.weather, building);
     fill(building.weather, static_cast<int>(section.integer("fill_gaps")),
          building.decisions);
-    drop_absent_parts(building);
+    if (section.choice("format") == "csv") drop_absent_parts(building);  // EPW's are done
     check_hours(section, building);
     at_key(section, "files", [&] { physics::complete_irradiance(building.weather); });
     checks::check_weather_sun(building);

@@ -67,8 +67,7 @@ void add_columns(const std::vector<DeclaredEffects::Functions>& functions,
 
 Surroundings surroundings_of(const DeclaredEffects& declared, const physics::Drive& drive,
                              const physics::Weather& weather) {
-    const ModelSeries loads = declared.follow_loads() ? no_loads(drive) : ModelSeries{};
-    return surroundings_of(declared, loads, drive, weather);
+    return surroundings_of(declared, no_loads(drive), drive, weather);
 }
 
 Surroundings surroundings_of(const DeclaredEffects& declared, const ModelSeries& loads,
@@ -148,11 +147,9 @@ void write_profiles(const DeclaredEffects& declared, const ModelSeries& loads,
 
 void write_profiles(const DeclaredEffects& declared, const physics::Building& building,
                     const physics::Weather& weather, physics::Drive& drive) {
-    const bool follow_loads = declared.follow_loads();
-    write_profiles(declared, follow_loads ? no_loads(drive) : ModelSeries{}, weather,
-                   drive);
-    if (follow_loads)
-        write_profiles(declared, loads_or_none(building, drive), weather, drive);
+    write_profiles(declared, no_loads(drive), weather, drive);
+    if (declared.follow_loads())
+        write_profiles(declared, loads_of(building, drive), weather, drive);
 }
 
 }  // namespace bemcal::effects

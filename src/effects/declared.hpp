@@ -61,8 +61,7 @@ physics::Profile empty_row(const physics::Weather& weather);
 
 /// Writes what they follow into their rows of a period's drive. Throws CannotSimulate
 /// where this period lacks what one follows, or where it enters other inputs than before.
-/// \param building  with them; simulated where one follows its loads, which are 0 where
-///                  it cannot be
+/// \param building  with them; simulated where one follows its loads
 void write_profiles(const DeclaredEffects& declared, const physics::Building& building,
                     const physics::Weather& weather, physics::Drive& drive);
 /// The same with loads that are known.
@@ -74,7 +73,7 @@ void write_profiles(const DeclaredEffects& declared, const ModelSeries& loads,
 void add_columns(const std::vector<DeclaredEffects::Functions>& functions,
                  Surroundings& around);
 
-/// What they follow in a period. Loads that one follows are 0.
+/// What they follow in a period, with loads of 0.
 Surroundings surroundings_of(const DeclaredEffects& declared, const physics::Drive& drive,
                              const physics::Weather& weather);
 /// The same with these loads.

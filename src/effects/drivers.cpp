@@ -182,6 +182,10 @@ Shapes hinges_of_temperature() {
     return shapes;
 }
 
+Series share_of_load(const Effect& effect, const Series& load, double most) {
+    return over(load, effect.full_load > 0 ? effect.full_load : most);
+}
+
 constexpr DriverRow driver_table[] = {
     {.driver = Driver::one,
      .name = "constant",
@@ -339,9 +343,8 @@ constexpr DriverRow driver_table[] = {
      .first_move = 0,
      .of_steps =
          [](const Effect& effect, const Surroundings& around) {
-             return over(around.model.heating, effect.full_load > 0
-                                                   ? effect.full_load
-                                                   : around.model.most_heating);
+             return share_of_load(effect, around.model.heating,
+                                  around.model.most_heating);
          }},
     {.driver = Driver::cooling_load,
      .name = "cooling load",
@@ -349,9 +352,8 @@ constexpr DriverRow driver_table[] = {
      .first_move = 0,
      .of_steps =
          [](const Effect& effect, const Surroundings& around) {
-             return over(around.model.cooling, effect.full_load > 0
-                                                   ? effect.full_load
-                                                   : around.model.most_cooling);
+             return share_of_load(effect, around.model.cooling,
+                                  around.model.most_cooling);
          }},
     {.driver = Driver::another_day,
      .name = "another day's schedule",

@@ -101,24 +101,19 @@ void check_bill(const Csv& csv, const std::vector<Bill>& bills, std::size_t k) {
                          format_date(bill.from), format_date(bills[k - 1].to)));
 }
 
-int months_of(Seconds time) {
-    const physics::CalendarStep step = physics::calendar_step(time);
-    return 12 * step.year + step.month;
-}
-
 /// How many months each row is of, where none follows the next month: quarters begin on
 /// days on which months do, too. 1 of rows of which some are months apart by chance.
 int months_of_each(const std::vector<Bill>& months) {
     constexpr std::size_t fewest_rows = 3;
     if (months.size() < fewest_rows) return 1;
-    int least = 12;
+    std::vector<int> apart;
     for (std::size_t k = 1; k < months.size(); ++k)
-        least =
-            std::min(least, months_of(months[k].from) - months_of(months[k - 1].from));
-    for (std::size_t k = 1; k < months.size(); ++k)
-        if ((months_of(months[k].from) - months_of(months[k - 1].from)) % least != 0)
-            return 1;
-    return least;
+        apart.push_back(physics::month_at(months[k].from) -
+                        physics::month_at(months[k - 1].from));
+    const int least = std::ranges::min(apart);
+    const bool are_alike =
+        std::ranges::all_of(apart, [&](int distance) { return distance % least == 0; });
+    return are_alike ? least : 1;
 }
 
 /// One row for each interval of the calendar.

@@ -124,18 +124,6 @@ void fill_irradiance(Chain& chain) {
     report_gaps(chain, gaps, global_field, "all irradiance");
 }
 
-void say_no_sun(Chain& chain) {
-    const Weather& weather = chain.weather;
-    const auto is_dark = [](const std::vector<double>& series) {
-        return std::ranges::none_of(series, [](double v) { return v > 0; });
-    };
-    if (is_dark(weather.global_horizontal) && is_dark(weather.direct_normal) &&
-        is_dark(weather.diffuse_horizontal) &&
-        missing_steps(weather.global_horizontal).empty())
-        chain.decisions.push_back(
-            fmt::format("{}: all irradiance is 0", chain.place_of(0, global_field)));
-}
-
 void complete(Chain& chain) {
     const Weather before = chain.weather;
     physics::complete_irradiance(chain.weather);
@@ -244,7 +232,6 @@ void drop_empty_series(Weather& weather) {
 
 EpwFile finish(Chain chain, const EpwOptions& options) {
     fill_temperature(chain);
-    say_no_sun(chain);
     physics::drop_absent_parts(chain.weather);  // `complete` tells what it derives
     fill_irradiance(chain);
     complete(chain);

@@ -76,11 +76,9 @@ void know_its_loads(const LoopData& data, Place& place, const Standing& standing
                     const std::vector<FoundFunction>& functions) {
     know_loads(place, standing, functions);
     const effects::ModelSeries& loads = place.surroundings->model;
-    if (!declares_loads(data) || loads.heating.empty()) return;
-    physics::Drive drive = *place.drive;
-    effects::write_profiles(declared_in(data, standing.model.structure), loads,
-                            data.building.weather, drive);
-    place.drive = std::make_shared<physics::Drive>(std::move(drive));
+    if (declares_loads(data) && !loads.heating.empty())
+        place.drive =
+            drive_with_loads(data, standing.model.structure, loads, place.drive);
 }
 
 bool follow_loads(const LoopData& data, const LoopModel& model,

@@ -38,12 +38,6 @@ int block_at(physics::Seconds time, physics::Seconds from, double days) {
                                        (days * static_cast<double>(physics::day_s))));
 }
 
-/// Months since year 0.
-int month_at(physics::Seconds time) {
-    const physics::CalendarStep step = physics::calendar_step(time);
-    return 12 * step.year + step.month;
-}
-
 std::string name_of_numbered(const study::Case& building, std::size_t profile) {
     return "numbered hours of " + building.profiles[profile].name;
 }
@@ -275,9 +269,9 @@ std::vector<int> LoopData::blocks_of(double days) const {
     std::vector<int> of_readings;
     of_readings.reserve(begins.size());
     const bool by_month = reads_months();
-    const int first = month_at(training().from);
+    const int first = physics::month_at(training().from);
     for (const physics::Seconds begin : begins)
-        of_readings.push_back(by_month ? month_at(begin) - first
+        of_readings.push_back(by_month ? physics::month_at(begin) - first
                                        : block_at(begin, training().from, days));
     return of_readings;
 }
@@ -300,17 +294,24 @@ void change_structure(const std::vector<std::size_t>& structure,
                                                  effects::refinements()[index].name));
 }
 
-/// Declared effects follow what the structure shows them: the sun through other glass.
-/// Where it brings inputs that they would enter, too, they follow what the description
-/// shows.
-std::shared_ptr<const physics::Drive> drive_of_structure(
-    const LoopData& data, const std::vector<std::size_t>& structure,
-    const physics::Building& building, std::shared_ptr<const physics::Drive> drive) {
-    if (!data.building.declared_effects || structure.empty()) return drive;
+/// What the description declares, of a building with the structure.
+effects::DeclaredEffects declared_in(const LoopData& data,
+                                     const std::vector<std::size_t>& structure) {
+    effects::DeclaredEffects declared = *data.building.declared_effects;
+    declared.building.planes = data.building.building.planes;  // of every refinement
+    change_structure(structure, declared.building);
+    return declared;
+}
+
+/// \param of  a building, or its loads
+template <class Of>
+std::shared_ptr<const physics::Drive> with_declared(
+    const LoopData& data, const std::vector<std::size_t>& structure, const Of& of,
+    std::shared_ptr<const physics::Drive> drive) {
     physics::Drive changed = *drive;
     try {
-        effects::write_profiles(declared_in(data, structure), building,
-                                data.building.weather, changed);
+        effects::write_profiles(declared_in(data, structure), of, data.building.weather,
+                                changed);
     } catch (const CannotSimulate&) {
         return drive;
     }
@@ -319,12 +320,10 @@ std::shared_ptr<const physics::Drive> drive_of_structure(
 
 }  // namespace
 
-effects::DeclaredEffects declared_in(const LoopData& data,
-                                     const std::vector<std::size_t>& structure) {
-    effects::DeclaredEffects declared = *data.building.declared_effects;
-    declared.building.planes = data.building.building.planes;  // of every refinement
-    change_structure(structure, declared.building);
-    return declared;
+std::shared_ptr<const physics::Drive> drive_with_loads(
+    const LoopData& data, const std::vector<std::size_t>& structure,
+    const effects::ModelSeries& loads, std::shared_ptr<const physics::Drive> drive) {
+    return with_declared(data, structure, loads, std::move(drive));
 }
 
 Place make_place(const LoopData& data, const std::vector<std::size_t>& structure,
@@ -334,7 +333,9 @@ Place make_place(const LoopData& data, const std::vector<std::size_t>& structure
     Place place;
     place.building = *described;
     place.described = described;
-    place.drive = drive_of_structure(data, structure, *described, std::move(drive));
+    place.drive = std::move(drive);
+    if (data.building.declared_effects && !structure.empty())
+        place.drive = with_declared(data, structure, *described, place.drive);
     add_parameters(data, place);
     add_structure(structure, place);
     place.surroundings =

@@ -104,9 +104,12 @@ struct Place {
     std::vector<kernel::Channel> channels;
 };
 
-/// What the description declares, of a building with the structure. It must declare some.
-effects::DeclaredEffects declared_in(const LoopData& data,
-                                     const std::vector<std::size_t>& structure);
+/// A drive in which declared effects follow these loads, and what the structure shows
+/// them: the sun through other glass. The drive itself where the structure brings inputs
+/// that they would enter, too. The description must declare some.
+std::shared_ptr<const physics::Drive> drive_with_loads(
+    const LoopData& data, const std::vector<std::size_t>& structure,
+    const effects::ModelSeries& loads, std::shared_ptr<const physics::Drive> drive);
 
 /// The building with the structure over a period, ready for effects. Throws
 /// CannotSimulate where a refinement has nothing to refine.

@@ -105,6 +105,11 @@ TimeAxis TimeAxis::between(Seconds from, Seconds to) const {
     return {begin_of(first), step_s, last - first};
 }
 
+int month_at(Seconds time) {
+    const CalendarStep step = calendar_step(time);
+    return 12 * step.year + step.month;
+}
+
 const char* name_of_month(int month) {
     constexpr const char* names[] = {"January",   "February", "March",    "April",
                                      "May",       "June",     "July",     "August",

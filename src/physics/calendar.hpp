@@ -41,6 +41,9 @@ struct CalendarStep {
 };
 CalendarStep calendar_step(Seconds begin_of_step);
 
+/// Months since year 0.
+int month_at(Seconds time);
+
 /// \param month  from 1
 const char* name_of_month(int month);
 

@@ -5,7 +5,7 @@
 #include "plan/meter_text.hpp"
 
 #include <cmath>
-#include <numeric>
+#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -18,47 +18,38 @@ constexpr double hours_of_year = 8760;
 
 /// Readings of a meter in a period that are not missing.
 struct Read {
-    std::vector<double> values;
-    std::vector<physics::Seconds> begins;
-    double hours = 0;         ///< that they are of
-    std::size_t n_slots = 0;  ///< as many could be
-
-    double sum() const { return std::reduce(values.begin(), values.end()); }
-    std::size_t most() const {
-        return static_cast<std::size_t>(std::ranges::max_element(values) -
-                                        values.begin());
-    }
+    std::size_t n = 0;
+    double sum = 0, hours = 0;  ///< hours that they are of
+    double largest = -std::numeric_limits<double>::infinity();
+    physics::Seconds at{};  ///< begin of the largest
 };
 
 Read read_in(const kernel::Readings& readings, const physics::TimeAxis& axis) {
     const std::vector<int> bounds = physics::interval_bounds(axis, readings.interval);
     Read read;
-    read.n_slots = readings.values.size();
     for (std::size_t k = 0; k < readings.values.size(); ++k) {
-        if (std::isnan(readings.values[k])) continue;
-        read.values.push_back(readings.values[k]);
-        read.begins.push_back(axis.begin_of(bounds[k]));
+        const double value = readings.values[k];
+        if (std::isnan(value)) continue;
+        ++read.n;
+        read.sum += value;
         read.hours += (bounds[k + 1] - bounds[k]) * axis.step_s / 3600.0;
+        if (value <= read.largest) continue;
+        read.largest = value;
+        read.at = axis.begin_of(bounds[k]);
     }
     return read;
 }
 
-std::string line_of(const Read& read, const study::Period& period, bool is_mean,
-                    double area) {
-    const std::size_t most = read.most();
-    const std::string how_many = fmt::format("    {}: {} of {} readings, ", period.name,
-                                             read.values.size(), read.n_slots);
-    const std::string largest = fmt::format("largest {:.5g} from {}\n", read.values[most],
-                                            physics::format_time(read.begins[most]));
-    if (is_mean)
-        return how_many +
-               fmt::format("mean {:.4g} degC, ",
-                           read.sum() / static_cast<double>(read.values.size())) +
-               largest;
-    return how_many +
-           fmt::format("{:.6g} kWh, {:.4g} kWh/(m2 a), ", read.sum(),
-                       read.sum() / read.hours * hours_of_year / area) +
-           largest;
+std::string line_of(const study::Period& period, const kernel::Readings& readings,
+                    const Read& read, double area) {
+    const std::string sum =
+        physics::is_temperature(readings.quantity)
+            ? fmt::format("mean {:.4g} degC", read.sum / static_cast<double>(read.n))
+            : fmt::format("{:.6g} kWh, {:.4g} kWh/(m2 a)", read.sum,
+                          read.sum / read.hours * hours_of_year / area);
+    return fmt::format("    {}: {} of {} readings, {}, largest {:.5g} from {}\n",
+                       period.name, read.n, readings.values.size(), sum, read.largest,
+                       physics::format_time(read.at));
 }
 
 std::string head_of(const study::Meter& meter) {
@@ -81,9 +72,8 @@ std::string meter_lines(const study::Case& building) {
         const physics::TimeAxis axis = study::axis_of(building, period);
         const auto readings = study::readings_of(building, period);
         for (std::size_t m = 0; m < lines.size(); ++m)
-            if (const Read read = read_in(readings[m], axis); !read.values.empty())
-                lines[m] += line_of(read, period,
-                                    physics::is_temperature(readings[m].quantity), area);
+            if (const Read read = read_in(readings[m], axis); read.n > 0)
+                lines[m] += line_of(period, readings[m], read, area);
     }
     return fmt::format("{}", fmt::join(lines, ""));
 }

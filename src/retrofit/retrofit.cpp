@@ -7,7 +7,6 @@
 
 #include "base/error.hpp"
 #include "base/nan.hpp"
-#include "effects/loads.hpp"
 #include "retrofit/savings.hpp"
 #include "study/failures.hpp"
 #include "study/points.hpp"
@@ -141,11 +140,11 @@ std::shared_ptr<const physics::Drive> Retrofit::drive_after(
     physics::apply(building_.building, numbers_.numbers(),
                    numbers_.after(before, scenario), after);
     try {
-        effects::loads_of(after, *drive_);
+        return std::make_shared<physics::Drive>(
+            study::drive_of(building_, after, period));
     } catch (const CannotSimulate&) {
         return drive_;
     }
-    return std::make_shared<physics::Drive>(study::drive_of(building_, after, period));
 }
 
 Matrix Retrofit::numbers_of(std::size_t variant, const Matrix& before) const {

@@ -124,7 +124,7 @@ effects::FunctionDrivers drivers_in(const Case& building, const physics::Drive& 
     const DeclaredEffects& declared = *building.declared_effects;
     const auto loads = declared.follow_loads()
                            ? effects::loads_of(building.building, drive)
-                           : effects::ModelSeries{};
+                           : effects::no_loads(drive);
     effects::FunctionDrivers drivers = effects::function_drivers(
         effects::surroundings_of(declared, loads, drive, building.weather));
     for (auto& [name, all] : drivers)

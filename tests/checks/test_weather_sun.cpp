@@ -41,6 +41,12 @@ TEST(WeatherSun, PolarNightsAreDark) {
     darken(made.weather, 0, made.weather.axis.n_steps);
     check_weather_sun(made);
     EXPECT_TRUE(made.decisions.empty());
+    made.weather.site.latitude = 63.6;  // the sun stands 4 degrees high at noon
+    check_weather_sun(made);
+    EXPECT_TRUE(made.decisions.empty());
+    made.weather.site.latitude = 60;
+    check_weather_sun(made);
+    EXPECT_EQ(made.decisions.size(), 1U);
 }
 
 }  // namespace

@@ -60,6 +60,10 @@ TEST(Bills, OfQuartersLastUntilTheNext) {
         quarters.bills,
         "2021-01-01 2021-04-01 1; 2021-04-01 2021-07-01 2; 2021-07-01 2021-10-01 3; ");
     EXPECT_EQ(quarters.notes.at(0).finding, "its rows begin 3 months apart");
+    EXPECT_EQ(read("t,x\n2021-01-01,1\n2021-04-01,2\n2021-07-01,3\n", {}, unsaid())
+                  .bills.substr(0, 22),
+              "2021-01-01 2021-04-01 ")
+        << "three rows are the fewest";
     EXPECT_EQ(read("t,x\n2021-01-01,1\n2021-04-01,2\n2021-07-01,3\n").bills.substr(0, 22),
               "2021-01-01 2021-02-01 ")
         << "stamp = start";

@@ -1,4 +1,5 @@
 #include "base/error.hpp"
+#include "effects/loads.hpp"
 #include "job/small_office.hpp"
 #include "loop/model.hpp"
 #include "loop/windy_case.hpp"
@@ -277,24 +278,45 @@ TEST(LoopModel, SharesAreOfEnergyByTheHour) {
     }
 }
 
+namespace {
+
+/// The office with an effect, and a line before all else.
+Case office_with(const std::string& effect, const std::string& structure = "") {
+    const job::Folder folder;
+    const std::string text = job::replaced(job::small_office_text(), "[[parameter]]",
+                                           "[[effect]]\n" + effect + "\n\n[[parameter]]");
+    return job::read_job(job::write_small_office(folder, structure + text))
+        .buildings.at(0);
+}
+
+}  // namespace
+
+// It brings scheduled inputs, which an effect of the operation would enter, too.
+TEST(Model, DeclaredEffectsStayWhereAStructureBringsInputsOfTheirs) {
+    const LoopData data(office_with("name = \"as on a Monday\"\nhook = \"operation\"\n"
+                                    "driver = \"another day's schedule\"\nat = 0\n"
+                                    "weekday = \"saturday\"\ncoefficient = 0.5"),
+                        LoopOptions{});
+    const std::vector<std::size_t> structure{refinement("terminals with reheat")};
+    EXPECT_EQ(make_place(data, structure, data.drive).drive, data.drive);
+    EXPECT_EQ(
+        drive_with_loads(data, structure, effects::no_loads(*data.drive), data.drive),
+        data.drive);
+    EXPECT_NE(drive_with_loads(data, {}, effects::no_loads(*data.drive), data.drive),
+              data.drive);
+}
+
 // As in a job that has the effect and the structure.
 TEST(Model, DeclaredEffectsFollowTheSunThroughTheGlassOfTheStructure) {
-    const auto office = [](const std::string& structure) {
-        const job::Folder folder;
-        const std::string text = job::replaced(
-            job::small_office_text(), "[[parameter]]",
-            "[[effect]]\nname = \"less sun\"\nhook = \"gains\"\n"
-            "driver = \"sun on the sunniest window\"\ncoefficient = -0.01\n\n"
-            "[[parameter]]");
-        return job::read_job(job::write_small_office(folder, structure + text))
-            .buildings.at(0);
-    };
+    const std::string less_sun =
+        "name = \"less sun\"\nhook = \"gains\"\n"
+        "driver = \"sun on the sunniest window\"\ncoefficient = -0.01";
     const auto row_in = [](const Case& made, const physics::Drive& drive) {
         const auto row = drive.profiles.row(made.declared_effects->first_row);
         return std::vector<double>(row.begin(), row.end());
     };
-    const Case plain = office(""),
-               with_glass = office("structure = [\"glass by angle\"]\n");
+    const Case plain = office_with(less_sun),
+               with_glass = office_with(less_sun, "structure = [\"glass by angle\"]\n");
     const LoopData data(plain, LoopOptions{});
     const Place place = make_place(data, {refinement("glass by angle")}, data.drive);
     EXPECT_EQ(row_in(plain, *place.drive),
