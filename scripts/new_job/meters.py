@@ -21,7 +21,7 @@ USUAL = {"gas": 150, "electricity": 100, "district": 120, "cooling": 80, "heatin
 ABSURD = 6                     # times more or less than that, and it is asked about
 CANDIDATES = {"gas": ("kWh", "m3", "MWh"), "electricity": ("kWh", "MWh", "Wh"),
               "district": ("kWh", "MWh", "GJ", "kBtu"), "cooling": ("kWh", "MWh", "kBtu"), "heating": ("kWh", "MWh")}
-OF_COUNTRY = {"US": ("therm", "100 ft3"), "GB": ("100 ft3",)}  # more of gas
+OF_COUNTRY = {"US": ("therm", "CCF"), "GB": ("100 ft3",)}  # more of gas
 ZERO_RUN = 12                  # h, of zeros that are gaps
 MOST_FILLED, MOST_SHORT = 0.1, 0.002  # of the readings, that stand for gaps, and that are other zeros
 LEAST_RISES, MOST_FALLS = 0.3, 0.01  # of a register's readings; of its rises
@@ -300,6 +300,15 @@ def differences(meter):
     return [(begin, max(b - a, 0)) for (begin, a), (_, b) in zip(read, read[1:])]
 
 
+def take_reads(meter, table):
+    """Makes uses of a register's reads, months apart or so; returns their ends."""
+    reads = sorted((time, value) for time, (_, value) in zip(sorted(table.times), meter.series) if value is not None)
+    meter.keys["register"] = "difference"
+    meter.keys.pop("stamp", None)
+    meter.series = [(begin, b - a) for (begin, a), (_, b) in zip(reads, reads[1:])]
+    return [end for end, _ in reads[1:]]
+
+
 def has_filled_gaps(meter):
     """Whether nearly all zeros stand for half a day and more, and are few; a plant that is off shows short ones."""
     values = [value for _, value in meter.read()]
@@ -396,8 +405,13 @@ def make_meter(table, column, quantity, unit, options, told):
     if meter.is_energy:
         tell_negatives(meter, told)
     if meter.is_energy and table.step > DAY and is_register_of_bills(meter):
-        told.check(f"{table.path}: {column}: rises from bill to bill: perhaps what a register shows; expected the use "
-                   "of each bill")
+        if bills or interval == "annual":
+            told.check(f"{table.path}: {column}: rises from bill to bill: perhaps what a register shows; expected the "
+                       "use of each bill")
+        else:
+            ends = take_reads(meter, table)
+            told.check(f"{table.path}: {column}: rises from read to read, and was taken for a register; register = "
+                       "\"keep\" makes each a use")
     if bills:
         ends = ends_of_bills(begins, tables.times_like(table, bills[1]))
         meter.keys |= {"from": bills[0], "to": bills[1]}
@@ -405,7 +419,9 @@ def make_meter(table, column, quantity, unit, options, told):
         meter.keys.pop("stamp", None)
         if estimated := estimated_column(table):
             meter.keys["estimated"] = estimated
-    if ends:
+    if "register" in meter.keys and ends:
+        meter.ends = ends
+    elif ends:
         meter.ends = [end for end, value in sorted(zip(ends, numbers.values)) if value is not None]
     if not meter.read():
         raise Refused(f"{table.path}: column {column}: has no readings")

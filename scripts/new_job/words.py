@@ -18,9 +18,10 @@ UNITS = (
     (r"kbtu|thousand btu", "kBtu", 1),
     (r"btu", "kBtu", 0.001),
     (r"therms?|thms?", "therm", 1), (r"dth|dekatherms?|decatherms?", "therm", 10),
-    (r"mcf|kcf|thousand cubic feet|1000 ?ft3|1000 cubic feet", "100 ft3", 10),
-    (r"ccf|hcf|hundred cubic feet|100 ?ft3|100 cubic feet", "100 ft3", 1),
-    (r"cf|ft3|cubic feet", "ft3", 1),
+    (r"mcf|kcf|thousand cubic feet|1000 ?ft3|1000 cubic feet", "CCF", 10),
+    (r"hcf|100 ?ft3", "100 ft3", 1),           # of Great Britain's older meters
+    (r"ccf|hundred cubic feet|100 cubic feet", "CCF", 1),
+    (r"cf|ft3|cubic feet", "CCF", 0.01),
     (r"m3|nm3|cubic met(?:er|re)s?|kubikmeter", "m3", 1),
     (r"gj|gigajoules?", "GJ", 1), (r"mj|megajoules?", "MJ", 1), (r"kj|kilojoules?", "kJ", 1), (r"j|joules?", "J", 1),
     (r"ton ?hours?|tonh|rth", "kBtu", 12),
@@ -32,7 +33,7 @@ UNITS = (
 PER_HOUR = re.compile(r"(?:/\s*|\bper |\bpro )(?:h|hrs?|hours?|std|stunden?)\b", re.IGNORECASE)
 UNIT_NAMES = tuple(dict.fromkeys(unit for _, unit, _ in UNITS))
 TEMPERATURES, POWERS = ("degC", "degF", "K"), ("kW", "MW", "W")
-VOLUMES = ("m3", "ft3", "100 ft3")     # energies of gas alone
+VOLUMES = ("m3", "ft3", "100 ft3", "CCF")     # energies of gas alone
 OF_GAS = (*VOLUMES, "therm")
 
 # Readings that are no meter's.
@@ -107,8 +108,9 @@ def named_unit(name, quantity=None):
 
 
 def kwh_per_unit(unit, step_hours=1):
-    """[kWh] of a reading of 1; natural gas at 11.2 kWh/m3, as the program reads it."""
+    """[kWh] of a reading of 1; natural gas at 11.2 kWh/m3 and 102.6 kBtu/CCF, as the program reads it."""
     gas = 39.5 * 1.02264 / 3.6
     return {"kWh": 1, "Wh": 1e-3, "MWh": 1e3, "J": 1 / 3.6e6, "kJ": 1 / 3600, "MJ": 1 / 3.6, "GJ": 1e3 / 3.6,
             "kBtu": KWH_PER_KBTU, "therm": 100 * KWH_PER_KBTU, "m3": gas, "ft3": gas * 0.0283168,
-            "100 ft3": gas * 2.83168, "kW": step_hours, "W": step_hours / 1e3, "MW": step_hours * 1e3}[unit]
+            "100 ft3": gas * 2.83168, "CCF": 102.6 * KWH_PER_KBTU,
+            "kW": step_hours, "W": step_hours / 1e3, "MW": step_hours * 1e3}[unit]

@@ -143,7 +143,8 @@ std::vector<Finding> state_bills(const input::RegularSeries& series, Quantity qu
         {fmt::format("its bills rise {} times and never fall: perhaps what a register "
                      "shows",
                      course.n_rises),
-         "kept as uses; the file would have to hold the use of each"}};
+         "kept as uses; register = \"difference\" would take the use from one to the "
+         "next"}};
 }
 
 std::optional<Question> doubt_of_room(const input::RegularSeries& series,
@@ -164,9 +165,14 @@ std::optional<Question> doubt_of_room(const input::RegularSeries& series,
 }
 
 std::vector<Finding> take_differences(input::RegularSeries& series) {
-    const Course course = course_of(series.values);
-    series.values = differences_of(series.values);
+    auto findings = take_differences(series.values);
     series.axis.n_steps = static_cast<int>(series.values.size());
+    return findings;
+}
+
+std::vector<Finding> take_differences(std::vector<double>& counts) {
+    const Course course = course_of(counts);
+    counts = differences_of(counts);
     return {{fmt::format("a register that rises {} times and falls {} times",
                          course.n_rises, course.n_falls),
              "its differences are taken"}};

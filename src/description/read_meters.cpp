@@ -278,9 +278,11 @@ class MeterReader {
         std::vector<input::TimeNote> notes;
         const std::vector<input::Bill> bills = read_bills(sources[0], notes);
         if (bills.empty())
-            section_.fail("file", sources[0].csv->file +
-                                      " has one row, and not when it ends; give columns "
-                                      "from and to");
+            section_.fail("file",
+                          sources[0].csv->file +
+                              (counts() ? " has less than two reads of its register"
+                                        : " has one row, and not when it ends; give "
+                                          "columns from and to"));
         if (!input::are_of_calendar(bills, meter_.interval)) {
             meter_.interval.bounds = input::bounds_of(bills);
             notes.push_back(
@@ -301,10 +303,6 @@ class MeterReader {
 
     void check_bills(input::RegularSeries& series, const std::vector<TimedCsv>& sources) {
         if (meter_checks("codes")) decide(checks::mask_codes(series, meter_.quantity));
-        if (counts())
-            section_.fail_value("register",
-                                "is of rows up to a day apart; write the use of each "
-                                "bill in place of what the register shows");
         if (meter_checks("register"))
             decide(checks::state_bills(series, meter_.quantity));
         check_below_zero(series, sources);
@@ -324,13 +322,38 @@ class MeterReader {
     }
 
     std::vector<input::Bill> read_bills(const TimedCsv& source,
-                                        std::vector<input::TimeNote>& notes) const {
+                                        std::vector<input::TimeNote>& notes) {
         const input::Csv& csv = *source.csv;
-        return input::bills_in(
-            csv, {section_.text("from"), section_.text("to"), section_.text("estimated")},
-            source.stamps, source.rules,
-            input::numbers_in(csv, csv.column(column_), source.numbers), meter_.interval,
-            meter_.quantity == Quantity::air_temperature, notes);
+        const input::BillColumns columns{section_.text("from"), section_.text("to"),
+                                         section_.text("estimated")};
+        const std::vector<double> values =
+            input::numbers_in(csv, csv.column(column_), source.numbers);
+        if (counts())
+            return uses_between(
+                input::reads_of_register(csv, columns, source.stamps, values, notes));
+        return input::bills_in(csv, columns, source.stamps, source.rules, values,
+                               meter_.interval,
+                               meter_.quantity == Quantity::air_temperature, notes);
+    }
+
+    /// The bills from each read of a register to the next.
+    std::vector<input::Bill> uses_between(std::vector<input::Bill> reads) {
+        if (section_.has("from"))
+            section_.fail_value("from",
+                                "is the begin of a use, but register = "
+                                "\"difference\" has reads, each at one time; "
+                                "give their column as time");
+        if (reads.size() < 2) return {};
+        std::vector<double> uses;
+        uses.reserve(reads.size());
+        for (const input::Bill& read : reads) uses.push_back(read.value);
+        decide(checks::take_differences(uses));
+        for (std::size_t k = 0; k < uses.size(); ++k) {
+            reads[k].to = reads[k + 1].from;
+            reads[k].value = uses[k];
+        }
+        reads.pop_back();
+        return reads;
     }
 
     void note_gaps(const input::RegularSeries& series) {

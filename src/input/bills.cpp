@@ -304,6 +304,26 @@ std::vector<Bill> bills_in(const Csv& csv, const BillColumns& columns,
     return merged(bills, is_mean, notes);
 }
 
+std::vector<Bill> reads_of_register(const Csv& csv, const BillColumns& columns,
+                                    const Stamps& stamps,
+                                    const std::vector<double>& values,
+                                    std::vector<TimeNote>& notes) {
+    const std::vector<Seconds> times = times_of(stamps);
+    std::vector<Bill> reads;
+    reads.reserve(values.size());
+    for (std::size_t row = 0; row < values.size(); ++row)
+        reads.push_back({times[row], times[row], values[row], false, row});
+    if (!columns.estimated.empty()) mark_estimated(csv, columns.estimated, reads);
+    const auto n = std::erase_if(reads, [](const Bill& read) {
+        return read.is_estimated || std::isnan(read.value);
+    });
+    if (n > 0)
+        notes.push_back({fmt::format("{} of its reads {} missing or estimated", n,
+                                     n == 1 ? "is" : "are"),
+                         "left out; the use is from the read before to the one after"});
+    return reads;
+}
+
 void mark_estimated(const Csv& csv, const std::string& column, std::vector<Bill>& bills) {
     const std::size_t at = csv.column(column);
     for (Bill& bill : bills) {

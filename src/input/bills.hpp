@@ -56,6 +56,14 @@ std::vector<Bill> bills_in(const Csv& csv, const BillColumns& columns,
                            const std::vector<double>& values, physics::Interval interval,
                            bool is_mean, std::vector<TimeNote>& notes);
 
+/// The reads of a register, each at its time (from = to); what was estimated or is
+/// missing is left out, so that the time before and after it are one. \param columns
+/// `from` empty
+std::vector<Bill> reads_of_register(const Csv& csv, const BillColumns& columns,
+                                    const Stamps& stamps,
+                                    const std::vector<double>& values,
+                                    std::vector<TimeNote>& notes);
+
 /// Marks bills by a column that says yes or no, E or A. Throws UserError (data) where it
 /// says something else.
 void mark_estimated(const Csv& csv, const std::string& column, std::vector<Bill>& bills);

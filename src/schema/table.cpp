@@ -456,7 +456,7 @@ constexpr Key table[] = {
      "Of months and bills: column that says which reads are estimated (1, true, E); each "
      "is merged with the next that was read."},
     {"meter", "unit", Type::text, "", required, 0, 0,
-     "kWh, Wh, MWh, MJ, GJ, J, kW, W, m3 (of gas), ft3, 100 ft3, kBtu, therm; degC, K, "
+     "kWh, Wh, MWh, MJ, GJ, J, kW, W, m3 (of gas), ft3, 100 ft3, CCF, kBtu, therm; degC, K, "
      "degF."},
     {"meter", "factor", Type::number, "-", "1", 1e-9, 1e9,
      "On the readings, with the unit's."},

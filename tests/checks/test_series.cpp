@@ -300,6 +300,8 @@ TEST(DataChecks, StandInTheJobsDecisionsAndItsKeysOverruleThem) {
 TEST(Units, CubicMetresAndHundredsOfCubicFeetOfGasAreTheKnownFactors) {
     EXPECT_NEAR(input::find_unit("m3")->factor, 11.2, 0.05);
     EXPECT_NEAR(input::find_unit("100 ft3")->factor, 31.7, 0.1);
+    // ENERGY STAR Portfolio Manager, Thermal Energy Conversions: 1 ccf = 102.6 kBtu.
+    EXPECT_NEAR(input::find_unit("CCF")->factor, 102.6 * 0.29307107, 1e-6);
     EXPECT_NEAR(input::find_unit("therm")->factor, 29.3071, 1e-4);  // 100,000 Btu
     EXPECT_NEAR(77 * input::find_unit("degF")->factor + input::find_unit("degF")->offset,
                 25, 1e-12);

@@ -101,6 +101,33 @@ TEST(MeterBills, CodesAreMaskedAndARegistersRiseIsTold) {
                      "its bills rise 10 times and never fall: perhaps what a register"));
 }
 
+// Reads on the 5th, one estimated and one missing: the use runs on over both. The meter
+// is changed in May, and counts again from 0.
+TEST(MeterBills, OfARegisterAreFromReadToRead) {
+    const auto building = read_with(
+        "t,x,estimated\n"
+        "2020-12-05,9000,0\n2021-01-05,9310,0\n"
+        "2021-02-05,9500,1\n2021-03-05,,0\n"
+        "2021-04-05,10150,0\n2021-05-05,120,0\n",
+        "register = \"difference\"\nestimated = "
+        "\"estimated\"\n");
+    const study::Meter& meter = building.meters[0];
+    EXPECT_EQ(meter.interval.bounds,
+              (std::vector{parse_time("2020-12-05"), parse_time("2021-01-05"),
+                           parse_time("2021-04-05"), parse_time("2021-05-05")}));
+    EXPECT_EQ(meter.values.at(0), 310);
+    EXPECT_EQ(meter.values.at(31 * 24), 840);
+    EXPECT_EQ(meter.values.at((31 + 90) * 24), 120);
+    EXPECT_TRUE(std::ranges::any_of(building.decisions, [](const auto& decision) {
+        return decision.finding == "2 of its reads are missing or estimated";
+    }));
+    EXPECT_THROW(read_with("t,e,x\n2021-01-01,2021-01-31,10\n2021-02-01,2021-02-28,20\n",
+                           "register = \"difference\"\nfrom = \"t\"\nto = \"e\"\n"),
+                 UserError);
+    EXPECT_THROW(read_with("t,x\n2021-01-01,10\n", "register = \"difference\"\n"),
+                 UserError);
+}
+
 TEST(MeterBills, OneBelowZeroIsMaskedAndMoreAreAskedAbout) {
     const std::string one = "t,x\n2021-01-01,300\n2021-02-01,-120\n2021-03-01,280\n";
     const auto february = [](const study::Case& building) {

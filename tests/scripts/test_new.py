@@ -419,7 +419,7 @@ class New(unittest.TestCase):
 
     def test_units_and_quantities_by_name(self):
         for head, quantity, unit, factor in (("gas_m3", "gas", "m3", 1), ("Usage (therms)", "gas", "therm", 1),
-                                             ("natural gas ccf", "gas", "100 ft3", 1),
+                                             ("natural gas ccf", "gas", "CCF", 1),
                                              ("Gas MMBtu", "gas", "kBtu", 1000),
                                              ("Strom kWh", "electricity", "kWh", 1),
                                              ("steam klb", "district", "kBtu", 1194),
@@ -575,7 +575,11 @@ class New(unittest.TestCase):
         self.assertIn("2 of 24 readings are below 0", said)
         self.assertEqual(self.meter()["negative"], "missing")
         said = self.new(bills(lambda k: 5000 + 400 * k), force=True).stdout
-        self.assertIn("rises from bill to bill: perhaps what a register shows", said)
+        self.assertIn("rises from read to read, and was taken for a register", said)
+        self.assertIn("2021-01-01 to 2022-11-30", said)
+        self.assertEqual(self.meter()["register"], "difference")
+        said = self.new(bills(lambda k: 5000 + 400 * min(k, 8)), force=True).stdout
+        self.assertNotIn("register", self.meter())
 
     def test_hours_in_a_column_of_numbers_and_stamps_at_ends(self):
         for form in ("%Y-%m-%d", "%d.%m.%Y"):
