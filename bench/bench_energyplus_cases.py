@@ -122,6 +122,37 @@ def saturday_as_monday(days, hours, others):
     return monday if "saturday" in days.lower() else hours
 
 
+def earlier(by):
+    """Begins so many hours before."""
+    return lambda days, hours, _: [max(hours[k:k + by + 1]) for k in range(24)]
+
+
+def as_weekdays(days, hours, others):
+    """On all days that are not named."""
+    monday = next(those for kind, those in others.items() if "weekdays" in kind.lower())
+    return monday if "allotherdays" in days.lower() else hours
+
+
+def closed(pattern, before, last):
+    """Whole-year schedules whose name fits, as on days that are not named from the day after one to another."""
+    def change(objects):
+        for fields in objects:
+            if is_a(fields, "Schedule:Compact") and re.fullmatch(pattern, fields[1], re.I):
+                usual = fields[4:]
+                others = usual[next(k for k, field in enumerate(usual) if "allotherdays" in field.lower()) + 1:]
+                fields[3:] = [f"Through: {before}", *usual, f"Through: {last}", "For: AllDays", *others,
+                              "Through: 12/31", *usual]
+        return objects
+    return change
+
+
+def economised(objects):
+    for fields in objects:
+        if is_a(fields, "Controller:OutdoorAir"):
+            fields[ECONOMIZER] = "DifferentialDryBulb"
+    return objects
+
+
 def vented(schedule_hours, least_room, flow):
     """Air through windows where the room is warmer than outdoors and than a limit."""
     def change(objects):
@@ -177,6 +208,18 @@ CASES = {
     "so_film": Case(scaled("WindowMaterial:SimpleGlazingSystem", [3], 0.5), "05-01",
                     names=("film on windows", "retrofit of windows")),
     "so_lights": Case(scaled("Lights", [5, 6, 7], 0.6), "03-15", names=("tenants move in or out",)),
+    "so_early": Case(schedule("HTGSETP_SCH|HVACOperationSchd", earlier(3)),
+                     names=("early start", "other hours than declared", "heating set-point of some hours")),
+    "so_sundays": Case(schedule("(HTG|CLG)SETP_SCH|HVACOperationSchd", as_weekdays),
+                       names=("plant runs at weekends as on weekdays", "other hours than declared")),
+    "so_august": Case(closed(USE, "7/31", "8/21"), names=("holidays",)),
+    "mo_setback": Case(schedule("HTGSETP_SCH", raised(0, 5, 3)),
+                       names=("no set-back at night", "heating set-point of some hours")),
+    "mo_lights": Case(scaled("Lights", [5, 6, 7], 0.6), "03-15", names=("tenants move in or out",)),
+    "mo_leaks": Case(scaled("ZoneInfiltration:DesignFlowRate", [5, 6, 7, 8], 2.5), "10-01",
+                     names=("leaks sealed or opened",)),
+    "mo_economiser": Case(economised, names=("economiser", "economiser of the air system")),
+    "mo_nights": Case(schedule("BLDG_EQUIP_SCH", more(0, 6, 0.3)), names=("use at night",)),
     "mo_wind": Case(by_wind, names=WIND),
     "mo_plugstep": Case(scaled("ElectricEquipment", [5, 6, 7], 1.35), JUNE, names=("tenants move in or out",)),
     "mo_saturday": Case(schedule(USE, saturday_as_monday), names=SATURDAY),
@@ -188,6 +231,10 @@ CASES = {
                        names=("heating set-point of some hours", "no set-back at night")),
     "ap_meterstep": Case(meter=("gas_kWh", 0.88), since="02-15", names=("step of a meter", "new or serviced boiler")),
     "ap_plugstep": Case(scaled("ElectricEquipment", [5, 6, 7], 1.4), JUNE, names=("tenants move in or out",)),
+    "ap_copstep": Case(scaled("Coil:Cooling:DX:SingleSpeed", [5], 0.75), "07-01", names=("new or serviced chiller",)),
+    "ap_dayset": Case(schedule("APT_HTGSETP_SCH", raised(9, 16, 2)), names=("heating set-point of some hours",)),
+    "ap_lights": Case(scaled("Lights", [5, 6, 7], 2), "10-15", names=("tenants move in or out",)),
+    "ap_evening": Case(schedule("APT_EQP_SCH", raised(19, 24, 0.5)), names=("evening use",)),
     "ap_wind": Case(by_wind, names=WIND),
     "ap_windows": Case(vented((0, 24), 24, 2), names=("windows opened in warm rooms", "windows opened while occupied")),
     "ap_coolset": Case(schedule("APT_CLGSETP_SCH", raised(18, 24, -1.5)), names=("cooling set-point of some hours",)),

@@ -25,6 +25,7 @@ OF_COUNTRY = {"US": ("therm", "CCF"), "GB": ("100 ft3",)}  # more of gas
 ZERO_RUN = 12                  # h, of zeros that are gaps
 MOST_FILLED, MOST_SHORT = 0.1, 0.002  # of the readings, that stand for gaps, and that are other zeros
 LEAST_RISES, MOST_FALLS = 0.3, 0.01  # of a register's readings; of its rises
+MOST_APART, MOST_CHANGE = dt.timedelta(hours=14), dt.timedelta(hours=2)   # of the same times by another clock
 RISES_OF_BILLS = 9             # without a fall: perhaps a register
 OFFSET, MOST_BELOW = 0.01, 0.01    # of what a meter reaches, and of its readings, that may be below 0 by faults
 SPIKE = 20                     # times what 98 % of the readings reach
@@ -300,6 +301,20 @@ def differences(meter):
     return [(begin, max(b - a, 0)) for (begin, a), (_, b) in zip(read, read[1:])]
 
 
+def refuse_other_times(table, column):
+    """Of trends side by side, "time, a, time, b", as the program sees it (src/input/time_columns.cpp)."""
+    first, at = table.names.index(table.time[0]), table.names.index(column)
+    if len(table.time) > 1 or table.per_day or table.step > DAY or at < first + 3:
+        return
+    own = tables.times_like(table, table.names[at - 1])
+    if not own or tables.times_like(table, table.names[first + 1]):
+        return
+    apart = [b - a for a, b in zip(table.times, own)]
+    if any(abs(one) > MOST_APART or abs(one - apart[0]) > MOST_CHANGE for one in apart):
+        raise Refused(f"{table.path}: {column}: stands behind a time of its own, {table.names[at - 1]}, whose times are "
+                      f"not those of {table.time[0]}; put each time and what belongs to it into a file of its own")
+
+
 def take_reads(meter, table):
     """Makes uses of a register's reads, months apart or so; returns their ends."""
     reads = sorted((time, value) for time, (_, value) in zip(sorted(table.times), meter.series) if value is not None)
@@ -382,6 +397,7 @@ def unit_said(table, column, quantity):
 def make_meter(table, column, quantity, unit, options, told):
     """`unit`: (unit, factor), or None where the names say it."""
     tables.check_order(table)
+    refuse_other_times(table, column)
     numbers, bills = likely_numbers(table, column, quantity, unit, options.area), bill_columns(table)
     keys = keys_of_meter(table, numbers, bills, told)
     begins, ends = steps_of(table, keys, bills, told)

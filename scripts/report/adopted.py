@@ -97,6 +97,10 @@ def append(job, section, found, comment):
     job[section].append(row)
 
 
+OF_STRUCTURE = "of the structure that the loop chose"
+STRIKES = "; to strike it, set it to 0 here and strike its parameter, as structure brings it without this section"
+
+
 def adopt_sections(section, comment, job):
     """All tables of a section. The names of its effects."""
     tables = tomlkit.parse(section)
@@ -104,7 +108,8 @@ def adopt_sections(section, comment, job):
         for found in tables.get(kind, []):
             if found["name"] in named(job, kind):
                 raise Mismatch(f"has {'an' if kind == 'effect' else 'a'} {kind} \"{found['name']}\" already")
-            append(job, kind, found, comment)
+            more = STRIKES if kind == "effect" and comment == OF_STRUCTURE else ""
+            append(job, kind, found, comment + more)
     return [str(effect["name"]) for effect in tables.get("effect", [])]
 
 
@@ -136,7 +141,7 @@ def adopt_structure(loop, job, keeps_priors):
     job["structure"].comment("chosen by the loop")
     for part in loop.job_parts:
         if part.of == "structure" and parameter_in(part.section) not in own:   # else its value is set
-            adopt_sections(part.section, "of the structure that the loop chose", job)
+            adopt_sections(part.section, OF_STRUCTURE, job)
     for row in job["parameter"] if keeps_priors else []:
         if str(row["name"]) not in own:
             believe_as_before(loop, row)

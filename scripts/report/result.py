@@ -344,6 +344,9 @@ class Loop:
 def loop_in(file, stage):
     """The loop of that name; without a name the only one."""
     stages = studies.of_kind(file, "loop")
+    if not stages and "stock" in file:
+        raise ValueError(f"{file.filename} is of a stock, whose next nights carry on what they found by themselves "
+                         "(--after); expected the result of a job of one building")
     if stage is None and len(stages) == 1:
         stage = stages[0]
     if stage not in stages:
@@ -352,6 +355,11 @@ def loop_in(file, stage):
                                            if stages else "no finished study of kind \"loop\"; expected one "
                                            "that found its models: where it could not, the run says NOT REACHED"))
     return Loop(file, stage)
+
+
+def inputs_of(path):
+    """Names of the files that its run has read, beside the job."""
+    return guard.read_apart(path, lambda file: guard.texts(file["inputs"], "input_file") if "inputs" in file else [])
 
 
 def read(path, stage=None):

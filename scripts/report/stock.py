@@ -61,22 +61,25 @@ class Building:
     measured: np.ndarray = field(default_factory=no_days)  # daily sums [kWh]
     foretold: np.ndarray = field(default_factory=no_days)  # as many, or none
 
-    def first_meter(self):
-        return [fit for fit in self.fits if fit[0] == self.fits[0][0]] if self.fits else []
+    def worst_meter(self):
+        """The fits of that with the largest error in the last period; of alike ones the first."""
+        last = {fit[0]: fit[3] for fit in self.fits}
+        worst = max(last, key=lambda meter: last[meter] if math.isfinite(last[meter]) else -1, default=None)
+        return [fit for fit in self.fits if fit[0] == worst]
 
     @property
     def training(self):
-        fits = self.first_meter()
+        fits = self.worst_meter()
         return fits[0][3] if fits else math.nan
 
     @property
     def before(self):
-        fits = self.first_meter()
+        fits = self.worst_meter()
         return fits[0][2] if fits else math.nan
 
     @property
     def recent(self):
-        fits = self.first_meter()
+        fits = self.worst_meter()
         return fits[-1][3] if fits else math.nan
 
     @property

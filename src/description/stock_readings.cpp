@@ -6,6 +6,7 @@
 #include "description/stock_readings.hpp"
 
 #include "checks/data_values.hpp"
+#include "input/intervals.hpp"
 #include "physics/calendar.hpp"
 
 #include <algorithm>
@@ -114,8 +115,18 @@ ReadingsLook look_for_quantum(const std::vector<double>& values) {
 
 namespace {
 
+/// Of the months that are whole between two days.
+std::vector<Seconds> months_between(Seconds from, Seconds to,
+                                    physics::Interval interval) {
+    std::vector<Seconds> bounds;
+    for (Seconds at = input::interval_begin(from, interval); at <= to;
+         at = input::next_interval(at, interval))
+        if (at >= from) bounds.push_back(at);
+    return bounds;
+}
+
 /// Days that are whole, from the first reading to the last.
-void look_at_rows(const LookRows& rows, ReadingsLook& look) {
+void look_at_rows(const LookRows& rows, physics::Interval interval, ReadingsLook& look) {
     const auto has_reading = [](double value) { return !std::isnan(value); };
     const auto first = std::ranges::find_if(rows.values, has_reading);
     if (first == rows.values.end()) return;
@@ -128,13 +139,27 @@ void look_at_rows(const LookRows& rows, ReadingsLook& look) {
     look.first_day = physics::format_date(
         begins[static_cast<std::size_t>(first - rows.values.begin())]);
     look.last_day = day_before(begins[last] + step);
+    look.hours_each = static_cast<double>(step.count()) / 3600;
+    if (interval >= physics::Interval::monthly)
+        look.bounds =
+            months_between(begins[static_cast<std::size_t>(first - rows.values.begin())],
+                           begins[last] + step, interval);
+}
+
+/// From each read to the next, whatever was used.
+std::vector<input::Bill> between(std::vector<input::Bill> reads) {
+    for (std::size_t k = 0; k + 1 < reads.size(); ++k) reads[k].to = reads[k + 1].from;
+    if (!reads.empty()) reads.pop_back();
+    return reads;
 }
 
 void look_at_bills(const LookRows& rows, const LookColumns& columns, ReadingsLook& look) {
     std::vector<input::TimeNote> notes;
     std::vector<input::Bill> bills =
-        input::bills_in(rows.csv, columns.bills, rows.stamps, rows.rules, rows.values,
-                        columns.interval, false, notes);
+        columns.counts ? between(input::reads_of_register(
+                             rows.csv, columns.bills, rows.stamps, rows.values, notes))
+                       : input::bills_in(rows.csv, columns.bills, rows.stamps, rows.rules,
+                                         rows.values, columns.interval, false, notes);
     std::erase_if(bills, [](const input::Bill& bill) { return std::isnan(bill.value); });
     if (bills.empty()) return;
     look.bounds = input::bounds_of(bills);
@@ -157,10 +182,12 @@ double total_of(const std::vector<double>& values) {
 }  // namespace
 
 ReadingsLook look_at(const LookRows& rows, const LookColumns& columns) {
-    ReadingsLook look = look_for_quantum(rows.values);
-    look.total = total_of(rows.values);
-    if (columns.interval < physics::Interval::monthly)
-        look_at_rows(rows, look);
+    const std::vector<double> uses =
+        columns.counts ? checks::differences_of(rows.values) : rows.values;
+    ReadingsLook look = look_for_quantum(uses);
+    look.total = total_of(uses);
+    if (rows.stamps.step_s <= physics::day_s)
+        look_at_rows(rows, columns.interval, look);
     else
         look_at_bills(rows, columns, look);
     return look;

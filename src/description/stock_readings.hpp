@@ -14,17 +14,19 @@ namespace bemcal::description {
 struct LookColumns {
     input::BillColumns bills;  ///< of months and bills
     physics::Interval interval = physics::Interval::hourly;
+    bool counts = false;  ///< readings are what a register shows
 };
 
 struct ReadingsLook {
     std::string first_day, last_day;  ///< whole days, "2018-01-01"; "" = no reading
     double hours = 0;                 ///< with a reading
-    double total = 0;
+    double hours_each = 0;            ///< of a reading; 0 of months and bills
+    double total = 0;                 ///< of the readings, of a register of its uses
     /// Readings are whole multiples of it, though no round number: they are a share of
     /// another meter's pulses, or converted. 0 = nothing of the kind.
     double quantum = 0;
     double quantum_share = 0;  ///< of the readings that are multiples
-    /// Of months and bills that have a reading: their begins and ends.
+    /// Of months and bills, which finer readings may be summed to: begins and ends.
     std::vector<physics::Seconds> bounds;
 };
 

@@ -97,6 +97,26 @@ void doubt_clock(const schema::Section& section, const input::TimeColumns& time,
                      source.rules.site_offset_h)});
 }
 
+/// A trend with times of its own beside others.
+void refuse_other_times(const schema::Section& section, const OpenOptions& options,
+                        const input::TimeColumns& time, const TimedCsv& source) {
+    if (options.days_of.empty() || section.has("time") ||
+        source.stamps.step_s > physics::day_s)
+        return;
+    const input::Csv& csv = *source.csv;
+    const auto other =
+        input::own_time_of(csv, time, csv.column(options.days_of), source.rules.format);
+    if (!other) return;
+    throw UserError(
+        ExitCode::data,
+        fmt::format("{}:{}: {}: stands behind a time of its own, {}, whose times are not "
+                    "those of {}; write time = \"{}\", or time = \"{}\" if they are no "
+                    "times of its readings",
+                    csv.file, csv.header_line, options.days_of, csv.columns[*other],
+                    input::names_of(csv, time), csv.columns[*other],
+                    input::names_of(csv, time)));
+}
+
 /// Files of one meter often show the same; it is said once.
 void add_once(const study::DataDecision& made,
               std::vector<study::DataDecision>& decisions) {
@@ -125,6 +145,7 @@ TimedCsv open_csv(const schema::Section& section, const char* key,
         input::stamps_in(*source.csv, time, source.rules, options.fallback_step_s);
     source.rules.at_end = source.stamps.at_end;
     doubt_clock(section, time, source);
+    refuse_other_times(section, options, time, source);
     source.numbers = number_form(section);
     source.gaps_are_missing = section.choice("gaps") == "missing";
     return source;

@@ -454,6 +454,10 @@ class TableMaker {
     bool fit(int line) {
         const std::size_t n = csv_.columns.size();
         while (cells_.size() > n && cells_.back().empty()) cells_.pop_back();
+        if (form_.keeps_odd_rows && cells_.size() != n) {
+            csv_.short_rows.push_back({line, cells_.size()});
+            cells_.resize(n);
+        }
         if (cells_.size() >= n) return cells_.size() == n;
         const bool only_stamp =
             is_timed_ && std::all_of(cells_.begin() + 1, cells_.end(),

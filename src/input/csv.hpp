@@ -24,6 +24,8 @@ struct CsvForm {
     int header_line = 0;          ///< of the names, from 1; 0 = found as said above
     std::vector<int> skip_lines;  ///< left out, from 1
     std::vector<std::string> skip_texts;  ///< lines that begin so are left out
+    /// A row with too few or too many cells is one of `short_rows`, and no error.
+    bool keeps_odd_rows = false;
 };
 
 struct Csv {
@@ -34,7 +36,7 @@ struct Csv {
     /// [n_rows x n_columns], quotes and blanks taken off.
     std::vector<std::string_view> cells;
     std::vector<std::string> notes;  ///< which lines were left out, a sentence each
-    /// Rows of readings that end before the last names.
+    /// Rows of readings that end before the last names, and odd rows that are kept.
     struct ShortRow {
         int line;
         std::size_t n_cells;

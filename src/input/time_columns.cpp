@@ -418,6 +418,26 @@ std::string names_of(const Csv& csv, const TimeColumns& time) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
+std::optional<std::size_t> own_time_of(const Csv& csv, const TimeColumns& time,
+                                       std::size_t column, const std::string& format) {
+    // The same times by another clock, or of an interval's other end, differ by less.
+    constexpr std::chrono::hours most_apart{14}, most_change{2};
+    const std::size_t first = time.columns[0], other = column - 1;
+    if (time.form != TimeColumns::Form::text || column < first + 3) return std::nullopt;
+    std::optional<seconds> apart;
+    for (std::size_t row = 0; row < csv.n_rows(); ++row) {
+        const auto own = stamp_or_none(csv.cell(row, first), format),
+                   its = stamp_or_none(csv.cell(row, other), format);
+        if (!its && csv.cell(row, other).empty()) continue;
+        if (!own || !its || stamp_or_none(csv.cell(row, first + 1), format))
+            return std::nullopt;
+        const seconds now = its->face - own->face;
+        if (!apart) apart = now;
+        if (abs(now) > most_apart || abs(now - *apart) > most_change) return other;
+    }
+    return std::nullopt;
+}
+
 std::optional<Csv> unrolled(const Csv& csv, const std::string& first, TimeColumns& time,
                             const std::string& format, bool by_clock) {
     const auto at = std::ranges::find(csv.columns, first) - csv.columns.begin();

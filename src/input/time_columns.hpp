@@ -39,6 +39,11 @@ Stamp stamp_in(const Csv& csv, std::size_t row, const TimeColumns& time,
 /// The names of the columns, for messages.
 std::string names_of(const Csv& csv, const TimeColumns& time);
 
+/// Of trends side by side, "time, a, time, b": the column of times in front of `column`,
+/// where they are not those of `time`; nothing where a row has one time.
+std::optional<std::size_t> own_time_of(const Csv& csv, const TimeColumns& time,
+                                       std::size_t column, const std::string& format);
+
 /// A file with a day a line and a column for each hour, half-hour or quarter of it, as
 /// one with a reading a line; `time` then is that of the new one. \return nothing where
 /// the file is none

@@ -6,6 +6,7 @@
 #include "base/hash.hpp"
 #include "description/building_readers.hpp"
 #include "description/result_names.hpp"
+#include "input/suggest.hpp"
 #include "job/adopted.hpp"
 #include "job/stock.hpp"
 #include "job/stock_description.hpp"
@@ -33,21 +34,23 @@ std::string name_in(const StockLine& line) {
     return {};
 }
 
+/// Empty = it can be one.
+std::string refusal_of(const std::string& name) {
+    if (name.empty()) return "has no name; expected a column name or id";
+    if (name == "stock") return "the name \"stock\" is taken by the result";
+    return description::refusal_of_name(description::Named::building, name);
+}
+
 /// A name that is missing, refused, or another line's is the line's complaint.
 void check_names(std::vector<StockLine>& lines) {
     std::set<std::string> known;
     for (StockLine& line : lines) {
-        const std::string found = line.name;
-        if (found.empty())
-            line.complaint = "has no name; expected a column name or id";
-        else if (found == "stock")
-            line.complaint = "the name \"stock\" is taken by the result";
-        else
-            line.complaint =
-                description::refusal_of_name(description::Named::building, found);
-        if (line.complaint.empty() && !known.insert(found).second)
-            line.complaint = fmt::format("another line has the name \"{}\"", found);
-        if (!line.complaint.empty()) line.name = fmt::format("line {}", line.line);
+        std::string refusal = refusal_of(line.name);
+        if (refusal.empty() && !known.insert(line.name).second)
+            refusal = fmt::format("another line has the name \"{}\"", line.name);
+        if (refusal.empty()) continue;
+        line.complaint = refusal;
+        line.name = fmt::format("line {}", line.line);
     }
 }
 
@@ -62,6 +65,35 @@ void check_columns(const input::Csv& csv) {
         fmt::format("{}: has no column name or id, as a table of buildings has, but {}; "
                     "readings and weather go into a job (bemcal-batch new writes one)",
                     csv.file, fmt::join(csv.columns, ", ")));
+}
+
+/// Letters more or less, or small for large ones, that make a name another one.
+int letters_off(const std::string& name, const std::string& other) {
+    const auto small = [](std::string text) {
+        std::ranges::transform(text, text.begin(), [](unsigned char c) {
+            return static_cast<char>(std::tolower(c));
+        });
+        return text;
+    };
+    return input::edit_distance(small(name), small(other));
+}
+
+/// A column that is none of those that are read, but nearly one that is not there.
+void check_spelling(const input::Csv& csv, const std::vector<std::string>& read) {
+    constexpr std::size_t long_name = 8;  // of which two letters may be off
+    for (const std::string& column : csv.columns) {
+        if (std::ranges::find(read, column) != read.end()) continue;
+        const int most = column.size() < long_name ? 1 : 2;
+        for (const std::string& other : read)
+            if (letters_off(column, other) <= most &&
+                std::ranges::find(csv.columns, other) == csv.columns.end())
+                throw UserError(
+                    ExitCode::data,
+                    fmt::format(
+                        "{}:{}: column \"{}\" is not read; did you mean \"{}\"? A "
+                        "column of your own needs a name that is less like it",
+                        csv.file, csv.header_line, column, other));
+    }
 }
 
 std::vector<StockLine> lines_of(const input::Csv& csv) {
@@ -81,7 +113,22 @@ std::vector<StockLine> lines_of(const input::Csv& csv) {
         for (const std::size_t k : order) lines[row].cells.emplace_back(csv.cell(row, k));
         lines[row].name = name_in(lines[row]);
     }
+    for (const input::Csv::ShortRow& odd : csv.short_rows)
+        std::ranges::find(lines, odd.line, &StockLine::line)->complaint =
+            fmt::format("has {} cell{}; expected {} as in the first line", odd.n_cells,
+                        odd.n_cells == 1 ? "" : "s", csv.columns.size());
     return lines;
+}
+
+/// A line with cells too few or too many is a broken building, not a broken table.
+const input::Csv& read_table(const schema::Section& section, const Stock& stock,
+                             input::InputFiles& files) {
+    input::CsvForm form;
+    form.keeps_odd_rows = true;
+    const input::Csv& csv = files.csv(stock.table, section.where("table"), form);
+    const bool has_files = std::ranges::find(csv.columns, "file") != csv.columns.end();
+    if (stock.template_name.empty() && !has_files) check_spelling(csv, read_columns());
+    return csv;
 }
 
 std::vector<StockLine> lines_of(const schema::Section& section, const fs::path& folder) {
@@ -149,13 +196,13 @@ OwnText own_text(const Stock& stock, const StockLine& line, input::InputFiles& f
         const fs::path path = folder / file;
         return {filled(files.text(path), line, path.string()), path.string(), {}};
     }
+    const std::string at = fmt::format("{}:{}", stock.table.string(), line.line);
     if (!stock.template_name.empty())
         return {filled(stock.template_text, line, stock.template_name),
                 stock.template_name,
                 {}};
     Description description = describe_line(stock, line, files);
-    return {std::move(description.text),
-            fmt::format("{}:{}", stock.table.string(), line.line),
+    return {std::move(description.text), at + ", in its description",
             std::move(description.decisions)};
 }
 
@@ -170,6 +217,35 @@ void add_building(const schema::Section& own, const schema::Section& root,
     study::Case building = description::read_case({own, root}, files);
     building.name = building.building.name = line.name;
     job.buildings.push_back(std::move(building));
+}
+
+Job building_of(const Job& stock_job, const StockLine& line, input::InputFiles& files,
+                const Adopted* adopted) {
+    const Stock& stock = *stock_job.stock;
+    if (!line.complaint.empty())
+        throw UserError(ExitCode::data, fmt::format("{}:{}: {}", stock.table.string(),
+                                                    line.line, line.complaint));
+    Job job;
+    job.file = stock_job.file;
+    job.name = line.name;
+    job.first_chain = stock_job.first_chain;
+    job.seed = seed_of(stock_job.seed, line.name);
+    files.weathers = stock.weathers;
+    const std::string root_name = stock_job.file.string();
+    const schema::Node root_tree = schema::parse_document(stock_job.text, root_name);
+    const schema::Section root(root_tree, "job", root_name);
+    job.studies = read_studies(root, files, job.seed, nullptr);  // with its own seed
+    OwnText own = own_text(stock, line, files);
+    schema::Node tree = schema::parse_document(own.text, own.file);
+    if (adopted != nullptr) lay_adopted(*adopted, root, own.file, tree);
+    const schema::Section section(tree, "building", own.file);
+    add_building(section, root, line, files, job);
+    check_studies_of(root, {names_of(job.buildings[0])}, true, job);
+    schema::check_all_used(section);
+    auto& decisions = job.buildings[0].decisions;
+    decisions.insert(decisions.begin(), own.decisions.begin(), own.decisions.end());
+    job.inputs = files.log();
+    return job;
 }
 
 }  // namespace
@@ -217,14 +293,14 @@ std::shared_ptr<Stock> read_stock(const schema::Section& section,
         section.fail("table", "expected either table or folder");
     const bool is_folder = section.has("folder");
     stock->table = section.path(section.text(is_folder ? "folder" : "table"));
-    stock->lines = is_folder ? lines_of(section, stock->table)
-                             : lines_of(files.csv(stock->table, section.where("table")));
-    check_names(stock->lines);
     if (section.has("template")) {
         const fs::path path = section.path(section.text("template"));
         stock->template_name = path.string();
         stock->template_text = files.text(path, section.where("template"));
     }
+    stock->lines = is_folder ? lines_of(section, stock->table)
+                             : lines_of(read_table(section, *stock, files));
+    check_names(stock->lines);
     StockOptions& options = stock->options;
     options.recent_days = section.number("recent_days");
     options.window_days = section.number("window_days");
@@ -247,30 +323,15 @@ std::string job_text_of_table(const std::string& table) {
 Job read_stock_building(const Job& stock_job, const StockLine& line,
                         input::InputFiles& files, const Adopted* adopted) {
     const Stock& stock = *stock_job.stock;
-    if (!line.complaint.empty())
-        throw UserError(ExitCode::data, fmt::format("{}:{}: {}", stock.table.string(),
-                                                    line.line, line.complaint));
-    Job job;
-    job.file = stock_job.file;
-    job.name = line.name;
-    job.first_chain = stock_job.first_chain;
-    job.seed = seed_of(stock_job.seed, line.name);
-    files.weathers = stock.weathers;
-    const std::string root_name = stock_job.file.string();
-    const schema::Node root_tree = schema::parse_document(stock_job.text, root_name);
-    const schema::Section root(root_tree, "job", root_name);
-    job.studies = read_studies(root, files, job.seed, nullptr);  // with its own seed
-    OwnText own = own_text(stock, line, files);
-    schema::Node tree = schema::parse_document(own.text, own.file);
-    if (adopted != nullptr) lay_adopted(*adopted, root, own.file, tree);
-    const schema::Section section(tree, "building", own.file);
-    add_building(section, root, line, files, job);
-    check_studies_of(root, {names_of(job.buildings[0])}, true, job);
-    schema::check_all_used(section);
-    auto& decisions = job.buildings[0].decisions;
-    decisions.insert(decisions.begin(), own.decisions.begin(), own.decisions.end());
-    job.inputs = files.log();
-    return job;
+    try {
+        return building_of(stock_job, line, files, adopted);
+    } catch (const UserError& error) {
+        // A line of the template says little of the cell that was put there.
+        const std::string what = error.what();
+        if (stock.template_name.empty() || !what.starts_with(stock.template_name)) throw;
+        throw UserError(error.exit_code(),
+                        fmt::format("{}:{}: {}", stock.table.string(), line.line, what));
+    }
 }
 
 }  // namespace bemcal::job

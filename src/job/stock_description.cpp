@@ -8,6 +8,7 @@
 #include "base/machine.hpp"
 #include "description/stock_readings.hpp"
 #include "description/timed_csv.hpp"
+#include "input/units.hpp"
 #include "physics/calendar.hpp"
 #include "physics/week_hours.hpp"
 
@@ -96,20 +97,67 @@ constexpr GasUnit gas_units[] = {{"kWh", 1}, {"m3", 11.22}, {"100 ft3", 31.77}};
 constexpr double usual_gas = 160;       ///< [kWh/(m2 a)] of a heated building, about
 constexpr double large_building = 2e4;  ///< [m2] that are hardly one building
 
+/// Of the box: what a column's number may be. Wide enough for a hut and for an airport; a
+/// decimal comma, a percentage or square feet lie outside of most.
+struct BoxNumber {
+    const char *column, *unit;
+    double least, most;
+};
+constexpr BoxNumber box_numbers[] = {{"floor_area", " m2", 5, 1e7},
+                                     {"floors", "", 1, 200},
+                                     {"height", " m of a storey", 1.5, 30},
+                                     {"glass_share", " of the walls", 0, 0.95},
+                                     {"u_wall", " W/(m2 K)", 0.05, 10},
+                                     {"u_roof", " W/(m2 K)", 0.05, 10},
+                                     {"u_floor", " W/(m2 K)", 0.05, 10},
+                                     {"u_window", " W/(m2 K)", 0.3, 10},
+                                     {"efficiency", "", 0.1, 10}};
+
+/// Other columns than those of numbers, keys of meters, of the weather and of holidays.
+constexpr const char* other_columns[] = {"name",
+                                         "id",
+                                         "building",
+                                         "floor_area_m2",
+                                         "class",
+                                         "weather",
+                                         "outdoor_temperature",
+                                         "global_horizontal",
+                                         "direct_normal",
+                                         "diffuse_horizontal",
+                                         "cloud_cover",
+                                         "global_horizontal_stamp",
+                                         "direct_normal_stamp",
+                                         "diffuse_horizontal_stamp",
+                                         "cloud_cover_stamp",
+                                         "latitude",
+                                         "longitude",
+                                         "utc_offset",
+                                         "elevation",
+                                         "from",
+                                         "to",
+                                         "hours",
+                                         "use",
+                                         "interval",
+                                         "estimated",
+                                         "year"};
+
+/// Days between the last readings of two meters that are told: files come late by days.
+constexpr int most_apart = 14;
+
 class Writer {
   public:
     Writer(const Stock& stock, const StockLine& line, input::InputFiles& files)
         : stock_(stock), line_(line), files_(files) {}
 
     Description write() {
-        floor_area_ = required("floor_area", "floor_area_m2");
-        if (!(floor_area_ > 0)) fail("floor_area", "expected more than 0 m2");
+        floor_area_ = floor_area();
         for (const MeterKind& kind : meter_kinds)
             if (!line_.cell(kind.name).empty()) add_meter(kind);
         if (meters_.empty())
             fail("gas",
                  "there is no meter; expected a file under gas, electricity or heat");
         doubt_single_meter();
+        doubt_ends();
         add_place();
         add_holidays();
         add_periods();
@@ -132,20 +180,37 @@ class Writer {
         const char* end = cell.data() + cell.size();
         const auto [at, error] = std::from_chars(cell.data(), end, value);
         if (error != std::errc() || at != end || !std::isfinite(value))
-            fail(column, fmt::format("\"{}\" is not a number", cell.substr(0, 40)));
+            fail(column,
+                 fmt::format("\"{}\" is not a number; expected one such as 1200.5, "
+                             "without a unit or a mark of thousands",
+                             cell.substr(0, 40)));
         return value;
     }
 
-    double number(const std::string& column, double fallback) const {
-        const std::string cell = line_.cell(column);
-        return cell.empty() ? fallback : number_of(column, cell);
+    /// In the range of its kind.
+    double number_of(const BoxNumber& kind, const std::string& column,
+                     const std::string& cell) const {
+        const double value = number_of(column, cell);
+        if (value < kind.least || value > kind.most)
+            fail(column, fmt::format("{}: expected {:g} to {:g}{}", cell, kind.least,
+                                     kind.most, kind.unit));
+        return value;
     }
 
-    double required(const std::string& column, const std::string& other) const {
-        for (const std::string& name : {column, other})
+    double number(const char* column, double fallback) const {
+        const std::string cell = line_.cell(column);
+        if (cell.empty()) return fallback;
+        const auto* kind = std::ranges::find(
+            box_numbers, std::string_view(column),
+            [](const BoxNumber& box) { return std::string_view(box.column); });
+        return number_of(*kind, column, cell);
+    }
+
+    double floor_area() const {
+        for (const char* name : {box_numbers[0].column, "floor_area_m2"})
             if (const std::string cell = line_.cell(name); !cell.empty())
-                return number_of(name, cell);
-        fail(column, "is missing");
+                return number_of(box_numbers[0], name, cell);
+        fail(box_numbers[0].column, "is missing");
     }
 
     std::string word(const std::string& column, const std::string& fallback) const {
@@ -212,16 +277,20 @@ class Writer {
         const schema::Section root(tree, "building", file);
         const schema::Section section = root.tables("meter", "meter").at(0);
         const auto interval = section.choice_as<physics::Interval>("interval");
+        const bool counts = section.choice("register") == "difference";
         const description::LookColumns columns{
             {section.text("from"), section.text("to"), section.text("estimated")},
-            interval};
+            interval,
+            counts};
+        factor_ = section.number("factor");
         const bool is_long = interval > physics::Interval::hourly;
         const description::OpenOptions options{is_long ? 31 * physics::day_s : 3600,
                                                false,
                                                column,
                                                is_long,
                                                columns.bills.from,
-                                               columns.bills.to};
+                                               columns.bills.to,
+                                               counts};
         const description::TimedCsv source = description::open_csv(
             section, "file", section.text("file"), files_, physics::Site{}, options);
         const input::Csv& csv = *source.csv;
@@ -243,11 +312,11 @@ class Writer {
         last_day_ =
             last_day_.empty() ? look.last_day : std::min(last_day_, look.last_day);
         if (bounds_.empty()) bounds_ = look.bounds;
-        if (name == "electricity" && look.total > 0)
-            mean_load_ =
-                std::clamp(1000 * look.total / look.hours / floor_area_, 2.0, 500.0);
+        last_days_.emplace_back(name, look.last_day);
         std::string unit = word(name + "_unit", "kWh");
         if (unit == "auto") unit = chosen_unit(name, look);
+        if (const double used = kwh_of(look, unit); name == "electricity" && used > 0)
+            mean_load_ = std::clamp(1000 * used / look.hours / floor_area_, 2.0, 500.0);
         if (look.quantum > 0)
             decide(name,
                    fmt::format("{:.1f} % of its readings are whole multiples of {:.4g}",
@@ -257,10 +326,32 @@ class Writer {
         meters_ += fmt::format("{}unit = \"{}\"\n", text, unit);
     }
 
+    /// Of an unknown unit as many; the meter's section refuses it.
+    double kwh_of(const description::ReadingsLook& look, const std::string& name) const {
+        const input::Unit* unit = input::find_unit(name);
+        if (unit == nullptr) return factor_ * look.total;
+        const bool is_power = unit->kind == input::UnitKind::power;
+        return factor_ * unit->factor * look.total * (is_power ? look.hours_each : 1);
+    }
+
+    /// Readings of one meter that stop end the periods of all.
+    void doubt_ends() {
+        for (const auto& [name, day] : last_days_)
+            for (const auto& [other, later] : last_days_) {
+                const auto apart = std::chrono::floor<std::chrono::days>(
+                    physics::parse_time(later) - physics::parse_time(day));
+                if (apart.count() <= most_apart) continue;
+                decide(name,
+                       fmt::format("its readings end on {}, {} days before those of {}",
+                                   day, apart.count(), other),
+                       "the periods end there; without this meter they would go on");
+            }
+    }
+
     /// By a year's gas of a square metre; says what the others would make of it.
     std::string chosen_unit(const std::string& name,
                             const description::ReadingsLook& look) {
-        const double year = look.total / look.hours * 8760 / floor_area_;
+        const double year = factor_ * look.total / look.hours * 8760 / floor_area_;
         const auto oddity = [&](const GasUnit& unit) {
             return std::abs(std::log(std::max(year * unit.kwh, 1e-9) / usual_gas));
         };
@@ -347,7 +438,7 @@ class Writer {
     /// A typical year's file stands for every year from `year` to that of the last day.
     std::string weather_files(const std::string& file) const {
         if (line_.cell("year").empty()) return fmt::format("files = [\"{}\"]\n", file);
-        const auto year = static_cast<int>(number("year", 0));
+        const auto year = static_cast<int>(number_of("year", line_.cell("year")));
         const int last = physics::calendar_step(day_in("to", last_day_)).year;
         std::string names;
         for (int k = year; k <= std::clamp(last, year, year + 50); ++k)
@@ -427,8 +518,7 @@ class Writer {
     }
 
     void add_zone() {
-        const double floors =
-            std::max(1.0, number("floors", std::ceil(floor_area_ / 1500)));
+        const double floors = number("floors", std::ceil(floor_area_ / 1500));
         const double height = number("height", 3.4), glass = number("glass_share", 0.3);
         const double floor = floor_area_ / floors;
         const double wall = std::sqrt(floor) * floors * height;  // of one side
@@ -501,6 +591,8 @@ class Writer {
     input::InputFiles& files_;
     double floor_area_ = 0;
     double mean_load_ = 10;  ///< [W/m2]
+    double factor_ = 1;      ///< on the readings of the meter that was looked at
+    std::vector<std::pair<std::string, std::string>> last_days_;  ///< of each meter
     bool has_gas_ = false;
     std::string first_day_, last_day_, site_, text_, meters_;
     std::vector<physics::Seconds> bounds_;  ///< of months and bills; else empty
@@ -508,6 +600,22 @@ class Writer {
 };
 
 }  // namespace
+
+std::vector<std::string> read_columns() {
+    std::vector<std::string> columns(std::begin(other_columns), std::end(other_columns));
+    for (const BoxNumber& kind : box_numbers) columns.emplace_back(kind.column);
+    const auto add_keys = [&](const std::string& prefix, const char* section) {
+        for (const schema::Key& key : schema::job_table().keys_of(section))
+            columns.push_back(prefix + "_" + key.key);
+    };
+    for (const MeterKind& kind : meter_kinds) {
+        columns.emplace_back(kind.name);
+        add_keys(kind.name, "meter");
+    }
+    add_keys("weather", "weather");
+    add_keys("holidays", "holidays");
+    return columns;
+}
 
 Description describe_line(const Stock& stock, const StockLine& line,
                           input::InputFiles& files) {

@@ -14,6 +14,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace bemcal::loop {
 namespace {
@@ -58,8 +63,29 @@ Matrix totals_of(const LoopData& data, const study::FitModel& model, const Matri
     return totals;
 }
 
-Account account(const LoopData& data, const char* of, const char* unit) {
-    return {of, unit, std::vector<double>(data.targets.n_channels(), 0.0)};
+Account account(const LoopData& data, std::string of, const char* unit) {
+    return {std::move(of), unit, std::vector<double>(data.targets.n_channels(), 0.0)};
+}
+
+/// What a kWh costs, or emits, over all meters of energy. Where some do not say it, its
+/// name says of which it is. Nothing where none does, or all are 0.
+std::optional<Account> weighed(const LoopData& data, const char* what, const char* unit,
+                               double study::Meter::* per_kwh, double years) {
+    Account sum = account(data, what, unit);
+    std::vector<std::string> of;
+    bool is_of_all = true;
+    for (std::size_t c = 0; c < data.meters.size(); ++c) {
+        const study::Meter& meter = data.building.meters[data.meters[c]];
+        if (physics::is_temperature(meter.quantity)) continue;
+        is_of_all = is_of_all && !std::isnan(meter.*per_kwh);
+        if (std::isnan(meter.*per_kwh)) continue;
+        of.push_back(meter.name);
+        sum.per_reading[c] = meter.*per_kwh * years;
+    }
+    const auto is_used = [](double factor) { return factor != 0; };
+    if (std::ranges::none_of(sum.per_reading, is_used)) return std::nullopt;
+    if (!is_of_all) sum.of += fmt::format(" of {} alone", fmt::join(of, ", "));
+    return sum;
 }
 
 /// A draw that cannot be simulated has no say.
@@ -89,19 +115,18 @@ std::vector<Account> accounts_of(const LoopData& data) {
     const double years = of_year.value_or(1);
     const bool is_year = of_year.has_value();
     std::vector<Account> accounts;
-    Account cost = account(data, "cost", is_year ? "currency/a" : "currency");
-    Account co2 = account(data, "CO2", is_year ? "kg/a" : "kg");
     for (std::size_t c = 0; c < data.meters.size(); ++c) {
         const study::Meter& meter = data.building.meters[data.meters[c]];
         if (physics::is_temperature(meter.quantity)) continue;
-        accounts.push_back(account(data, meter.name.c_str(), is_year ? "kWh/a" : "kWh"));
+        accounts.push_back(account(data, meter.name, is_year ? "kWh/a" : "kWh"));
         accounts.back().per_reading[c] = years;
-        cost.per_reading[c] = std::isnan(meter.tariff) ? 0 : meter.tariff * years;
-        co2.per_reading[c] = std::isnan(meter.co2) ? 0 : meter.co2 * years;
     }
-    const auto is_used = [](double factor) { return factor != 0; };
-    for (Account* more : {&cost, &co2})
-        if (std::ranges::any_of(more->per_reading, is_used)) accounts.push_back(*more);
+    if (auto cost = weighed(data, "cost", is_year ? "currency/a" : "currency",
+                            &study::Meter::tariff, years))
+        accounts.push_back(*cost);
+    if (auto co2 =
+            weighed(data, "CO2", is_year ? "kg/a" : "kg", &study::Meter::co2, years))
+        accounts.push_back(*co2);
     return accounts;
 }
 

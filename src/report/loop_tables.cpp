@@ -54,7 +54,7 @@ struct Brings {
     double size() const {
         double largest = 0;
         for (const StoredLoop::EffectValue* value : values) {
-            if (value->of == "cost") return std::abs(value->value);
+            if (value->of.starts_with("cost")) return std::abs(value->value);
             largest = std::max(largest, std::abs(value->value));
         }
         return largest;

@@ -1,7 +1,7 @@
 /// A night over a stock: how many buildings were done, which failed, drift or predict
 /// worst; and its table as CSV.
 /// Source: RFC 4180 for the CSV. Made from stored datasets alone. Of each building only
-/// the first meter's errors; ten rows of a list.
+/// the errors of the meter that is foretold worst; ten rows of a list.
 #include "report/stock_tables.hpp"
 
 #include "base/terminal.hpp"
@@ -21,31 +21,41 @@ namespace {
 
 constexpr std::size_t most_buildings = 10;
 
-/// First and last period of a building's first meter.
+/// First and last period of a building's meter.
 struct Errors {
     std::string meter;
     double before = std::nan(""), training = std::nan(""), recent = std::nan("");
     double bias = std::nan("");
 };
 
-std::vector<Errors> errors_of(const Group& stock) {
-    std::vector<Errors> errors(stock.texts("stock_building").size());
+/// [buildings][meters]
+std::vector<std::vector<Errors>> errors_by_meter(const Group& stock) {
+    std::vector<std::vector<Errors>> errors(stock.texts("stock_building").size());
     const auto& of = stock.values("stock_fits_of");
     const auto& meters = stock.texts("stock_fit_meter");
     for (std::size_t k = 0; k < of.size(); ++k) {
-        Errors& error = errors[of.index(k, errors.size())];
-        const bool is_first = error.meter.empty();
-        if (is_first) error.meter = meters[k];
-        if (meters[k] != error.meter) continue;
+        std::vector<Errors>& own = errors[of.index(k, errors.size())];
+        auto error = std::ranges::find(own, meters[k], &Errors::meter);
         const double cv = stock.values("stock_fit_cv_rmse")[k];
-        if (is_first) {
-            error.before = stock.values("stock_fit_before")[k];
-            error.training = cv;
-        }
-        error.recent = cv;
-        error.bias = stock.values("stock_fit_nmbe")[k];
+        if (error == own.end())
+            error = own.insert(
+                own.end(), Errors{meters[k], stock.values("stock_fit_before")[k], cv});
+        error->recent = cv;
+        error->bias = stock.values("stock_fit_nmbe")[k];
     }
     return errors;
+}
+
+/// Of the meter with the largest error in the last period; of alike ones the first.
+std::vector<Errors> errors_of(const Group& stock) {
+    std::vector<Errors> worst;
+    for (const std::vector<Errors>& meters : errors_by_meter(stock)) {
+        const auto largest = std::ranges::max_element(meters, {}, [](const Errors& one) {
+            return std::isfinite(one.recent) ? one.recent : -1;
+        });
+        worst.push_back(largest == meters.end() ? Errors{} : *largest);
+    }
+    return worst;
 }
 
 std::string number(double value) {
@@ -131,8 +141,8 @@ std::string worst_list(const Group& stock) {
 
 std::string csv_cell(const std::string& text) {
     std::string line = in_one_line(text);
-    if (line.find_first_of("=+-@") == line.find_first_not_of(' ') && !line.empty() &&
-        line.find_first_not_of(' ') != std::string::npos)
+    if (line != "-" && line.find_first_of("=+-@") == line.find_first_not_of(' ') &&
+        !line.empty() && line.find_first_not_of(' ') != std::string::npos)
         line.insert(0, "'");
     if (line.find_first_of(",\"") == std::string::npos) return line;
     std::string quoted = "\"";

@@ -5,6 +5,7 @@
 #include "stock/calibration.hpp"
 
 #include "base/error.hpp"
+#include "base/hash.hpp"
 #include "base/machine.hpp"
 #include "calibration/screening.hpp"
 #include "input/input_files.hpp"
@@ -253,6 +254,30 @@ void sketch(const Case& building, StockRecord& record) {
     }
 }
 
+std::string hash_of_data(const Case& building) {
+    const physics::Seconds from = building.periods.front().from,
+                           to = building.periods.back().to;
+    Hasher hasher;
+    const auto add = [&](const std::vector<double>& values,
+                         const physics::TimeAxis& axis) {
+        if (values.empty()) return;
+        const int first = std::clamp(axis.step_of(from), 0, axis.n_steps),
+                  last = std::clamp(axis.step_of(to), first, axis.n_steps);
+        hasher.add(std::span(values).subspan(static_cast<std::size_t>(first),
+                                             static_cast<std::size_t>(last - first)));
+    };
+    for (const study::Meter& meter : building.meters) add(meter.values, meter.axis);
+    const physics::Weather& weather = building.weather;
+    for (const auto* values :
+         {&weather.theta_e, &weather.direct_normal, &weather.diffuse_horizontal,
+          &weather.global_horizontal, &weather.wind_speed, &weather.relative_humidity,
+          &weather.cloud_cover, &weather.infrared})
+        add(*values, weather.axis);
+    for (const physics::Seconds time : {from, to})
+        hasher.add(std::string_view(physics::format_time(time)));
+    return hasher.hex();
+}
+
 double usual_simulations(const job::StudySpec& study) {
     return stock_kind_of(study).simulations(study);
 }
@@ -293,6 +318,7 @@ Calibrated calibrate(const job::Job& stock_job, const job::StockLine& line,
     const auto* loop = std::any_cast<loop::LoopOptions>(&job.studies[0].options);
     if (loop != nullptr && loop->period.empty())
         adopt(building, result.conclusion.summaries[0], result.record);
+    result.record.data_hash = hash_of_data(building);
     sketch(building, result.record);
     return result;
 }

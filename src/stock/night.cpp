@@ -136,15 +136,13 @@ void renew_fits(const Look& look, double recent_days, StockRecord& record) {
 
 /// What yesterday's record says of today, before anything is told.
 StockRecord begin_from(const StockRecord& before) {
-    StockRecord record = before;
-    record.age = record.searches = record.simulations = 0;
-    record.reason = record.drift = record.told = "";
-    for (Effect& effect : record.effects)
-        if (effect.state == "new") effect.state = "holds";
+    StockRecord record = carried_over(before);
+    record.age = record.simulations = 0;
+    record.reason = record.drift = "";
     std::erase_if(record.findings, [](const study::DataDecision& finding) {
         return finding.series != "loop";
     });
-    for (StockRecord::Value& value : record.values) value.moved = 0;
+    record.files.clear();
     record.daily.clear();
     return record;
 }
@@ -177,6 +175,19 @@ class Night {
     /// Whether there are days that were not tested yet, and can be.
     bool has_new_days() const { return n_new() > 0 && look_.sees_new_days(); }
 
+    /// Of a file that has grown by what the building does not use, or was written anew.
+    bool has_same_data() const {
+        return before_.data_hash == hash_of_data(look_.building());
+    }
+
+    Calibrated nothing() const {
+        StockRecord record = carried_over(before_);
+        record.status = "unchanged";
+        record.reason = "";
+        record.files.clear();
+        return {record, {}};
+    }
+
     Calibrated work() {
         StockRecord record = begin_from(before_);
         record.simulations = look_.n_simulations();
@@ -186,6 +197,7 @@ class Night {
         const study::Case& building = look_.building();
         record.findings.insert(record.findings.begin(), building.decisions.begin(),
                                building.decisions.end());
+        record.data_hash = hash_of_data(building);
         sketch(building, record);
         renew_fits(look_, job_.stock->options.recent_days, record);
         return first ? searched(std::move(record), *first) : Calibrated{record, {}};
@@ -287,7 +299,7 @@ void tell_search(const StockRecord* before, StockRecord& record) {
 
 bool can_test(const job::Stock& stock, const StockRecord* before,
               const std::string& follows) {
-    return before != nullptr && !before->is_failed() && stock.options.false_alarms > 0 &&
+    return before != nullptr && stock.options.false_alarms > 0 &&
            before->adopted_hash == follows && before->known_to > before->known_from;
 }
 
@@ -299,6 +311,7 @@ Calibrated work_through(const job::Job& stock_job, const job::StockLine& line,
     if (can_test(*stock_job.stock, before, follows)) {
         Night night(stock_job, line, *before, log);
         if (night.has_new_days()) return night.work();
+        if (night.has_same_data()) return night.nothing();
     }
     Calibrated result = calibrate(stock_job, line, before, log);
     result.record.status = "calibrated";

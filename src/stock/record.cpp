@@ -37,6 +37,7 @@ void visit_building(Row& row, See&& see) {
     see("stock_searches", row.searches);
     see("stock_line_hash", row.line_hash);
     see("stock_job_hash", row.job_hash);
+    see("stock_data_hash", row.data_hash);
     see("stock_age", row.age);
     see("stock_simulations", row.simulations);
     see("stock_daily_start", row.daily_start);
@@ -267,6 +268,17 @@ void read_list(const std::vector<study::Dataset>& datasets, const char* dim,
 }
 
 }  // namespace
+
+StockRecord carried_over(const StockRecord& before) {
+    StockRecord record = before;
+    record.age += 1;
+    record.searches = 0;
+    record.told = "";
+    for (StockRecord::Effect& effect : record.effects)
+        if (effect.state == "new") effect.state = "holds";
+    for (StockRecord::Value& value : record.values) value.moved = 0;
+    return record;
+}
 
 std::vector<double> pack(const StockRecord& record) {
     Packer packer;

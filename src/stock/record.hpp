@@ -36,7 +36,8 @@ struct StockRecord {
     std::string drift;   ///< what drifts; empty = nothing
     std::string told;    ///< what has changed of its effects; empty = nothing
     std::string line_hash, job_hash;
-    double age = 0;  ///< nights since it was calibrated
+    std::string data_hash;  ///< of readings and weather from the first day to the last
+    double age = 0;         ///< nights since it was calibrated
     double simulations = 0;
     double daily_start = 0;  ///< of `daily` [d since 1970]
 
@@ -109,6 +110,9 @@ struct StockRecord {
 
     bool is_failed() const { return status == "failed"; }
 };
+
+/// What is known on, of a building with which nothing is done this night.
+StockRecord carried_over(const StockRecord& before);
 
 /// As an item's numbers: how many bytes, then 8 of them in a number.
 std::vector<double> pack(const StockRecord& record);

@@ -13,6 +13,7 @@
 #include "stock/drift.hpp"
 #include "stock/night.hpp"
 #include "stock/shared.hpp"
+#include "stock/stopped.hpp"
 #include "study/packed_conclusion.hpp"
 
 #include <algorithm>
@@ -165,13 +166,15 @@ class StockStage : public study::Stage {
             result = work_through(job_, line(k), last, follows(k), log);
             if (last != nullptr && result.record.status == "calibrated")
                 find_drift(stock_.options, *last, result.record);
-            find_error_drift(stock_.options, last, result.record);
+            if (result.record.status != "unchanged")
+                find_error_drift(stock_.options, last, result.record);
         } catch (const std::exception& error) {
             rethrow_unless_answer(error);
             result = {};
+            if (last != nullptr) result.record = carried_over(*last);
             result.record.status = "failed";
             result.record.reason = error.what();
-            if (last != nullptr) result.record.values = last->values;
+            result.record.files.clear();
             answer.failures.push_back({k, result.record.reason});
         }
         result.record.name = line(k).name;
@@ -241,19 +244,13 @@ class StockStage : public study::Stage {
     /// Of a building that nothing was done with.
     StockRecord untouched(int k, const std::string& cause) const {
         const StockRecord* last = before(k);
-        StockRecord record = last != nullptr ? *last : StockRecord{};
+        StockRecord record = carried_over(last != nullptr ? *last : StockRecord{});
         record.name = line(k).name;
-        record.age += 1;
         if (!cause.empty())
             record.status = "postponed";
         else if (!record.is_failed())
             record.status = "unchanged";
         record.cause = cause;
-        record.told = "";
-        record.searches = 0;
-        for (StockRecord::Effect& effect : record.effects)
-            if (effect.state == "new") effect.state = "holds";
-        for (StockRecord::Value& value : record.values) value.moved = 0;
         return record;
     }
 
@@ -299,10 +296,12 @@ study::Conclusion StockStage::conclude(const std::vector<ItemAnswer>& answers) c
     std::vector<StockRecord> parts(causes.size());
     CommonEffects common;
     PlaceEffects place;
+    LastDays last_days;
     for (std::size_t k = 0; k < parts.size(); ++k) {
         const StockRecord whole = record(k);
         common.add(whole);
         place.add(whole);
+        last_days.add(whole);
         parts[k] = shared_part(whole);
     }
     const std::vector<OfAll> of_all = place.of_all();
@@ -313,6 +312,7 @@ study::Conclusion StockStage::conclude(const std::vector<ItemAnswer>& answers) c
         StockRecord whole = record(k);
         take_shared(std::exchange(parts[k], {}), whole);
         common.write(k, whole);
+        last_days.tell(whole);
         return whole;
     });
     std::ranges::move(common.datasets(), std::back_inserter(night.datasets));

@@ -33,6 +33,24 @@ TEST(TimeColumns, DateAndClockAreTakenTogether) {
     EXPECT_EQ(times_of(text), two_hours);  // found
 }
 
+// Times by another clock, of an interval's other end, or when a row was written are none
+// of another trend; 14 hours of distance, and 2 of change, are the edge.
+TEST(TimeColumns, OfTrendsSideBySideAreTold) {
+    const auto own = [](const std::string& rows, std::size_t column = 3) {
+        const Csv csv = parse_csv(rows, "x.csv");
+        return own_time_of(csv, time_columns(csv, {}, ""), column, "");
+    };
+    const std::string day = "t,a,u,b\n2021-03-05 10:00,1,2021-03-";
+    EXPECT_EQ(own(day + "06 00:00,5\n2021-03-05 11:00,2,2021-03-06 01:00,6\n"),
+              std::nullopt);
+    EXPECT_EQ(own(day + "06 00:01,5\n2021-03-05 11:00,2,2021-03-06 01:01,6\n"), 2U);
+    EXPECT_EQ(own(day + "05 10:15,5\n2021-03-05 11:00,2,2021-03-05 13:15,6\n"),
+              std::nullopt);
+    EXPECT_EQ(own(day + "05 10:15,5\n2021-03-05 11:00,2,2021-03-05 13:16,6\n"), 2U);
+    EXPECT_EQ(own(day + "05 10:15,5\n2021-03-05 11:00,2,,\n"), std::nullopt);
+    EXPECT_EQ(own("t,u,a,b\n2021-03-05 10:00,2021-03-07 10:00,1,2\n"), std::nullopt);
+}
+
 TEST(TimeColumns, AFormMayBeOfTheDateAloneOrOfBoth) {
     EXPECT_EQ(times_of("d;from;x\n05.03.2021;13:00:00;1\n05.03.2021;14:00:00;2\n", {},
                        "%d.%m.%Y"),

@@ -172,6 +172,117 @@ TEST(StockTables, MayHaveReadingsByTheMonth) {
     EXPECT_EQ(building.meters[0].values.at(31 * 24), 100);
 }
 
+TEST(StockTables, OfHoursByTheMonthKeepTheLastMonth) {
+    const study::Case building = StockTable(",interval", ",monthly").building();
+    EXPECT_EQ(ends_of(building, 0), "2021-01-01 2021-12-01");
+    EXPECT_EQ(ends_of(building, 1), "2021-12-01 2022-01-01");
+}
+
+/// The most that steady loads may be, which follows from what electricity shows [W/m2].
+double most_steady(const StockTable& stock) {
+    const study::Case building = stock.building();
+    return std::ranges::find(building.parameters, "steady_gains",
+                             &physics::Parameter::name)
+        ->most;
+}
+
+/// A table whose meter `gas.csv` is of electricity, with such keys.
+StockTable with_electricity(const std::string& keys, const std::string& cells,
+                            const std::string& rows) {
+    std::string columns = head;
+    columns.replace(columns.find("gas,gas_column"), 14, "electricity,electricity_column");
+    return {fmt::format("{}{}\none,{},gas.csv,kwh{}\n", columns, keys, place, cells),
+            rows, 0};
+}
+
+TEST(StockTables, HaveTheSameLoadsWhateverTheUnitOfElectricity) {
+    const auto times = [](double factor) {
+        return readings(8760, [factor](int k) {
+            const auto time = parse_time("2021-01-01") + std::chrono::hours(k);
+            return fmt::format("{};{:.9g}", physics::format_time(time),
+                               factor * (5 + k % 24));
+        });
+    };
+    const double usual = most_steady(with_electricity("", "", times(1)));
+    EXPECT_NEAR(usual, 1.4 * 1000 * 16.5 / 1500, 0.02);
+    const auto is_usual = [&](const StockTable& stock) {
+        EXPECT_NEAR(most_steady(stock), usual, 0.005 * usual);
+    };
+    is_usual(with_electricity(",electricity_unit", ",MWh", times(1e-3)));
+    is_usual(with_electricity(",electricity_unit", ",Wh", times(1e3)));
+    is_usual(with_electricity(",electricity_unit", ",kW", times(1)));
+    is_usual(with_electricity(",electricity_factor", ",10", times(0.1)));
+    double shown = 1000;
+    is_usual(with_electricity(
+        ",electricity_register", ",difference", readings(8760, [&shown](int k) {
+            const auto time = parse_time("2021-01-01") + std::chrono::hours(k);
+            const double before = std::exchange(shown, shown + 5 + k % 24);
+            return fmt::format("{};{}", physics::format_time(time), before);
+        })));
+}
+
+TEST(StockTables, RefuseNumbersThatNoBuildingHas) {
+    const auto says = [](const std::string& columns, const std::string& cells,
+                         const std::string& what) {
+        const std::string said = StockTable(columns, cells).complaint();
+        EXPECT_NE(said.find(what), std::string::npos) << said;
+    };
+    says(",glass_share", ",30",
+         "stock.csv:2: glass_share: 30: expected 0 to 0.95 of the walls");
+    says(",glass_share", ",0.951", "glass_share: 0.951: expected");
+    EXPECT_EQ(StockTable(",glass_share", ",0.95").complaint(), "no complaint");
+    says(",floors", ",0", "floors: 0: expected 1 to 200");
+    says(",floors", ",two",
+         "floors: \"two\" is not a number; expected one such as 1200.5");
+    // What is wrong with the text that was made of the line is told apart from its cells.
+    says(",class", ",huge", "stock.csv:2, in its description:");
+}
+
+TEST(StockTables, RefuseAColumnThatIsNearlyOne) {
+    const auto said = [](const std::string& column) {
+        return StockTable("," + column, ",1").complaint();
+    };
+    EXPECT_NE(said("gas_units")
+                  .find("stock.csv:1: column \"gas_units\" is not read; did you "
+                        "mean \"gas_unit\"?"),
+              std::string::npos)
+        << said("gas_units");
+    EXPECT_NE(said("U_Wall").find("did you mean \"u_wall\""), std::string::npos);
+    for (const char* own : {"year_built", "heat_source", "city", "gas_supplier", "area"})
+        EXPECT_EQ(said(own), "no complaint") << own;
+}
+
+TEST(StockTables, HaveOneBrokenBuildingWhereOneRowIsShort) {
+    const StockTable stock(
+        fmt::format("{0}\none,{1},gas.csv,kwh\ntwo,700\nthree,{1},gas.csv,kwh,1,2\n",
+                    head, place),
+        readings(8760, hourly), 0);
+    const Job job = stock.job();
+    const auto& lines = job.stock->lines;
+    ASSERT_EQ(lines.size(), 3U);
+    EXPECT_EQ(lines[0].complaint, "");
+    EXPECT_EQ(lines[1].complaint, "has 2 cells; expected 11 as in the first line");
+    EXPECT_EQ(lines[1].name, "two");
+    EXPECT_EQ(lines[2].complaint, "has 13 cells; expected 11 as in the first line");
+}
+
+TEST(StockTables, TellOfAMeterThatEndsBeforeAnother) {
+    const auto decisions_with = [](int n_days) {
+        const StockTable stock(
+            fmt::format(
+                "{},electricity,electricity_column\none,{},gas.csv,kwh,e.csv,kwh\n", head,
+                place),
+            readings(8760, hourly), 0);
+        stock.folder().write("e.csv", readings(24 * n_days, hourly));
+        const auto decisions = stock.building().decisions;
+        return std::ranges::count_if(decisions, [](const auto& decision) {
+            return decision.finding.starts_with("its readings end on ");
+        });
+    };
+    EXPECT_EQ(decisions_with(365 - 14), 0);
+    EXPECT_EQ(decisions_with(365 - 15), 1);
+}
+
 /// An EPW file whose rows come from 1987, of the hours of any year.
 std::string typical_year() {
     std::string text =

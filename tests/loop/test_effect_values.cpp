@@ -72,6 +72,20 @@ TEST(EffectValues, AreCountedInMoneyWhereATariffIsKnown) {
     EXPECT_EQ(all[all.size() - 2].of, "cost");
     EXPECT_EQ(all.back().of, "CO2");
     EXPECT_DOUBLE_EQ(all.back().per_reading[0], 0.3 * energy[0].per_reading[0]);
+    EXPECT_EQ(accounts_with(0, 0).size(), energy.size());
+}
+
+// A meter without a tariff is not free: the sum says of which meters it is.
+TEST(EffectValues, SayOfWhichMetersTheCostIsWhereSomeHaveNoTariff) {
+    study::Case made = test::WindyModel::measured();
+    study::Meter other = made.meters.front();
+    made.meters.front().tariff = 0.2;
+    other.name = "second";
+    other.quantity = physics::Quantity::gas;
+    made.meters.push_back(other);
+    const LoopData data(made, test::WindyModel::options());
+    EXPECT_EQ(accounts_of(data).back().of,
+              "cost of " + made.meters.front().name + " alone");
 }
 
 }  // namespace

@@ -92,6 +92,7 @@ TEST(CsvCell, AFormulaIsMadeAText) {
     EXPECT_EQ(csv_cell("\r=1"), "\\x0d=1");
     EXPECT_EQ(csv_cell("a=b-c"), "a=b-c");
     EXPECT_EQ(csv_cell(""), "");
+    EXPECT_EQ(csv_cell("-"), "-");  // no unit
 }
 
 TEST(CsvCell, IsOneLineWithQuotesWhereNeeded) {

@@ -175,6 +175,14 @@ class Adopt(unittest.TestCase):
         self.assertIn("is there already; --force writes over it", self.adopt(code=73))
         self.assertEqual(self.new.read_text(), "mine")
         self.adopt("--force")
+        self.new = self.result
+        self.assertIn("is the result", self.adopt("--force", code=73))
+        self.new = self.job.with_name("readings.csv")
+        self.new.write_text("time,gas\n")
+        with h5py.File(self.result, "a") as file:
+            file.require_group("inputs").create_dataset("input_file", data=["office.toml", "readings.csv"])
+        self.assertIn("is an input of the job", self.adopt("--force", code=73))
+        self.assertEqual(self.new.read_text(), "time,gas\n")
         self.new = self.job
         self.assertIn("is the job itself", self.adopt("--force", code=64))
         self.new = self.folder / "elsewhere" / "new.toml"

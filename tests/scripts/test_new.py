@@ -581,6 +581,13 @@ class New(unittest.TestCase):
         said = self.new(bills(lambda k: 5000 + 400 * min(k, 8)), force=True).stdout
         self.assertNotIn("register", self.meter())
 
+    def test_a_trend_with_times_of_its_own_is_refused(self):
+        at = list(hours(2021, 2022))
+        late = at[100:] + [at[-1] + (k + 1) * HOUR for k in range(100)]
+        lines = [f"{a:%Y-%m-%d %H:%M},{electricity(a):.2f},{b:%Y-%m-%d %H:%M},{gas(b):.2f}" for a, b in zip(at, late)]
+        file = self.written("two.csv", ["time,electricity kWh,time 2,gas kWh", *lines])
+        self.refused("gas kWh: stands behind a time of its own, time 2", DATA, f"{file}:gas kWh:gas:kWh")
+
     def test_hours_in_a_column_of_numbers_and_stamps_at_ends(self):
         for form in ("%Y-%m-%d", "%d.%m.%Y"):
             for late in (0, 1):

@@ -45,6 +45,11 @@ class Stock3 {
 
     /// Of the second building, the last day is missing from now on.
     void change_second() const { folder_.write("two.csv", small_readings(24 * 58)); }
+    void break_second() const { folder_.write("two.csv", "time,elec_kWh,T_air_C\n"); }
+    void mend_second() const { folder_.write("two.csv", small_readings()); }
+    void write_second_anew(const std::string& when) const {
+        folder_.write("two.csv", "# written " + when + "\n" + small_readings());
+    }
     void add_third() const { folder_.write("three.csv", small_readings()); }
     /// Its numbers of electricity are Wh from now on.
     void misread_second() const {
@@ -105,6 +110,11 @@ void expect_only_changes_done(const Stock3& stock, const std::string& again) {
     EXPECT_LT(second[1].fits.back().n, first[1].fits.back().n);
     EXPECT_EQ(second[2].status, "failed");
     EXPECT_EQ(second[2].cause, "");
+    EXPECT_EQ(second[1].files.size(), first[1].files.size());
+
+    const auto third = night(stock, second);
+    EXPECT_EQ(third[1].status, "unchanged");
+    EXPECT_EQ(third[1].cause, "");
 }
 
 TEST(StockNight, OfPosteriorsDoesWhatHasChanged) {
@@ -113,6 +123,39 @@ TEST(StockNight, OfPosteriorsDoesWhatHasChanged) {
 
 TEST(StockNight, OfLoopsDoesWhatHasChanged) {
     expect_only_changes_done(Stock3(loop_study), "tested");
+}
+
+// What was known of a building is known behind a night that failed.
+TEST(StockNight, GoesOnBehindOneThatFailed) {
+    const Stock3 stock(loop_study);
+    const auto first = night(stock, {});
+    stock.break_second();
+    const auto failed = night(stock, first);
+    EXPECT_EQ(failed[1].status, "failed");
+    EXPECT_EQ(failed[1].adopted, first[1].adopted);
+    EXPECT_EQ(failed[1].effects.size(), first[1].effects.size());
+    stock.mend_second();
+    const auto mended = night(stock, failed);
+    EXPECT_EQ(mended[1].cause, "data: two.csv");
+    EXPECT_EQ(mended[1].status, "tested");
+    EXPECT_EQ(mended[1].told, "");
+    EXPECT_EQ(mended[1].reason, "");
+    EXPECT_EQ(mended[1].values[0].value, first[1].values[0].value);
+}
+
+// A file that was written anew, with the same readings, is nothing to work on.
+TEST(StockNight, OfTheSameReadingsInAnotherFileHasNothingToDo) {
+    const Stock3 stock(loop_study);
+    const auto first = night(stock, {});
+    stock.write_second_anew("today");
+    const auto second = night(stock, first);  // tests the days behind training
+    EXPECT_EQ(second[1].status, "tested");
+    stock.write_second_anew("tomorrow");
+    const auto third = night(stock, second);
+    EXPECT_EQ(third[1].cause, "data: two.csv");
+    EXPECT_EQ(third[1].status, "unchanged");
+    EXPECT_EQ(third[1].tested_to, second[1].tested_to);
+    EXPECT_EQ(night(stock, third)[1].cause, "");
 }
 
 /// Whether a finding says so.

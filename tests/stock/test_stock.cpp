@@ -281,6 +281,7 @@ TEST(StockJob, SaysWhatIsWrongWithALine) {
     EXPECT_NE(stock.complaint(3).find("another line has the name \"two\""),
               std::string::npos);
     EXPECT_NE(stock.complaint(4), "");
+    EXPECT_NE(stock.complaint(2).find("stock.csv:4: "), std::string::npos);
     const StockJob other("name,size\none,1200\n");
     EXPECT_NE(other.complaint(0).find("@area@: the table has no such column"),
               std::string::npos);

@@ -1,0 +1,41 @@
+/// Meters that no longer send, against those of the others.
+#include "stock/stopped.hpp"
+
+#include <gtest/gtest.h>
+
+namespace bemcal::stock {
+namespace {
+
+/// With readings until the day before that one.
+StockRecord until(double day) {
+    StockRecord record;
+    record.fits = {{"gas", "kWh", "training", 1000, 100, 0.5, 0.2, 0}};
+    record.daily_start = day - 180;
+    record.daily.assign(180, 1);
+    return record;
+}
+
+TEST(LastDays, TellWhoseReadingsEndAFortnightBeforeThoseOfMost) {
+    LastDays days;
+    StockRecord late = until(18628 - 14), stopped = until(18628 - 15), by_month;
+    for (const StockRecord& record : {until(18628), until(18628), until(18628),
+                                      until(18628), late, stopped, by_month})
+        days.add(record);
+    days.tell(late);
+    EXPECT_TRUE(late.findings.empty());
+    days.tell(by_month);
+    EXPECT_TRUE(by_month.findings.empty());
+    days.tell(stopped);
+    days.tell(stopped);  // the next night
+    ASSERT_EQ(stopped.findings.size(), 1U);
+    EXPECT_EQ(stopped.findings[0].series, "gas");
+    EXPECT_EQ(
+        stopped.findings[0].finding,
+        "its readings end on 2020-12-16, 15 days before those of most of the stock");
+    stopped.daily.assign(200, 1);  // it sends again
+    days.tell(stopped);
+    EXPECT_TRUE(stopped.findings.empty());
+}
+
+}  // namespace
+}  // namespace bemcal::stock
