@@ -38,7 +38,7 @@ CLOUDS = ((10, "%"), (8, "tenths"), (1, "oktas"), (-1, None))  # the largest val
 SPEEDS = ((r"km ?h|kph", "km/h"), (r"mph|mi ?h", "mph"), (r"knots?|kts?|kn", "knots"))
 MOST_FILLED = 48               # h, of `fill_gaps`
 USUAL_FILL = 6                 # h
-MISSING_SUN = 9999             # in an EPW file
+MISSING_SUN, MISSING_TEMPERATURE = 9999, 99.9   # in an EPW file
 MOST_CELSIUS, LEAST_KELVIN = 58, 200   # of the warmest hour (the record is 56.7 degC), where no unit is said
 TYPICAL = "the weather of the readings' own years is needed: an EPW of measured years (often named AMY), or a CSV " \
           "file with outdoor temperature and irradiance from a station or a reanalysis (ERA5, NSRDB, a weather service)"
@@ -104,17 +104,19 @@ def location(path, line):
 
 
 def read_epw(path):
-    """(location, [(time, temperature)])"""
+    """(location, [(time, temperature)]) of the hours with a temperature."""
     head, lines = epw_rows(path)
     rows = []
     for k, line in enumerate(lines, HEADER + 1):
         cells = line.split(",")
         try:
             year, month, day, hour = (int(float(cell)) for cell in cells[:4])
-            rows.append((dt.datetime(year, month, day) + dt.timedelta(hours=hour - 1), float(cells[6])))
+            time, temperature = dt.datetime(year, month, day) + dt.timedelta(hours=hour - 1), float(cells[6])
         except (ValueError, IndexError, OverflowError):
             raise Refused(f"{path}:{k}: {line[:40]!r} is no row of an EPW file; expected year, month, day, hour, ...") \
                 from None
+        if temperature < MISSING_TEMPERATURE:
+            rows.append((time, temperature))
     if len(rows) < 24:
         raise Refused(f"{path}: has {len(rows)} hours; expected the weather of the readings' years")
     if any(b[0] < a[0] for a, b in zip(rows, rows[1:])):
@@ -193,8 +195,11 @@ def of_epw(paths, told):
     days = day_means(rows)
     weather = Weather([path for path, _, _ in read], rows[0][0], rows[-1][0] + times.HOUR, month_means(rows), latitude,
                       longitude, offset, degree_days=degree_days(days.values()), days=days, holes=holes)
-    if any(b[0] - a[0] > times.HOUR for a, b in zip(rows, rows[1:])):
-        weather.keys["fill_gaps"] = USUAL_FILL
+    gaps = [(b[0] - a[0]) / times.HOUR - 1 for a, b in zip(rows, rows[1:]) if b[0] - a[0] > times.HOUR]
+    if short := [gap for gap in gaps if gap <= MOST_FILLED]:
+        weather.keys["fill_gaps"] = int(max(USUAL_FILL, *short))
+        told.check(f"{read[0][0]}: {sum(short):.0f} h have no row or no temperature, in gaps of up to {max(short):.0f} h; "
+                   "they are filled by straight lines")
     return weather
 
 

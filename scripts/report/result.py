@@ -325,7 +325,7 @@ class Loop:
         error = metric("rmse") if is_temperature else 100 * metric("cv_rmse")
         bias = metric("nmbe") * (mean if is_temperature else 100)
         return Error(of_channel.name, self.periods[period], self.resolutions[resolution],
-                     metric("n")[PLAIN], error, bias, "K" if is_temperature else "%",
+                     np.fmax.reduce(metric("n")), error, bias, "K" if is_temperature else "%",
                      100 * self.value("coverage", period, resolution, channel))
 
     def errors(self):

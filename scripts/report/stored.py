@@ -196,7 +196,8 @@ def result_in(file, stages):
             names = ", ".join(kinds) or "none"
             raise ValueError(f"{file.filename} has no study {stage}; those that it has: {names}")
     if not chosen:
-        raise ValueError(f"{file.filename} has no study with pictures; a stock has its page by stock_report")
+        raise ValueError(f"{file.filename} has no finished study with pictures: what was not reached "
+                         "has none; a stock has its page by stock_report")
     beside = {path.rpartition("/")[0] for path in chosen}      # one of the others may have the weather
     everything = [study_in(file, path, kind) for path, kind in kinds.items() if path.rpartition("/")[0] in beside]
     found = [study for study in everything if study.path in chosen]

@@ -322,6 +322,8 @@ Weather read_epw_weather(const schema::Section& section, input::InputFiles& file
         options.temperature =
             section.choice_as<input::TemperatureConvention>("temperature");
     section.number_if("year", options.year);
+    options.longest_gap =
+        std::max(options.longest_gap, static_cast<int>(section.integer("fill_gaps")));
     std::vector<input::EpwText> texts;
     section.attempt_each(section.texts("files"), [&](const std::string& file) {
         const std::filesystem::path path = section.path(file);

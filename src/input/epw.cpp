@@ -2,7 +2,7 @@
 /// gaps are filled, irradiance is completed, and the temperature becomes hourly means, so
 /// that a chain has no seams.
 /// Source: EnergyPlus Auxiliary Programs, EPW Data Dictionary.
-/// Gaps over 3 h are an error. Fields are parsed by `epw_table`.
+/// Gaps over 3 h, or what is asked for, are an error. Fields are parsed by `epw_table`.
 #include "input/epw.hpp"
 
 #include "base/error.hpp"
@@ -20,12 +20,13 @@ namespace {
 
 using physics::Weather;
 
-constexpr int longest_gap = 3;  // hours that are interpolated
+constexpr int longest_line = EpwOptions{}.longest_gap;  ///< of irradiance [h]
 
 struct Chain {
     Weather weather;
     std::vector<EpwTable> tables;
     std::vector<std::string> decisions;
+    int longest_gap;  ///< that is interpolated [h]
 
     /// Where a step's row stands: the table, and its line there.
     std::pair<const EpwTable*, int> origin(int step) const {
@@ -78,13 +79,13 @@ void interpolate(std::vector<double>& series, const Run& run) {
 [[noreturn]] void fail_gap(const Chain& chain, const Run& run, int field,
                            const char* what) {
     const auto [table, line] = chain.origin(run.begin);
-    fail_epw(
-        table->name, line, field,
-        fmt::format(
-            "{} missing for {} h from {} on: expected a value, or a gap of at most "
-            "{} h; fill it from another station",
-            what, run.length(),
-            physics::format_time(chain.weather.axis.begin_of(run.begin)), longest_gap));
+    fail_epw(table->name, line, field,
+             fmt::format(
+                 "{} missing for {} h from {} on: expected a value, or a gap of at most "
+                 "{} h; fill_gaps bridges up to 48 h, another station more",
+                 what, run.length(),
+                 physics::format_time(chain.weather.axis.begin_of(run.begin)),
+                 chain.longest_gap));
 }
 
 void report_gaps(Chain& chain, const std::vector<Run>& gaps, int field,
@@ -93,20 +94,38 @@ void report_gaps(Chain& chain, const std::vector<Run>& gaps, int field,
     const int n =
         std::accumulate(gaps.begin(), gaps.end(), 0,
                         [](int sum, const Run& gap) { return sum + gap.length(); });
-    chain.decisions.push_back(fmt::format(
-        "{}: {}: {} h in {} gap(s) of at most {} h interpolated, "
-        "the first here",
-        chain.place_of(gaps.front().begin, field), what, n, gaps.size(), longest_gap));
+    chain.decisions.push_back(
+        fmt::format("{}: {}: {} h in {} gap(s) of at most {} h interpolated, "
+                    "the first here",
+                    chain.place_of(gaps.front().begin, field), what, n, gaps.size(),
+                    chain.longest_gap));
 }
 
 void fill_temperature(Chain& chain) {
     const std::vector<Run> gaps = runs_of(missing_steps(chain.weather.theta_e));
     for (const Run& gap : gaps) {
-        if (gap.length() > longest_gap)
+        if (gap.length() > chain.longest_gap)
             fail_gap(chain, gap, dry_bulb_field, "dry bulb temperature");
         interpolate(chain.weather.theta_e, gap);
     }
     report_gaps(chain, gaps, dry_bulb_field, "dry bulb temperature");
+}
+
+/// What is missing, from the same hour of the nearest day: a line knows nothing of the
+/// sun's way, and beside a night without rows there is none.
+void take_from_days_around(std::vector<double>& series, const Run& run) {
+    constexpr int hours_a_day = 24, most_days = 3;  // over gaps of 48 h
+    const auto value_at = [&](int k) {
+        return k < 0 || k >= static_cast<int>(series.size())
+                   ? nan
+                   : series[static_cast<std::size_t>(k)];
+    };
+    for (int k = run.begin; k < run.end; ++k)
+        for (int days = 1; days <= most_days; ++days) {
+            double& value = series[static_cast<std::size_t>(k)];
+            if (std::isnan(value)) value = value_at(k - days * hours_a_day);
+            if (std::isnan(value)) value = value_at(k + days * hours_a_day);
+        }
 }
 
 constexpr std::vector<double> Weather::* irradiances[] = {
@@ -115,9 +134,12 @@ constexpr std::vector<double> Weather::* irradiances[] = {
 void fill_irradiance(Chain& chain) {
     const std::vector<Run> gaps = runs_of(physics::unknown_irradiance(chain.weather));
     for (const Run& gap : gaps) {
-        if (gap.length() > longest_gap)
+        if (gap.length() > chain.longest_gap)
             fail_gap(chain, gap, global_field, "all irradiance");
-        for (auto series : irradiances) interpolate(chain.weather.*series, gap);
+        for (auto series : irradiances) {
+            if (gap.length() <= longest_line) interpolate(chain.weather.*series, gap);
+            take_from_days_around(chain.weather.*series, gap);
+        }
     }
     const std::vector<Run> left = runs_of(physics::unknown_irradiance(chain.weather));
     if (!left.empty()) fail_gap(chain, left.front(), global_field, "all irradiance");
@@ -246,7 +268,7 @@ EpwFile finish(Chain chain, const EpwOptions& options) {
 
 EpwFile parse_epw_chain(const std::vector<EpwText>& files, const EpwOptions& options) {
     require(!files.empty(), "a chain of EPW files has at least one");
-    Chain chain;
+    Chain chain{{}, {}, {}, options.longest_gap};
     int year = options.year;
     for (const EpwText& file : files) {
         EpwTable table = parse_epw_table(file.text, file.name, year);

@@ -22,6 +22,7 @@ struct EpwOptions {
     TemperatureConvention temperature = TemperatureConvention::hour_mean;
     int year = 0;  ///< of the first row; 0 = as the first row says (rows may come from
                    ///< many years)
+    int longest_gap = 3;  ///< that is interpolated [h]
 };
 
 struct EpwFile {

@@ -47,6 +47,7 @@ using physics::Seconds;
 using std::chrono::hours;
 
 constexpr int n_fields = 35;
+constexpr int most_absent = 48;  ///< rows [h], as many as fill_gaps may bridge
 
 /// One line of the file, split at its commas.
 struct Line {
@@ -150,6 +151,7 @@ class TableReader {
     void read_row(const Line& line);
     void start_at(const Line& line, int month, int day, int hour);
     void check_follows(const Line& line, int month, int day, int hour);
+    void leave_open(const Line& line, int n, const std::string& what);
     void repeat_28_february(const Line& line);
     void append_values(const Line& line);
     double value_of(const Line& line, std::size_t column);
@@ -169,6 +171,11 @@ class TableReader {
     bool other_years_ = false;  // rows that name another year than the axis
     int n_negative_ = 0;        // irradiances below 0
     int n_rows_ = 0;
+    struct OddRow {
+        int line = 0;
+        std::string what;
+    };
+    OddRow odd_row_;        // the last that was not the next hour's
     std::string said_end_;  // of the rows, in the header: "12/31"
     std::array<Ignored, n_epw_columns> ignored_{};
 };
@@ -356,14 +363,34 @@ void TableReader::check_follows(const Line& line, int month, int day, int hour) 
     if (leap_day && is_at(due + hours(24))) return repeat_28_february(line);
     const bool again = is_at(due - hours(1));
     const bool no_leap_day = month == 2 && day == 29;
-    fail_epw(
-        table_.name, line.number, 2,
-        fmt::format(
-            "month {}, day {}, hour {}: expected month {}, day {}, hour {} of {}; {}",
-            month, day, hour, step.month, step.day, step.hour + 1, step.year,
-            again         ? "sub-hourly or repeated rows cannot be read"
-            : no_leap_day ? "the year has no 29 February: give a leap year"
-                          : "every hour must follow on the one before"));
+    const std::string what = fmt::format(
+        "month {}, day {}, hour {}: expected month {}, day {}, hour {} of {}; {}", month,
+        day, hour, step.month, step.day, step.hour + 1, step.year,
+        again ? "sub-hourly or repeated rows cannot be read"
+        : no_leap_day
+            ? "the year has no 29 February: give a leap year"
+            : "every hour must follow on the one before, or at most 48 h behind "
+              "it");
+    for (int n = 1; n <= most_absent; ++n)
+        if (is_at(due + hours(n))) return leave_open(line, n, what);
+    // Behind a row that was too late by itself, that one is the odd one.
+    const bool is_behind = odd_row_.line + 1 == line.number;
+    fail_epw(table_.name, is_behind ? odd_row_.line : line.number, 2,
+             is_behind ? odd_row_.what : what);
+}
+
+/// Hours that have no row.
+void TableReader::leave_open(const Line& line, int n, const std::string& what) {
+    odd_row_ = {line.number, what};
+    for (const EpwColumn& column : epw_columns)
+        (table_.weather.*column.series)
+            .insert((table_.weather.*column.series).end(), static_cast<std::size_t>(n),
+                    nan);
+    table_.lines.insert(table_.lines.end(), static_cast<std::size_t>(n), line.number);
+    table_.decisions.push_back(fmt::format(
+        "{}:{}: {} h before it have no row, from {} on: taken as missing", table_.name,
+        line.number, n, physics::format_time(table_.weather.axis.end())));
+    table_.weather.axis.n_steps += n;
 }
 
 void TableReader::repeat_28_february(const Line& line) {

@@ -178,13 +178,18 @@ class LoopAround : public study::Stage {
   private:
     /// What to do depends on whether runs failed.
     static std::string too_few(const std::vector<SimulatorRun>& runs) {
-        const auto n_failed = std::ranges::count_if(
-            runs, [](const SimulatorRun& run) { return !run.failure.empty(); });
+        const auto is_failed = [](const SimulatorRun& run) {
+            return !run.failure.empty();
+        };
+        const auto n_failed = std::ranges::count_if(runs, is_failed);
+        const auto first = std::ranges::find_if(runs, is_failed);
         return fmt::format(
             "too few runs of the simulator succeeded for a calibration: {} of {}; {}",
             runs.size() - n_of(static_cast<int>(n_failed)), runs.size(),
-            n_failed > 0 ? "expected a simulator that runs: see why they failed"
-                         : "expected a larger `runs` in the study, such as 80");
+            first != runs.end()
+                ? "expected a simulator that runs; the first that failed: " +
+                      first->failure
+                : "expected a larger `runs` in the study, such as 80");
     }
 
     std::string group() const { return written_.building.name + "/" + name_; }

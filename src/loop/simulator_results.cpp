@@ -44,6 +44,13 @@ SimulatorRun completed(SimulatorRun run, const std::vector<SimulatorRun>& runs) 
     return run;
 }
 
+/// As many hours as another run has, none of them known.
+std::vector<std::vector<double>> unknown_like(const SimulatorRun& run) {
+    auto hours = run.hours;
+    for (std::vector<double>& channel : hours) std::ranges::fill(channel, nan);
+    return hours;
+}
+
 constexpr const char* no_help =
     "taken out: the program's own runs are no nearer to the readings with it";
 constexpr const char* not_tried = "taken out: as many as are tried had more evidence";
@@ -55,6 +62,10 @@ class Concluder {
         has_runs_ = reported[StoredLoop::before].has_value();
         for (const auto& run : reported)
             reported_.push_back(completed(around.runs[run.value_or(0)], around.runs));
+        // Of a nominal run that failed there are no hours.
+        for (SimulatorRun& run : reported_)
+            if (!run.failure.empty())
+                run.hours = unknown_like(reported_[StoredLoop::before]);
     }
 
     study::Conclusion conclude() {

@@ -98,8 +98,7 @@ std::optional<std::size_t> RunsSoFar::best(const KeptEffects& kept) const {
 ReportedRuns RunsSoFar::reported(const KeptEffects& kept) const {
     ReportedRuns reported;
     reported[StoredLoop::before] = best();
-    reported[StoredLoop::plain] = runs_[0].failure.empty() ? std::optional<std::size_t>(0)
-                                                           : reported[StoredLoop::before];
+    if (runs_[0].failure.empty()) reported[StoredLoop::plain] = 0;
     reported[StoredLoop::after] = best(kept);
     return reported;
 }

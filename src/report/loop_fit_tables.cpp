@@ -21,7 +21,8 @@ using loop::StoredLoop;
 /// One row: a channel in a period by the hour or month; a number for each model.
 struct Row {
     std::string channel, unit;
-    double n = 0;
+    double n = 0;            ///< of the model that has most
+    bool is_partly = false;  ///< a model has none, as its program's run failed
     std::array<double, StoredLoop::n_models> error{}, bias{};
     double within = nan;  ///< share of readings in after's 90 % intervals [%]
     bool is_measured() const { return n > 0; }
@@ -37,7 +38,9 @@ Row row_of(const StoredLoop& loop, std::size_t period, std::size_t resolution,
         const auto number = [&](StoredLoop::Metric metric) {
             return loop.fit.at({model, period, resolution, channel, metric});
         };
-        if (model == StoredLoop::plain) row.n = number(StoredLoop::n_readings);
+        const double n = number(StoredLoop::n_readings);
+        row.is_partly = row.is_partly || !(n > 0);
+        row.n = std::fmax(row.n, n);
         const double rmse = number(StoredLoop::rmse), cv = number(StoredLoop::cv_rmse);
         row.error[model] = is_temperature ? rmse : 100 * cv;
         row.bias[model] = number(StoredLoop::nmbe) * (is_temperature ? rmse / cv : 100);
@@ -103,18 +106,20 @@ std::string loop_headline(const StoredLoop& loop) {
 std::string loop_fit_table(const StoredLoop& loop) {
     TextTable table({"error", "", "", "n", "plain", "before", "after", "bias: plain",
                      "before", "after", "", "in 90 %"});
+    bool is_partly = false;
     for (std::size_t p = 0; p < loop.periods.size(); ++p)
         for (std::size_t c = 0; c < loop.channels.size(); ++c)
             for (std::size_t r = 0; r < loop.resolutions.size(); ++r) {
                 const Row row = row_of(loop, p, r, c);
-                if (row.is_measured())
-                    add_row(table, loop.periods[p], loop.resolutions[r], row);
+                if (!row.is_measured()) continue;
+                add_row(table, loop.periods[p], loop.resolutions[r], row);
+                is_partly = is_partly || row.is_partly;
             }
     const std::string text = text_of(table, 18);
-    return text.empty() ? text
-                        : text +
-                              "  in 90 %: share of the readings within the 90 % "
-                              "intervals of after [%]\n";
+    if (text.empty()) return text;
+    return text +
+           "  in 90 %: share of the readings within the 90 % intervals of after [%]\n" +
+           (is_partly ? "  -: no errors, as that run of the program failed\n" : "");
 }
 
 }  // namespace bemcal::report

@@ -31,8 +31,8 @@ bool is_of_another(const fs::path& page) {
 }
 
 /// Under a fresh name first. \param words  the command; one of them is the page's name
-/// \return whether it is there now
-bool makes(std::vector<std::string> words, const fs::path& page) {
+/// \return the script's exit code; 0 = it is there now
+int make(std::vector<std::string> words, const fs::path& page) {
     FreshFile fresh(folder_of(page), page.filename().string());
     std::ranges::replace(words, page.string(), fresh.path().string());
     const int code = code_of_program(std::move(words), Said::hidden);
@@ -41,19 +41,26 @@ bool makes(std::vector<std::string> words, const fs::path& page) {
                                           ": the page cannot be written; the result is "
                                           "whole");
     if (code == 0) fresh.move_to(page, Replace::yes);
-    return code == 0;
+    return code;
 }
 
 /// A page takes some seconds, and nobody looks at hundreds.
 constexpr std::size_t most_pages = 12;
 
+constexpr const char* nothing_to_show =
+    "as no study has a result that pictures show: what was not reached has none";
 constexpr const char* needs = "which takes Python with h5py, matplotlib and jinja2";
 
-/// Why there is no page.
-std::string reason(const fs::path& page) {
-    return is_of_another(page)
-               ? page.string() + " is there already and no run wrote it; move it away"
-               : needs;
+/// Makes the page, unless something stands in its place.
+/// \return nothing where it is there, else why it is not
+std::optional<std::string> what_is_in_the_way(const std::optional<fs::path>& script,
+                                              std::vector<std::string> words,
+                                              const fs::path& page) {
+    if (is_of_another(page))
+        return page.string() + " is there already and no run wrote it; move it away";
+    const int code = script ? make(std::move(words), page) : 1;
+    if (code == 0) return std::nullopt;
+    return code == static_cast<int>(ExitCode::data) ? nothing_to_show : needs;
 }
 
 }  // namespace
@@ -74,9 +81,10 @@ std::vector<std::string> PageWriter::words_of(const fs::path& result,
 std::string PageWriter::write_page(const fs::path& result, const Page& page) const {
     std::vector<std::string> words = words_of(result, page);
     words.insert(words.begin(), python.string());
-    if (script && !is_of_another(page.file) && makes(std::move(words), page.file))
-        return fmt::format("wrote {}, the same with pictures", page.file.string());
-    return fmt::format("no page with pictures, {}; to make it: {}", reason(page.file),
+    const auto why = what_is_in_the_way(script, std::move(words), page.file);
+    if (!why) return fmt::format("wrote {}, the same with pictures", page.file.string());
+    if (*why == nothing_to_show) return fmt::format("no page with pictures, {}", *why);
+    return fmt::format("no page with pictures, {}; to make it: {}", *why,
                        command_of(result, page));
 }
 
@@ -88,9 +96,9 @@ std::string PageWriter::write_stock(const fs::path& result,
     const std::vector<std::string> words{python.string(), program.string(),
                                          result.string(), page.string(),
                                          "--history",     history.string()};
-    if (script && !is_of_another(page) && makes(words, page))
-        return fmt::format("wrote {}, the same", page.string());
-    return fmt::format("no page, {}; to make it: {}", reason(page),
+    const auto why = what_is_in_the_way(script, words, page);
+    if (!why) return fmt::format("wrote {}, the same", page.string());
+    return fmt::format("no page, {}; to make it: {}", *why,
                        fmt::join(std::vector(words.begin() + 1, words.end()), " "));
 }
 

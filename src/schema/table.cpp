@@ -213,7 +213,7 @@ constexpr Key table[] = {
      "Light of the sky on planes: Perez 1990, uniform, Hay and Davies 1980."},
     {"weather", "columns", Type::table, "", "", 0, 0, "[weather.columns], CSV only."},
     {"weather", "fill_gaps", Type::integer, "h", "0", 0, 48,
-     "Gaps up to this length are filled by a straight line."},
+     "Gaps up to this length are filled by a straight line; of EPW those of 3 h always."},
     {"weather.columns", "outdoor_temperature", Type::text, "degC", required, -90, 60,
      "Dry bulb."},
     {"weather.columns", "global_horizontal", Type::text, "W/m2", "", -50, 2000,

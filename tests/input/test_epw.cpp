@@ -197,6 +197,59 @@ TEST(Epw, LongGapsAreRefused) {
                      "for 6 h from 2021-01-01 09:00:00");
 }
 
+TEST(Epw, GapsAsLongAsIsAskedForAreInterpolated) {
+    std::map<int, Changes> changes;
+    for (int k = 9; k < 15; ++k) changes[k] = {{7, "99.9"}};
+    const std::string text = header + rows(2021, 2021, changes);
+    input::EpwOptions options;
+    options.temperature = input::TemperatureConvention::as_read;
+    options.longest_gap = 6;
+    EXPECT_EQ(test::parse_epw(text, "w.epw", options).weather.theta_e[12], 12);
+    options.longest_gap = 5;
+    EXPECT_NE(
+        complaint([&] { test::parse_epw(text, "w.epw", options); })
+            .text.find("for 6 h from 2021-01-01 09:00:00 on: expected a value, or a "
+                       "gap of at most 5 h; fill_gaps bridges up to 48 h"),
+        std::string::npos);
+}
+
+/// Without so many lines from the k-th hour on.
+std::string without_rows(const std::string& text, int k, int n) {
+    std::size_t from = 0;
+    for (; k > 0; --k) from = text.find('\n', from) + 1;
+    std::size_t to = from;
+    for (; n > 0; --n) to = text.find('\n', to) + 1;
+    return text.substr(0, from) + text.substr(to);
+}
+
+TEST(Epw, HoursWithoutARowAreMissing) {
+    const std::string all = rows(2021, 2021);
+    input::EpwOptions options;
+    options.temperature = input::TemperatureConvention::as_read;
+    const input::EpwFile file =
+        test::parse_epw(header + without_rows(all, 9, 2), "w.epw", options);
+    EXPECT_EQ(file.weather.axis.n_steps, 8760);
+    EXPECT_EQ(file.weather.theta_e[10], 10);
+    // A day without rows has the sun of the day before.
+    options.longest_gap = 48;
+    const input::EpwFile day =
+        test::parse_epw(header + without_rows(all, 48, 24), "w.epw", options);
+    const auto& sun = day.weather.global_horizontal;
+    EXPECT_GT(sun[24 + 12], 0);
+    for (std::size_t k = 34; k < 38; ++k) EXPECT_EQ(sun[k + 24], sun[k]) << k;
+    EXPECT_NE(decisions(file).find("w.epw:18: 2 h before it have no row, from 2021-01-01 "
+                                   "09:00:00 on: taken as missing"),
+              std::string::npos)
+        << decisions(file);
+    EXPECT_EQ(test::parse_epw(header + without_rows(all, 9, 48), "w.epw", options)
+                  .weather.axis.n_steps,
+              8760);
+    EXPECT_NE(complaint([&] {
+                  test::parse_epw(header + without_rows(all, 9, 49), "w.epw", options);
+              }).text.find("or at most 48 h behind it"),
+              std::string::npos);
+}
+
 TEST(Epw, ShortGapsOfIrradianceAreInterpolatedAndCloudCoverStandsIn) {
     const Changes no_sun{{14, "9999"}, {15, "9999"}, {16, "99999"}, {23, "99"}};
     input::EpwFile file =

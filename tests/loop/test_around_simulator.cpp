@@ -42,6 +42,9 @@ class OtherBuilding : public study::HourlySimulator {
                          std::span<const GivenEffect> effects,
                          std::span<const study::Period> periods) const override {
         SimulatedHours simulated;
+        const bool is_nominal = point[0] == 1 && point[1] == 1;
+        if (fails_nominal_ && is_nominal) simulated.failure = "the model as it is fails";
+        if (!simulated.failure.empty()) return simulated;
         if (fails_each_ > 0 && std::lround(1e6 * point[0]) % fails_each_ == 0) {
             simulated.failure = "it was told to fail";
             return simulated;
@@ -78,6 +81,7 @@ class OtherBuilding : public study::HourlySimulator {
 
     bool takes_periods() const override { return takes_periods_; }
     void take_periods() { takes_periods_ = true; }
+    void fail_nominal() { fails_nominal_ = true; }
 
   private:
     static std::size_t count_of(const study::Period& period) {
@@ -100,7 +104,7 @@ class OtherBuilding : public study::HourlySimulator {
 
     Case case_;
     int fails_each_;
-    bool is_deaf_, takes_periods_ = false;
+    bool is_deaf_, takes_periods_ = false, fails_nominal_ = false;
     std::vector<physics::Parameter> parameters_;
     std::vector<std::string> meters_{"gas"};
 };
@@ -255,10 +259,27 @@ TEST(LoopAroundSimulator, RunsThatFailAreToldAndLeftOut) {
     EXPECT_EQ(run.loop().effects[0].name, "wind infiltration");
 }
 
+// The model as it is has no errors then; another run's would be taken for them.
+TEST(LoopAroundSimulator, HasNoPlainWhereTheNominalRunFails) {
+    const Case twin = measured(0);
+    const auto simulator = std::make_shared<OtherBuilding>(twin);
+    simulator->fail_nominal();
+    const AllRounds run = run_of(twin, simulator);
+    EXPECT_EQ(run.loop().fit.at(
+                  {StoredLoop::plain, 1, StoredLoop::hourly, 0, StoredLoop::n_readings}),
+              0);
+    EXPECT_GT(run.error(StoredLoop::before), 0);
+    EXPECT_EQ(run.simulator().parameters.at(0).plain, 1);
+    EXPECT_NE(run.simulator().parameters.at(0).before, 1);
+}
+
 TEST(LoopAroundSimulator, SaysWhereTooFewRunsSucceed) {
     const Case twin = measured(0.08);
     const AllRounds run = run_of(twin, std::make_shared<OtherBuilding>(twin, 1));
     EXPECT_NE(run.shortfall.find("too few runs"), std::string::npos);
+    EXPECT_NE(run.shortfall.find("the first that failed: it was told to fail"),
+              std::string::npos)
+        << run.shortfall;
     EXPECT_FALSE(run.conclusion.datasets.empty());
 }
 

@@ -581,6 +581,17 @@ class New(unittest.TestCase):
         said = self.new(bills(lambda k: 5000 + 400 * min(k, 8)), force=True).stdout
         self.assertNotIn("register", self.meter())
 
+    def test_hours_of_an_epw_file_without_a_row_or_temperature_are_filled(self):
+        lines = (self.made / "2021.epw").read_text().splitlines()
+        del lines[1000:1024]
+        for k in range(2000, 2005):
+            cells = lines[k].split(",")
+            lines[k] = ",".join([*cells[:6], "99.9", *cells[7:]])
+        (self.folder / "2021.epw").write_text("\n".join(lines) + "\n")
+        said = self.new(weather=[self.folder / "2021.epw", self.made / "2022.epw"]).stdout
+        self.assertIn("29 h have no row or no temperature, in gaps of up to 24 h; they are filled", said)
+        self.assertEqual(self.checked()["weather"]["fill_gaps"], 24)
+
     def test_a_trend_with_times_of_its_own_is_refused(self):
         at = list(hours(2021, 2022))
         late = at[100:] + [at[-1] + (k + 1) * HOUR for k in range(100)]
