@@ -212,7 +212,7 @@ CASES = {
                      names=("early start", "other hours than declared", "heating set-point of some hours")),
     "so_sundays": Case(schedule("(HTG|CLG)SETP_SCH|HVACOperationSchd", as_weekdays),
                        names=("plant runs at weekends as on weekdays", "other hours than declared")),
-    "so_august": Case(closed(USE, "7/31", "8/21"), names=("holidays",)),
+    "so_august": Case(closed(USE, "7/31", "8/21"), names=("holidays with the plant running",)),
     "mo_setback": Case(schedule("HTGSETP_SCH", raised(0, 5, 3)),
                        names=("no set-back at night", "heating set-point of some hours")),
     "mo_lights": Case(scaled("Lights", [5, 6, 7], 0.6), "03-15", names=("tenants move in or out",)),

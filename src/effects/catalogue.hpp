@@ -12,7 +12,8 @@ namespace bemcal::effects {
 std::span<const Entry> catalogue();
 
 /// The row's effect on days that were found in the data: `name` is that of a row with
-/// Each::found_days ("holidays", "windows open on some days"). Throws
+/// Each::found_days ("holidays", "holidays with the plant running", "windows open on some
+/// days"). Throws
 /// std::invalid_argument for another.
 Effect with_days(const std::string& name, std::vector<Days> days);
 inline constexpr const char* name_of_other_hours = "other hours than declared";

@@ -36,15 +36,19 @@ bool is_by_the_day(const kernel::Channel& channel) {
            channel.interval != physics::Interval::annual;
 }
 
+/// Rows of the catalogue: all is closed, or people stay away.
+constexpr const char* ways_to_close[] = {"holidays", "holidays with the plant running"};
+
 /// Adds the sums of those days of the period whose number leaves `pass`.
+/// \param way  of ways_to_close
 void add_days(const LoopData& data, const Place& place, const Standing& standing,
-              int pass, std::map<int, DaySums>& sums) {
+              const char* way, int pass, std::map<int, DaySums>& sums) {
     const int first = day_of(data.training().from), last = day_of(data.training().to);
     std::vector<effects::Days> days;
     for (int day = first + pass; day < last; day += days_closed_apart)
         days.push_back({day, day, false});
     std::vector<effects::Effect> all = standing.model.effects;
-    all.push_back(effects::closed_days(std::move(days)));
+    all.push_back(effects::with_days(way, std::move(days)));
     const BuiltModel built = build(place, all);
     Matrix point(1, built.unknowns.size());
     for (std::size_t k = 0; k + 1 < point.cols; ++k)
@@ -160,12 +164,14 @@ std::vector<effects::Days> runs_of(const std::vector<int>& days) {
     return runs;
 }
 
-std::optional<effects::Effect> closed_days(const LoopData& data, const Place& place,
-                                           const Standing& standing) {
+namespace {
+
+std::optional<effects::Effect> closed_in(const LoopData& data, const Place& place,
+                                         const Standing& standing, const char* way) {
     std::map<int, DaySums> sums;
     try {
         for (int pass = 0; pass < days_closed_apart; ++pass)
-            add_days(data, place, standing, pass, sums);
+            add_days(data, place, standing, way, pass, sums);
     } catch (const CannotSimulate&) {
         return std::nullopt;  // nothing is scheduled
     }
@@ -177,9 +183,20 @@ std::optional<effects::Effect> closed_days(const LoopData& data, const Place& pl
     if (calendar) closed = calendar->days;
     std::ranges::copy(runs_of(days_alone(days, calendar)), std::back_inserter(closed));
     if (closed.empty()) return std::nullopt;
-    effects::Effect effect = effects::closed_days(std::move(closed));
+    effects::Effect effect = effects::with_days(way, std::move(closed));
     if (calendar) effect.calendar = calendar->place;
     return effect;
+}
+
+}  // namespace
+
+std::vector<effects::Effect> closed_days(const LoopData& data, const Place& place,
+                                         const Standing& standing) {
+    std::vector<effects::Effect> all;
+    for (const char* way : ways_to_close)
+        if (auto effect = closed_in(data, place, standing, way))
+            all.push_back(std::move(*effect));
+    return all;
 }
 
 }  // namespace bemcal::loop

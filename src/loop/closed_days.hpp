@@ -10,11 +10,12 @@
 
 namespace bemcal::loop {
 
-/// Operation as on Sunday on the days that show it; none: no such day. Each day is held
-/// against what closing it would do to the meters, simulated for every third day at a
-/// time, since the response of a day has died before the third.
-std::optional<effects::Effect> closed_days(const LoopData& data, const Place& place,
-                                           const Standing& standing);
+/// Operation as on Sunday on the days that show it, and use as on Sunday, with the plant
+/// running, on those that show that; none: no such day. Each day is held against what
+/// closing it would do to the meters, simulated for every third day at a time, since the
+/// response of a day has died before the third.
+std::vector<effects::Effect> closed_days(const LoopData& data, const Place& place,
+                                         const Standing& standing);
 
 /// Closed beyond doubt by itself, on no day of the calendar that is kept. By day since
 /// 1970.

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 
@@ -40,7 +41,7 @@ std::vector<effects::Effect> candidates_of(const LoopData& data, const Place& pl
         const auto generic = effects::generic_candidates(*place.surroundings, meters);
         all.insert(all.end(), generic.begin(), generic.end());
     }
-    if (auto days = closed_days(data, place, standing)) all.push_back(*days);
+    std::ranges::move(closed_days(data, place, standing), std::back_inserter(all));
     std::erase_if(all, [&](const effects::Effect& effect) {
         return is_left_out(data, barred, effect.name) ||
                std::ranges::any_of(standing.model.effects, [&](const auto& there) {

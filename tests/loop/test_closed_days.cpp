@@ -1,5 +1,7 @@
 #include "loop/closed_days.hpp"
+#include "loop/windy_model.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include <gtest/gtest.h>
@@ -47,4 +49,27 @@ TEST(ClosedDays, ALongRunTakesItsWeekendsIn) {
     ASSERT_EQ(three.size(), 1U);
     EXPECT_EQ(three[0].first, monday - 2);
     EXPECT_EQ(three[0].last, monday + 2);
+}
+
+// People stay away for a fortnight, and the plant runs on: its days are no Sundays.
+TEST(ClosedDays, AreFoundWherePeopleStayAwayAlone) {
+    study::Case made = test::windy_case();
+    const int first = static_cast<int>(std::chrono::floor<std::chrono::days>(
+                                           made.periods[0].from.time_since_epoch())
+                                           .count()) +
+                      30;
+    const effects::Effect away =
+        effects::with_days("holidays with the plant running", {{first, first + 13}});
+    test::measure(made, away, 1, 3);
+    const LoopData data(made, test::WindyModel::options());
+    const Place place = make_place(data, {}, data.drive);
+    const Standing standing =
+        calibrate(data, place, {}, std::vector<double>(place.unknowns.size()));
+    const auto found = closed_days(data, place, standing);
+    const auto of_use = std::ranges::find(found, away.name, &effects::Effect::name);
+    ASSERT_NE(of_use, found.end());
+    for (const effects::Days& days : of_use->days) {
+        EXPECT_GE(days.first, first - 2);
+        EXPECT_LE(days.last, first + 15);
+    }
 }
