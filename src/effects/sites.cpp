@@ -7,7 +7,9 @@
 #include "physics/air_hour.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <stdexcept>
+#include <string>
 
 namespace bemcal::effects {
 namespace {
@@ -82,6 +84,15 @@ bool recovers_heat(const AirFlow& flow) {
 
 bool heats_a_zone(const physics::Load& load) {
     return load.heat_fraction > 0;
+}
+
+bool lights_a_zone(const physics::Load& load) {
+    std::string name = load.name;
+    std::ranges::transform(name, name.begin(), [](unsigned char letter) {
+        return static_cast<char>(std::tolower(letter));
+    });
+    return heats_a_zone(load) && name.starts_with("light") &&
+           name.find("equip") == std::string::npos;
 }
 
 bool same_facade(const physics::Building& building, int plane, int other) {

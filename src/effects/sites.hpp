@@ -70,6 +70,8 @@ class Sites {
 bool is_fan(const physics::AirFlow& flow);
 bool recovers_heat(const physics::AirFlow& flow);
 bool heats_a_zone(const physics::Load& load);
+/// By its name: it begins with "light", in letters of any size, and is of no equipment.
+bool lights_a_zone(const physics::Load& load);
 
 /// Whether two planes face the same way.
 bool same_facade(const physics::Building& building, int plane, int other);
