@@ -2,8 +2,9 @@
 
 Energies are sums of EnergyPlus's meters [J -> kWh]; the room's temperature is the mean of zones with a thermostat by
 their volume [degC]. Heating and cooling are heat and cold of coils and baseboards; with ideal loads what they
-supply. Ideal loads have no plant: carrier and efficiency or COP of run.json turn their heat and cold into energy. Names
-of meters that a version does not know are asked for all the same, and left out by EnergyPlus.
+supply. Ideal loads have no plant: carrier and efficiency or COP of run.json turn their heat and cold into energy, but
+where the model gives them a fuel (24.2 and later), which EnergyPlus counts itself. Names of meters that a version does
+not know are asked for all the same, and left out by EnergyPlus.
 """
 import contextlib
 import csv
@@ -14,7 +15,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from energyplus.failed import Failed
+from energyplus.parameters import EFFICIENCIES, as_read
 from energyplus.weather import HOURS
+from new_job import idf_ideal, idf_schedules
+from new_job.refused import Refused
 
 KWH = 3.6e6                    # J
 # Meters whose sum is one quantity; several names of one thing are of several versions.
@@ -41,16 +45,18 @@ REPORTS = ("Output:", "OutputControl:Table", "OutputControl:Files", "LifeCycleCo
 
 @dataclass
 class Plant:
-    """What turns heat and cold of ideal loads into energy; carriers are None for other systems."""
+    """What turns heat and cold of ideal loads into energy; carriers are None for other systems. `own`: of heating and
+    cooling what burns fuels of the model."""
     is_ideal: bool
     heating: str = ""          # electricity, gas, district; "": heat is not metered as energy
     efficiency: float = 1
     cooling: str = ""
     cop: float = 1
+    own: tuple = ()
 
     def scale(self, name, value):
         """By a parameter; the count of what it changed."""
-        if not self.is_ideal or name not in ("heating_efficiency", "cooling_cop"):
+        if not self.is_ideal or EFFICIENCIES.get(name, "") in ("", *self.own):
             return 0
         if name == "heating_efficiency":
             self.efficiency *= value
@@ -59,10 +65,23 @@ class Plant:
         return int(bool(self.cooling))
 
 
+def own_fuels(model):
+    """Of heating and cooling those whose ideal loads have a fuel or an efficiency in the model."""
+    if not model.all(IDEAL[0]):
+        return ()
+    read = as_read(model)
+    try:
+        schedules = idf_schedules.Schedules(read, [])
+        return tuple(mode for mode in idf_ideal.FUELS if idf_ideal.fuels_of(read, schedules, mode))
+    except Refused as error:
+        raise Failed(str(error)) from None
+
+
 def plant_of(model, said):
     is_ideal = any(model.all(kind) for kind in IDEAL)
     plant = Plant(is_ideal, *(said.get(key, usual) for key, usual in (
-        ("heating_carrier", "district"), ("heating_efficiency", 1), ("cooling_carrier", ""), ("cooling_cop", 1))))
+        ("heating_carrier", "district"), ("heating_efficiency", 1), ("cooling_carrier", ""), ("cooling_cop", 1))),
+                  own_fuels(model))
     for key, value in (("heating_efficiency", plant.efficiency), ("cooling_cop", plant.cop)):
         if not isinstance(value, (int, float)) or not 0 < value < 100:
             raise Failed(f"plant: {key}: {value!r}; expected a number above 0")
@@ -171,13 +190,24 @@ def energies(hours, plant):
 
 
 def convert_ideal(made, heat, cold, plant):
+    """But for what burns fuels of the model, whose heat or cold no meter of EnergyPlus has."""
+    if "heating" not in plant.own:
+        convert_heat(made, heat, plant)
+    if "cooling" not in plant.own:
+        convert_cold(made, cold, plant)
+
+
+def convert_heat(made, heat, plant):
     district = made["district"]
     district.total, district.heating, district.is_used = district.total - heat, np.zeros_like(heat), False
-    for quantity, own in (("heating", heat), ("cooling", cold)):
-        made[quantity].total, made[quantity].is_used = made[quantity].total + own, True
+    made["heating"].total, made["heating"].is_used = made["heating"].total + heat, True
     if plant.heating:
         carrier, used = made[plant.heating], heat / plant.efficiency
         carrier.total, carrier.heating, carrier.is_used = carrier.total + used, carrier.heating + used, True
+
+
+def convert_cold(made, cold, plant):
+    made["cooling"].total, made["cooling"].is_used = made["cooling"].total + cold, True
     if plant.cooling:
         carrier, used = made[plant.cooling], cold / plant.cop
         carrier.total, carrier.cooling, carrier.is_used = carrier.total + used, carrier.cooling + used, True

@@ -11,7 +11,7 @@ from fnmatch import fnmatch
 
 from energyplus.changes import Term
 from energyplus.failed import Failed
-from new_job import idf, idf_envelope
+from new_job import idf, idf_envelope, idf_ideal
 from new_job.refused import Refused
 
 FLOWS = ("design_flow_rate", "flow_rate_per_floor_area", "flow_rate_per_exterior_surface_area", "flow_rate_per_person",
@@ -44,6 +44,8 @@ FACTORS = {
                     ("Chiller:Electric*", ("reference_cop", "nominal_cop"), None),
                     ("Chiller:ConstantCOP", ("nominal_cop",), None)),
 }
+# Of which mode of ideal loads a parameter is.
+EFFICIENCIES = {"heating_efficiency": "heating", "cooling_cop": "cooling"}
 # Fields that count things per unit: their factor is the inverse.
 INVERSE = {"people": (("People", ("floor_area_per_person",)),)}
 # Fields that say which schedule a set-point follows: {parameter: ((class, field), ...)}.
@@ -93,7 +95,8 @@ def apply(model, values, rows, changes, plant):
 def apply_usual(model, name, value, changes, plant):
     if name in FACTORS:
         return scale(model, FACTORS[name], value) + scale(model, [(*row, None) for row in INVERSE.get(name, ())],
-                                                          1 / value if value else 1) + plant.scale(name, value)
+                                                          1 / value if value else 1) + \
+            plant.scale(name, value) + scale_fuels(model, name, value, changes, plant)
     if name in SET_POINTS:
         return shift(model, name, value, changes)
     if name in OPAQUE:
@@ -129,6 +132,18 @@ def shift(model, name, value, changes):
                 changes.slot(kind, each, fields, key, NO_LIMIT[name]).terms.append(Term("add", f"{value!r}"))
             count += 1
     return count
+
+
+def scale_fuels(model, name, value, changes, plant):
+    """Of ideal loads with fuels of the model: their schedules of efficiency, of which an empty one is 1."""
+    mode = EFFICIENCIES.get(name)
+    if mode not in plant.own:
+        return 0
+    systems = model.all(idf_ideal.SYSTEM)
+    for each, fields in systems if value != 1 else ():
+        changes.slot(idf_ideal.SYSTEM, each, fields, idf_ideal.FUELS[mode][1]).terms.append(
+            Term("factor", f"{value - 1!r}"))
+    return len(systems)
 
 
 def apply_rows(model, name, value, rows):

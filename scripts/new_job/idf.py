@@ -64,6 +64,7 @@ class Model:
 
     def __init__(self, file, objects):
         self.file, self.objects = file, {}
+        self.checks = []           # what was guessed of the file
         for each in objects:
             self.objects.setdefault(each.kind.lower(), []).append(each)
         self.by_name = {kind: {each.name.lower(): each for each in several}

@@ -5,8 +5,8 @@ and what LEFT_OUT names.
 """
 from dataclasses import dataclass, field
 
-from new_job import idf, idf_envelope, idf_fans, idf_geometry, idf_outside, idf_plant, idf_room, idf_use, \
-    idf_ventilators
+from new_job import idf, idf_envelope, idf_fans, idf_geometry, idf_outside, idf_plant, idf_room, idf_schedules, \
+    idf_use, idf_ventilators
 from new_job.building import Load
 from new_job.envelopes import Envelope
 
@@ -62,6 +62,7 @@ class Described:
     is_ideal: bool
     fans_say: str
     left_out: list = field(default_factory=list)
+    checks: list = field(default_factory=list)
 
     @property
     def heaters(self):
@@ -88,6 +89,7 @@ class Reader:
 
     def __init__(self, model, left_out, hours, dark):
         self.model, self.left_out, self.hours, self.dark = model, left_out, hours, dark
+        self.schedules = idf_schedules.Schedules(model, left_out)
         self.zones = idf_geometry.read_zones(model)
         idf_use.mark_conditioned(model, self.zones, left_out)
         self.rooms = [zone for zone in self.zones.values() if zone.is_conditioned]
@@ -115,7 +117,7 @@ class Reader:
         return rooms
 
     def room(self, name, zones, known=None):
-        use = idf_use.Reader(self.model, self.zones, self.left_out, zones)
+        use = idf_use.Reader(self.model, self.zones, self.schedules, self.left_out, zones)
         loads = use.loads()
         infiltration, others = use.infiltration()
         self.envelope = self.envelope or idf_envelope.Reader(self.model, self.zones, self.left_out, others)
@@ -148,9 +150,11 @@ def read_building(path, has_rooms=False, hours=(), site=None, has_summer_time=Fa
     reader = Reader(model, left_out, hours, idf_outside.dark_share(site, has_summer_time))
     whole = reader.whole()
     rooms = reader.each(whole) if has_rooms else [whole]
-    found = Described(path, whole, rooms, idf_plant.machines(model, idf_plant.HEATING),
-                      idf_plant.machines(model, idf_plant.COOLING), bool(model.all(*IDEAL)), idf_fans.says(model))
+    heating, cooling = (idf_plant.machines(model, reader.schedules, mode)
+                        for mode in (idf_plant.HEATING, idf_plant.COOLING))
+    found = Described(path, whole, rooms, heating, cooling, bool(model.all(*IDEAL)), idf_fans.says(model))
     found.left_out = list(dict.fromkeys([*left_out, *left_out_of(model)]))
+    found.checks = model.checks
     return found
 
 

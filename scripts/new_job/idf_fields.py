@@ -155,7 +155,11 @@ _TABLE = {
         "maximum_heating_air_flow_rate maximum_sensible_heating_capacity cooling_limit maximum_cooling_air_flow_rate "
         "maximum_total_cooling_capacity heating_availability_schedule_name cooling_availability_schedule_name "
         "dehumidification_control_type cooling_sensible_heat_ratio humidification_control_type "
-        "design_specification_outdoor_air_object_name",
+        "design_specification_outdoor_air_object_name outdoor_air_inlet_node_name demand_controlled_ventilation_type "
+        "outdoor_air_economizer_type heat_recovery_type sensible_heat_recovery_effectiveness "
+        "latent_heat_recovery_effectiveness design_specification_zonehvac_sizing_object_name "
+        "heating_fuel_efficiency_schedule_name heating_fuel_type cooling_fuel_efficiency_schedule_name "
+        "cooling_fuel_type",
     "zonehvac:equipmentlist": "name load_distribution_scheme",
     "airloophvac:unitaryheatcool": _UNITARY.format("unitary_system", "unitary_system"),
     "airloophvac:unitary:furnace:heatcool": _UNITARY.format("furnace", "furnace"),
@@ -310,7 +314,9 @@ SINCE = {(kind, "space_name"): (9, 6) for kind, names in FIELDS.items() if "spac
     {(kind, "availability_schedule_name"): (25, 2)
      for kind in FIELDS if kind.endswith("watertoairheatpump:equationfit")} | \
     {(kind, name): (24, 2) for kind in FIELDS if kind.startswith("heatpump:plantloop:eir:")
-     for name in FIELDS[kind] if name.startswith("heat_recovery_")}
+     for name in FIELDS[kind] if name.startswith("heat_recovery_")} | \
+    {("zonehvac:idealloadsairsystem", name): (24, 2)
+     for name in FIELDS["zonehvac:idealloadsairsystem"] if "_fuel_" in name}
 # Names in epJSON files before 9.6.
 FORMER = {"zone_or_zonelist_or_space_or_spacelist_name": ("zone_or_zonelist_name", "zone_name")}
 UNTIL = {("fenestrationsurface:detailed", "shading_control_name"): (8, 9)}

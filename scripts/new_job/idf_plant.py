@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from new_job import idf_ideal
 from new_job.building import Plant
 
 # COP of a machine whose own is not read; EnergyPlus's default of most coils and chillers.
@@ -68,6 +69,8 @@ COOLERS = (("Chiller:Electric:EIR", "reference_cop", USUAL_COP, "electricity"),
            ("ChillerHeater:Absorption:DirectFired", "", USUAL_COP, "none"), ("DistrictCooling", "", 1, "none"))
 FUELS = {"naturalgas": "gas", "gas": "gas", "propane": "gas", "fueloilno1": "gas", "fueloilno2": "gas",
          "electricity": "electricity"}
+# Of ideal loads, also heat from elsewhere.
+IDEAL_FUELS = FUELS | dict.fromkeys(("districtheatingwater", "districtheatingsteam"), "district")
 # EnergyPlus's own where fuel_type is empty.
 USUAL_FUELS = {"coil:heating:dx:multispeed": "electricity", "coil:cooling:dx:multispeed": "electricity",
                "coil:heating:fuel": "naturalgas"}
@@ -116,6 +119,14 @@ def known_machines(model, rows):
     return found
 
 
+def known_ideal(model, schedules, mode):
+    """Likewise of ideal loads with fuels of their own, by carrier."""
+    by_carrier = {}
+    for fuel, value in idf_ideal.fuels_of(model, schedules, mode):
+        by_carrier.setdefault(IDEAL_FUELS.get(fuel, "none"), []).append(value)
+    return [(idf_ideal.SYSTEM, carrier, float(np.mean(values))) for carrier, values in by_carrier.items()]
+
+
 def is_of(kind, beginnings):
     """Whether a class (in small letters) is one of some, or of their kin."""
     return next((each for each in beginnings if f"{kind}:".startswith(f"{each}:")), None)
@@ -128,13 +139,14 @@ def modes_of(kind):
     return tuple(mode for mode in does if f":{mode}" in kind) or does
 
 
-def machines(model, mode):
+def machines(model, schedules, mode):
     """Those of a mode."""
     rows = HEATERS if mode == HEATING else COOLERS
     tabled = {row[0].lower() for row in rows}
     others = {several[0].kind: kind for kind, several in model.objects.items()
               if mode in modes_of(kind) and kind not in tabled}
-    return Machines(known_machines(model, rows), [says for says, kind in others.items() if not is_of(kind, BY_OTHERS)],
+    return Machines([*known_machines(model, rows), *known_ideal(model, schedules, mode)],
+                    [says for says, kind in others.items() if not is_of(kind, BY_OTHERS)],
                     [says for says, kind in others.items() if is_of(kind, BY_OTHERS)])
 
 

@@ -30,10 +30,9 @@ NOT_IN_ROOM = ("fraction_latent", "fraction_lost", "return_air_fraction")   # of
 
 
 class Reader:
-    def __init__(self, model, zones, left_out, rooms):
+    def __init__(self, model, zones, schedules, left_out, rooms):
         """`rooms`: the conditioned zones that are read."""
-        self.model, self.zones, self.left_out, self.rooms = model, zones, left_out, rooms
-        self.schedules = idf_schedules.Schedules(model, left_out)
+        self.model, self.zones, self.schedules, self.left_out, self.rooms = model, zones, schedules, left_out, rooms
         self.people = {}       # {zone: number at the most}
 
     def targets(self, thing, key):

@@ -111,12 +111,13 @@ def files_of_schedules(model, source):
 
 
 def plant_of(first, model):
-    """What turns heat and cold of ideal loads into the meters' energy."""
+    """What turns heat and cold of ideal loads into the meters' energy, but where the model says it."""
     if not any(model.all(kind) for kind in hours.IDEAL):
         return {}
-    plant = first.plant
-    return {"heating_carrier": plant.heating, "heating_efficiency": round(plant.efficiency, 3),
-            "cooling_carrier": plant.cooling or "none", "cooling_cop": round(plant.cop, 3)}
+    plant, own = first.plant, hours.own_fuels(model)
+    said = {"heating": {"heating_carrier": plant.heating, "heating_efficiency": round(plant.efficiency, 3)},
+            "cooling": {"cooling_carrier": plant.cooling or "none", "cooling_cop": round(plant.cop, 3)}}
+    return {key: value for mode, keys in said.items() if mode not in own for key, value in keys.items()}
 
 
 def parameters_of(model, plant, told):

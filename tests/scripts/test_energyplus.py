@@ -377,6 +377,48 @@ class Tables(unittest.TestCase):
         with self.assertRaises(Failed):
             self.apply(plant=plant, cooling_cop=2)       # no carrier of cold
 
+    def give_fuels(self, **heating):
+        """Ideal loads that burn gas, or what is said, and cool by electricity."""
+        self.model.add("Schedule:Constant", "Good", {"hourly_value": 0.9})
+        for _, fields in self.model.all("ZoneHVAC:IdealLoadsAirSystem"):
+            fields |= {"heating_fuel_type": "NaturalGas", "heating_fuel_efficiency_schedule_name": "Good", **heating,
+                       "cooling_fuel_type": "Electricity"}
+
+    def test_ideal_loads_with_fuels_have_schedules_of_efficiency(self):
+        self.give_fuels()
+        plant = self.apply(heating_efficiency=0.7, cooling_cop=2)
+        self.assertEqual((plant.own, plant.efficiency, plant.cop), (("heating", "cooling"), 1, 1))
+        self.changes.finish()
+        lines = [line.replace("bemcal_", "") for line in self.lines()]
+        at = lines.index("SET changed = Good_Schedule_Value")
+        self.assertAlmostEqual(1 + float(lines[at + 1].partition("(1 + ")[2].rstrip(")")), 0.7)
+        at = lines.index("SET changed = 1.0")          # no schedule, which is 1
+        self.assertEqual(lines[at + 1], "SET changed = changed * (1 + 1)")
+        systems = [fields for _, fields in self.model.all("ZoneHVAC:IdealLoadsAirSystem")]
+        self.assertEqual(len({fields["heating_fuel_efficiency_schedule_name"] for fields in systems}), 1)
+        self.assertNotEqual(systems[0]["heating_fuel_efficiency_schedule_name"], "Good")
+
+    def test_fuels_of_ideal_loads_at_their_nominal_efficiency_stay_as_they_are(self):
+        self.give_fuels()
+        before = self.model.text()
+        self.apply(heating_efficiency=1.0, cooling_cop=1.0)
+        self.assertEqual(self.model.text(), before)
+
+    def test_what_energyplus_counts_of_ideal_loads_is_not_counted_again(self):
+        """With a fuel of the model its meters hold; district heat at 1 is heat, which the plant turns into gas."""
+        said = {"heating_carrier": "gas", "heating_efficiency": 0.5}
+        for heating, gas, district in (({}, 0, 2), ({"heating_fuel_type": "DistrictHeatingWater"}, 0, 2),
+                                       ({"heating_fuel_type": "DistrictHeatingWater",
+                                         "heating_fuel_efficiency_schedule_name": "Always"}, 4, 0)):
+            self.setUp()
+            self.give_fuels(**heating)
+            of_run = hours.Hours(1)
+            of_run.series(of_run.meters, "Heating:DistrictHeatingWater")[:] = 2
+            of_run.series(of_run.meters, "DistrictHeatingWater:Facility")[:] = 2
+            of_run.series(of_run.rooms, "A")[:], of_run.zones["A"] = 20, (1, 1)
+            made = hours.energies(of_run, hours.plant_of(self.model, said))
+            self.assertEqual((made["gas"].total[0], made["district"].total[0]), (gas, district), heating)
+
     def test_efficiency_stays_below_one(self):
         self.model.add("Boiler:HotWater", "Boiler", {"nominal_thermal_efficiency": 0.9})
         self.apply(heating_efficiency=1.2)

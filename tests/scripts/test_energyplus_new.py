@@ -104,6 +104,20 @@ class Simulator(unittest.TestCase):
         self.assertEqual((run["schedules"]["heating"]["span"], run["schedules"]["cooling"]["span"]), (5, -5))
         self.assertEqual(run["plant"]["heating_carrier"], "gas")
 
+    def test_fuels_of_ideal_loads_are_energyplus_s(self):
+        """The run's plant does not say them again, and their parameters stay."""
+        given = office.model()
+        given["Schedule:Constant"]["Good"] = {"hourly_value": 0.9}
+        for system in given["ZoneHVAC:IdealLoadsAirSystem"].values():
+            system |= {"heating_fuel_type": "NaturalGas", "heating_fuel_efficiency_schedule_name": "Good"}
+        self.write(given)
+        self.new()
+        run = json.loads(re.sub("@[a-z_]+@", "1", self.template()))
+        self.assertEqual(run["plant"], {"cooling_carrier": "electricity", "cooling_cop": 3})
+        self.assertLess({"heating_efficiency", "cooling_cop"}, set(run["parameters"]))
+        self.assertEqual((self.job()["plant"]["heating_carrier"], self.job()["plant"]["heating_efficiency"]),
+                         ("gas", 0.9))
+
     def test_what_the_model_lacks_is_no_parameter(self):
         given = office.model()
         del given["Lights"]

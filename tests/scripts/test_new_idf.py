@@ -320,6 +320,28 @@ class Box(unittest.TestCase):
             self.assertIn(f"heats by {kind}", said)
         self.assertEqual(self.plant_in(no_heater)[1], "")
 
+    def test_fuels_of_ideal_loads_are_read(self):
+        """Since 24.2. District heat and cold at 1, said or not, are left to the plant by the meters."""
+        times = "Schedule:Constant, One, , 1; Schedule:Constant, Good, , 0.9; Schedule:Constant, Cold, , 4;\n"
+        text = f"{without(BOX, 'Coil:')}{times}ZoneHVAC:IdealLoadsAirSystem, Air{', ' * 28}"
+        plant, said = self.plant_in(f"{text}Good, NaturalGas, Cold, Electricity;\n")
+        self.assertEqual((plant.heating, plant.efficiency, plant.cooling, plant.cop), ("gas", 0.9, "electricity", 4))
+        self.assertEqual(said, "")
+        for fuels in ("", "One, DistrictHeatingWater, One, DistrictCooling"):
+            plant, _ = self.plant_in(f"{text}{fuels};\n")
+            self.assertEqual((plant.efficiency, plant.cooling_says), (0.85, "ideal loads; taken as electric"))
+        plant, _ = self.plant_in(f"{text}Good;\n", "gas", "district")
+        self.assertEqual((plant.heating, plant.efficiency), ("district", 0.9))
+        plant, said = self.plant_in(f"{text}, , Cold, NaturalGas;\n")
+        self.assertEqual(plant.cooling, "none")
+        self.assertIn("cools by ZoneHVAC:IdealLoadsAirSystem, whose heat or fuel", said)
+        found = self.read(f"{text}Work, NaturalGas;\n")
+        self.assertIn("Work changes over the year; its mean", "".join(found.checks))
+        with self.assertRaisesRegex(Refused, "'Activity' is 120 in the mean; expected a number from 0.01 to 20"):
+            self.read(f"{text}Activity, NaturalGas;\n")
+        older = f"{text}Good, NaturalGas, Cold, Electricity;\n".replace("25.2", "24.1")
+        self.assertEqual(self.read(older).heaters, [])
+
     def test_efficiencies_stand_at_their_place(self):
         """Fields that versions brought push a COP back."""
         no_coil = without(BOX, "Coil:")
