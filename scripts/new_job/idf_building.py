@@ -5,8 +5,8 @@ and what LEFT_OUT names.
 """
 from dataclasses import dataclass, field
 
-from new_job import idf, idf_envelope, idf_fans, idf_geometry, idf_outside, idf_plant, idf_room, idf_schedules, \
-    idf_use, idf_ventilators
+from new_job import idf, idf_envelope, idf_fans, idf_geometry, idf_ideal, idf_outside, idf_plant, idf_room, \
+    idf_schedules, idf_use, idf_ventilators
 from new_job.building import Load
 from new_job.envelopes import Envelope
 
@@ -34,7 +34,7 @@ LEFT_OUT = (
 HVAC_TEMPLATES = "hvactemplate:"
 LEAST_SIZE = 1                 # m2 and m3, below which nothing is a room
 SD_OF_FILE = 0.25              # of the factor on U-values that a modeller wrote down
-IDEAL = ("ZoneHVAC:IdealLoadsAirSystem", "HVACTemplate:Zone:IdealLoadsAirSystem")
+IDEAL = (idf_ideal.SYSTEM, idf_ideal.TEMPLATE)
 
 
 @dataclass(eq=False)           # a room is itself
@@ -50,6 +50,8 @@ class Room:
     heating: object            # profile, degC; None without
     cooling: object
     heat_recovery: float = 0   # share of the ventilation's heat
+    heating_capacity: float = None   # W/m2; None without a limit
+    cooling_capacity: float = None
 
 
 @dataclass
@@ -140,7 +142,8 @@ class Reader:
         if self.fans.values.any():
             loads["fans"] = self.fans
         loads |= self.outside
-        return Room(name, area, volume, shell, loads, infiltration / volume, air / volume, heating, cooling, recovered)
+        return Room(name, area, volume, shell, loads, infiltration / volume, air / volume, heating, cooling, recovered,
+                    *(None if limit is None else limit / area for limit in map(use.capacity, idf_ideal.MODES)))
 
 
 def read_building(path, has_rooms=False, hours=(), site=None, has_summer_time=False):
@@ -153,7 +156,10 @@ def read_building(path, has_rooms=False, hours=(), site=None, has_summer_time=Fa
     heating, cooling = (idf_plant.machines(model, reader.schedules, mode)
                         for mode in (idf_plant.HEATING, idf_plant.COOLING))
     found = Described(path, whole, rooms, heating, cooling, bool(model.all(*IDEAL)), idf_fans.says(model))
-    found.left_out = list(dict.fromkeys([*left_out, *left_out_of(model)]))
+    of_whole = [line for mode in idf_ideal.MODES if not has_rooms and getattr(whole, f"{mode}_capacity") is None
+                for line in idf_ideal.left_out_of_whole(model, reader.schedules, mode)]
+    found.left_out = list(dict.fromkeys([*left_out, *left_out_of(model), *of_whole,
+                                         *idf_ideal.left_out_of(model, reader.schedules)]))
     found.checks = model.checks
     return found
 

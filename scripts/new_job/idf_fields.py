@@ -145,7 +145,9 @@ _TABLE = {
         "heating_availability_schedule_name cooling_availability_schedule_name dehumidification_control_type "
         "cooling_sensible_heat_ratio dehumidification_setpoint humidification_control_type humidification_setpoint "
         "outdoor_air_method outdoor_air_flow_rate_per_person outdoor_air_flow_rate_per_zone_floor_area "
-        "outdoor_air_flow_rate_per_zone design_specification_outdoor_air_object_name",
+        "outdoor_air_flow_rate_per_zone design_specification_outdoor_air_object_name "
+        "demand_controlled_ventilation_type outdoor_air_economizer_type heat_recovery_type "
+        "sensible_heat_recovery_effectiveness latent_heat_recovery_effectiveness",
     "zonehvac:equipmentconnections": "zone_name zone_conditioning_equipment_list_name "
                                      "zone_air_inlet_node_or_nodelist_name",
     "zonehvac:idealloadsairsystem":

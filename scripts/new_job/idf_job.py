@@ -205,15 +205,15 @@ def zone(first, room, names):
                                           if room is first.model.whole else ""),
         ("volume", round(room.volume, 2)),
         ("heat_capacity", rounded(room.shell.capacity(room.area), 3), "of inner layers: ISO 13790, 12.3.1"),
-        ("heating_set_point", heating), ("heating_capacity", 100 if first.is_hourly else None, "W/m2, usual"),
+        ("heating_set_point", heating), ("heating_capacity", *capacity(first, room.heating_capacity, 100)),
         ("cooling_set_point", cooling, "" if has_cold else first.plant.cooling_says),
-        ("cooling_capacity", (90 if first.is_hourly else None) if has_cold else 0))
+        ("cooling_capacity", *(capacity(first, room.cooling_capacity, 90) if has_cold else (0,))))
     yield from surfaces(room.shell)
     for name, profile in flows(room):
         yield section("[[zone.flow]]", ("name", name),
                       ("air_change", value_of(name, profile, names.get((room.name, name))), "1/h, of the volume"),
                       ("heat_recovery", rounded(room.heat_recovery, 3) if name == "ventilation" and room.heat_recovery
-                       else None, "of its heat recovery units"))
+                       else None, "of its heat recovery"))
     for load in loads_in(first, room):
         profile = room.loads.get(load.name)
         yield section("[[zone.load]]", ("name", load.name),
@@ -223,6 +223,13 @@ def zone(first, room, names):
                       ("heat_fraction", None if profile and profile.share > 0.999 else rounded(profile.share, 3)
                        if profile else 0))
     yield from couplings(first, room)
+
+
+def capacity(first, limit, usual):
+    """(value, comment) [W/m2]"""
+    if limit is not None:
+        return rounded(limit, 3), "W/m2, the file's limit"
+    return usual if first.is_hourly else None, "W/m2, usual"
 
 
 def couplings(first, room):
@@ -338,7 +345,8 @@ def most_factor(first, name):
 def priors_of(first):
     several = len(first.model.rooms) > 1
     for prior in (*envelope_priors(first), *flow_priors(first), *load_priors(first), *plant_priors(first)):
-        yield as_factor(first, prior) if several and prior.name in OF_ROOMS and prior.mean > 0 else prior
+        of_rooms = prior.name in OF_ROOMS or getattr(first.model.whole, prior.name, None) is not None
+        yield as_factor(first, prior) if several and of_rooms and prior.mean > 0 else prior
 
 
 def idf_text(first):

@@ -193,6 +193,8 @@ def why_not_cooled(found, told):
     """What the job says where nothing cools; "" where something does."""
     if not found.cooling_machines and not found.is_ideal:
         return "no cooling in the file"
+    if found.whole.cooling_capacity == 0 and not found.coolers:
+        return "its ideal loads never cool"
     if found.whole.cooling is not None or not found.has_thermostat:
         return ""
     if found.cooling_machines:

@@ -5,9 +5,12 @@ taken at usual differences of temperature and wind, wind at the zone's height by
 people: EnergyPlus Engineering Reference, People. Leaves out sizes that EnergyPlus finds, controls, air networks, and
 that outdoor air is denser than the room's (3 % more infiltration by mass in Chicago).
 """
+import functools
+import math
+
 import numpy as np
 
-from new_job import idf, idf_fans, idf_schedules, idf_ventilators
+from new_job import idf, idf_fans, idf_ideal, idf_schedules, idf_ventilators
 from new_job.profile import Profile
 from new_job.refused import Refused
 
@@ -20,7 +23,7 @@ WIND_HEIGHT = 10               # m
 MOST_ABOVE = 3
 ROOM = 22                      # degC, where a zone has not both
 PER_PERSON = 0.00944           # m3/s, EnergyPlus's default of DesignSpecification:OutdoorAir
-TEMPLATE = "HVACTemplate:Zone:IdealLoadsAirSystem"
+CONTROLS = {0: (), 1: ("heating",), 2: ("cooling",), 3: ("heating", "cooling"), 4: ("heating", "cooling")}
 OF_OBJECT = ("none", "detailedspecification")   # methods by which a template names an object, or nothing
 TARGET = "zone_or_zonelist_or_space_or_spacelist_name"
 LOADS = (("lights", "Lights", "lighting_level", "electricity"),
@@ -34,6 +37,7 @@ class Reader:
         """`rooms`: the conditioned zones that are read."""
         self.model, self.zones, self.schedules, self.left_out, self.rooms = model, zones, schedules, left_out, rooms
         self.people = {}       # {zone: number at the most}
+        self.present = {}      # {zone: profile of their number}
 
     def targets(self, thing, key):
         """[(zone, its floor area or that of the space)] which a field names."""
@@ -76,7 +80,10 @@ class Reader:
         """[W], sensible."""
         for thing in self.model.all("People"):
             for zone, area in self.conditioned_targets(thing):
-                self.people[zone.name] = self.people.get(zone.name, 0) + self.count_people(thing, area)
+                number = self.count_people(thing, area)
+                self.people[zone.name] = self.people.get(zone.name, 0) + number
+                self.present[zone.name] = self.present.get(zone.name, 0) + \
+                    number * self.schedules.of(thing, "number_of_people_schedule_name")
         return self.people_heat()
 
     def people_heat(self, building=None):
@@ -165,17 +172,17 @@ class Reader:
                     others[zone.name] = others.get(zone.name, 0) + float(flow.mean())
         return total, others
 
-    def outdoor_air(self, thing, zone):
-        """[m3/h] of a DesignSpecification:OutdoorAir."""
+    def outdoor_air(self, thing, zone, people):
+        """[m3/h] of a DesignSpecification:OutdoorAir, by a number or a profile of people."""
         method = thing.word("outdoor_air_method", "flow/person")
         changes = thing.number("outdoor_air_flow_air_changes_per_hour", 0, 0, 1e3)
-        parts = {"flow/person": self.people.get(zone.name, 0) * thing.number("outdoor_air_flow_per_person", PER_PERSON
-                                                                             if method == "flow/person" else 0, 0, 10),
+        parts = {"flow/person": people * thing.number("outdoor_air_flow_per_person",
+                                                      PER_PERSON if method == "flow/person" else 0, 0, 10),
                  "flow/area": zone.area * thing.number("outdoor_air_flow_per_zone_floor_area", 0, 0, 10),
                  "flow/zone": thing.number("outdoor_air_flow_per_zone", 0, 0, 1e4),
                  "airchanges/hour": zone.volume * changes / 3600}
         if method == "maximum":
-            return 3600 * max(parts.values())
+            return 3600 * functools.reduce(np.maximum, parts.values())
         return 3600 * (parts[method] if method in parts else sum(parts.values()))
 
     def ventilation(self):
@@ -184,12 +191,14 @@ class Reader:
                                                                  self.left_out) if each[0] in self.rooms]
         by_units = sum(zone.multiplier * flow for zone, flow, _ in units)
         recovered = sum(zone.multiplier * share * flow.mean() for zone, flow, share in units)
-        total = by_units + self.by_systems({zone for zone, flow, _ in units if flow.any()}) + self.by_zones()
+        by_systems, of_systems = self.by_systems({zone for zone, flow, _ in units if flow.any()})
+        total, recovered = by_units + by_systems + self.by_zones(), recovered + of_systems
         return total, float(recovered / total.mean()) if recovered else 0
 
     def by_systems(self, ventilated):
-        """[m3/h] of the rooms but those that a unit of their own ventilates."""
-        total = idf_schedules.constant(0)
+        """(profile [m3/h], the mean of what has its heat recovered) of the rooms but those that a unit of their own
+        ventilates."""
+        total, recovered = idf_schedules.constant(0), 0
         key = "minimum_outdoor_air_schedule_name"
         openings = [self.schedules.of(each, key) for each in self.model.all("Controller:OutdoorAir") if each.text(key)]
         damper = sum(openings) / len(openings) if openings else 1
@@ -197,16 +206,39 @@ class Reader:
         by_systems = [(each, zone, damper * of_time.get(zone.name.lower(), 1))
                       for each in self.model.all("Sizing:Zone")
                       for zone, _ in self.conditioned_targets(each, "zone_or_zonelist_name")]
-        ideal = [(each, zone, 1) for each in self.model.all("ZoneHVAC:IdealLoadsAirSystem")
-                 for zone in self.supplied(each)]
-        ideal += [(each, zone, 1) for each in self.model.all(TEMPLATE)
-                  for zone, _ in self.conditioned_targets(each, "zone_name")]
+        ideal = [(each, zone, idf_ideal.availability(self.schedules, each)) for each, zone in self.ideal_loads()]
         for each, zone, share in ideal or by_systems:
             thing = self.fresh_air(each)
             if thing is not None and zone not in ventilated:
-                total += zone.multiplier * self.outdoor_air(thing, zone) * share * \
+                people = (self.present if idf_ideal.is_by_people(each) else self.people).get(zone.name, 0)
+                flow = zone.multiplier * self.outdoor_air(thing, zone, people) * share * \
                     self.schedules.of(thing, "outdoor_air_schedule_name")
-        return total
+                total += flow
+                recovered += idf_ideal.effectiveness(each) * flow.mean()
+        return total, recovered
+
+    def ideal_loads(self):
+        """[(system, its room)], by the node between, the zone's list of equipment, or a template's zone."""
+        names = {}             # of nodes and equipment: {name: zones}
+        for each in self.model.all("ZoneHVAC:EquipmentConnections"):
+            names.setdefault(each.word("zone_air_inlet_node_or_nodelist_name"), []).append(each.word("zone_name"))
+        for zone, equipment in idf_fans.equipment_of(self.model).items():
+            for name in equipment:
+                names.setdefault(name, []).append(zone)
+        found = [(each, self.zones.get(name)) for each in self.model.all(idf_ideal.SYSTEM) for name in dict.fromkeys(
+            zone for key in (each.word("zone_supply_air_node_name"), each.name.lower()) if key
+            for zone in names.get(key, ()))]
+        found += [(each, zone) for each in self.model.all(idf_ideal.TEMPLATE)
+                  for zone, _ in self.conditioned_targets(each, "zone_name")]
+        return [(each, zone) for each, zone in found if zone in self.rooms]
+
+    def capacity(self, mode):
+        """[W] of the rooms' ideal loads; None where one of the rooms has no limit."""
+        limits = {}
+        for system, zone in self.ideal_loads():
+            limits[zone] = limits.get(zone, 0) + zone.multiplier * idf_ideal.capacity(self.schedules, system, mode)
+        total = sum(limits.get(zone, math.inf) for zone in self.rooms)
+        return total if math.isfinite(total) else None
 
     def by_zones(self):
         """[m3/h] of ZoneVentilation."""
@@ -220,7 +252,8 @@ class Reader:
 
     def fresh_air(self, system):
         """What a system says of its outdoor air, None where it has none; a template may say it itself."""
-        if system.kind.lower() == TEMPLATE.lower() and system.word("outdoor_air_method", "none") not in OF_OBJECT:
+        is_template = system.kind.lower() == idf_ideal.TEMPLATE.lower()
+        if is_template and system.word("outdoor_air_method", "none") not in OF_OBJECT:
             fields = {key.replace("_rate_", "_"): value for key, value in system.fields.items()
                       if key.startswith("outdoor_air")}
             return idf.Object(system.file, system.kind, {"name": system.word("zone_name"), **fields})
@@ -229,13 +262,6 @@ class Reader:
         if name and thing is None:
             self.left_out.append(f'outdoor air "{name}"')
         return thing
-
-    def supplied(self, system):
-        """Rooms that ideal loads supply, by the node between."""
-        node = system.word("zone_supply_air_node_name")
-        zones = [self.zones.get(each.word("zone_name")) for each in self.model.all("ZoneHVAC:EquipmentConnections")
-                 if node and node == each.word("zone_air_inlet_node_or_nodelist_name")]
-        return [zone for zone in zones if zone in self.rooms]
 
     def own_flow(self, thing, zone, area):
         method = thing.word("design_flow_rate_calculation_method", "flow/zone")
@@ -288,7 +314,20 @@ class Reader:
                 heating = self.schedules.of(thing, "setpoint_temperature_schedule_name")
             if kind.endswith(("singlecooling", "singleheatingorcooling")):
                 cooling = self.schedules.of(thing, "setpoint_temperature_schedule_name")
-        return heating, cooling
+        shares = self.shares_controlled(control)
+        return heating if shares["heating"] else None, cooling if shares["cooling"] else None
+
+    def shares_controlled(self, control):
+        """{mode: share of the year in which a thermostat's type of control has it}; what is there at times is told."""
+        types = self.schedules.of(control, "control_type_schedule_name")
+        if not set(np.unique(types)) <= set(CONTROLS):
+            return dict.fromkeys(idf_ideal.MODES, 1)
+        shares = {mode: float(np.mean([mode in CONTROLS[each] for each in types.flat])) for mode in idf_ideal.MODES}
+        for mode, share in shares.items():
+            if 0 < share < 1:
+                self.left_out.append(f"{control.kind}: control_type_schedule_name: {mode} is off in {1 - share:.0%} of "
+                                     f"the year; {mode}_limit of the zone, or a schedule, may stand for it")
+        return shares
 
 
 def sensible(activity, room):

@@ -13,6 +13,7 @@ from new_job.building import air_change
 MOST_U = 9.9                   # W/(m2 K), that a job takes
 SHARE_OF_LOADS = 0.5           # standard deviation of lights and equipment
 LEAST_POWER = 5                # W/m2, half of what a passive house needs (10: criteria of the Passive House Institute)
+USUAL_POWERS = {"heating": (100, 40), "cooling": (90, 30)}   # W/m2, and standard deviation
 HEAT_CAPACITIES = (80000, 600000, 165000, 1e5)  # J/(m2 K): least, most, ISO 13790 class medium, sd
 # Standard deviation of a heat capacity by layers, as a share: how deep a day reaches, and furniture, are conventions.
 # Twice of it is a little more than from a class of ISO 13790, Table 12 to the next, 1.5 times as heavy.
@@ -85,7 +86,7 @@ def plant_priors(first, targets):
         yield shift("heating_set_point", targets("heating_set_point"), 4, 1.2, "[K]")
         yield shift("heating_set_back", targets("heating_set_point.low"), 6, 2, "[K]")
         if first.is_hourly:
-            yield level("heating_capacity", targets("heating_capacity"), 100, 40, "[W/m2]", LEAST_POWER)
+            yield from capacity(first, "heating", targets)
     if plant.efficiency_sd:
         yield Prior("heating_efficiency", ("plant.heating_efficiency",), *plant.efficiency_range, plant.efficiency,
                     plant.efficiency_sd, "seasonal, with losses of distribution")
@@ -93,13 +94,22 @@ def plant_priors(first, targets):
         yield shift("cooling_set_point", targets("cooling_set_point"), 4, 1.5, "[K]")
         yield shift("cooling_set_back", targets("cooling_set_point.low"), 5, 2, "[K]")
         if first.is_hourly:
-            yield level("cooling_capacity", targets("cooling_capacity"), 90, 30, "[W/m2]", LEAST_POWER)
+            yield from capacity(first, "cooling", targets)
     if plant.cooling == "electricity":
         yield level("cooling_cop", ["plant.cooling_cop"], plant.cop, 0.8, "with pumps and fans of the plant", 1.2,
                     most=max(6, 1.3 * plant.cop))
     if first.is_hourly:
         least, most, mean, sd = heat_capacities(first)
         yield Prior("heat_capacity", tuple(targets("heat_capacity")), least, most, mean, sd, "[J/(m2 K)]")
+
+
+def capacity(first, mode, targets):
+    """Of a file's limit, which is as uncertain as the usual one; nothing of a plant that never does it."""
+    name, (usual, sd) = f"{mode}_capacity", USUAL_POWERS[mode]
+    limit = getattr(first.model.whole, name) if first.model else None
+    value = usual if limit is None else limit
+    if value:
+        yield level(name, targets(name), value, sd * value / usual, "[W/m2]", min(LEAST_POWER, value / 2))
 
 
 def heat_capacities(first):

@@ -90,6 +90,22 @@ def faces(version_has_space=True):
 BOX = HOUSE + faces()
 
 
+def ideal(house=BOX, **fields):
+    """The box with ideal loads in place of its coils, which stand in the zone's list of equipment, and schedules."""
+    names = idf.fields_in("zonehvac:idealloadsairsystem", (25, 2))
+    given = {"name": "Air", "design_specification_outdoor_air_object_name": "Fresh", **fields}
+    row = ", ".join(str(given.pop(name, "")) for name in names)
+    assert not given, given
+    return without(house, "Coil:") + f"""
+ZoneHVAC:IdealLoadsAirSystem, {row};
+ZoneHVAC:EquipmentConnections, Room, List, Some list of nodes;
+ZoneHVAC:EquipmentList, List, SequentialLoad, ZoneHVAC:IdealLoadsAirSystem, Air, 1, 1;
+Schedule:Constant, Never, , 0;
+Schedule:Compact, Summer, , Through: 4/30, For: AllDays, Until: 24:00, 0, Through: 9/30, For: AllDays, Until: 24:00, 1,
+  Through: 12/31, For: AllDays, Until: 24:00, 0;
+"""
+
+
 # A store to its west, 10 m long, behind one wall with it.
 STORE_FACES = {
     "store south": ("Wall", "Wall", "Outdoors", "", "-10,0,3, -10,0,0, 0,0,0, 0,0,3"),
@@ -644,6 +660,77 @@ class Box(unittest.TestCase):
                            "ZoneHVAC:EquipmentConnections, Room, List, Supply;\n")
         self.assertAlmostEqual(system.whole.ventilation.max(), named.whole.ventilation.max())
 
+    def test_heat_recovery_of_ideal_loads(self):
+        """Its sensible part, 0.7 where the field is empty; the rest is told."""
+        air = self.read(BOX).whole.ventilation
+        for kind, said, share in (("Sensible", 0.75, 0.75), ("Sensible", "", 0.7), ("Enthalpy", 0.6, 0.6),
+                                  ("None", 1, 0)):
+            found = self.read(ideal(heat_recovery_type=kind, sensible_heat_recovery_effectiveness=said))
+            self.assertAlmostEqual(found.whole.heat_recovery, share)
+            self.assertTrue(np.allclose(found.whole.ventilation, air))
+            self.assertEqual(kind == "Enthalpy", "recovery of latent heat" in "".join(found.left_out))
+
+    def test_outdoor_air_of_ideal_loads_follows_people_and_availability(self):
+        """1 in 10 m2, 5 l/s each and 0.5 l/(s m2)."""
+        per_volume, people = 3600 / (LENGTH * DEPTH * HEIGHT), LENGTH * DEPTH / 10
+        found = self.read(ideal(demand_controlled_ventilation_type="OccupancySchedule"))
+        for hour, present in ((12, people), (3, 0)):
+            flow = present * 0.005 + LENGTH * DEPTH * 0.0005
+            self.assertAlmostEqual(found.whole.ventilation[10, 0, hour], per_volume * flow)
+        off = self.read(ideal(availability_schedule_name="Work"))
+        self.assertEqual([off.whole.ventilation[10, 0, hour] > 0 for hour in (3, 12)], [False, True])
+        by_co2 = self.read(ideal(demand_controlled_ventilation_type="CO2Setpoint",
+                                 outdoor_air_economizer_type="DifferentialDryBulb"))
+        self.assertAlmostEqual(by_co2.whole.ventilation.max(), self.read(BOX).whole.ventilation.max())
+        for word in ("1 ZoneHVAC:IdealLoadsAirSystem: demand_controlled_ventilation_type: outdoor air by CO2",
+                     "economizers; venting_air_change"):
+            self.assertIn(word, "".join(by_co2.left_out))
+
+    def test_limits_of_ideal_loads(self):
+        """Of all zones that are one; a flow's limit, and sizes that EnergyPlus finds, are told."""
+        whole = self.read(ideal(heating_limit="LimitCapacity", maximum_sensible_heating_capacity=2400,
+                                cooling_limit="LimitFlowRateAndCapacity", maximum_total_cooling_capacity=1600)).whole
+        self.assertEqual((whole.heating_capacity, whole.cooling_capacity), (30, 20))
+        none = self.read(ideal(maximum_sensible_heating_capacity=2400))
+        self.assertIsNone(none.whole.heating_capacity)
+        self.assertEqual([line for line in none.left_out if "Ideal" in line or "limit" in line], [])
+        for mode, limit, words in (("heating", "LimitFlowRate", "limits of the air flow of heating"),
+                                   ("cooling", "LimitCapacity", "cooling capacities that EnergyPlus finds")):
+            found = self.read(ideal(**{f"{mode}_limit": limit}))
+            self.assertIsNone(getattr(found.whole, f"{mode}_capacity"))
+            self.assertIn(words, "".join(found.left_out))
+        path = self.box_of(ideal(TWO, heating_limit="LimitCapacity", maximum_sensible_heating_capacity=2400))
+        for has_rooms, limits in ((False, [None]), (True, [30, None])):
+            found = idf_building.read_building(str(path), has_rooms=has_rooms)
+            self.assertEqual([room.heating_capacity for room in found.rooms], limits)
+            self.assertEqual(not has_rooms, "limits of heating that some zones have" in "".join(found.left_out))
+
+    def test_ideal_loads_that_are_off(self):
+        """What is never on has no capacity; a part of the year is told."""
+        plant, _ = self.plant_in(ideal(cooling_availability_schedule_name="Never"))
+        self.assertEqual((plant.cooling, plant.cooling_says), (None, "its ideal loads never cool"))
+        found = self.read(ideal(heating_availability_schedule_name="Never"))
+        self.assertEqual((found.whole.heating_capacity, found.whole.cooling_capacity), (0, None))
+        found = self.read(ideal(cooling_availability_schedule_name="Summer"))
+        self.assertIsNone(found.whole.cooling_capacity)
+        said = [line for line in found.left_out if " is off in " in line]
+        self.assertEqual(len(said), 1)
+        self.assertIn(f"cooling is off in {1 - 153 / 365:.0%} of the year; cooling_limit", said[0])
+
+    def test_thermostats_whose_control_changes(self):
+        """Types 1 and 2 heat or cool, 4 does both; others are no types, and say nothing."""
+        one = BOX.replace("Control, Room, Activity,", "Control, Room, Type,") + "Schedule:Constant, Type, , {};\n"
+        for kind, heats, cools in ((1, True, False), (2, False, True), (4, True, True), (5, True, True)):
+            found = self.read(one.format(kind))
+            self.assertEqual((found.whole.heating is not None, found.whole.cooling is not None), (heats, cools), kind)
+            self.assertNotIn("control_type_schedule_name", "".join(found.left_out))
+        by_season = BOX.replace("Control, Room, Activity,", "Control, Room, Season,") + \
+            "Schedule:Compact, Season, , Through: 6/30, For: AllDays, Until: 24:00, 1, Through: 12/31, For: AllDays, " \
+            "Until: 24:00, 4;\n"
+        said = [line for line in self.read(by_season).left_out if "control_type_schedule_name" in line]
+        self.assertEqual(len(said), 1)
+        self.assertIn(f"cooling is off in {181 / 365:.0%} of the year", said[0])
+
     def test_lists_and_spaces(self):
         """Loads of a list of zones, and of a space by its own floor."""
         text = BOX + "ZoneList, All, Room;\nSpace, Corner, Room;\n"
@@ -931,6 +1018,26 @@ class Job(usual.New):
         flows = {flow["name"]: flow for flow in self.checked()["zone"][0]["flow"]}
         self.assertEqual((flows["ventilation"]["air_change"], flows["ventilation"]["heat_recovery"]), (0.3, 0.7))
         self.assertNotIn("heat_recovery", flows["infiltration"])
+
+    def test_limits_of_ideal_loads_are_in_the_job(self):
+        """The range of the prior begins at half of a passive house's power, of less than that at half of the limit."""
+        for limit, least in (("800", 5), ("80", 0.5)):
+            self.from_file(self.box(ideal(heating_limit="LimitCapacity", maximum_sensible_heating_capacity=limit,
+                                          cooling_availability_schedule_name="Never")), force=True)
+            job = self.checked()
+            (prior,) = (p for p in job["parameter"] if p["name"] == "heating_capacity")
+            self.assertEqual((job["zone"][0]["heating_capacity"], prior["prior"]["mean"], prior["min"]),
+                             (float(limit) / 80, float(limit) / 80, least))
+            self.assertEqual((job["zone"][0]["cooling_capacity"], job["plant"]["cooling_carrier"]), (0, "none"))
+        self.from_file(self.box(ideal(heating_availability_schedule_name="Never")), force=True)
+        job = self.checked()
+        self.assertEqual((job["zone"][0]["heating_capacity"], job["zone"][0]["cooling_capacity"]), (0, 90))
+        self.assertNotIn("heating_capacity", {p["name"] for p in job["parameter"]})
+        self.from_file(self.box(ideal(TWO.replace("Frost control, Store", "Frost control, Room"),
+                                      heating_limit="LimitCapacity", maximum_sensible_heating_capacity="800")),
+                       force=True, rooms=True)
+        (prior,) = (p for p in self.checked()["parameter"] if p["name"] == "heating_capacity")
+        self.assertEqual(prior["prior"]["mean"], 10)
 
     def test_set_points_without_a_thermostat_are_told(self):
         said = self.from_file(self.box(without(BOX, "ZoneControl"))).stdout
