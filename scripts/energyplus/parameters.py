@@ -2,8 +2,8 @@
 
 Factors are on what the model says; set-points are shifted in K; U-values of walls and roofs by the resistance of the
 layer that insulates most, with the films of ISO 6946; windows of panes become simple glazing systems of the U-value and
-g by EN 673 and EN 410. Sizes that EnergyPlus finds follow by themselves. Leaves out F and C factors, and windows whose
-glass is given by wavelength.
+g by EN 673 and EN 410, but stay as they are while both factors are 1. Sizes that EnergyPlus finds follow by themselves.
+Leaves out F and C factors, and windows whose glass is given by wavelength.
 """
 import copy
 import difflib
@@ -263,13 +263,14 @@ def glazed(model):
 
 
 def scale_windows(model, key, value):
-    """Of each construction its own simple glazing system, scaled."""
+    """Of each construction its own simple glazing system, scaled; none at 1."""
     count, named = 0, glazed(model)
     for each, fields in model.all("Construction"):
         if each.lower() in named and "windowmaterial" in kind_of_layer(model, fields["outside_layer"]):
-            own = simple_glazing(model, each, fields)
-            own[key] = min(own[key] * value, MOST[key])
             count += 1
+            if value != 1:
+                own = simple_glazing(model, each, fields)
+                own[key] = min(own[key] * value, MOST[key])
     return count
 
 

@@ -353,7 +353,8 @@ class Tables(unittest.TestCase):
         self.assertAlmostEqual(made["u_factor"], 3)
         self.assertAlmostEqual(made["solar_heat_gain_coefficient"], 0.44)
 
-    def test_panes_become_their_u_value_and_g(self):
+    def give_panes(self):
+        """4-12-4 of clear glass."""
         pane = {"optical_data_type": "SpectralAverage", "thickness": 0.004, "conductivity": 1,
                 "solar_transmittance_at_normal_incidence": 0.83,
                 "front_side_solar_reflectance_at_normal_incidence": 0.075,
@@ -363,12 +364,27 @@ class Tables(unittest.TestCase):
         self.model.add("WindowMaterial:Glazing", "Clear", pane)
         self.model.add("WindowMaterial:Gas", "Gap", {"gas_type": "Air", "thickness": 0.012})
         self.model.find("Construction", "Double glazing").update(outside_layer="Clear", layer_2="Gap", layer_3="Clear")
-        self.apply(u_windows=1.0)
+
+    def test_panes_become_their_u_value_and_g(self):
+        self.give_panes()
+        self.apply(u_windows=1.25)
         construction = self.model.find("Construction", "Double glazing")
         self.assertEqual(list(construction), ["outside_layer"])
         made = self.model.find("WindowMaterial:SimpleGlazingSystem", construction["outside_layer"])
-        self.assertAlmostEqual(made["u_factor"], 2.86, delta=0.06)             # EN 673 of 4-12-4
+        self.assertAlmostEqual(made["u_factor"] / 1.25, 2.86, delta=0.06)      # EN 673 of 4-12-4
         self.assertAlmostEqual(made["solar_heat_gain_coefficient"], 0.76, delta=0.02)
+
+    def test_panes_stay_while_nothing_scales_them(self):
+        """At exactly 1 alone: the nominal model is the user's."""
+        self.give_panes()
+        before = self.model.text()
+        self.apply(u_windows=1, g_windows=1.0)
+        self.assertEqual(self.model.text(), before)
+        for values in ({"u_windows": 1, "g_windows": 0.9999}, {"u_windows": 1.0001, "g_windows": 1}):
+            self.setUp()
+            self.give_panes()
+            self.apply(**values)
+            self.assertEqual(list(self.model.find("Construction", "Double glazing")), ["outside_layer"])
 
     def test_ideal_loads_have_their_plant_in_the_run_file(self):
         plant = self.apply(plant=hours.plant_of(self.model, {"heating_carrier": "gas", "heating_efficiency": 0.8}),
