@@ -71,7 +71,7 @@ def own_fuels(model):
         return ()
     read = as_read(model)
     try:
-        schedules = idf_schedules.Schedules(read, [])
+        schedules = idf_schedules.Schedules(read)
         return tuple(mode for mode in idf_ideal.FUELS if idf_ideal.fuels_of(read, schedules, mode))
     except Refused as error:
         raise Failed(str(error)) from None

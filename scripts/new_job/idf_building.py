@@ -89,9 +89,9 @@ def size_of(zones):
 class Reader:
     """Of rooms, one after the other."""
 
-    def __init__(self, model, left_out, hours, dark):
+    def __init__(self, model, left_out, hours, dark, set_points):
         self.model, self.left_out, self.hours, self.dark = model, left_out, hours, dark
-        self.schedules = idf_schedules.Schedules(model, left_out)
+        self.schedules = idf_schedules.Schedules(model, set_points)
         self.zones = idf_geometry.read_zones(model)
         idf_use.mark_conditioned(model, self.zones, left_out)
         self.rooms = [zone for zone in self.zones.values() if zone.is_conditioned]
@@ -146,11 +146,13 @@ class Reader:
                     *(None if limit is None else limit / area for limit in map(use.capacity, idf_ideal.MODES)))
 
 
-def read_building(path, has_rooms=False, hours=(), site=None, has_summer_time=False):
+def read_building(path, has_rooms=False, hours=(), site=None, has_summer_time=False,
+                  set_points=idf_schedules.USUAL_SET_POINTS):
     """`hours`: of the weather (weather.hours_of); without a year of them people are in rooms half-way between the
-    set-points. `site`: (latitude, longitude, UTC offset), for its nights."""
+    set-points. `site`: (latitude, longitude, UTC offset), for its nights. `set_points`: of the use, where a file of
+    their schedule is not there."""
     model, left_out = idf.read_model(path), []
-    reader = Reader(model, left_out, hours, idf_outside.dark_share(site, has_summer_time))
+    reader = Reader(model, left_out, hours, idf_outside.dark_share(site, has_summer_time), set_points)
     whole = reader.whole()
     rooms = reader.each(whole) if has_rooms else [whole]
     heating, cooling = (idf_plant.machines(model, reader.schedules, mode)

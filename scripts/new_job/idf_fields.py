@@ -269,6 +269,10 @@ _TABLE = {
     "heatexchanger:airtoair:sensibleandlatent":
         "name availability_schedule_name nominal_supply_air_flow_rate sensible_effectiveness_at_100_heating_air_flow",
     "schedule:constant": "name schedule_type_limits_name hourly_value",
+    "schedule:file": "name schedule_type_limits_name file_name column_number rows_to_skip_at_top "
+                     "number_of_hours_of_data column_separator interpolate_to_timestep minutes_per_item",
+    "runperiod": "name begin_month begin_day_of_month begin_year end_month end_day_of_month end_year "
+                 "day_of_week_for_start_day",
     "schedule:compact": "name schedule_type_limits_name",
     "schedule:year": "name schedule_type_limits_name",
     "schedule:week:daily": " ".join(word if word == "name" else f"{word}_schedule_day_name"
@@ -318,7 +322,8 @@ SINCE = {(kind, "space_name"): (9, 6) for kind, names in FIELDS.items() if "spac
     {(kind, name): (24, 2) for kind in FIELDS if kind.startswith("heatpump:plantloop:eir:")
      for name in FIELDS[kind] if name.startswith("heat_recovery_")} | \
     {("zonehvac:idealloadsairsystem", name): (24, 2)
-     for name in FIELDS["zonehvac:idealloadsairsystem"] if "_fuel_" in name}
+     for name in FIELDS["zonehvac:idealloadsairsystem"] if "_fuel_" in name} | \
+    {("runperiod", "begin_year"): (9, 0), ("runperiod", "end_year"): (9, 0)}
 # Names in epJSON files before 9.6.
 FORMER = {"zone_or_zonelist_or_space_or_spacelist_name": ("zone_or_zonelist_name", "zone_name")}
 UNTIL = {("fenestrationsurface:detailed", "shading_control_name"): (8, 9)}

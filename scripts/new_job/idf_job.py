@@ -10,11 +10,10 @@ from cases.toml import number
 from new_job import building, job, priors
 from new_job.idf_envelope import GROUND_CLASSES
 from new_job.idf_outside import HOT_WATER
-from new_job.idf_schedules import HOURS, KINDS, MONTH_DAYS, runs_of
+from new_job.idf_schedules import HOURS, KINDS, MONTH_DAYS, MOST_RUNS, runs_of
 from new_job.job import NOT_COOLED, section
 
 SAME_SHARE = 6                 # digits by which hours of two rooms are the same
-MOST_RUNS = 26                 # parts of the year with schedules of their own; more are one mean
 WEEKDAYS = ("monday", "tuesday", "wednesday", "thursday", "friday")
 MOST_AIR = 20                  # 1/h, that a job takes
 MOST_G, LEAST_SHARE, MOST_FACTOR = 0.95, 0.3, 3

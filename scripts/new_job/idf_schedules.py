@@ -1,17 +1,19 @@
 """Schedules of an EnergyPlus file as numbers by day of the year, kind of day and hour.
 
 A profile is an array (365, 8, 24): days of the year, Monday to Sunday and holidays, hours. Source: EnergyPlus Input
-Output Reference, Group Schedules. Leaves out design days, custom days, 29 February, and Schedule:File, which is 1.
+Output Reference, Group Schedules. Leaves out design days, custom days and 29 February.
 """
 import re
 
 import numpy as np
 
+from new_job import idf_files
 from new_job.idf import number_of
 from new_job.idf_fields import MONTHS
+from new_job.idf_files import MONTH_DAYS
 
 DAYS, KINDS, HOURS = 365, 8, 24
-MONTH_DAYS = (31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31)
+MOST_RUNS = 26                 # parts of the year with schedules of their own; more are one mean
 KIND_OF = {"monday": 0, "tuesday": 1, "wednesday": 2, "thursday": 3, "friday": 4, "saturday": 5, "sunday": 6,
            "holiday": 7}
 GROUPS = {"weekdays": range(5), "weekday": range(5), "weekends": (5, 6), "weekend": (5, 6), "alldays": range(KINDS)}
@@ -198,15 +200,48 @@ def day_of(_, day):
                                      for time, value in zip(times, flat[1::2])])
 
 
-READERS = {"Schedule:Compact": compact, "Schedule:Year": year,
+def of_file(model, thing):
+    """None where the file is not there. A year whose weeks differ too often has the mean week of each month."""
+    if not idf_files.path_of(thing).is_file():
+        return None
+    profile = idf_files.profile_of(model, thing)
+    n_runs = len(runs_of(profile))
+    if n_runs <= MOST_RUNS:
+        return profile
+    model.checks.append(f'{thing.kind} "{thing.name}": its weeks change {n_runs - 1} times a year; the mean week of '
+                        "each month was taken")
+    return idf_files.by_month(profile)
+
+
+READERS = {"Schedule:Compact": compact, "Schedule:Year": year, "Schedule:File": of_file,
            "Schedule:Constant": lambda _, thing: constant(thing.number("hourly_value", 0))}
+# What a schedule is taken for whose file is not there, in degC, W (a person who sits and works: 1.1 met of ISO 7730)
+# and types of control (both set-points); others are 1. Set-points are the use's.
+USUAL = {("people", "activity_level_schedule_name"): 120,
+         ("zonecontrol:thermostat", "control_type_schedule_name"): 4,
+         ("waterheater:mixed", "setpoint_temperature_schedule_name"): 60,
+         ("waterheater:mixed", "ambient_temperature_schedule_name"): 20,
+         ("wateruse:equipment", "target_temperature_schedule_name"): 43,
+         ("wateruse:equipment", "hot_water_supply_temperature_schedule_name"): 60,
+         ("wateruse:equipment", "cold_water_supply_temperature_schedule_name"): 10,
+         ("site:watermainstemperature", "temperature_schedule_name"): 10}
+HEATING_OF = (("thermostatsetpoint:dualsetpoint", "heating_setpoint_temperature_schedule_name"),
+              ("thermostatsetpoint:singleheating", "setpoint_temperature_schedule_name"),
+              ("thermostatsetpoint:singleheatingorcooling", "setpoint_temperature_schedule_name"),
+              ("hvactemplate:thermostat", "heating_setpoint_schedule_name"))
+COOLING_OF = (("thermostatsetpoint:dualsetpoint", "cooling_setpoint_temperature_schedule_name"),
+              ("thermostatsetpoint:singlecooling", "setpoint_temperature_schedule_name"),
+              ("hvactemplate:thermostat", "cooling_setpoint_schedule_name"))
+USUAL_SET_POINTS = (20, 26)    # degC, EnergyPlus's of its templates
 
 
 class Schedules:
-    """Profiles by name, each read once; what cannot be read is 1, and told."""
+    """Profiles by name, each read once; one whose file is not there is as usual, and told."""
 
-    def __init__(self, model, left_out):
-        self.model, self.left_out, self.known = model, left_out, {}
+    def __init__(self, model, set_points=USUAL_SET_POINTS):
+        """`set_points`: heating's and cooling's, usual of the use."""
+        self.model, self.known = model, {}
+        self.usual = USUAL | dict.fromkeys(HEATING_OF, set_points[0]) | dict.fromkeys(COOLING_OF, set_points[1])
 
     def of(self, thing, key):
         """1 at all hours where the field is empty."""
@@ -215,15 +250,22 @@ class Schedules:
             return constant(1)
         if name.lower() not in self.known:
             self.known[name.lower()] = self.read(thing, key, name)
-        return self.known[name.lower()]
+        found = self.known[name.lower()]
+        return self.without_file(thing, key, name) if found is None else found
+
+    def without_file(self, thing, key, name):
+        field = thing.kind.lower(), key
+        usual = self.usual.get(field, 1)
+        says = ", usual of the use," if field in (*HEATING_OF, *COOLING_OF) else ""
+        path = idf_files.path_of(self.model.find(name, "Schedule:File"))
+        self.model.checks.append(f'{thing.kind}: {key}: {path}, which Schedule:File "{name}" reads, is no file; '
+                                 f"{usual:g}{says} was taken")
+        return constant(usual)
 
     def read(self, thing, key, name):
         found = self.model.find(name, *READERS)
         if found is not None:
             return next(read for kind, read in READERS.items() if kind.lower() == found.kind.lower())(self.model, found)
-        if self.model.find(name, "Schedule:File", "Schedule:File:Shading"):
-            self.left_out.append(f'Schedule:File "{name}", taken as 1')
-            return constant(1)
         thing.refuse(key, f"names {name!r}, which is not in the file; expected the name of a schedule")
 
 

@@ -612,6 +612,80 @@ class Box(unittest.TestCase):
         self.assertAlmostEqual(autumn[2, 3], density / 2)
         self.assertEqual([run[:2] for run in idf_schedules.runs_of(profile)], [(0, 180), (181, 364)])
 
+    def of_file(self, rows, said="", more="", house=BOX):
+        """The box heated by column 2 of a CSV file, of which `said` are the last fields."""
+        (self.folder / "heat.csv").write_text("\n".join(rows) + "\n")
+        text = without(house, "Schedule:Year, Heat") + f"Schedule:File, Heat, , heat.csv, 2, 1{said};\n{more}"
+        return self.read(text)
+
+    def hours_by_date(self, year, value, separator=",", per_hour=1):
+        """A header, and a row for each item of a year; `value` of day of the year from 0, weekday and hour."""
+        days = [dt.date(year, 1, 1) + dt.timedelta(days=k) for k in range(366 if year % 4 == 0 else 365)]
+        return ["k,heat"] + [f"{k}{separator} {value(k, day.weekday(), hour)}" for k, day in enumerate(days)
+                             for hour in range(24) for _ in range(per_hour)]
+
+    def test_hours_of_a_file(self):
+        """As the box has them, but by files of a year; the weekday is the run period's, else as weekends stand out."""
+        def office(day, weekday, hour):
+            return 21 if weekday < 5 and 6 <= hour < 20 else 16
+        known = self.read(BOX).whole.heating
+        for year, said, more, separator, per_hour in (
+                (2021, "", "", ",", 1), (2022, ", 8760, Semicolon, No, 30", "", ";", 2),
+                (2020, ", 8784, Tab", "", "\t", 1), (2023, ", 8760, Space, No, 60", "", " ", 1),
+                (2021, "", "RunPeriod, Year, 1, 1, 2021, 12, 31, 2021;\n", ",", 1),
+                (2021, "", "RunPeriod, Year, 1, 4, , 12, 31, , Monday;\n", ",", 1)):
+            with self.subTest(year=year, said=said):
+                found = self.of_file(self.hours_by_date(year, office, separator, per_hour), said, more)
+                self.assertTrue((found.whole.heating == known).all())
+                self.assertEqual(found.checks, [])
+        shifted = self.of_file(self.hours_by_date(2021, office), more="RunPeriod, Year, 1, 1, , 12, 31, , Saturday;\n")
+        self.assertEqual([day[12] for day in shifted.whole.heating[100]], [16, 21, 21, 21, 21, 21, 16, 16])
+        halves = self.hours_by_date(2021, lambda *_: 10, per_hour=2)
+        halves[2::2] = [row.replace(" 10", " 20") for row in halves[2::2]]
+        self.assertEqual(set(self.of_file(halves, ", 8760, Comma, No, 30").whole.heating.flat), {15})
+
+    def test_files_with_seasons_and_without_weeks(self):
+        """26 parts of a year are kept; of more the mean week of each month."""
+        found = self.of_file(self.hours_by_date(2021, lambda day, weekday, hour: 21 if 84 <= day < 280 else 16))
+        changes = [first for first, _, _ in idf_schedules.runs_of(found.whole.heating)]
+        self.assertEqual((len(changes), found.whole.heating[83].max(), found.whole.heating[90].min()), (5, 21, 21))
+        for n_parts, is_kept in ((26, True), (27, False)):
+            found = self.of_file(self.hours_by_date(2018, lambda day, *_: min(day // 7, n_parts - 1)),
+                                 more="RunPeriod, Year, 1, 1, 2018, 12, 31;\n")     # from a Monday
+            self.assertEqual(len(idf_schedules.runs_of(found.whole.heating)), n_parts if is_kept else 8)
+            self.assertEqual(found.checks, [] if is_kept else [
+                'Schedule:File "Heat": its weeks change 26 times a year; the mean week of each month was taken'])
+        january = found.whole.heating[:31]
+        self.assertTrue((january == january[0]).all())
+        self.assertAlmostEqual(january[0, 0, 0], np.mean([k // 7 for k in range(31)]))
+
+    def test_files_that_are_not_there(self):
+        """A set-point is the use's, what a person gives usual, and a share 1; each is told."""
+        text = without(BOX, "Schedule:Year, Heat", "Schedule:Constant, A", "Schedule:Constant, C") + "".join(
+            f"Schedule:File, {name}, , {name}.csv, 1, 0;\n" for name in ("Heat", "Cool", "Activity", "Shut"))
+        path = self.box_of(text.replace("Lights, Room, Work", "Lights, Room, Shut").replace("Control, Room, Activity",
+                                                                                            "Control, Room, Shut"))
+        found = idf_building.read_building(str(path), set_points=(19, 24))
+        self.assertEqual((found.whole.heating.mean(), found.whole.cooling.mean()), (19, 24))
+        self.assertEqual(found.whole.loads["lights"].values.mean(), 8)
+        self.assertAlmostEqual(found.whole.loads["people"].values.max(), 120 * 0.5 / 10)
+        said = "\n".join(found.checks)
+        for words in ('Cool.csv, which Schedule:File "Cool" reads, is no file; 24, usual of the use, was taken',
+                      "Heat.csv", "19, usual", "Activity.csv", "is no file; 120 was taken", "is no file; 1 was taken"):
+            self.assertIn(words, said)
+
+    def test_files_that_cannot_be_read(self):
+        rows = self.hours_by_date(2021, lambda *_: 20)
+        for changed, said, words in ((rows[:-1], "", "heat.csv has 8759 rows of numbers; expected 8760"),
+                                     ([*rows[:9], "9, warm", *rows[10:]], "", "'warm'; expected a number"),
+                                     ([*rows[:9], "9, nan", *rows[10:]], "", "no finite number"),
+                                     ([*rows[:9], "9", *rows[10:]], "", "'9' has no column 2"),
+                                     (rows, ", 8760, Comma, No, 7", "7 is no part of an hour")):
+            with self.assertRaises(Refused) as caught:
+                self.of_file(changed, said)
+            self.assertIn('box.idf: Schedule:File "Heat"', str(caught.exception))
+            self.assertIn(words, str(caught.exception))
+
     def test_holidays_that_none_names_are_sundays(self):
         text = BOX.replace("For: AllOtherDays, Until: 24:00, 0,", "For: Sunday, Until: 24:00, 0.1,")
         profile = self.read(text).whole.loads["lights"].values
